@@ -1,0 +1,131 @@
+"""Kinetostatics: reactions and drive efforts by d'Alembert's principle, group after group from the far end.
+
+Each link carries the wrench of gravity, inertia and loads. A dyad's inner reaction follows from the freedoms of
+its outer joints (two linear equations with the transposed closure matrix); what a link then passes on to the
+body that it hangs on is the sum of its wrenches.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from linkwright.graph.geometry import ZERO
+from linkwright.graph.motion import Motion
+from linkwright.model.mechanism import Load
+from linkwright.notation import Body, Pair, Scalar, Wrench
+from linkwright.notation.jets import is_zero
+from linkwright.structure import FRAME, Connection, Driven, Group
+
+
+@dataclass
+class Forces:
+    """Reactions and efforts. ``reactions[joint, link]`` is the wrench of the link on the joint (N, N m): on the
+    pin, or through the line on the other link, stated about the pin, or the second link's point of the line."""
+
+    reactions: dict[tuple[str, str], Wrench] = field(default_factory=dict)
+    efforts: dict[str, Scalar] = field(default_factory=dict)
+    shaking: Wrench = field(default_factory=lambda: Wrench.zero(ZERO))
+
+
+def solve_forces(motion: Motion) -> Forces:
+    """All reactions, drive efforts and the shaking wrench, from motion of order 2."""
+    return _Solver(motion).run()
+
+
+class _Solver:
+    def __init__(self, motion: Motion) -> None:
+        self.motion = motion
+        self.forces = Forces()
+        self.carried: dict[tuple[str, str], Wrench] = {}
+        self.wrenches = {
+            link: own_wrench(motion, link, body) for link, body in motion.bodies.items() if link != FRAME
+        }
+        self.wrenches[FRAME] = Wrench.zero(ZERO)
+
+    def run(self) -> Forces:
+        for step in reversed(self.motion.structure.steps):
+            if isinstance(step, Driven):
+                self.drive(step)
+            else:
+                self.group(step)
+        for (joint, link), wrench in self.carried.items():
+            self.react(joint, link, wrench.opposite)
+        self.forces.shaking = self.wrenches[FRAME]
+        return self.forces
+
+    def drive(self, step: Driven) -> None:
+        total = self.wrenches[step.link]
+        twist = self.motion.twists[step]
+        effort = -twist.work(total)
+        self.forces.efforts[step.drive] = effort if step.sign > 0 else -effort
+        held = total.at(twist.about)
+        if twist.turn:
+            held = Wrench(held.force, 0.0, held.about)
+        else:
+            along = Pair(effort * twist.along.x, effort * twist.along.y)
+            held = held.plus(Wrench(along, 0.0, twist.about))
+        self.hand_on(step.joint, step.link, total, held)
+
+    def group(self, step: Group) -> None:
+        a, b = step.links
+        dyad, solved = self.motion.dyads[step]
+        inner = dyad.balance(solved, self.wrenches[a], self.wrenches[b])
+        self.react(step.inner.joint, a, inner.opposite)
+        self.react(step.inner.joint, b, inner)
+        for connection, link, own in ((step.outer[0], a, inner), (step.outer[1], b, inner.opposite)):
+            total = self.wrenches[link].plus(own)
+            self.hand_on(connection, link, total, total)
+
+    def hand_on(self, connection: Connection, link: str, total: Wrench, held: Wrench) -> None:
+        """A link passes its whole wrench to its base; ``held`` is the part that the joint itself transmits."""
+        base = connection.other(link)
+        self.react(connection.joint, link, held)
+        key = (connection.joint, base)
+        self.carried[key] = self.carried[key].plus(held) if key in self.carried else held
+        self.wrenches[base] = self.wrenches[base].plus(total)
+
+    def react(self, joint: str, link: str, wrench: Wrench) -> None:
+        about = self.reference(joint, link)
+        key = (joint, link)
+        known = self.forces.reactions.get(key)
+        moved = wrench.at(about)
+        self.forces.reactions[key] = moved if known is None else known.plus(moved)
+
+    def reference(self, joint: str, link: str) -> Pair:
+        """The point about which a joint's moment is stated: the pin, or the second link's point of the line."""
+        motion = self.motion
+        pin = motion.structure.topology.pins.get(joint)
+        if pin is not None:
+            return motion.bodies[link].point(motion.point(link, pin.point(link))).now
+        second = motion.geometry.mechanism.joints[joint].links[1]
+        point, _ = motion.geometry.line(joint, second)
+        return motion.bodies[second].point(point).now
+
+
+def own_wrench(motion: Motion, link: str, body: Body) -> Wrench:
+    """Gravity, inertia and loads on a link, about its anchor."""
+    geometry = motion.geometry
+    wrench = Wrench.zero(body.anchor.now)
+    mass, centre, inertia = geometry.mass(link)
+    if not is_zero(mass):
+        at, g = body.point(centre), geometry.gravity()
+        force = Pair(mass * (g.x - at.x.d[2]), mass * (g.y - at.y.d[2]))
+        wrench = wrench.plus(Wrench(force, -inertia * body.turn.d[1], at.now))
+    for load in geometry.mechanism.loads.values():
+        if load.on == link:
+            wrench = wrench.plus(load_wrench(motion, load, body))
+    return wrench
+
+
+def load_wrench(motion: Motion, load: Load, body: Body) -> Wrench:
+    """A load's wrench at its point."""
+    geometry = motion.geometry
+    force = geometry.force(load)
+    if load.along:
+        joint = geometry.mechanism.joints[load.along]
+        heading = geometry.line(load.along, joint.links[0])[1]
+        axis = motion.bodies[joint.links[0]].direction(heading).now
+        force = force.turned(axis)
+    elif load.in_ and load.in_ != FRAME:
+        force = force.turned(motion.bodies[load.in_].axis.now)
+    return Wrench(force, geometry.torque(load), body.point(geometry.load_point(load)).now)

@@ -1,0 +1,126 @@
+"""A mechanism's dimensions as numbers: at the nominal parameters, or as symbols of them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from linkwright.model import units as u
+from linkwright.model.expressions import evaluate
+from linkwright.model.fields import Expression, LineOn, Position
+from linkwright.model.mechanism import Load
+from linkwright.model.quantities import Quantities
+from linkwright.notation import Pair, Scalar
+from linkwright.notation.jets import call, is_zero
+
+ZERO = Pair(0.0, 0.0)
+
+
+class Geometry:
+    """Coordinates, masses and loads of a mechanism for given parameter values (floats or CasADi symbols), in SI."""
+
+    def __init__(self, quantities: Quantities, parameters: Mapping[str, Scalar]) -> None:
+        self.quantities, self.parameters = quantities, parameters
+        self.mechanism = quantities.mechanism
+        self._points: dict[tuple[str, str], Pair] = {}
+
+    def number(self, expression: Expression, dimension: u.Dimension) -> Scalar:
+        """The value of an expression."""
+        node = self.quantities.bind(expression, dimension)
+        return evaluate(node, lambda name: self.parameters[name.text])
+
+    def position(self, position: Position) -> Pair:
+        """Coordinates in a link's frame (m)."""
+        first = self.number(position.first, u.LENGTH)
+        if not position.polar:
+            return Pair(first, self.number(position.second, u.LENGTH))
+        heading = self._heading(position.second)
+        return Pair(first * heading.x, first * heading.y)
+
+    def point(self, link: str, name: str) -> Pair:
+        """A named point of a link in its frame (m)."""
+        key = (link, name)
+        if key not in self._points:
+            self._points[key] = self.position(self.mechanism.links[link].points[name])
+        return self._points[key]
+
+    def line(self, joint: str, link: str) -> tuple[Pair, Pair]:
+        """Point (m) and heading (unit vector) of a prismatic joint's line on one of its links."""
+        entry = self.mechanism.joints[joint]
+        assert entry.line is not None
+        line: LineOn = entry.line[entry.links.index(link)]
+        return self.point(link, line.point), self._heading(line.angle)
+
+    def heading_angle(self, joint: str, link: str) -> Scalar:
+        """The angle (rad) of a prismatic joint's line in the link's frame."""
+        entry = self.mechanism.joints[joint]
+        assert entry.line is not None
+        return self.number(entry.line[entry.links.index(link)].angle, u.ANGLE)
+
+    def _heading(self, expression: Expression) -> Pair:
+        return unit_vector(self.number(expression, u.ANGLE))
+
+    def mass(self, link: str) -> tuple[Scalar, Pair, Scalar]:
+        """Mass (kg), centre of mass (m, in the link's frame), moment of inertia about it (kg m^2)."""
+        entry = self.mechanism.links[link]
+        if entry.mass is None:
+            return 0.0, ZERO, 0.0
+        mass = self.number(entry.mass, u.MASS)
+        if entry.shape is None:
+            assert entry.com is not None
+            assert entry.inertia is not None
+            return mass, self.position(entry.com), self.number(entry.inertia, u.INERTIA)
+        points = [self.point(link, name) for name in entry.shape.points]
+        radius = self.number(entry.shape.radius, u.LENGTH) if entry.shape.radius else 0.0
+        centre, square = _SHAPES[entry.shape.form](points, radius)
+        return mass, centre, mass * square
+
+    def gravity(self) -> Pair:
+        """The acceleration of gravity (m/s^2); zero unless the file gives it."""
+        g = self.mechanism.gravity
+        return ZERO if g is None else Pair(self.number(g[0], u.ACCELERATION), self.number(g[1], u.ACCELERATION))
+
+    def load_point(self, load: Load) -> Pair:
+        """Where a load acts, in its link's frame (m)."""
+        if isinstance(load.at, Position):
+            return self.position(load.at)
+        return self.point(load.on, load.at) if load.at else ZERO
+
+    def force(self, load: Load) -> Pair:
+        """A load's force components (N), in the frame or the link that it turns with, or along a joint's line."""
+        if load.force is None:
+            return ZERO
+        if isinstance(load.force, Expression):
+            return Pair(self.number(load.force, u.FORCE), 0.0)
+        return Pair(self.number(load.force[0], u.FORCE), self.number(load.force[1], u.FORCE))
+
+    def torque(self, load: Load) -> Scalar:
+        """A load's torque (N m)."""
+        return 0.0 if load.torque is None else self.number(load.torque, u.TORQUE)
+
+
+def unit_vector(angle: Scalar) -> Pair:
+    """(cos, sin) of an angle (rad), exact at multiples of a right angle."""
+    if isinstance(angle, int | float):
+        quarters = angle / (math.pi / 2)
+        if abs(quarters - round(quarters)) < 1e-15 * max(1.0, abs(quarters)):
+            return (Pair(1.0, 0.0), Pair(0.0, 1.0), Pair(-1.0, 0.0), Pair(0.0, -1.0))[round(quarters) % 4]
+    return Pair(call("cos", angle), call("sin", angle))
+
+
+def _rod(points: list[Pair], _: Scalar) -> tuple[Pair, Scalar]:
+    """A slender uniform rod: centre in the middle, I = m L^2 / 12."""
+    a, b = points
+    arm = b.minus(a)
+    return Pair((a.x + b.x) / 2, (a.y + b.y) / 2), arm.dot(arm) / 12
+
+
+# Each shape: its centre of mass, and the square of its radius of gyration (m^2).
+_SHAPES: dict[str, Any] = {
+    "rod": _rod,
+    "disc": lambda points, radius: (points[0], radius * radius / 2),
+    "point": lambda points, radius: (points[0], 0.0),
+}
+
+__all__ = ["Geometry", "is_zero", "unit_vector"]

@@ -1,0 +1,230 @@
+"""A mechanism as one program: its groups run on symbols give every signal as an expression.
+
+Inputs per pose are the drives' values and rates and the groups' branches; the parameters are inputs common to
+all poses. Signals are made when they are asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import casadi as ca
+
+from linkwright.graph.forces import Forces, solve_forces
+from linkwright.graph.geometry import ZERO, Geometry
+from linkwright.graph.motion import Motion, solve_motion
+from linkwright.graph.program import ExpressionStage, Program
+from linkwright.model.expressions import Call, Name, parse
+from linkwright.model.quantities import Quantities
+from linkwright.model.signals import Signal
+from linkwright.notation import MAX_ORDER, Jet, Scalar, Vec, Wrench
+from linkwright.structure import FRAME, Structure
+
+_LETTERS = {"": 0, "v": 1, "a": 2, "j": 3}
+_LINK_ORDERS = {"angle": 0, "omega": 1, "alpha": 2, "jerk": 3}
+_SLIDE_ORDERS = {"s": 0, "v": 1, "a": 2, "j": 3}
+
+
+@dataclass
+class Graph:
+    """The symbolic mechanism. ``inputs`` names the rows of the per-pose input in order."""
+
+    quantities: Quantities
+    structure: Structure
+    _views: dict[int, _View] = field(default_factory=dict)
+    _programs: dict[tuple[tuple[str, ...], bool], Program] = field(default_factory=dict)
+
+    @cached_property
+    def drives(self) -> tuple[str, ...]:
+        """The drives in the order of their inputs."""
+        return tuple(self.structure.topology.mechanism.drives)
+
+    @cached_property
+    def branched(self) -> tuple[Any, ...]:
+        """The groups with two assembly modes, in the order of their branch inputs."""
+        return tuple(group for group in self.structure.groups if group.modes > 1)
+
+    @cached_property
+    def inputs(self) -> tuple[str, ...]:
+        """Rows of the per-pose input: each drive's value and rates up to one past jerk, then the branches."""
+        rows = [f"{drive}:{k}" for drive in self.drives for k in range(MAX_ORDER + 2)]
+        return (*rows, *(f"branch:{group.label}" for group in self.branched))
+
+    @cached_property
+    def parameters(self) -> tuple[str, ...]:
+        """The parameters, in the order of the parameter input."""
+        return tuple(self.quantities.parameters)
+
+    def signal(self, text: str) -> Signal:
+        """The signal of a name. Raises DimensionError for a name that isn't one."""
+        node = parse(text)
+        assert isinstance(node, Name | Call)
+        return self.quantities.signals.find(node)
+
+    def program(self, names: Sequence[str], rates: bool = False) -> Program:
+        """The program of the named signals; with ``rates``, each followed by its time derivative.
+
+        Names are signals, or the internal rows ``reach:GROUP``, ``determinant:GROUP``, ``LINK:cos``, ``LINK:sin``.
+        """
+        key = (tuple(names), rates)
+        if key not in self._programs:
+            self._programs[key] = self._build(*key)
+        return self._programs[key]
+
+    def _build(self, names: tuple[str, ...], rates: bool) -> Program:
+        view = self._view(max((self.order_of(name) for name in names), default=0))
+        rows = [ca.SX(view.row(name)) for name in names]
+        if rates:
+            slopes = ca.jtimes(ca.vertcat(*rows), view.x, self._flow(view))
+            rows = [part for i, row in enumerate(rows) for part in (row, slopes[i])]
+        stage = ExpressionStage.from_rows(view.x, view.p, rows)
+        outputs = tuple(part for name in names for part in ((name, f"d({name})") if rates else (name,)))
+        return Program((stage,), self.inputs, self.parameters, outputs)
+
+    def _flow(self, view: _View) -> Any:
+        """The rate of change of the inputs in time."""
+        flow = []
+        for i in range(len(self.drives)):
+            rows = range(i * (MAX_ORDER + 2), (i + 1) * (MAX_ORDER + 2))
+            flow += [view.x[k + 1] for k in rows[:-1]] + [ca.SX(0)]
+        return ca.vertcat(*flow, *([ca.SX(0)] * len(self.branched)))
+
+    def order_of(self, name: str) -> int:
+        """The order of derivatives that a row needs."""
+        if ":" in name:
+            return 0
+        signal = self.signal(name)
+        if signal.kind in ("force", "shaking") or signal.attribute in ("torque", "force", "power"):
+            return 2
+        if signal.kind == "energy":
+            return 1
+        orders = {"link": _LINK_ORDERS, "drive": {**_LINK_ORDERS, **_SLIDE_ORDERS}, "slide": _SLIDE_ORDERS}
+        known = orders.get(signal.kind)
+        return known[signal.attribute] if known else _LETTERS[signal.attribute[:-1]]
+
+    def _view(self, order: int) -> _View:
+        if order not in self._views:
+            self._views[order] = _View.build(self, order)
+        return self._views[order]
+
+
+@dataclass
+class _View:
+    """The mechanism's expressions carried to one order of derivatives."""
+
+    graph: Graph
+    x: Any
+    p: Any
+    motion: Motion
+    laws: dict[str, Jet]
+
+    @classmethod
+    def build(cls, graph: Graph, order: int) -> _View:
+        symbols = [ca.SX.sym(name) for name in graph.inputs]
+        values = [ca.SX.sym(name) for name in graph.parameters]
+        width = MAX_ORDER + 2
+        laws = {
+            drive: Jet(symbols[i * width : i * width + order + 1]) for i, drive in enumerate(graph.drives)
+        }
+        branches = dict(zip(graph.branched, symbols[len(graph.drives) * width :], strict=True))
+        geometry = Geometry(graph.quantities, dict(zip(graph.parameters, values, strict=True)))
+        motion = solve_motion(graph.structure, geometry, laws, lambda group, _: branches.get(group, 1.0))
+        return cls(graph, ca.vertcat(*symbols), ca.vertcat(*values), motion, laws)
+
+    @cached_property
+    def forces(self) -> Forces:
+        return solve_forces(self.motion)
+
+    def row(self, name: str) -> Scalar:
+        """The expression of one output row."""
+        owner, colon, what = name.rpartition(":")
+        if colon:
+            return self._internal(owner, what)
+        signal = self.graph.signal(name)
+        return _ROWS[signal.kind](self, signal)
+
+    def _internal(self, owner: str, what: str) -> Scalar:
+        if owner in ("reach", "determinant"):
+            solved = next(s for group, (_, s) in self.motion.dyads.items() if group.label == what)
+            return solved.reach if owner == "reach" else solved.determinant
+        body = self.motion.bodies[owner]
+        start = body.point(ZERO).now
+        return {"cos": body.axis.x.d[0], "sin": body.axis.y.d[0], "x": start.x, "y": start.y}[what]
+
+    def link(self, signal: Signal) -> Scalar:
+        body = self.motion.bodies[signal.owners[0]]
+        order = _LINK_ORDERS[signal.attribute]
+        if order:
+            return body.turn.d[order - 1]
+        return ca.atan2(body.axis.y.d[0], body.axis.x.d[0]) if body.angle is None else body.angle
+
+    def point(self, signal: Signal) -> Scalar:
+        link = self.graph.quantities.signals.homes[signal.owners[0]]
+        return _component(self.motion.bodies[link].point(self.motion.point(link, signal.owners[0])), signal)
+
+    def com(self, signal: Signal) -> Scalar:
+        link = signal.owners[0]
+        return _component(self.motion.bodies[link].point(self.motion.geometry.mass(link)[1]), signal)
+
+    def travel(self, joint: str) -> Jet:
+        """The distance along a prismatic joint, from the first link's point to the second's."""
+        a, b = self.motion.geometry.mechanism.joints[joint].links
+        (first, heading), (second, _) = (self.motion.geometry.line(joint, link) for link in (a, b))
+        start, end = self.motion.bodies[a].point(first), self.motion.bodies[b].point(second)
+        return end.minus(start).dot(self.motion.bodies[a].direction(heading))
+
+    def slide(self, signal: Signal) -> Scalar:
+        return self.travel(signal.owners[0]).d[_SLIDE_ORDERS[signal.attribute]]
+
+    def drive(self, signal: Signal) -> Scalar:
+        name = signal.owners[0]
+        if signal.attribute in ("torque", "force"):
+            return self.forces.efforts[name]
+        if signal.attribute == "power":
+            return self.forces.efforts[name] * self.laws[name].d[1]
+        return self.laws[name].d[{**_LINK_ORDERS, **_SLIDE_ORDERS}[signal.attribute]]
+
+    def force(self, signal: Signal) -> Scalar:
+        contact = self.graph.quantities.signals.contact(signal.owners)
+        wrench = self.forces.reactions[contact.joint, contact.link]
+        if signal.attribute in ("x", "y"):
+            return getattr(wrench.force, signal.attribute)
+        if signal.attribute == "moment":
+            return wrench.moment
+        first = self.motion.geometry.mechanism.joints[contact.joint].links[0]
+        heading = self.motion.geometry.line(contact.joint, first)[1]
+        normal = self.motion.bodies[first].direction(heading).perp.now.dot(wrench.force)
+        return normal if signal.attribute == "normal" else wrench.moment / normal
+
+    def shaking(self, signal: Signal) -> Scalar:
+        wrench: Wrench = self.forces.shaking
+        return wrench.moment if signal.attribute == "moment" else getattr(wrench.force, signal.attribute)
+
+    def energy(self, signal: Signal) -> Scalar:
+        geometry, total = self.motion.geometry, 0.0
+        for link, body in self.motion.bodies.items():
+            mass, centre, inertia = geometry.mass(link)
+            if link == FRAME or geometry.mechanism.links[link].mass is None:
+                continue
+            at = body.point(centre)
+            if signal.attribute == "kinetic":
+                speed = at.x.d[1] * at.x.d[1] + at.y.d[1] * at.y.d[1]
+                total = total + 0.5 * (mass * speed + inertia * body.turn.d[0] * body.turn.d[0])
+            else:
+                g = geometry.gravity()
+                total = total - mass * (g.x * at.x.d[0] + g.y * at.y.d[0])
+        return total
+
+
+def _component(at: Vec, signal: Signal) -> Scalar:
+    jet: Jet = getattr(at, signal.attribute[-1])
+    return jet.d[_LETTERS[signal.attribute[:-1]]]
+
+
+
+_ROWS: dict[str, Callable[[_View, Signal], Scalar]] = {
+    kind: getattr(_View, kind) for kind in ("link", "point", "com", "slide", "drive", "force", "shaking", "energy")
+}

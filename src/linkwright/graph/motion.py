@@ -1,0 +1,109 @@
+"""The motion of all links: the structure's steps run in order, on numbers or on symbols alike."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from linkwright.graph.geometry import Geometry, unit_vector
+from linkwright.groups import REGISTRY, Dyad, InnerLine, InnerPin, OuterLine, OuterPin, Solved
+from linkwright.groups.joints import Inner, Outer, Twist
+from linkwright.notation import Body, Jet, Pair, Scalar
+from linkwright.structure import FRAME, Connection, Driven, Group, Structure
+
+Branch = Callable[[Group, Dyad], Scalar]
+
+
+@dataclass
+class Motion:
+    """Bodies by link, the solved groups, and the freedom of each driven link."""
+
+    structure: Structure
+    geometry: Geometry
+    order: int
+    bodies: dict[str, Body] = field(default_factory=dict)
+    dyads: dict[Group, tuple[Dyad, Solved]] = field(default_factory=dict)
+    twists: dict[Driven, Twist] = field(default_factory=dict)
+
+    def point(self, link: str, name: str) -> Pair:
+        """Coordinates of a link's point in its frame."""
+        return self.geometry.point(link, name)
+
+
+def solve_motion(structure: Structure, geometry: Geometry, drives: dict[str, Jet], branch: Branch) -> Motion:
+    """Run the steps: ``drives`` gives each drive's value and rates, ``branch`` each group's assembly branch."""
+    order = min((jet.order for jet in drives.values()), default=0)
+    motion = Motion(structure, geometry, order)
+    motion.bodies[FRAME] = Body.fixed(order)
+    for step in structure.steps:
+        if isinstance(step, Driven):
+            _drive(motion, step, drives[step.drive])
+        else:
+            _group(motion, step, branch)
+    return motion
+
+
+def _drive(motion: Motion, step: Driven, law: Jet) -> None:
+    base = motion.bodies[step.base]
+    outer = outer_joint(motion, step.joint, step.link)
+    q = law if step.sign > 0 else -law
+    if isinstance(outer, OuterPin):
+        turn = base.turn + q.rate() if q.order else base.turn
+        body = outer.place(base.axis.now.turned(_turn(q.d[0])), turn)
+        known = None if base.angle is None else base.angle + q.d[0]
+        body = Body(body.anchor, body.local, body.axis, body.turn, known)
+    else:
+        body = outer.place(q.d[0], q.rate())
+    motion.bodies[step.link] = body
+    motion.twists[step] = outer.twist(body)
+
+
+def _turn(angle: Scalar) -> Pair:
+    return unit_vector(angle)
+
+
+def _group(motion: Motion, step: Group, branch: Branch) -> None:
+    first, second = (outer_joint(motion, c, link) for c, link in zip(step.outer, step.links, strict=True))
+    dyad = REGISTRY[step.signature](first, _inner_joint(motion, step), second)
+    solved = dyad.solve(branch(step, dyad), motion.order)
+    motion.dyads[step] = dyad, solved
+    a, b = solved.first, solved.second
+    if isinstance(dyad.inner, InnerLine):
+        a, b = _same_angle(motion, step, a, b), _same_angle(motion, step, b, a)
+    motion.bodies[step.links[0]], motion.bodies[step.links[1]] = a, b
+
+
+def _same_angle(motion: Motion, step: Group, body: Body, other: Body) -> Body:
+    """The body with its angle known exactly where the link that it slides on has a known angle."""
+    if body.angle is not None or other.angle is None:
+        return body
+    link, on = step.links if body is motion.dyads[step][1].first else step.links[::-1]
+    joint = step.inner.joint
+    angle = other.angle + motion.geometry.heading_angle(joint, on) - motion.geometry.heading_angle(joint, link)
+    return Body(body.anchor, body.local, body.axis, body.turn, angle)
+
+
+def outer_joint(motion: Motion, connection: Connection, link: str) -> Outer:
+    """The joint by which ``link`` hangs on the known link at the other end."""
+    base_name = connection.other(link)
+    base, geometry = motion.bodies[base_name], motion.geometry
+    if connection.letter == "R":
+        pin = motion.structure.topology.pins[connection.joint]
+        at = base.point(geometry.point(base_name, pin.point(base_name)))
+        return OuterPin(at, geometry.point(link, pin.point(link)))
+    base_point, base_heading = geometry.line(connection.joint, base_name)
+    foot, heading = geometry.line(connection.joint, link)
+    angle = None
+    if base.angle is not None:
+        headings = [geometry.heading_angle(connection.joint, name) for name in (base_name, link)]
+        angle = base.angle + headings[0] - headings[1]
+    return OuterLine(base.point(base_point), base.direction(base_heading), base.turn, foot, heading, angle)
+
+
+def _inner_joint(motion: Motion, step: Group) -> Inner:
+    a, b = step.links
+    geometry, joint = motion.geometry, step.inner.joint
+    if step.inner.letter == "R":
+        pin = motion.structure.topology.pins[joint]
+        return InnerPin(geometry.point(a, pin.point(a)), geometry.point(b, pin.point(b)))
+    return InnerLine(*geometry.line(joint, a), *geometry.line(joint, b))

@@ -1,0 +1,7 @@
+"""The Assur groups, one file each, found by signature (outer, inner, outer joint)."""
+
+from linkwright.groups import prp, rpp, rpr, rrp, rrr  # noqa: F401  (each registers itself)
+from linkwright.groups.dyad import REGISTRY, Dyad, Solved
+from linkwright.groups.joints import InnerLine, InnerPin, OuterLine, OuterPin
+
+__all__ = ["REGISTRY", "Dyad", "InnerLine", "InnerPin", "OuterLine", "OuterPin", "Solved"]

@@ -1,0 +1,166 @@
+"""The contract of the dyads, and what all of them share: rates, equilibrium, the Newton twin.
+
+A dyad is two links, each on a known body by an outer joint, that meet in an inner joint: the Assur groups of
+class II. Its unknowns are the two outer coordinates; its closure, the inner joint's two equations. A file per
+dyad states the closed-form root with its assembly branch; everything else follows from the closure here.
+"""
+
+from __future__ import annotations
+
+import math
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import ClassVar
+
+from linkwright.groups.joints import Inner, Outer, OuterLine, OuterPin, Slopes, Twist
+from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
+from linkwright.notation.jets import call
+
+Coordinate = Scalar | Pair
+
+REGISTRY: dict[str, type[Dyad]] = {}
+
+
+def register(cls: type[Dyad]) -> type[Dyad]:
+    """Register a dyad under its signature; a second one of the same signature is an error."""
+    if cls.signature in REGISTRY:
+        raise ValueError(f"dyad {cls.signature} is registered twice")
+    REGISTRY[cls.signature] = cls
+    return cls
+
+
+@dataclass(frozen=True)
+class Root:
+    """A closed-form position: the outer coordinates, and ``reach``, negative where the group can't close.
+
+    ``reach`` is the radicand over the square of the group's size (1 where there is no root to take).
+    """
+
+    first: Coordinate
+    second: Coordinate
+    reach: Scalar
+
+
+@dataclass(frozen=True)
+class Solved:
+    """A solved dyad: its two links' motion and the normalised determinant of its closure."""
+
+    first: Body
+    second: Body
+    determinant: Scalar
+    slopes: Slopes
+    twists: tuple[Twist, Twist]
+    reach: Scalar
+
+
+class Dyad(ABC):
+    """One kind of dyad on its joints. ``signature`` is outer, inner, outer; ``modes`` its assembly modes."""
+
+    signature: ClassVar[str]
+    modes: ClassVar[int]
+    first: Outer
+    second: Outer
+    inner: Inner
+
+    def __init__(self, first: Outer, inner: Inner, second: Outer) -> None:
+        self.first, self.inner, self.second = first, inner, second
+
+    @abstractmethod
+    def root(self, branch: Scalar) -> Root:
+        """The closed-form position of assembly branch +1 or -1."""
+
+    @abstractmethod
+    def scale(self, a: Body, b: Body) -> Scalar:
+        """The size of the closure's determinant at its best, so that determinant/scale lies in -1..1."""
+
+    def solve(self, branch: Scalar, order: int) -> Solved:
+        """Position in closed form, then each rate from the closure differentiated once more (linear in it)."""
+        root = self.root(branch)
+        rates: tuple[list[Scalar], list[Scalar]] = ([], [])
+        a, b = self.place(root.first, rates[0]), self.place(root.second, rates[1], second=True)
+        twists = self.first.twist(a), self.second.twist(b)
+        slopes = self.inner.slopes(a, b, *twists)
+        determinant = _determinant(slopes)
+        inverse = 1.0 / determinant
+        for k in range(1, order + 1):
+            a = self.place(root.first, [*rates[0], 0.0])
+            b = self.place(root.second, [*rates[1], 0.0], second=True)
+            rest = [gap.d[k] for gap in self.inner.gap(a, b)]
+            q1, q2 = _solve(slopes, inverse, rest)
+            rates[0].append(-q1)
+            rates[1].append(-q2)
+        a, b = self.place(root.first, rates[0]), self.place(root.second, rates[1], second=True)
+        return Solved(a, b, determinant / self.scale(a, b), slopes, twists, root.reach)
+
+    def place(self, start: Coordinate, rates: list[Scalar], second: bool = False) -> Body:
+        """One of the links at its coordinate with the rates known so far."""
+        return (self.second if second else self.first).place(start, Jet(rates))
+
+    def balance(self, solved: Solved, on_first: Wrench, on_second: Wrench) -> Wrench:
+        """The wrench on the first link at the inner joint that keeps both links in equilibrium.
+
+        ``on_first`` and ``on_second`` are all other wrenches on the links but the outer reactions (inertia
+        among them). The freedom of an outer joint does no work on its reaction, so two equations remain, with
+        the transposed matrix of the closure.
+        """
+        (j11, j12), (j21, j22) = solved.slopes
+        transposed = ((j11, j21), (j12, j22))
+        works = [solved.twists[0].work(on_first), solved.twists[1].work(on_second)]
+        m1, m2 = _solve(transposed, 1.0 / _determinant(transposed), works)
+        return self.inner.action(solved.first, solved.second, (-m1, -m2))
+
+    def newton(self, start: tuple[Coordinate, Coordinate], tolerance: float = 1e-14) -> tuple[Body, Body]:
+        """The twin of :meth:`root` on plain numbers: Newton on the same closure from a start nearby."""
+        here = list(start)
+        size = 1.0
+        for _ in range(50):
+            a, b = self.place(here[0], []), self.place(here[1], [], second=True)
+            gaps = [float(gap.d[0]) for gap in self.inner.gap(a, b)]
+            slopes = self.inner.slopes(a, b, self.first.twist(a), self.second.twist(b))
+            steps = _solve(slopes, 1.0 / _determinant(slopes), gaps)
+            here = [_moved(q, -float(step)) for q, step in zip(here, steps, strict=True)]
+            if max(map(abs, steps)) < tolerance * size:
+                break
+        return self.place(here[0], []), self.place(here[1], [], second=True)
+
+
+def _moved(q: Coordinate, step: float) -> Coordinate:
+    if not isinstance(q, Pair):
+        return q + step
+    turned = q.turned(Pair(math.cos(step), math.sin(step)))
+    size = math.hypot(turned.x, turned.y)
+    return Pair(turned.x / size, turned.y / size)
+
+
+def _determinant(m: Slopes) -> Scalar:
+    (a, b), (c, d) = m
+    return a * d - b * c
+
+
+def _solve(m: Slopes, inverse: Scalar, right: list[Scalar]) -> tuple[Scalar, Scalar]:
+    (a, b), (c, d) = m
+    return (d * right[0] - b * right[1]) * inverse, (a * right[1] - c * right[0]) * inverse
+
+
+def length(v: Pair) -> Scalar:
+    """The length of a pair."""
+    return call("sqrt", v.dot(v))
+
+
+def pointing(arm: Pair, local: Pair) -> Pair:
+    """The axis of a link whose arm of coordinates ``local`` points along ``arm`` (both of one length)."""
+    turned = arm.turned_back(local)
+    square = local.dot(local)
+    return Pair(turned.x / square, turned.y / square)
+
+
+def pin(joint: Outer) -> OuterPin:
+    """The outer joint as the pin that the signature says it is."""
+    assert isinstance(joint, OuterPin)
+    return joint
+
+
+def line(joint: Outer) -> OuterLine:
+    """The outer joint as the line that the signature says it is."""
+    assert isinstance(joint, OuterLine)
+    return joint

@@ -1,0 +1,38 @@
+"""RPR: two links on known pins that slide along each other (inverted slider-crank, oscillating cylinder)."""
+
+from __future__ import annotations
+
+from linkwright.groups.dyad import Dyad, Root, length, pin, register
+from linkwright.groups.joints import InnerLine
+from linkwright.notation import Body, Pair, Scalar
+from linkwright.notation.jets import call
+
+
+@register
+class RPR(Dyad):
+    """Branch +1: the second outer pin is ahead of the first along the sliding line."""
+
+    signature = "RPR"
+    modes = 2
+    inner: InnerLine
+
+    def root(self, branch: Scalar) -> Root:
+        first, second = pin(self.first), pin(self.second)
+        # In coordinates along and across the sliding line, which pass through both links' lines:
+        arm1 = self.inner.first.minus(first.foot).turned_back(self.inner.first_heading)
+        arm2 = self.inner.second.minus(second.foot).turned_back(self.inner.second_heading)
+        across = arm1.y - arm2.y
+        base = second.base.now.minus(first.base.now)
+        square = base.dot(base)
+        radicand = square - across * across
+        along = branch * call("sqrt", radicand)
+        # The base vector is (along, across) in the line's frame: the line's direction follows.
+        heading = Pair((along * base.x + across * base.y) / square, (along * base.y - across * base.x) / square)
+        return Root(
+            heading.turned_back(self.inner.first_heading),
+            heading.turned_back(self.inner.second_heading),
+            radicand / square,
+        )
+
+    def scale(self, a: Body, b: Body) -> Scalar:
+        return length(pin(self.second).base.now.minus(pin(self.first).base.now))

@@ -1,0 +1,35 @@
+"""RRR: two links pinned to known bodies and to each other; the inner pin is where two circles meet."""
+
+from __future__ import annotations
+
+from linkwright.groups.dyad import Dyad, Root, length, pin, pointing, register
+from linkwright.groups.joints import InnerPin
+from linkwright.notation import Body, Pair, Scalar
+from linkwright.notation.jets import call
+
+
+@register
+class RRR(Dyad):
+    """Branch +1: the inner pin lies to the left of the line from the first outer pin to the second."""
+
+    signature = "RRR"
+    modes = 2
+    inner: InnerPin
+
+    def root(self, branch: Scalar) -> Root:
+        first, second = pin(self.first), pin(self.second)
+        arm1, arm2 = self.inner.first.minus(first.foot), self.inner.second.minus(second.foot)
+        r1, r2 = arm1.dot(arm1), arm2.dot(arm2)
+        base = second.base.now.minus(first.base.now)
+        square = base.dot(base)
+        along = 0.5 * (r1 - r2 + square) / square
+        radicand = r1 / square - along * along
+        aside = branch * call("sqrt", radicand)
+        to_pin = Pair(along * base.x - aside * base.y, along * base.y + aside * base.x)
+        back = to_pin.minus(base)
+        return Root(pointing(to_pin, arm1), pointing(back, arm2), radicand * square / (r1 + r2))
+
+    def scale(self, a: Body, b: Body) -> Scalar:
+        arm1 = self.inner.first.minus(pin(self.first).foot)
+        arm2 = self.inner.second.minus(pin(self.second).foot)
+        return length(arm1) * length(arm2)

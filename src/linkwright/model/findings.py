@@ -1,0 +1,75 @@
+"""Findings: what is wrong with an input, as values that command line, report and Python share.
+
+A finding has a stable code; its words come from the catalogue. Raising is the caller's choice
+(:class:`ModelError` carries a list of findings).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from linkwright.words import say
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One fault (or note): its code, the place in the file, the element, and the data of its sentence.
+
+    ``path`` is the keys from the file's root (``("links", "crank", "mass")``), ``line`` 1-based.
+    """
+
+    code: str
+    path: tuple[str | int, ...] = ()
+    data: Mapping[str, Any] = field(default_factory=dict)
+    line: int | None = None
+    severity: str = "error"
+
+    @property
+    def element(self) -> str:
+        """The element concerned, as a dotted path."""
+        return ".".join(str(key) for key in self.path)
+
+    @property
+    def what(self) -> str:
+        return say(f"{self.code}.what", **self.data)
+
+    @property
+    def mend(self) -> str:
+        return say(f"{self.code}.mend", **self.data)
+
+    def located(self, line: int | None) -> Finding:
+        """The same finding with its line."""
+        return replace(self, line=line)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain data for JSON output."""
+        return {
+            "code": self.code,
+            "severity": self.severity,
+            "line": self.line,
+            "element": self.element,
+            "what": self.what,
+            "mend": self.mend,
+        }
+
+    def __str__(self) -> str:
+        where = f"line {self.line}: " if self.line else ""
+        element = f"{self.element}: " if self.path else ""
+        return f"{where}{element}{self.what} [{self.code}] -> {self.mend}"
+
+
+class ModelError(Exception):
+    """The input is wrong; ``findings`` says all that is."""
+
+    def __init__(self, findings: Iterable[Finding]) -> None:
+        self.findings = tuple(findings)
+        super().__init__("\n".join(str(finding) for finding in self.findings))
+
+
+def raise_errors(findings: Iterable[Finding]) -> None:
+    """Raise :class:`ModelError` when any of the findings is an error."""
+    errors = [finding for finding in findings if finding.severity == "error"]
+    if errors:
+        raise ModelError(errors)

@@ -1,0 +1,168 @@
+"""The signals of a mechanism: their names, and the dimension of each."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from difflib import get_close_matches
+from functools import cached_property
+
+from linkwright.model import units as u
+from linkwright.model.dimensions import DimensionError
+from linkwright.model.expressions import Call, Name, signal_text
+from linkwright.model.mechanism import Mechanism
+from linkwright.model.pins import homes, pins
+from linkwright.model.units import Dimension
+
+_PLANE = ("x", "y")
+_RATES = (("", u.LENGTH), ("v", u.SPEED), ("a", u.ACCELERATION), ("j", u.JERK))
+
+POINT = {f"{rate}{axis}": dimension for rate, dimension in _RATES for axis in _PLANE}
+LINK = {"angle": u.ANGLE, "omega": u.OMEGA, "alpha": u.ALPHA, "jerk": u.ANGULAR_JERK}
+SLIDE = {"s": u.LENGTH, "v": u.SPEED, "a": u.ACCELERATION, "j": u.JERK}
+FORCE = {"x": u.FORCE, "y": u.FORCE}
+SLIDE_FORCE = {**FORCE, "normal": u.FORCE, "moment": u.TORQUE, "arm": u.LENGTH}
+TURNING_DRIVE = {**LINK, "torque": u.TORQUE, "power": u.POWER}
+SLIDING_DRIVE = {**SLIDE, "force": u.FORCE, "power": u.POWER}
+SHAKING = {"x": u.FORCE, "y": u.FORCE, "moment": u.TORQUE}
+ENERGY = {"kinetic": u.ENERGY, "potential": u.ENERGY}
+
+
+@dataclass(frozen=True)
+class Signal:
+    """One signal: what kind of element it belongs to, the element's names, the attribute, its dimension."""
+
+    kind: str
+    owners: tuple[str, ...]
+    attribute: str
+    dimension: Dimension
+
+    @property
+    def text(self) -> str:
+        """The canonical name, as expressions spell it."""
+        if self.kind in ("force", "com"):
+            return f"{self.kind}({', '.join(self.owners)}).{self.attribute}"
+        return f"{self.owners[0]}.{self.attribute}"
+
+
+@dataclass(frozen=True)
+class Contact:
+    """Where one link acts on another: ``on`` is a link, or the pin where three or more links meet."""
+
+    joint: str
+    link: str
+    on: str
+    sliding: bool
+
+
+class Signals:
+    """Finds the signals of a mechanism by name."""
+
+    def __init__(self, mechanism: Mechanism) -> None:
+        self.mechanism = mechanism
+        self.pins, self.homes = pins(mechanism), homes(mechanism)
+
+    @cached_property
+    def contacts(self) -> list[Contact]:
+        """Every place where a reaction acts, both ways round."""
+        found = []
+        for pin in self.pins.values():
+            for link in pin.links:
+                others = [other for other in pin.links if other != link]
+                found.append(Contact(pin.name, link, others[0] if len(others) == 1 else pin.name, False))
+        for name, joint in self.mechanism.prismatic_joints():
+            a, b = joint.links
+            found += [Contact(name, a, b, True), Contact(name, b, a, True)]
+        return found
+
+    def contact(self, names: Sequence[str]) -> Contact:
+        """The contact that ``force(names...)`` means. Raises DimensionError naming what is wrong."""
+        link, on, *rest = [*names, "", ""][: max(2, len(names))]
+        found = [
+            c
+            for c in self.contacts
+            if c.link == link and on in (c.on, c.joint) and (not rest or c.joint == rest[0])
+        ]
+        if len(found) == 1:
+            return found[0]
+        if found:
+            raise DimensionError("signal.several-joints", a=link, b=on, joints=", ".join(c.joint for c in found))
+        options = ", ".join(f"force({c.link}, {c.on})" for c in self.contacts if link in (c.link, c.on))
+        raise DimensionError("signal.no-joint", a=link, b=on, options=options or "-")
+
+    def attributes(self, owner: str) -> tuple[str, dict[str, Dimension]]:
+        """The kind of a named element and its attributes. Raises DimensionError for an unknown name."""
+        m = self.mechanism
+        if owner in m.links:
+            return "link", LINK
+        if owner in self.homes:
+            return "point", POINT
+        if owner in m.joints and m.joints[owner].prismatic:
+            return "slide", SLIDE
+        if owner in m.drives:
+            return "drive", TURNING_DRIVE if m.drives[owner].turns else SLIDING_DRIVE
+        if owner == "shaking":
+            return "shaking", SHAKING
+        if owner == "energy":
+            return "energy", ENERGY
+        known = [*m.links, *self.homes, *m.joints, *m.drives, "shaking", "energy"]
+        raise DimensionError("name.unknown-element", name=owner, near=near(owner, known))
+
+    def find(self, node: Name | Call) -> Signal:
+        """The signal that an expression names. Raises DimensionError naming what is wrong."""
+        if isinstance(node, Call):
+            return self._called(node)
+        owner, _, attribute = node.text.partition(".")
+        kind, attributes = self.attributes(owner)
+        return self._signal(kind, (owner,), attribute, attributes)
+
+    def _called(self, node: Call) -> Signal:
+        names = [signal_text(arg) if isinstance(arg, Name | Call) else "?" for arg in node.args]
+        if node.name == "force":
+            contact = self.contact(names)
+            attributes = SLIDE_FORCE if contact.sliding else FORCE
+            owners = (contact.link, contact.on)
+            if sum(c.link == contact.link and c.on == contact.on for c in self.contacts) > 1:
+                owners = (*owners, contact.joint)
+            return self._signal("force", owners, node.attribute or "", attributes)
+        if node.name == "com" and len(names) == 1:
+            if names[0] not in self.mechanism.links or self.mechanism.links[names[0]].mass is None:
+                raise DimensionError("signal.no-mass", name=names[0])
+            return self._signal("com", (names[0],), node.attribute or "", POINT)
+        raise DimensionError("signal.unknown", name=signal_text(node))
+
+    def _signal(
+        self, kind: str, owners: tuple[str, ...], attribute: str, attributes: dict[str, Dimension]
+    ) -> Signal:
+        if attribute not in attributes:
+            raise DimensionError(
+                "signal.no-attribute", name=", ".join(owners), attribute=attribute, known=", ".join(attributes)
+            )
+        return Signal(kind, owners, attribute, attributes[attribute])
+
+    def all(self) -> list[Signal]:
+        """Every signal of the mechanism, motion first, then forces."""
+        m = self.mechanism
+        found = [Signal("point", (p,), a, d) for p in self.homes for a, d in POINT.items()]
+        found += [Signal("link", (link,), a, d) for link in m.links if link != "frame" for a, d in LINK.items()]
+        found += [Signal("slide", (name,), a, d) for name, _ in m.prismatic_joints() for a, d in SLIDE.items()]
+        found += [
+            Signal("drive", (name,), a, d) for name in m.drives for a, d in self.attributes(name)[1].items()
+        ]
+        found += [Signal("com", (n,), a, d) for n, link in m.links.items() if link.mass for a, d in POINT.items()]
+        seen = set()
+        for c in self.contacts:
+            if (c.joint, c.on) in seen and c.on != c.joint:
+                continue
+            seen |= {(c.joint, c.link)}
+            attributes = SLIDE_FORCE if c.sliding else FORCE
+            found += [self._called(Call("force", (Name(c.link), Name(c.on), Name(c.joint)), a)) for a in attributes]
+        found += [Signal("shaking", ("shaking",), a, d) for a, d in SHAKING.items()]
+        return found + [Signal("energy", ("energy",), a, d) for a, d in ENERGY.items()]
+
+
+def near(name: str, known: Sequence[str]) -> str:
+    """A readable hint: the closest known names, else all of them."""
+    known = list(dict.fromkeys(known))
+    close = get_close_matches(name, known, n=3, cutoff=0.6)
+    return ", ".join(close or known[:20]) or "-"

@@ -1,0 +1,151 @@
+"""Units at the border: what a written unit means in SI, and the units that a file declares.
+
+Inside, everything is in metres, kilograms, seconds, radians. Pint defines the units; a short list of words is
+accepted, so that a typo is a finding and not some exotic unit.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+# Accepted words and the pint unit each stands for. "r" is a revolution, as in r/min.
+_WORDS = {
+    **{w: w for w in ("m", "mm", "cm", "dm", "km", "um", "nm", "ft", "kg", "g", "mg", "lb", "s", "ms", "min")},
+    **{w: w for w in ("rad", "mrad", "deg", "rpm", "Hz", "kHz", "N", "mN", "kN", "MN", "lbf", "kgf")},
+    **{w: w for w in ("Pa", "kPa", "MPa", "GPa", "hPa", "bar", "mbar", "psi", "J", "mJ", "kJ", "W", "mW", "kW")},
+    "in": "inch", "inch": "inch", "h": "hour", "us": "us", "µm": "um", "°": "deg", "rev": "revolution",
+    "r": "revolution", "turn": "revolution", "tonne": "metric_ton", "Nm": "N*m", "Nmm": "N*mm", "kNm": "kN*m",
+    "arcmin": "arcminute", "arcsec": "arcsecond", "%": "percent",
+}  # fmt: skip
+
+
+def is_unit(word: str) -> bool:
+    """Whether ``word`` is one of the accepted unit words."""
+    return word in _WORDS
+
+
+def unit_words() -> list[str]:
+    """All accepted unit words."""
+    return sorted(_WORDS)
+
+
+class Dimension(NamedTuple):
+    """Powers of length, mass, time and angle. The angle's power steers bare numbers only (a radian is 1)."""
+
+    length: Fraction | int = 0
+    mass: Fraction | int = 0
+    time: Fraction | int = 0
+    angle: Fraction | int = 0
+
+    def times(self, other: Dimension, power: Fraction | int = 1) -> Dimension:
+        return Dimension(*(a + power * b for a, b in zip(self, other, strict=True)))
+
+    @property
+    def physical(self) -> Dimension:
+        """Without the angle."""
+        return self._replace(angle=0)
+
+
+PURE = Dimension()
+LENGTH, MASS, TIME, ANGLE = Dimension(1), Dimension(0, 1), Dimension(0, 0, 1), Dimension(0, 0, 0, 1)
+SPEED, ACCELERATION, JERK = Dimension(1, 0, -1), Dimension(1, 0, -2), Dimension(1, 0, -3)
+OMEGA, ALPHA, ANGULAR_JERK = Dimension(0, 0, -1, 1), Dimension(0, 0, -2, 1), Dimension(0, 0, -3, 1)
+FORCE, TORQUE, PRESSURE = Dimension(1, 1, -2), Dimension(2, 1, -2), Dimension(-1, 1, -2)
+INERTIA, POWER = Dimension(2, 1, 0), Dimension(2, 1, -3)
+ENERGY = Dimension(2, 1, -2, -1)  # told from a torque by "per radian", so that it prints in joules
+
+# How the unit of each quantity is spelled with the words that a file declares.
+_RECIPES: dict[Dimension, str] = {
+    PURE: "", LENGTH: "{length}", MASS: "{mass}", TIME: "{time}", ANGLE: "{angle}",
+    Dimension(2): "{length}^2", Dimension(3): "{length}^3",
+    SPEED: "{length}/{time}", ACCELERATION: "{length}/{time}^2", JERK: "{length}/{time}^3",
+    OMEGA: "{angle}/{time}", ALPHA: "{angle}/{time}^2", ANGULAR_JERK: "{angle}/{time}^3",
+    FORCE: "{force}", TORQUE: "{torque}", PRESSURE: "{pressure}", INERTIA: "{mass}*{length}^2",
+    Dimension(0, 1, -2): "{force}/{length}", Dimension(2, 1, -2, -2): "{torque}/{angle}",
+    Dimension(0, 1, -1): "{force}*{time}/{length}", Dimension(2, 1, -1, -2): "{torque}*{time}/{angle}",
+    Dimension(0, 0, -1): "1/{time}", Dimension(0, 0, 1, -1): "{time}/{angle}",
+    Dimension(1, 0, 0, -1): "{length}/{angle}", Dimension(-1, 0, 0, 1): "{angle}/{length}",
+}  # fmt: skip
+
+_SI = {"length": "m", "mass": "kg", "time": "s", "angle": "rad", "force": "N", "torque": "N*m", "pressure": "Pa"}
+BASES = tuple(_SI)
+BASE_DIMENSIONS = dict(zip(BASES, (LENGTH, MASS, TIME, ANGLE, FORCE, TORQUE, PRESSURE), strict=True))
+
+
+class UnitError(ValueError):
+    """A unit that can't be read or isn't declared."""
+
+
+@lru_cache(maxsize=1)
+def _registry() -> Any:
+    import pint
+
+    return pint.UnitRegistry(cache_folder=None)
+
+
+@lru_cache(maxsize=512)
+def unit(text: str) -> tuple[float, Dimension]:
+    """The SI value of one ``text`` (such as ``mm``, ``N*m``, ``r/min``) and its dimension."""
+    factor, dimension, op = 1.0, PURE, "*"
+    for word, power_text, next_op in re.findall(r"([^\s*/^]+)(?:\^(\d+))?\s*([*/]?)\s*", text):
+        if word != "1":
+            one, of = _word(word)
+            power = int(power_text or 1) * (1 if op == "*" else -1)
+            factor *= one**power
+            dimension = dimension.times(of, power)
+        op = next_op
+    return factor, dimension
+
+
+@lru_cache(maxsize=256)
+def _word(word: str) -> tuple[float, Dimension]:
+    if word not in _WORDS:
+        raise UnitError(word)
+    known = _BUILT_IN.get(word)
+    if known is not None:
+        return known
+    quantity = (1 * _registry().parse_units(_WORDS[word])).to_base_units()
+    powers = {str(name): Fraction(power).limit_denominator(12) for name, power in quantity.dimensionality.items()}
+    angular = quantity.units == _registry().parse_units("rad") or word in {"rpm"}
+    dimension = Dimension(
+        powers.get("[length]", 0), powers.get("[mass]", 0), powers.get("[time]", 0), 1 if angular else 0
+    )
+    return float(quantity.to_base_units().magnitude), dimension
+
+
+# The commonest words need no registry (a third of a second to load); a test holds them to pint.
+_BUILT_IN: dict[str, tuple[float, Dimension]] = {
+    "m": (1.0, LENGTH), "mm": (1e-3, LENGTH), "kg": (1.0, MASS), "s": (1.0, TIME), "rad": (1.0, ANGLE),
+    "N": (1.0, FORCE), "Nm": (1.0, TORQUE), "Pa": (1.0, PRESSURE), "W": (1.0, POWER), "J": (1.0, TORQUE),
+    "deg": (math.pi / 180, ANGLE), "rpm": (math.pi / 30, OMEGA), "r": (2 * math.pi, ANGLE),
+    "min": (60.0, TIME), "kN": (1e3, FORCE), "bar": (1e5, PRESSURE),
+}  # fmt: skip
+
+
+def spelled(dimension: Dimension, declared: dict[str, str], strict: bool = True) -> str:
+    """The unit of a dimension in the declared words; undeclared bases are an error, or SI if not ``strict``.
+
+    Torque follows from force and length when it isn't declared itself.
+    """
+    if dimension == ENERGY:
+        return "J"
+    if dimension == POWER:
+        return "W"
+    recipe = _RECIPES.get(dimension) or _RECIPES.get(dimension.physical)
+    if recipe is None:
+        raise UnitError("")
+    words: dict[str, str] = {}
+    for base in re.findall(r"{(\w+)}", recipe):
+        word = declared.get(base)
+        if word is None and base == "torque" and {"force", "length"} <= declared.keys():
+            word = f"{declared['force']}*{declared['length']}"
+        if word is None:
+            if strict:
+                raise UnitError(base)
+            word = _SI[base]
+        words[base] = word
+    return recipe.format(**words)

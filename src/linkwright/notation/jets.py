@@ -1,0 +1,199 @@
+"""Jets: a quantity together with its successive time derivatives.
+
+A jet ``(f, f', f'', ...)`` carries univariate automatic differentiation (Griewank and Walther,
+*Evaluating Derivatives*, 2nd ed., ch. 13): each operation maps jets to jets exactly, and its cost grows
+with the square of the order instead of doubling at each one. The entries may be floats, NumPy arrays
+(motion laws, measures) or CasADi ``SX`` symbols (the mechanism's graph); the code is the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import comb
+from typing import Any
+
+import numpy as np
+
+Scalar = Any
+"""A float, a NumPy array or a CasADi ``SX`` scalar."""
+
+MAX_ORDER = 3
+"""The highest order reported: position 0, velocity 1, acceleration 2, jerk 3."""
+
+
+def is_zero(value: Scalar) -> bool:
+    """Whether a coefficient is the structural number 0 (an array or a free symbol never is)."""
+    if isinstance(value, int | float):
+        return value == 0
+    known = getattr(value, "is_zero", None)
+    return bool(known()) if known is not None else False
+
+
+def call(name: str, *args: Scalar) -> Scalar:
+    """Apply an elementary function by its NumPy name to numbers, arrays or CasADi symbols."""
+    for arg in args:
+        if type(arg).__module__.startswith("casadi"):
+            import casadi
+
+            aliases = {"arctan2": "atan2", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "abs": "fabs"}
+            return getattr(casadi, aliases.get(name, name))(*args)
+    return getattr(np, name)(*args)
+
+
+class Jet:
+    """A value and its time derivatives, lowest order first; arithmetic keeps the lower of two orders."""
+
+    __slots__ = ("d",)
+    __array_priority__ = 1000
+    __array_ufunc__ = None
+
+    def __init__(self, d: tuple[Scalar, ...] | list[Scalar]) -> None:
+        self.d = tuple(d)
+
+    @classmethod
+    def constant(cls, value: Scalar, order: int = MAX_ORDER) -> Jet:
+        """A quantity that does not change in time."""
+        return cls((value, *(0.0,) * order))
+
+    @property
+    def order(self) -> int:
+        """The highest derivative carried."""
+        return len(self.d) - 1
+
+    def rate(self) -> Jet:
+        """The time derivative, one order shorter."""
+        return Jet(self.d[1:])
+
+    def cut(self, order: int) -> Jet:
+        """The same quantity carried to at most ``order``."""
+        return Jet(self.d[: order + 1])
+
+    def __repr__(self) -> str:
+        return f"Jet{self.d}"
+
+    def _lift(self, other: Jet | Scalar) -> Jet:
+        return other if isinstance(other, Jet) else Jet.constant(other, self.order)
+
+    def __add__(self, other: Jet | Scalar) -> Jet:
+        pairs = zip(self.d, self._lift(other).d, strict=False)
+        return Jet([b if is_zero(a) else a if is_zero(b) else a + b for a, b in pairs])
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Jet:
+        return Jet([-a for a in self.d])
+
+    def __sub__(self, other: Jet | Scalar) -> Jet:
+        return self + (-other)
+
+    def __rsub__(self, other: Jet | Scalar) -> Jet:
+        return -self + other
+
+    def __mul__(self, other: Jet | Scalar) -> Jet:
+        if not isinstance(other, Jet):
+            return Jet([0.0 if is_zero(a) or is_zero(other) else a * other for a in self.d])
+        order = min(self.order, other.order)
+        return Jet([leibniz(self.d, other.d, k, range(k + 1)) for k in range(order + 1)])
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Jet | Scalar) -> Jet:
+        if not isinstance(other, Jet):
+            return self * (1.0 / other)
+        quotient: list[Scalar] = []
+        for k in range(min(self.order, other.order) + 1):
+            known = leibniz([*quotient, 0.0], other.d, k, range(k))
+            quotient.append((self.d[k] - known) / other.d[0])
+        return Jet(quotient)
+
+    def __rtruediv__(self, other: Scalar) -> Jet:
+        return Jet.constant(other, self.order) / self
+
+    def __pow__(self, power: float | Jet) -> Jet:
+        if isinstance(power, Jet):
+            if all(is_zero(d) for d in power.d[1:]) and np.ndim(power.d[0]) == 0:
+                return self ** float(power.d[0])
+            return (self.log() * power).exp()
+        if power == 0:
+            return Jet.constant(1.0, self.order)
+        if power == int(power) and 0 < power <= 4:
+            product = self
+            for _ in range(int(power) - 1):
+                product = product * self
+            return product
+        return self._chain(self.d[0] ** power, lambda f: power * f ** (power - 1))
+
+    def __rpow__(self, base: float) -> Jet:
+        return (self * float(np.log(base))).exp()
+
+    def _chain(self, value: Scalar, slope: Callable[[Jet], Jet]) -> Jet:
+        """g(f) from its value and g'(f): (g(f))' = g'(f) f', taken one order lower each time."""
+        if self.order == 0:
+            return Jet([value])
+        return Jet([value, *(slope(self.cut(self.order - 1)) * self.rate()).d])
+
+    def sin(self) -> Jet:
+        return self._chain(call("sin", self.d[0]), Jet.cos)
+
+    def cos(self) -> Jet:
+        return self._chain(call("cos", self.d[0]), lambda f: -f.sin())
+
+    def tan(self) -> Jet:
+        return self.sin() / self.cos()
+
+    def exp(self) -> Jet:
+        return self._chain(call("exp", self.d[0]), Jet.exp)
+
+    def log(self) -> Jet:
+        return self._chain(call("log", self.d[0]), lambda f: 1.0 / f)
+
+    def sqrt(self) -> Jet:
+        return self._chain(call("sqrt", self.d[0]), lambda f: 0.5 / f.sqrt())
+
+    def arcsin(self) -> Jet:
+        return self._chain(call("arcsin", self.d[0]), lambda f: 1.0 / (1.0 - f * f).sqrt())
+
+    def arccos(self) -> Jet:
+        return self._chain(call("arccos", self.d[0]), lambda f: -1.0 / (1.0 - f * f).sqrt())
+
+    def arctan(self) -> Jet:
+        return self._chain(call("arctan", self.d[0]), lambda f: 1.0 / (1.0 + f * f))
+
+    def arctan2(self, x: Jet) -> Jet:
+        """The angle of the vector (x, self); its derivative is (x y' - y x') / (x^2 + y^2)."""
+        value = call("arctan2", self.d[0], x.d[0])
+        order = min(self.order, x.order)
+        if order == 0:
+            return Jet([value])
+        low_y, low_x = self.cut(order - 1), x.cut(order - 1)
+        rate = (low_x * self.rate() - low_y * x.rate()) / (low_x * low_x + low_y * low_y)
+        return Jet([value, *rate.d])
+
+    def hypot(self, other: Jet) -> Jet:
+        return (self * self + other * other).sqrt()
+
+    def __abs__(self) -> Jet:
+        sign = np.where(np.asarray(self.d[0]) < 0, -1.0, 1.0)
+        return Jet([sign * a for a in self.d])
+
+    def where(self, condition: Any, other: Jet) -> Jet:
+        """This jet where ``condition`` holds, ``other`` elsewhere (numbers and arrays only)."""
+        return Jet([np.where(condition, a, b) for a, b in zip(self.d, other.d, strict=False)])
+
+    def minimum(self, other: Jet) -> Jet:
+        return self.where(self.d[0] <= other.d[0], other)
+
+    def maximum(self, other: Jet) -> Jet:
+        return self.where(self.d[0] >= other.d[0], other)
+
+
+def leibniz(f: Any, g: Any, k: int, terms: range) -> Scalar:
+    """The chosen terms of (f g)^(k) = sum_j C(k, j) f^(j) g^(k-j)."""
+    total: Scalar = 0.0
+    for j in terms:
+        a, b = f[j], g[k - j]
+        if is_zero(a) or is_zero(b):
+            continue
+        term = a * b if comb(k, j) == 1 else comb(k, j) * (a * b)
+        total = term if is_zero(total) else total + term
+    return total

@@ -1,0 +1,156 @@
+"""Plane vectors, rigid bodies and wrenches over jets (right-handed x-y plane, angles counter-clockwise)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from linkwright.notation.jets import Jet, Scalar, is_zero, leibniz
+
+
+class Pair(NamedTuple):
+    """Two plain numbers (no derivatives): coordinates in a link's own frame, or (cos, sin) there."""
+
+    x: Scalar
+    y: Scalar
+
+    def minus(self, other: Pair) -> Pair:
+        """The coordinates relative to another point of the same link."""
+        return Pair(_minus(self.x, other.x), _minus(self.y, other.y))
+
+    def dot(self, other: Pair) -> Scalar:
+        return self.x * other.x + self.y * other.y
+
+    def cross(self, other: Pair) -> Scalar:
+        return self.x * other.y - self.y * other.x
+
+    def turned(self, by: Pair) -> Pair:
+        """This vector turned by the angle of the unit vector ``by``."""
+        return Pair(by.x * self.x - by.y * self.y, by.y * self.x + by.x * self.y)
+
+    def turned_back(self, by: Pair) -> Pair:
+        """This vector turned by minus the angle of the unit vector ``by``."""
+        return Pair(by.x * self.x + by.y * self.y, by.x * self.y - by.y * self.x)
+
+    @property
+    def perp(self) -> Pair:
+        """This vector turned by +90 degrees."""
+        return Pair(-self.y, self.x)
+
+
+class Vec(NamedTuple):
+    """A plane vector whose components are jets."""
+
+    x: Jet
+    y: Jet
+
+    @classmethod
+    def constant(cls, pair: Pair, order: int) -> Vec:
+        return cls(Jet.constant(pair.x, order), Jet.constant(pair.y, order))
+
+    def plus(self, other: Vec) -> Vec:
+        return Vec(self.x + other.x, self.y + other.y)
+
+    def minus(self, other: Vec) -> Vec:
+        return Vec(self.x - other.x, self.y - other.y)
+
+    def times(self, factor: Jet | Scalar) -> Vec:
+        return Vec(self.x * factor, self.y * factor)
+
+    def dot(self, other: Vec) -> Jet:
+        return self.x * other.x + self.y * other.y
+
+    def cross(self, other: Vec) -> Jet:
+        return self.x * other.y - self.y * other.x
+
+    @property
+    def perp(self) -> Vec:
+        """This vector turned by +90 degrees."""
+        return Vec(-self.y, self.x)
+
+    def carry(self, local: Pair) -> Vec:
+        """With this unit vector as the x axis of a frame, the vector of coordinates ``local`` in it."""
+        return Vec(self.x * local.x - self.y * local.y, self.y * local.x + self.x * local.y)
+
+    @property
+    def now(self) -> Pair:
+        """The value alone, without derivatives."""
+        return Pair(self.x.d[0], self.y.d[0])
+
+
+@dataclass(frozen=True)
+class Body:
+    """The motion of a rigid link.
+
+    ``anchor`` is the position (m) of the link's point ``local`` (coordinates in the link's frame); ``axis``
+    the unit vector of the link's x axis; ``turn`` the angle's derivatives (omega, alpha, jerk, ...) in rad/s,
+    rad/s^2, ...; ``angle`` the continuous angle (rad) where it is known exactly (a driven link, a link that
+    only slides on one), else ``None`` and the angle is that of ``axis``.
+    """
+
+    anchor: Vec
+    local: Pair
+    axis: Vec
+    turn: Jet
+    angle: Scalar | None = None
+
+    @classmethod
+    def fixed(cls, order: int) -> Body:
+        """The frame: at rest at the origin."""
+        at_rest = Vec.constant(Pair(0.0, 0.0), order)
+        axis = Vec.constant(Pair(1.0, 0.0), order)
+        return cls(at_rest, Pair(0.0, 0.0), axis, Jet.constant(0.0, order - 1), 0.0)
+
+    def point(self, local: Pair) -> Vec:
+        """Position and its derivatives of the link's point ``local``."""
+        arm = local.minus(self.local)
+        if is_zero(arm.x) and is_zero(arm.y):
+            return self.anchor
+        return self.anchor.plus(self.axis.carry(arm))
+
+    def direction(self, local: Pair) -> Vec:
+        """The unit vector of a direction fixed in the link."""
+        return self.axis.carry(local)
+
+
+def turning_axis(start: Pair, turn: Jet) -> Vec:
+    """A unit vector and its derivatives, from its value and its angular velocity: c' = -s omega, s' = c omega."""
+    c, s = [start.x], [start.y]
+    for k in range(turn.order + 1):
+        c_rate = -leibniz(s, turn.d, k, range(k + 1))
+        s_rate = leibniz(c, turn.d, k, range(k + 1))
+        c.append(c_rate)
+        s.append(s_rate)
+    return Vec(Jet(c), Jet(s))
+
+
+def _minus(a: Scalar, b: Scalar) -> Scalar:
+    return 0.0 if a is b else a - b
+
+
+@dataclass(frozen=True)
+class Wrench:
+    """A force (N) and its moment (N m, counter-clockwise) about a stated point ``about`` (m)."""
+
+    force: Pair
+    moment: Scalar
+    about: Pair
+
+    @classmethod
+    def zero(cls, about: Pair) -> Wrench:
+        return cls(Pair(0.0, 0.0), 0.0, about)
+
+    def at(self, point: Pair) -> Wrench:
+        """The same wrench stated about another point."""
+        arm = self.about.minus(point)
+        return Wrench(self.force, self.moment + arm.cross(self.force), point)
+
+    def plus(self, other: Wrench) -> Wrench:
+        """The sum, stated about this wrench's point."""
+        moved = other.at(self.about)
+        force = Pair(self.force.x + moved.force.x, self.force.y + moved.force.y)
+        return Wrench(force, self.moment + moved.moment, self.about)
+
+    @property
+    def opposite(self) -> Wrench:
+        return Wrench(Pair(-self.force.x, -self.force.y), -self.moment, self.about)

@@ -1,0 +1,41 @@
+"""The HTML report: one self-contained file with the animated drawing, plots, measures and certificate."""
+
+from linkwright.report.data import (
+    Check,
+    Fact,
+    Failure,
+    Joint,
+    Link,
+    Measure,
+    MeasureValue,
+    Plot,
+    Pose,
+    ReportData,
+    Scene,
+    Series,
+    Time,
+    Trace,
+)
+from linkwright.report.page import page
+from linkwright.report.payload import compact
+from linkwright.report.words_en import REPORT_WORDS
+
+__all__ = [
+    "REPORT_WORDS",
+    "Check",
+    "Fact",
+    "Failure",
+    "Joint",
+    "Link",
+    "Measure",
+    "MeasureValue",
+    "Plot",
+    "Pose",
+    "ReportData",
+    "Scene",
+    "Series",
+    "Time",
+    "Trace",
+    "compact",
+    "page",
+]

@@ -1,0 +1,153 @@
+"""What a report shows: plain data, in the file's display units, that also is its JSON payload.
+
+Every part is a typed dict so that the same object feeds the page, a notebook widget and a test. Sequences
+are plain Python numbers; ``None`` stands for "no value here" (a pose that can't be assembled).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Literal, NotRequired, TypedDict
+
+Values = Sequence[float | None]
+
+
+class Time(TypedDict):
+    """The axis that all plots and the drawing share. ``values``: increasing, in ``unit``."""
+
+    values: Sequence[float]
+    unit: str
+    label: str
+
+
+class Pose(TypedDict):
+    """Placement of a link's axes in the world over time: world = (x, y) + [[c, -s], [s, c]] local.
+
+    ``x``, ``y``: origin, in the scene's length unit. ``c``, ``s``: unit vector of the link's x axis.
+    Each of the scene's length, or of length 1 for a link that never moves.
+    """
+
+    x: Values
+    y: Values
+    c: Values
+    s: Values
+
+
+class Link(TypedDict):
+    """A body with its named points in its own axes (length unit, x right, y up)."""
+
+    name: str
+    fixed: bool
+    points: Mapping[str, Sequence[float]]
+    pose: Pose
+
+
+class Joint(TypedDict):
+    """A revolute joint (two coincident points) or a prismatic one (two coincident lines).
+
+    ``links`` and ``points`` are parallel pairs. ``angles`` (prismatic only): direction of the line through
+    each point, in radians, counter-clockwise from its link's x axis. The first link carries the guide, or the
+    fixed one. ``look="cylinder"`` draws barrel and rod instead of a guide and a block.
+    """
+
+    name: str
+    kind: Literal["revolute", "prismatic"]
+    links: Sequence[str]
+    points: Sequence[str]
+    angles: NotRequired[Sequence[float]]
+    look: NotRequired[Literal["cylinder"]]
+
+
+class Trace(TypedDict):
+    """The path of a point in the world (length unit)."""
+
+    name: str
+    x: Values
+    y: Values
+
+
+class Scene(TypedDict):
+    """The mechanism as ``assets/mechanism.js`` draws it. ``time``: one entry per pose, increasing."""
+
+    length_unit: str
+    time: Sequence[float]
+    links: Sequence[Link]
+    joints: Sequence[Joint]
+    traces: Sequence[Trace]
+
+
+class Series(TypedDict):
+    """One curve of a plot; ``values`` over the report's time, in the plot's unit."""
+
+    name: str
+    values: Values
+
+
+class Plot(TypedDict):
+    """Curves of one unit against time. ``group`` says under which heading it stands."""
+
+    title: str
+    group: Literal["motion", "force"]
+    unit: str
+    series: Sequence[Series]
+
+
+class MeasureValue(TypedDict):
+    """One figure of a measure; ``label`` tells the ends of extremes apart, ``at`` says where it happens."""
+
+    label: str
+    value: float | None
+    at: str
+
+
+class Measure(TypedDict):
+    """A named result with its requirement. ``verdict``: met, not met, or None where nothing is required."""
+
+    name: str
+    text: str
+    values: Sequence[MeasureValue]
+    unit: str
+    requirement: str | None
+    verdict: bool | None
+
+
+class Check(TypedDict):
+    """One line of the certificate: its figure and what it means, in a sentence."""
+
+    name: str
+    figure: str
+    sentence: str
+    ok: bool
+
+
+class Fact(TypedDict):
+    """One line about the structure."""
+
+    name: str
+    sentence: str
+
+
+class Failure(TypedDict):
+    """A coded finding: what is wrong and what mends it."""
+
+    code: str
+    what: str
+    mend: str
+
+
+class ReportData(TypedDict):
+    """Everything on the page. ``words``: the texts of ``REPORT_WORDS``, in ``language``."""
+
+    title: str
+    subtitle: str
+    version: str
+    language: str
+    words: Mapping[str, str]
+    time: Time
+    scene: Scene
+    plots: Sequence[Plot]
+    measures: Sequence[Measure]
+    certificate: Sequence[Check]
+    structure: Sequence[Fact]
+    failures: Sequence[Failure]
+    model_text: str

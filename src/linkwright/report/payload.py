@@ -1,0 +1,30 @@
+"""JSON for the page's scripts: short numbers, and nothing that could end the script element early."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+
+DIGITS = 7
+"""Significant digits of a number in the page: finer than any screen or print resolves."""
+
+
+def compact(value: object) -> object:
+    """Copy plain data with its floats rounded to ``DIGITS`` significant digits, and not-a-numbers as None."""
+    if isinstance(value, float):
+        if not math.isfinite(value):
+            return None
+        rounded = float(f"{value:.{DIGITS}g}")
+        return int(rounded) if rounded.is_integer() and abs(rounded) < 10**DIGITS else rounded
+    if isinstance(value, Mapping):
+        return {str(key): compact(entry) for key, entry in value.items()}
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return [compact(entry) for entry in value]
+    return value
+
+
+def script_json(value: object) -> str:
+    """JSON text that is safe inside a script element: with no ``<``, no ``</script`` or ``<!--`` can occur."""
+    text = json.dumps(compact(value), ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    return text.replace("<", "\\u003c")

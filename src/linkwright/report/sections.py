@@ -1,0 +1,196 @@
+"""The page's sections as HTML. Every text from outside passes through ``escape`` exactly once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from html import escape
+
+from linkwright.report.data import Check, Measure, Plot, ReportData
+
+GROUPS = ("motion", "force")
+
+
+def header(data: ReportData) -> str:
+    """Title, subtitle and the state of affairs at a glance."""
+    words = data["words"]
+    required = [m["verdict"] for m in data["measures"] if m["verdict"] is not None]
+    checks = [check["ok"] for check in data["certificate"]]
+    badges = []
+    if data["failures"]:
+        badges.append(_mark(False, words["report.summary_failures"].format(count=len(data["failures"]))))
+    if required:
+        text = words["report.summary_requirements"].format(met=sum(required), total=len(required))
+        badges.append(_mark(all(required), text))
+    if checks:
+        text = words["report.summary_checks"].format(ok=sum(checks), total=len(checks))
+        badges.append(_mark(all(checks), text))
+    subtitle = f'<p class="subtitle">{escape(data["subtitle"])}</p>' if data["subtitle"] else ""
+    return (
+        f"<header><h1>{escape(data['title'])}</h1>{subtitle}"
+        f'<p class="summary">{" ".join(badges)}</p>{_contents(data)}</header>'
+    )
+
+
+def _contents(data: ReportData) -> str:
+    parts = [("mechanism", True), ("measures", bool(data["measures"]))]
+    parts += [("certificate", bool(data["certificate"]))]
+    parts += [(group, any(plot["group"] == group for plot in data["plots"])) for group in GROUPS]
+    parts += [("structure", bool(data["structure"])), ("model", bool(data["model_text"]))]
+    words = data["words"]
+    links = (f'<a href="#{name}">{escape(words[f"report.{name}"])}</a>' for name, here in parts if here)
+    return f'<nav aria-label="{escape(words["report.contents"])}">{"".join(links)}</nav>'
+
+
+def failures(data: ReportData) -> str:
+    """A banner with what went wrong and what mends it; nothing where all is well."""
+    if not data["failures"]:
+        return ""
+    words = data["words"]
+    rows = "".join(
+        f'<li><p><code>{escape(f["code"])}</code> {_lines(f["what"])}</p>'
+        + (f"<p><b>{escape(words['report.mend'])}:</b> {_lines(f['mend'])}</p>" if f["mend"] else "")
+        + "</li>"
+        for f in data["failures"]
+    )
+    return (
+        f'<section id="failures" class="banner" aria-labelledby="failures-title">'
+        f'<h2 id="failures-title"><span aria-hidden="true">⚠\ufe0e</span> {escape(words["report.failures"])}</h2>'
+        f"<ul>{rows}</ul></section>"
+    )
+
+
+def stage(data: ReportData) -> str:
+    """Places for the animated drawing (screen) and the one with ghost poses (paper)."""
+    words = data["words"]
+    return (
+        f'<section id="mechanism"><h2>{escape(words["report.mechanism"])}</h2>'
+        f'<div id="drawing" class="panel screen"></div>'
+        f'<figure class="paper"><div id="still"></div>'
+        f"<figcaption>{escape(words['report.still'])}</figcaption></figure>"
+        f"<noscript><p>{escape(words['report.no_script'])}</p></noscript></section>"
+    )
+
+
+def measures(data: ReportData) -> str:
+    """Measures with value, unit, where it happens, requirement and verdict."""
+    heads = ("measure", "value", "where", "requirement", "verdict")
+    return _table(data, "measures", heads, (_measure(measure, data) for measure in data["measures"]))
+
+
+def _measure(measure: Measure, data: ReportData) -> Sequence[str]:
+    verdict = measure["verdict"]
+    words = data["words"]
+    values = "".join(
+        f'<span class="line"><span class="end">{escape(entry["label"])}</span> '
+        f'<b>{_number(entry["value"])}</b> <span class="unit">{_unit(measure["unit"])}</span></span>'
+        for entry in measure["values"]
+    )
+    where = "".join(f'<span class="line">{escape(entry["at"])}</span>' for entry in measure["values"])
+    text = f'<span class="note">{escape(measure["text"])}</span>' if measure["text"] else ""
+    judged = "–" if verdict is None else _mark(verdict, words["report.pass" if verdict else "report.fail"])
+    requirement = escape(measure["requirement"]) if measure["requirement"] else "–"
+    return (f"<b>{escape(measure['name'])}</b>{text}", values, where, requirement, judged)
+
+
+def certificate(data: ReportData) -> str:
+    """What proves the figures, line by line."""
+    rows = (_check(check, data) for check in data["certificate"])
+    return _table(data, "certificate", ("check", "figure", "meaning", "verdict"), rows)
+
+
+def _check(check: Check, data: ReportData) -> Sequence[str]:
+    word = data["words"]["report.holds" if check["ok"] else "report.violated"]
+    figure = f'<span class="figure">{escape(check["figure"])}</span>'
+    return (f"<b>{escape(check['name'])}</b>", figure, escape(check["sentence"]), _mark(check["ok"], word))
+
+
+def structure(data: ReportData) -> str:
+    """Mobility, loops, groups: one sentence each."""
+    if not data["structure"]:
+        return ""
+    rows = "".join(
+        f"<div><dt>{escape(fact['name'])}</dt><dd>{_lines(fact['sentence'])}</dd></div>"
+        for fact in data["structure"]
+    )
+    title = escape(data["words"]["report.structure"])
+    return f'<section id="structure"><h2>{title}</h2><dl>{rows}</dl></section>'
+
+
+def plots(data: ReportData) -> str:
+    """One figure per plot under its group's heading; the script fills them."""
+    words = data["words"]
+    hint = f'<p class="hint screen">{escape(words["report.plots_hint"])}</p>'
+    whole = f'<button type="button" class="whole screen" hidden>{escape(words["report.whole_time"])}</button>'
+    out = ""
+    for group in GROUPS:
+        figures = "".join(_plot(i, plot) for i, plot in enumerate(data["plots"]) if plot["group"] == group)
+        if figures:
+            title = f"<h2>{escape(words[f'report.{group}'])} {whole}</h2>"
+            out += f'<section id="{group}">{title}{hint}<div class="plots">{figures}</div></section>'
+            hint = ""
+    return out
+
+
+def _plot(index: int, plot: Plot) -> str:
+    unit = f' <span class="unit">{_unit(plot["unit"])}</span>' if plot["unit"] else ""
+    return (
+        f'<figure class="plot" data-plot="{index}">'
+        f"<figcaption>{escape(plot['title'])}{unit}</figcaption>"
+        f'<div class="chart"></div><div class="legend lw"></div></figure>'
+    )
+
+
+def model(data: ReportData) -> str:
+    """The model file as it was given."""
+    if not data["model_text"]:
+        return ""
+    words = data["words"]
+    return (
+        f'<section id="model"><h2>{escape(words["report.model"])}</h2>'
+        f"<details><summary>{escape(words['report.model_show'])}</summary>"
+        f"<pre>{escape(data['model_text'])}</pre></details></section>"
+    )
+
+
+def footer(data: ReportData) -> str:
+    """Which version made the page."""
+    made = data["words"]["report.made_with"].format(version=data["version"])
+    return f"<footer>{escape(made)}</footer>"
+
+
+def _table(data: ReportData, name: str, heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    titles = [escape(data["words"][f"report.{head}"]) for head in heads]
+    body = "".join(
+        "<tr>"
+        + "".join(f'<td data-head="{title}">{cell}</td>' for title, cell in zip(titles, row, strict=True))
+        + "</tr>"
+        for row in rows
+    )
+    if not body:
+        return ""
+    head = "".join(f'<th scope="col">{title}</th>' for title in titles)
+    return (
+        f'<section id="{name}"><h2>{escape(data["words"][f"report.{name}"])}</h2>'
+        f'<table class="{name}"><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></section>'
+    )
+
+
+def _mark(ok: bool, text: str) -> str:
+    """A verdict that reads without colour: a sign and a word."""
+    sign, kind = ("✓", "ok") if ok else ("✗", "bad")
+    return f'<span class="mark {kind}"><span aria-hidden="true">{sign}</span> {escape(text)}</span>'
+
+
+def _number(value: float | None) -> str:
+    return "–" if value is None else f"{value:.6g}".replace("-", "−")
+
+
+def _unit(unit: str) -> str:
+    """A unit as it is set in print: ``mm/s^2`` as mm/s², ``N*m`` as N·m."""
+    for typed, printed in (("**", "^"), ("*", "·"), ("^2", "²"), ("^3", "³"), ("^4", "⁴")):
+        unit = unit.replace(typed, printed)
+    return escape(unit)
+
+
+def _lines(text: str) -> str:
+    return escape(text).replace("\n", "<br>")

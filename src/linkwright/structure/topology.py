@@ -1,0 +1,73 @@
+"""Which links meet where: the joints of a mechanism as connections between two links."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from linkwright.model.mechanism import Mechanism
+from linkwright.model.pins import Pin, pins
+
+FRAME = "frame"
+
+
+@dataclass(frozen=True)
+class Connection:
+    """One joint as it ties two links: a pin (letter R) or a line (letter P)."""
+
+    joint: str
+    letter: str
+    a: str
+    b: str
+
+    def other(self, link: str) -> str:
+        """The link at the other end."""
+        return self.b if link == self.a else self.a
+
+
+@dataclass(frozen=True)
+class Topology:
+    """Links, pins, lines and drives of a mechanism, by name."""
+
+    mechanism: Mechanism
+
+    @cached_property
+    def pins(self) -> dict[str, Pin]:
+        """The pins by name."""
+        return pins(self.mechanism)
+
+    @cached_property
+    def moving(self) -> tuple[str, ...]:
+        """All links but the frame."""
+        return tuple(link for link in self.mechanism.links if link != FRAME)
+
+    @cached_property
+    def connections(self) -> tuple[Connection, ...]:
+        """Every pair of links that share a joint; on a pin of three links, each of the three pairs."""
+        found = []
+        for pin in self.pins.values():
+            for i, a in enumerate(pin.links):
+                found += [Connection(pin.name, "R", a, b) for b in pin.links[i + 1 :]]
+        found += [Connection(name, "P", *joint.links) for name, joint in self.mechanism.prismatic_joints()]
+        return tuple(found)
+
+    @cached_property
+    def joint_count(self) -> int:
+        """Joints of one freedom: a pin of k links counts k - 1."""
+        return sum(len(pin.links) - 1 for pin in self.pins.values()) + sum(1 for _ in self.mechanism.prismatic_joints())
+
+    @property
+    def gruebler(self) -> int:
+        """Mobility by Gruebler's count, 3 n - 2 j over the n moving links and j joints."""
+        return 3 * len(self.moving) - 2 * self.joint_count
+
+    @property
+    def loops(self) -> int:
+        """The number of independent loops, j - n."""
+        return self.joint_count - len(self.moving)
+
+    def driven(self, drive: str) -> list[Connection]:
+        """The joints that a drive can act at."""
+        entry = self.mechanism.drives[drive]
+        letter = "R" if entry.turns else "P"
+        return [c for c in self.connections if c.letter == letter and {c.a, c.b} == {entry.link, entry.on}]

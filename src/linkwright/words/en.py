@@ -1,0 +1,3 @@
+"""English words, by key. Chinese and others follow as modules beside this one."""
+
+WORDS: dict[str, str] = {}

@@ -1,0 +1,320 @@
+"""Runs what the documentation promises: every example, and every snippet of README.md and docs/.
+
+    python3 dev.py smoke [names]        only what has one of the names in its path
+
+Of a Markdown file it takes, in the order in which they stand,
+
+- `python` blocks, executed in one namespace per file;
+- `sh` and `console` blocks: the lines that start with `python3 dev.py`, `linkwright` or
+  `python -m linkwright` (in `console` blocks after `$ `); other lines are skipped;
+- `yaml` blocks that start with `linkwright: 1`, given to `linkwright check`.
+
+The current folder holds a copy of examples/. The comment `<!-- exit 2 -->` before a block states the exit
+code expected of each of its commands. A block after `<!-- no-run -->`, or with `no-run` beside its
+language, is left out.
+"""
+
+import contextlib
+import io
+import json
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import traceback
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict, dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[1]
+AT_ONCE = 2
+TIMEOUT = 300.0  # seconds for one command or script; twice that for a file of documentation
+TAIL = 25  # lines shown of what failed
+
+FENCE = re.compile(r"^(?P<indent>\s*)(?P<mark>`{3,}|~{3,})\s*(?P<info>[^`]*)$")
+COMMENT = re.compile(r"<!--\s*(.*?)\s*-->")
+COMMANDS = ("python3 dev.py", "python dev.py", "python3 -m linkwright", "python -m linkwright", "linkwright")
+NOT_HERE = {"", "test", "lint", "smoke", "all", "bench", "help", "-h"}  # dev.py's own; CI runs them
+
+
+class Failure(Exception):
+    """What went wrong with an item, in words."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What came of one item; `verdict` is `ok`, `FAIL` or `skip`."""
+
+    name: str
+    verdict: str
+    seconds: float = 0.0
+    detail: str = ""
+
+
+@dataclass(frozen=True)
+class Block:
+    """A fenced block: its language, the line number of its first line of text, the exit code expected."""
+
+    language: str
+    line: int
+    text: str
+    exit_code: int = 0
+    skip: bool = False
+
+
+Unit = tuple[Callable[[Path], list[Outcome]], Path]  # what runs a file, and the file
+
+
+def blocks(markdown: str) -> Iterator[Block]:
+    """The fenced blocks of a Markdown text, with the comments that stand right above each."""
+    lines = markdown.splitlines()
+    notes: list[str] = []
+    at = 0
+    while at < len(lines):
+        line = lines[at]
+        at += 1
+        fence = FENCE.match(line)
+        if fence is None:
+            comments = COMMENT.findall(line)
+            notes = notes + comments if comments or not line.strip() else []
+            continue
+        first, closing = at, re.compile(rf"\s*{fence['mark']}{fence['mark'][0]}*\s*")
+        while at < len(lines) and not closing.fullmatch(lines[at]):
+            at += 1
+        indent = len(fence["indent"])
+        body = [text[min(indent, len(text) - len(text.lstrip())) :] for text in lines[first:at]]
+        at += 1
+        words = fence["info"].split() or [""]
+        codes = [int(note.split()[1]) for note in notes if re.fullmatch(r"exit \d+", note)]
+        skip = "no-run" in words or "no-run" in notes
+        yield Block(words[0], first + 1, "\n".join(body) + "\n", codes[-1] if codes else 0, skip)
+        notes = []
+
+
+def command_lines(block: Block) -> Iterator[tuple[int, str]]:
+    """The commands of an `sh` or `console` block with their line numbers; a backslash joins lines."""
+    lines = enumerate(block.text.splitlines(), block.line)
+    for number, line in lines:
+        command = line.strip()
+        if block.language == "console" and not command.startswith("$ "):
+            continue  # what the command answers
+        command = command.removeprefix("$ ")
+        while command.endswith("\\"):
+            command = command[:-1].rstrip() + " " + next(lines, (0, ""))[1].strip().removeprefix(">").lstrip()
+        command = re.sub(r"(^|\s+)#(\s.*)?$", "", command)
+        if command:
+            yield number, command
+
+
+def translate(command: str) -> str | None:
+    """The shell command that runs a documented one with this Python; None for one that isn't run here."""
+    for start in COMMANDS:
+        rest = command.removeprefix(start)
+        if rest != command and rest[:1] in ("", " "):
+            words = rest.split()
+            if "dev.py" in start and (words[0] if words else "") in NOT_HERE:
+                return None
+            return f'"{sys.executable}" -m linkwright{rest}'
+    return None
+
+
+def is_model(block: Block) -> bool:
+    """Whether a `yaml` block is a whole model file."""
+    says = (line.split("#")[0].strip() for line in block.text.splitlines())
+    return block.language == "yaml" and next(filter(None, says), "") == "linkwright: 1"
+
+
+def call(command: str | list[str], cwd: Path, exit_code: int = 0, timeout: float = TIMEOUT) -> None:
+    """Runs a command and fails unless it ends with the exit code expected."""
+    try:
+        done = subprocess.run(
+            command,
+            cwd=cwd,
+            shell=isinstance(command, str),
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            encoding="utf-8",
+            errors="replace",
+            timeout=timeout,
+        )
+    except subprocess.TimeoutExpired as error:
+        said = error.stdout or b""
+        text = said.decode(errors="replace") if isinstance(said, bytes) else said
+        raise Failure(f"not done after {timeout:.0f} s\n{text}") from None
+    if done.returncode != exit_code:
+        raise Failure(f"exit code {done.returncode}, expected {exit_code}\n{done.stdout}")
+
+
+def timed(name: str, item: Callable[[], None]) -> Outcome:
+    """Runs an item and says what came of it."""
+    start = time.perf_counter()
+    verdict, detail = "ok", ""
+    try:
+        item()
+    except Failure as failure:
+        verdict, detail = "FAIL", str(failure)
+    except Exception:
+        verdict, detail = "FAIL", traceback.format_exc()
+    return Outcome(name, verdict, time.perf_counter() - start, detail)
+
+
+@contextlib.contextmanager
+def workplace() -> Iterator[Path]:
+    """A temporary folder with a copy of examples/ in it."""
+    with tempfile.TemporaryDirectory(prefix="linkwright-smoke-", ignore_cleanup_errors=True) as folder:
+        place = Path(folder).resolve()
+        if (ROOT / "examples").is_dir():
+            leave = shutil.ignore_patterns("*_linkwright", "__pycache__")
+            shutil.copytree(ROOT / "examples", place / "examples", ignore=leave)
+        yield place
+
+
+def not_a_number(value: Any, at: str = "summary") -> Iterator[str]:
+    """The places in a parsed JSON document that hold a number which isn't one."""
+    if isinstance(value, dict):
+        for key, item in value.items():
+            yield from not_a_number(item, f"{at}.{key}")
+    elif isinstance(value, list):
+        for index, item in enumerate(value):
+            yield from not_a_number(item, f"{at}[{index}]")
+    elif isinstance(value, float) and not math.isfinite(value):
+        yield f"{at} is {value}"
+
+
+def check_results(out: Path) -> None:
+    """Fails unless a run has left its report, its table and a summary of sound numbers."""
+    for name in ("report.html", "summary.json", "cycle.csv"):
+        if not (out / name).is_file() or not (out / name).stat().st_size:
+            raise Failure(f"{name} is missing or empty")
+    if bad := list(not_a_number(json.loads((out / "summary.json").read_text(encoding="utf-8")))):
+        raise Failure("summary.json: " + ", ".join(bad))
+
+
+def smoke_model(path: Path) -> list[Outcome]:
+    """Runs one model of examples/."""
+
+    def item() -> None:
+        with workplace() as place:
+            model = place / path.relative_to(ROOT)
+            call([sys.executable, "-m", "linkwright", "run", str(model), "--out", str(place / "out")], place)
+            check_results(place / "out")
+
+    return [timed(path.relative_to(ROOT).as_posix(), item)]
+
+
+def smoke_script(path: Path) -> list[Outcome]:
+    """Runs one Python script of examples/."""
+
+    def item() -> None:
+        with workplace() as place:
+            call([sys.executable, str(place / path.relative_to(ROOT))], place)
+
+    return [timed(path.relative_to(ROOT).as_posix(), item)]
+
+
+def smoke_document(path: Path) -> list[Outcome]:
+    """Runs one Markdown file in a process of its own, so that a snippet can't harm the rest."""
+    name = path.relative_to(ROOT).as_posix()
+    with workplace() as place, tempfile.TemporaryDirectory() as folder:
+        results = Path(folder) / "results.jsonl"
+        results.touch()
+        command = [sys.executable, str(Path(__file__).resolve()), "--document", name, str(path), str(results)]
+        whole = timed(name, lambda: call(command, place, timeout=2 * TIMEOUT))
+        outcomes = [Outcome(**json.loads(line)) for line in results.read_text(encoding="utf-8").splitlines()]
+    return outcomes if whole.verdict == "ok" else [*outcomes, whole]
+
+
+def run_document(name: str, path: Path) -> Iterator[Outcome]:
+    """Runs the blocks of one Markdown file in the current folder, in order."""
+    namespace: dict[str, Any] = {"__name__": "__main__"}
+    for block in blocks(path.read_text(encoding="utf-8")):
+        label = f"{name}:{block.line}"
+        if block.skip:
+            yield Outcome(f"{label} {block.language}", "skip")
+        elif block.language == "python":
+            yield timed(f"{label} python", partial(run_python, block, path, namespace))
+        elif block.language in ("sh", "console"):
+            for number, command in command_lines(block):
+                translated = translate(command)
+                if translated is None:
+                    yield Outcome(f"{name}:{number} {command}", "skip")
+                else:
+                    item = partial(call, translated, Path.cwd(), block.exit_code)
+                    yield timed(f"{name}:{number} {command}", item)
+        elif is_model(block):
+            model = Path(f"{path.stem}_line_{block.line}.yaml").absolute()
+            model.write_text(block.text, encoding="utf-8")
+            check = [sys.executable, "-m", "linkwright", "check", str(model)]
+            yield timed(f"{label} yaml", partial(call, check, Path.cwd(), block.exit_code))
+
+
+def run_python(block: Block, path: Path, namespace: dict[str, Any]) -> None:
+    """Executes a `python` block; a traceback names the lines of the Markdown file."""
+    said = io.StringIO()
+    exit_code: object = 0
+    try:
+        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
+            exec(compile("\n" * (block.line - 1) + block.text, str(path), "exec"), namespace)
+    except SystemExit as left:
+        exit_code = left.code or 0
+    except Exception:
+        raise Failure(said.getvalue() + traceback.format_exc()) from None
+    if exit_code != block.exit_code:
+        raise Failure(f"{said.getvalue()}exit code {exit_code}, expected {block.exit_code}")
+
+
+def units(names: list[str]) -> list[Unit]:
+    """What there is to run: a function and the file for it, those with one of the names in their path."""
+    found: list[Unit] = [
+        *((smoke_model, path) for path in sorted(ROOT.glob("examples/*.yaml"))),
+        *((smoke_script, path) for path in sorted(ROOT.glob("examples/*.py"))),
+        *((smoke_document, path) for path in [*ROOT.glob("README.md"), *sorted(ROOT.glob("docs/**/*.md"))]),
+    ]
+    if not names:
+        return found
+    return [unit for unit in found if any(name in unit[1].relative_to(ROOT).as_posix() for name in names)]
+
+
+def show(outcome: Outcome) -> None:
+    print(f"{outcome.verdict:4} {outcome.seconds:6.1f} s  {outcome.name}", flush=True)
+    if outcome.verdict == "FAIL":
+        for line in outcome.detail.rstrip().splitlines()[-TAIL:]:
+            print(f"      {line}", flush=True)
+
+
+def main(names: list[str]) -> int:
+    passed = failed = 0
+    with ThreadPoolExecutor(AT_ONCE) as pool:  # each thread waits for a process
+        for outcomes in pool.map(lambda unit: unit[0](unit[1]), units(names)):
+            for outcome in outcomes:
+                show(outcome)
+                passed += outcome.verdict == "ok"
+                failed += outcome.verdict == "FAIL"
+    if not passed + failed:
+        print("nothing to run: no examples and no snippets found")
+    print(f"{passed} passed, {failed} failed")
+    return 0 if passed and not failed else 1
+
+
+def document_main(name: str, path: Path, results: Path) -> int:
+    """The process of one Markdown file: writes each outcome as it comes, whatever happens after it."""
+    sys.path[0] = str(Path.cwd())  # as for a script that stands beside README.md
+    with results.open("a", encoding="utf-8") as sink:
+        for outcome in run_document(name, path):
+            print(json.dumps(asdict(outcome)), file=sink, flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    os.environ.setdefault("MPLBACKEND", "Agg")
+    if sys.argv[1:2] == ["--document"]:
+        sys.exit(document_main(sys.argv[2], Path(sys.argv[3]), Path(sys.argv[4])))
+    sys.exit(main(sys.argv[1:]))
