@@ -6,7 +6,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from linkwright.report import REPORT_WORDS, Link, Plot, ReportData, Scene
+
+from linkwright.report import Link, Plot, ReportData, Scene
+from linkwright.words.en.report import REPORT
 
 AB, BC, CD, DE, AD, AH = 155.0, 395.0, 300.0, 500.0, 300.0, 580.0  # mm
 PERIOD = 1.5  # s
@@ -115,6 +117,13 @@ def feeder() -> Feeder:
 
 
 @pytest.fixture
+def coarse() -> tuple[Feeder, Scene]:
+    """The feeder in so few poses that chords between them are far from its circles."""
+    feeder = Feeder(26)
+    return feeder, scene_of(feeder)
+
+
+@pytest.fixture
 def report(feeder: Feeder) -> ReportData:
     """The whole report of the feeder; tests may change their copy."""
     return {
@@ -122,7 +131,7 @@ def report(feeder: Feeder) -> ReportData:
         "subtitle": "Cycle of 1.5 s, 201 poses, crank at -40 rpm",
         "version": "0.1.0",
         "language": "en",
-        "words": dict(REPORT_WORDS),
+        "words": dict(REPORT),
         "time": {"values": feeder.t.tolist(), "unit": "s", "label": "time"},
         "scene": scene_of(feeder),
         "plots": plots_of(feeder),

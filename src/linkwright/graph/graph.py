@@ -92,6 +92,10 @@ class Graph:
             flow += [view.x[k + 1] for k in rows[:-1]] + [ca.SX(0)]
         return ca.vertcat(*flow, *([ca.SX(0)] * len(self.branched)))
 
+    def wraps(self, link: str) -> bool:
+        """Whether a link's angle comes from its axis alone, so that it jumps by a turn now and then."""
+        return self._view(0).motion.bodies[link].angle is None
+
     def order_of(self, name: str) -> int:
         """The order of derivatives that a row needs."""
         if ":" in name:

@@ -30,10 +30,15 @@ class Motion:
         return self.geometry.point(link, name)
 
 
-def solve_motion(structure: Structure, geometry: Geometry, drives: dict[str, Jet], branch: Branch) -> Motion:
-    """Run the steps: ``drives`` gives each drive's value and rates, ``branch`` each group's assembly branch."""
+def solve_motion(
+    structure: Structure, geometry: Geometry, drives: dict[str, Jet], branch: Branch, motion: Motion | None = None
+) -> Motion:
+    """Run the steps: ``drives`` gives each drive's value and rates, ``branch`` each group's assembly branch.
+
+    A ``motion`` given is filled step by step, so that ``branch`` can look at what is solved so far.
+    """
     order = min((jet.order for jet in drives.values()), default=0)
-    motion = Motion(structure, geometry, order)
+    motion = motion or Motion(structure, geometry, order)
     motion.bodies[FRAME] = Body.fixed(order)
     for step in structure.steps:
         if isinstance(step, Driven):

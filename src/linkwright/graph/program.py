@@ -37,6 +37,11 @@ class ExpressionStage:
         return cls(ca.Function("block", [x, p], [ca.cse(ca.vertcat(*rows))]))
 
     @cached_property
+    def inputs(self) -> int:
+        """The number of per-pose inputs."""
+        return int(self.function.size1_in(0))
+
+    @cached_property
     def slots(self) -> int:
         """The number of work slots."""
         return int(self.function.sz_w())

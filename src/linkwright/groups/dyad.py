@@ -73,6 +73,10 @@ class Dyad(ABC):
     def scale(self, a: Body, b: Body) -> Scalar:
         """The size of the closure's determinant at its best, so that determinant/scale lies in -1..1."""
 
+    def shortfall(self) -> tuple[float, float] | None:
+        """On plain numbers: where the group can't close, the distance (m) it must span and the nearest it can."""
+        return None
+
     def solve(self, branch: Scalar, order: int) -> Solved:
         """Position in closed form, then each rate from the closure differentiated once more (linear in it)."""
         root = self.root(branch)

@@ -18,10 +18,7 @@ class RPR(Dyad):
 
     def root(self, branch: Scalar) -> Root:
         first, second = pin(self.first), pin(self.second)
-        # In coordinates along and across the sliding line, which pass through both links' lines:
-        arm1 = self.inner.first.minus(first.foot).turned_back(self.inner.first_heading)
-        arm2 = self.inner.second.minus(second.foot).turned_back(self.inner.second_heading)
-        across = arm1.y - arm2.y
+        across = self._across()
         base = second.base.now.minus(first.base.now)
         square = base.dot(base)
         radicand = square - across * across
@@ -33,6 +30,17 @@ class RPR(Dyad):
             heading.turned_back(self.inner.second_heading),
             radicand / square,
         )
+
+    def shortfall(self) -> tuple[float, float] | None:
+        distance = length(pin(self.second).base.now.minus(pin(self.first).base.now))
+        across = abs(self._across())
+        return (distance, across) if distance < across else None
+
+    def _across(self) -> Scalar:
+        """The distance of the second outer pin from the first, across the sliding line: fixed by the links."""
+        arm1 = self.inner.first.minus(pin(self.first).foot).turned_back(self.inner.first_heading)
+        arm2 = self.inner.second.minus(pin(self.second).foot).turned_back(self.inner.second_heading)
+        return arm1.y - arm2.y
 
     def scale(self, a: Body, b: Body) -> Scalar:
         return length(pin(self.second).base.now.minus(pin(self.first).base.now))

@@ -21,15 +21,24 @@ class RRP(Dyad):
         arm = self.inner.first.minus(hinge.foot)
         square = arm.dot(arm)
         d = slide.direction.now
-        # The inner pin travels on a line parallel to the slide's: its place at zero travel, seen from the hinge.
-        offset = self.inner.second.minus(slide.foot).turned_back(slide.heading).turned(d)
-        start = slide.base.now.minus(hinge.base.now)
-        start = Pair(start.x + offset.x, start.y + offset.y)
-        behind, aside = d.dot(start), d.cross(start)
+        behind, aside = self._start()
         radicand = square - aside * aside
         ahead = branch * call("sqrt", radicand)
         to_pin = Pair(ahead * d.x - aside * d.y, ahead * d.y + aside * d.x)
         return Root(pointing(to_pin, arm), ahead - behind, radicand / square)
+
+    def shortfall(self) -> tuple[float, float] | None:
+        radius, (_, aside) = length(self.inner.first.minus(pin(self.first).foot)), self._start()
+        return (abs(aside), radius) if abs(aside) > radius else None
+
+    def _start(self) -> tuple[Scalar, Scalar]:
+        """The inner pin at zero travel as seen from the outer pin: along the line's direction and across it."""
+        hinge, slide = pin(self.first), line(self.second)
+        d = slide.direction.now
+        offset = self.inner.second.minus(slide.foot).turned_back(slide.heading).turned(d)
+        start = slide.base.now.minus(hinge.base.now)
+        start = Pair(start.x + offset.x, start.y + offset.y)
+        return d.dot(start), d.cross(start)
 
     def scale(self, a: Body, b: Body) -> Scalar:
         return length(self.inner.first.minus(pin(self.first).foot))

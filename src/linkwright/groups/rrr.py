@@ -29,6 +29,14 @@ class RRR(Dyad):
         back = to_pin.minus(base)
         return Root(pointing(to_pin, arm1), pointing(back, arm2), radicand * square / (r1 + r2))
 
+    def shortfall(self) -> tuple[float, float] | None:
+        first, second = pin(self.first), pin(self.second)
+        r1, r2 = length(self.inner.first.minus(first.foot)), length(self.inner.second.minus(second.foot))
+        distance = length(second.base.now.minus(first.base.now))
+        if distance > r1 + r2:
+            return distance, r1 + r2
+        return (distance, abs(r1 - r2)) if distance < abs(r1 - r2) else None
+
     def scale(self, a: Body, b: Body) -> Scalar:
         arm1 = self.inner.first.minus(pin(self.first).foot)
         arm2 = self.inner.second.minus(pin(self.second).foot)

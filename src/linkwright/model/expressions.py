@@ -19,6 +19,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
 
+from linkwright.laws.step import step5
 from linkwright.model.units import is_unit
 from linkwright.notation import Jet
 from linkwright.notation.jets import call
@@ -259,17 +260,6 @@ def is_signal(node: Node) -> bool:
     return (isinstance(node, Name) and "." in node.text) or (isinstance(node, Call) and node.attribute is not None)
 
 
-def _step5(x: Any, x0: Any, h0: Any, x1: Any, h1: Any) -> Any:
-    """The 3-4-5 polynomial from h0 at x0 to h1 at x1, constant outside (ADAMS' STEP5)."""
-    u = (x - x0) / (x1 - x0)
-    if isinstance(u, Jet):
-        zero, one = Jet.constant(0.0, u.order), Jet.constant(1.0, u.order)
-        u = zero.where(u.d[0] <= 0, one.where(u.d[0] >= 1, u))
-    else:
-        u = min(max(u, 0.0), 1.0)
-    return h0 + (h1 - h0) * (u * u * u * (u * (u * 6.0 - 15.0) + 10.0))
-
-
 def _elementary(name: str) -> Callable[..., Any]:
     def apply(*args: Any) -> Any:
         if any(isinstance(arg, Jet) for arg in args):
@@ -316,7 +306,7 @@ FUNCTIONS: dict[str, Function] = {
     "abs": Function(1, "same", lambda a: abs(a) if isinstance(a, Jet | int | float) else call("abs", a)),
     "min": Function(2, "same", _pick("minimum", min)),
     "max": Function(2, "same", _pick("maximum", max)),
-    "step5": Function(5, "step", _step5),
+    "step5": Function(5, "step", step5),
 }
 
 

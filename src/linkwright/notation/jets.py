@@ -121,43 +121,43 @@ class Jet:
             for _ in range(int(power) - 1):
                 product = product * self
             return product
-        return self._chain(self.d[0] ** power, lambda f: power * f ** (power - 1))
+        return self.chain(self.d[0] ** power, lambda f: power * f ** (power - 1))
 
     def __rpow__(self, base: float) -> Jet:
         return (self * float(np.log(base))).exp()
 
-    def _chain(self, value: Scalar, slope: Callable[[Jet], Jet]) -> Jet:
+    def chain(self, value: Scalar, slope: Callable[[Jet], Jet]) -> Jet:
         """g(f) from its value and g'(f): (g(f))' = g'(f) f', taken one order lower each time."""
         if self.order == 0:
             return Jet([value])
         return Jet([value, *(slope(self.cut(self.order - 1)) * self.rate()).d])
 
     def sin(self) -> Jet:
-        return self._chain(call("sin", self.d[0]), Jet.cos)
+        return self.chain(call("sin", self.d[0]), Jet.cos)
 
     def cos(self) -> Jet:
-        return self._chain(call("cos", self.d[0]), lambda f: -f.sin())
+        return self.chain(call("cos", self.d[0]), lambda f: -f.sin())
 
     def tan(self) -> Jet:
         return self.sin() / self.cos()
 
     def exp(self) -> Jet:
-        return self._chain(call("exp", self.d[0]), Jet.exp)
+        return self.chain(call("exp", self.d[0]), Jet.exp)
 
     def log(self) -> Jet:
-        return self._chain(call("log", self.d[0]), lambda f: 1.0 / f)
+        return self.chain(call("log", self.d[0]), lambda f: 1.0 / f)
 
     def sqrt(self) -> Jet:
-        return self._chain(call("sqrt", self.d[0]), lambda f: 0.5 / f.sqrt())
+        return self.chain(call("sqrt", self.d[0]), lambda f: 0.5 / f.sqrt())
 
     def arcsin(self) -> Jet:
-        return self._chain(call("arcsin", self.d[0]), lambda f: 1.0 / (1.0 - f * f).sqrt())
+        return self.chain(call("arcsin", self.d[0]), lambda f: 1.0 / (1.0 - f * f).sqrt())
 
     def arccos(self) -> Jet:
-        return self._chain(call("arccos", self.d[0]), lambda f: -1.0 / (1.0 - f * f).sqrt())
+        return self.chain(call("arccos", self.d[0]), lambda f: -1.0 / (1.0 - f * f).sqrt())
 
     def arctan(self) -> Jet:
-        return self._chain(call("arctan", self.d[0]), lambda f: 1.0 / (1.0 + f * f))
+        return self.chain(call("arctan", self.d[0]), lambda f: 1.0 / (1.0 + f * f))
 
     def arctan2(self, x: Jet) -> Jet:
         """The angle of the vector (x, self); its derivative is (x y' - y x') / (x^2 + y^2)."""

@@ -18,10 +18,8 @@ from linkwright.report.data import (
 )
 from linkwright.report.page import page
 from linkwright.report.payload import compact
-from linkwright.report.words_en import REPORT_WORDS
 
 __all__ = [
-    "REPORT_WORDS",
     "Check",
     "Fact",
     "Failure",

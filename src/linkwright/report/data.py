@@ -136,7 +136,7 @@ class Failure(TypedDict):
 
 
 class ReportData(TypedDict):
-    """Everything on the page. ``words``: the texts of ``REPORT_WORDS``, in ``language``."""
+    """Everything on the page. ``words``: the texts of the catalogue, in ``language``."""
 
     title: str
     subtitle: str

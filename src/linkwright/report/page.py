@@ -9,10 +9,22 @@ from importlib.resources import files
 from linkwright.report import sections
 from linkwright.report.data import ReportData
 from linkwright.report.payload import script_json
-from linkwright.report.words_en import SCRIPT_WORDS
 
 # The browser itself is told to load nothing, so that the file stays self-contained whatever is put into it.
 POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:"
+
+SCRIPT_WORDS = (
+    "report.drawing",
+    "report.link_names",
+    "report.not_assembled",
+    "report.paths",
+    "report.pause",
+    "report.play",
+    "report.point_names",
+    "report.real_time",
+    "report.speed",
+)
+"""The keys that the page's scripts read."""
 
 
 def page(data: ReportData) -> str:

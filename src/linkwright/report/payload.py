@@ -25,6 +25,6 @@ def compact(value: object) -> object:
 
 
 def script_json(value: object) -> str:
-    """JSON text that is safe inside a script element: with no ``<``, no ``</script`` or ``<!--`` can occur."""
+    """JSON text that is safe inside a script element: no ``<``, hence no ``</script`` and no ``<!--``."""
     text = json.dumps(compact(value), ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     return text.replace("<", "\\u003c")

@@ -46,15 +46,16 @@ def failures(data: ReportData) -> str:
     if not data["failures"]:
         return ""
     words = data["words"]
+    title = f'<span aria-hidden="true">⚠\ufe0e</span> {escape(words["report.failures"])}'
     rows = "".join(
-        f'<li><p><code>{escape(f["code"])}</code> {_lines(f["what"])}</p>'
+        f"<li><p><code>{escape(f['code'])}</code> {_lines(f['what'])}</p>"
         + (f"<p><b>{escape(words['report.mend'])}:</b> {_lines(f['mend'])}</p>" if f["mend"] else "")
         + "</li>"
         for f in data["failures"]
     )
     return (
         f'<section id="failures" class="banner" aria-labelledby="failures-title">'
-        f'<h2 id="failures-title"><span aria-hidden="true">⚠\ufe0e</span> {escape(words["report.failures"])}</h2>'
+        f'<h2 id="failures-title">{title}</h2>'
         f"<ul>{rows}</ul></section>"
     )
 
@@ -120,15 +121,15 @@ def plots(data: ReportData) -> str:
     """One figure per plot under its group's heading; the script fills them."""
     words = data["words"]
     hint = f'<p class="hint screen">{escape(words["report.plots_hint"])}</p>'
-    whole = f'<button type="button" class="whole screen" hidden>{escape(words["report.whole_time"])}</button>'
     out = ""
     for group in GROUPS:
         figures = "".join(_plot(i, plot) for i, plot in enumerate(data["plots"]) if plot["group"] == group)
         if figures:
-            title = f"<h2>{escape(words[f'report.{group}'])} {whole}</h2>"
+            title = f"<h2>{escape(words[f'report.{group}'])}</h2>"
             out += f'<section id="{group}">{title}{hint}<div class="plots">{figures}</div></section>'
             hint = ""
-    return out
+    whole = escape(words["report.whole_time"])
+    return out and f'{out}<button type="button" id="whole" class="screen" hidden>{whole}</button>'
 
 
 def _plot(index: int, plot: Plot) -> str:

@@ -1,4 +1,5 @@
-// A planar mechanism as an animated SVG drawing, from plain scene data. No dependencies.
+// A planar mechanism as an animated SVG drawing, from plain scene data. No dependencies, and one file,
+// because notebook widgets and pages opened from disk take a single module.
 //
 //   const handle = render({ model: scene, el, words, time, autoplay });
 //   handle.setTime(t); handle.setIndex(i); handle.on("time", (t, index) => ...); handle.destroy();
@@ -131,27 +132,29 @@ function pinsOf(scene) {
 
 /** Prismatic joints as guide and block, with the block's travel along the guide: {low, high} from its point. */
 function guidesOf(scene, links, times) {
-  return scene.joints.filter((j) => j.kind === "prismatic").map((joint) => {
-    const sides = joint.links.map((name, i) => {
-      const link = links.get(name);
-      return { link, local: link.points[joint.points[i]], angle: joint.angles[i] };
+  return scene.joints
+    .filter((j) => j.kind === "prismatic")
+    .map((joint) => {
+      const sides = joint.links.map((name, i) => {
+        const link = links.get(name);
+        return { link, local: link.points[joint.points[i]], angle: joint.angles[i] };
+      });
+      if (sides[1].link.fixed && !sides[0].link.fixed) sides.reverse();
+      const [guide, block] = sides;
+      const cylinder = joint.look === "cylinder" && !guide.link.fixed;
+      let [low, high] = guide.link.fixed || cylinder ? [Infinity, -Infinity] : [0, 0];
+      for (let k = 0; k < times.length; k++) {
+        const [carrier, rider] = [poseOf(guide.link, times, k), poseOf(block.link, times, k)];
+        if (!carrier || !rider) continue;
+        const [ax, ay] = place(carrier, guide.local);
+        const [bx, by] = place(rider, block.local);
+        const along = Math.atan2(carrier.s, carrier.c) + guide.angle;
+        const travel = (bx - ax) * Math.cos(along) + (by - ay) * Math.sin(along);
+        [low, high] = [Math.min(low, travel), Math.max(high, travel)];
+      }
+      if (low > high) [low, high] = [0, 0];
+      return { joint, guide, block, low, high, cylinder };
     });
-    if (sides[1].link.fixed && !sides[0].link.fixed) sides.reverse();
-    const [guide, block] = sides;
-    const cylinder = joint.look === "cylinder" && !guide.link.fixed;
-    let [low, high] = guide.link.fixed || cylinder ? [Infinity, -Infinity] : [0, 0];
-    for (let k = 0; k < times.length; k++) {
-      const [carrier, rider] = [poseOf(guide.link, times, k), poseOf(block.link, times, k)];
-      if (!carrier || !rider) continue;
-      const [ax, ay] = place(carrier, guide.local);
-      const [bx, by] = place(rider, block.local);
-      const along = Math.atan2(carrier.s, carrier.c) + guide.angle;
-      const travel = (bx - ax) * Math.cos(along) + (by - ay) * Math.sin(along);
-      [low, high] = [Math.min(low, travel), Math.max(high, travel)];
-    }
-    if (low > high) [low, high] = [0, 0];
-    return { joint, guide, block, low, high, cylinder };
-  });
 }
 
 const onGuide = ({ local, angle }, travel) => [
@@ -230,7 +233,6 @@ function labelDirection(pin, facts) {
   return choices.reduce((best, choice) => (cost(choice) < cost(best) - 1e-9 ? choice : best));
 }
 
-
 const degrees = (angle) => round((-angle * 180) / Math.PI);
 
 /** Barrel (on the guide link) or rod and piston (on the block link) of a cylinder, for its whole travel. */
@@ -243,7 +245,11 @@ function cylinderShapes(guideOrBlock, { low, high, guide }, k, parent) {
   const transform = `translate(${round(k * x)} ${round(-k * y)}) rotate(${degrees(turn)})`;
   const axes = make("g", { transform }, parent);
   if (isBarrel) {
-    make("rect", { class: "lw-body", x: 0, y: -10, width: round(Math.max(near - 14, 20)), height: 20, rx: 3 }, axes);
+    make(
+      "rect",
+      { class: "lw-body", x: 0, y: -10, width: round(Math.max(near - 14, 20)), height: 20, rx: 3 },
+      axes,
+    );
   } else {
     const length = round(far - near + 24);
     make("path", { class: "lw-rod", d: `M0 0H${length}` }, axes);
@@ -254,30 +260,38 @@ function cylinderShapes(guideOrBlock, { low, high, guide }, k, parent) {
 /** Shapes of all moving links, in layers under `parent`; returns a function that moves them to a sample. */
 function bodies(facts, k, r, parent) {
   const layers = ["slots", "bodies", "blocks"].map((name) => make("g", { class: `lw-${name}` }, parent));
-  const parts = facts.scene.links.filter((link) => !link.fixed).map((link) => {
-    const groups = layers.map((layer) => make("g", { class: `lw-c${facts.colour.get(link)}` }, layer));
-    const [slots, body, blocks] = groups;
-    const points = Object.values(link.points).map(([x, y]) => [k * x, -k * y]);
-    let sliding = false;
-    for (const joint of facts.guides) {
-      const { guide, block, low, high, cylinder } = joint;
-      for (const side of [guide, block].filter((each) => each.link === link)) {
-        sliding = true;
-        if (cylinder) cylinderShapes(side, joint, k, side === guide ? body : slots);
-        else if (side === guide) {
-          const ends = [low, high].map((travel) => onGuide(guide, travel)).map(([x, y]) => [k * x, -k * y]);
-          make("path", { class: "lw-slot", d: outline(ends, BLOCK.height / 2 + 3) }, slots);
-        } else {
-          const [x, y] = [round(k * side.local[0]), round(-k * side.local[1])];
-          const size = { x: -BLOCK.length / 2, y: -BLOCK.height / 2, width: BLOCK.length, height: BLOCK.height };
-          const transform = `translate(${x} ${y}) rotate(${degrees(side.angle)})`;
-          make("rect", { class: "lw-block", ...size, rx: 2, transform }, blocks);
+  const parts = facts.scene.links
+    .filter((link) => !link.fixed)
+    .map((link) => {
+      const groups = layers.map((layer) => make("g", { class: `lw-c${facts.colour.get(link)}` }, layer));
+      const [slots, body, blocks] = groups;
+      const points = Object.values(link.points).map(([x, y]) => [k * x, -k * y]);
+      let sliding = false;
+      for (const joint of facts.guides) {
+        const { guide, block, low, high, cylinder } = joint;
+        for (const side of [guide, block].filter((each) => each.link === link)) {
+          sliding = true;
+          if (cylinder) cylinderShapes(side, joint, k, side === guide ? body : slots);
+          else if (side === guide) {
+            const ends = [low, high].map((travel) => onGuide(guide, travel)).map(([x, y]) => [k * x, -k * y]);
+            make("path", { class: "lw-slot", d: outline(ends, BLOCK.height / 2 + 3) }, slots);
+          } else {
+            const [x, y] = [round(k * side.local[0]), round(-k * side.local[1])];
+            const size = {
+              x: -BLOCK.length / 2,
+              y: -BLOCK.height / 2,
+              width: BLOCK.length,
+              height: BLOCK.height,
+            };
+            const transform = `translate(${x} ${y}) rotate(${degrees(side.angle)})`;
+            make("rect", { class: "lw-block", ...size, rx: 2, transform }, blocks);
+          }
         }
       }
-    }
-    if (hull(points).length > 1 || !sliding) make("path", { class: "lw-body", d: outline(points, r) }, body);
-    return { link, groups };
-  });
+      if (hull(points).length > 1 || !sliding)
+        make("path", { class: "lw-body", d: outline(points, r) }, body);
+      return { link, groups };
+    });
   return (toScreen, sample, f) => {
     for (const { link, groups } of parts) {
       const pose = poseOf(link, facts.times, sample, f);
@@ -329,9 +343,14 @@ function backdrop(facts, view, parent) {
     const flip = Math.cos(turn) < -1e-9 || (Math.abs(Math.cos(turn)) < 1e-9 && turn < 0);
     if (flip) turn += Math.PI;
     const [from, to] = (flip ? [-high, -low] : [low, high]).map((travel) => travel * k);
-    const rail = make("g", { transform: `translate(${round(x)} ${round(y)}) rotate(${degrees(turn)})` }, parent);
+    const rail = make(
+      "g",
+      { transform: `translate(${round(x)} ${round(y)}) rotate(${degrees(turn)})` },
+      parent,
+    );
     const spare = BLOCK.length / 2 + 8;
-    make("path", { class: "lw-centre", d: `M${round(Math.min(0, from - spare))} 0H${round(Math.max(0, to + spare))}` }, rail);
+    const [start, end] = [Math.min(0, from - spare), Math.max(0, to + spare)].map(round);
+    make("path", { class: "lw-centre", d: `M${start} 0H${end}` }, rail);
     hatch(rail, from - spare, to - from + 2 * spare, BLOCK.height / 2 + 2);
   }
   for (const pin of facts.pins) {
@@ -354,8 +373,9 @@ const mean = (points) => [0, 1].map((axis) => points.reduce((sum, p) => sum + p[
 function widestGap([a, b], points) {
   const along = ([x, y]) => (x - a[0]) * (b[0] - a[0]) + (y - a[1]) * (b[1] - a[1]);
   const row = [...points].sort((p, q) => along(p) - along(q));
+  const size = ([p, q]) => along(q) - along(p);
   const gaps = row.slice(1).map((p, i) => [row[i], p]);
-  return mean(gaps.reduce((best, gap) => (along(gap[1]) - along(gap[0]) > along(best[1]) - along(best[0]) ? gap : best)));
+  return mean(gaps.reduce((best, gap) => (size(gap) > size(best) ? gap : best)));
 }
 
 /** Names of pins and links: returns a function that moves them to a sample. */
@@ -366,33 +386,43 @@ function labels(facts, view, r, parent) {
     const anchor = dx > 0.3 ? "start" : dx < -0.3 ? "end" : "middle";
     const text = make("text", { class: "lw-label", "text-anchor": anchor, dy: "0.35em" }, parent);
     text.textContent = pin.name;
-    return { text, places: pin.places, offset: () => [dx * (r + 7), dy * (r + 9)] };
+    return { text, places: pin.places, half: 0, offset: () => [dx * (r + 7), dy * (r + 9)] };
   });
   for (const link of facts.scene.links.filter((each) => !each.fixed)) {
     const ring = hull(Object.values(link.points));
     if (!ring.length) continue;
-    const middle = ring.length === 2 ? widestGap(ring, Object.values(link.points)) : mean(ring);
+    const riding = facts.guides.find(({ block }) => block.link === link);
+    const slide = riding ?? facts.guides.find(({ guide }) => guide.link === link);
+    const side = riding ? riding.block : slide?.guide;
+    let middle = mean(ring);
+    if (ring.length === 2) middle = widestGap(ring, Object.values(link.points));
+    else if (slide?.cylinder && side === slide.guide) middle = onGuide(side, (slide.low + slide.high) / 4);
     const colour = `lw-c${facts.colour.get(link)}`;
-    const text = make("text", { class: `lw-label lw-name ${colour}`, "text-anchor": "middle", dy: "0.35em" }, parent);
+    const text = make(
+      "text",
+      { class: `lw-label lw-name ${colour}`, "text-anchor": "middle", dy: "0.35em" },
+      parent,
+    );
     text.textContent = link.name;
-    const rides = facts.guides.find(({ block }) => block.link === link);
-    const along = ring.length > 1 ? Math.atan2(ring[1][1] - ring[0][1], ring[1][0] - ring[0][0]) : rides?.block.angle ?? 0;
-    const away = ring.length > 1 ? r + 3 : BLOCK.height / 2 + 6;
+    const bar = ring.length > 1;
+    const along = bar ? Math.atan2(ring[1][1] - ring[0][1], ring[1][0] - ring[0][0]) : (side?.angle ?? 0);
+    const away = bar ? r + 3 : BLOCK.height / 2 + 6;
+    const half = 3.2 * link.name.length; // of the text's width, near enough
     const offset = (pose) => {
       if (ring.length > 2) return [0, 0];
       const across = Math.atan2(pose.s, pose.c) + along - Math.PI / 2;
-      return [Math.cos(across) * (away + 3.2 * link.name.length), -Math.sin(across) * (away + 7)];
+      return [Math.cos(across) * (away + half), -Math.sin(across) * (away + 7)];
     };
-    texts.push({ text, places: [{ link, local: middle }], offset });
+    texts.push({ text, places: [{ link, local: middle }], half, offset });
   }
   return (sample, f) => {
-    for (const { text, places, offset } of texts) {
+    for (const { text, places, half, offset } of texts) {
       const pose = poseOf(places[0].link, facts.times, sample, f);
       text.style.display = pose ? "" : "none";
       if (!pose) continue;
       const [x, y] = view.toScreen(place(pose, places[0].local));
       const [dx, dy] = offset(pose);
-      text.setAttribute("x", round(x + dx));
+      text.setAttribute("x", round(half ? clamp(x + dx, half + 4, view.width - half - 4) : x + dx));
       text.setAttribute("y", round(y + dy));
     }
   };
@@ -445,7 +475,11 @@ function draw(svg, facts, width, most, say, ghosts = []) {
     const joined = pin.joints.length > 0;
     const moving = pin.places.find(({ link }) => !link.fixed);
     const colour = moving ? `lw-c${facts.colour.get(moving.link)}` : "";
-    const circle = make("circle", { r: joined ? Math.min(r - 1.5, 4.8) : 2.6 }, joined || moving ? svg : null);
+    const circle = make(
+      "circle",
+      { r: joined ? Math.min(r - 1.5, 4.8) : 2.6 },
+      joined || moving ? svg : null,
+    );
     circle.setAttribute("class", joined ? "lw-pin" : `lw-point ${colour}`);
     circle.setAttribute("data-point", pin.name);
     return { circle, places: pin.places };
@@ -560,7 +594,11 @@ function controls(root, facts, { say, time, real }) {
   make("path", { class: "lw-icon-pause", d: "M13 12h4v14h-4zM21 12h4v14h-4z" }, icons);
   const track = html("div", { class: "lw-track" }, bar);
   const last = facts.times.length - 1;
-  const slider = html("input", { type: "range", min: 0, max: last, step: 1, value: 0, "aria-label": time.label }, track);
+  const slider = html(
+    "input",
+    { type: "range", min: 0, max: last, step: 1, value: 0, "aria-label": time.label },
+    track,
+  );
   const gaps = html("div", { class: "lw-gaps" }, track);
   facts.gaps.forEach((gap, i) => {
     if (!gap || facts.gaps[i - 1]) return;
@@ -569,7 +607,7 @@ function controls(root, facts, { say, time, real }) {
     const style = `left:${(i / Math.max(last, 1)) * 100}%;width:${width * 100}%`;
     html("i", { style, title: say("not_assembled") }, gaps);
   });
-  const readout = html("output", { class: "lw-time" }, bar);
+  const readout = html("output", { class: "lw-time", "aria-live": "off" }, bar);
 
   const options = html("div", { class: "lw-options" }, root);
   const speedLabel = html("label", {}, options, say("speed"));
@@ -729,7 +767,8 @@ export function still({ model, el, words = {}, width = 690, height = 430, ghosts
   const facts = survey(model);
   const sound = [...facts.times.keys()].filter((k) => !facts.gaps[k]);
   const count = Math.min(ghosts, sound.length - 1);
-  const faint = Array.from({ length: Math.max(count, 0) }, (_, i) => sound[Math.floor(((i + 1) * sound.length) / (count + 1))]);
+  const part = (i) => sound[Math.floor(((i + 1) * sound.length) / (count + 1))];
+  const faint = Array.from({ length: Math.max(count, 0) }, (_, i) => part(i));
   const { svg } = frame(el, say);
   draw(svg, facts, width, height, say, faint).show(sound[0] ?? 0);
   return svg;

@@ -7,9 +7,16 @@ const { time, scene, words, plots } = data;
 const DASHES = [[], [7, 3], [2, 3], [10, 3, 2, 3], [5, 2, 1, 2, 1, 2]];
 const PAPER = { width: 336, height: 180, scale: 3 };
 const HEIGHT = 230;
+const MOUSE = ["mousedown", "mouseup", "mousemove", "mouseleave", "mouseenter", "click", "dblclick"];
 const DRAG = 6; // pixels that tell a drag from a click
 
-const drawing = mechanism.render({ model: scene, el: document.getElementById("drawing"), words, time, autoplay: true });
+const drawing = mechanism.render({
+  model: scene,
+  el: document.getElementById("drawing"),
+  words,
+  time,
+  autoplay: true,
+});
 mechanism.still({ model: scene, el: document.getElementById("still"), words });
 
 const colour = (name) => {
@@ -35,7 +42,7 @@ function nearest(t) {
     if (values[middle] <= t) low = middle;
     else high = middle;
   }
-  return t - values[low] <= values[high] - t ? low : high;
+  return t > (values[low] + values[high]) / 2 ? high : low;
 }
 
 // ---------------------------------------------------------------- plots
@@ -60,6 +67,7 @@ function options(plot, { width, height, scale = 1 }) {
     gap: 4 * scale,
     values: (u, splits) => splits.map((value) => String(Number(value.toPrecision(7))).replace("-", "−")),
   };
+  const label = time.unit ? `${time.label}, ${time.unit}` : time.label;
   const longest = (u, values) =>
     Math.max(...(values ?? [""]).map((v) => String(v).length), 3) * 6.4 * scale + 14 * scale;
   return {
@@ -72,14 +80,12 @@ function options(plot, { width, height, scale = 1 }) {
       y: false,
       drag: { x: false, y: false, setScale: false },
       points: { size: 7 },
-      bind: Object.fromEntries(
-        ["mousedown", "mouseup", "mousemove", "mouseleave", "mouseenter", "click", "dblclick"].map((name) => [name, () => null]),
-      ),
+      bind: Object.fromEntries(MOUSE.map((name) => [name, () => null])), // `point` below takes over
     },
     scales: { x: { time: false }, y: { range: limits } },
     axes: [
-      { ...axis, space: 46 * scale, size: 22 * scale, labelSize: 16 * scale, labelGap: 0, label: time.unit ? `${time.label}, ${time.unit}` : time.label },
-      { ...axis, space: 30 * scale, size: longest },
+      { ...axis, space: 46 * scale, size: 22 * scale, labelSize: 16 * scale, labelGap: 0, label },
+      { ...axis, space: 25 * scale, size: longest },
     ],
     series: [
       {},
@@ -118,6 +124,7 @@ function legend(box, plot, chart) {
     const name = document.createElement("span");
     name.textContent = series.name;
     const value = document.createElement("output");
+    value.setAttribute("aria-live", "off");
     button.append(swatch(i), name, value);
     button.addEventListener("click", () => {
       const shown = button.getAttribute("aria-pressed") !== "true";
@@ -140,7 +147,8 @@ const inSight = new IntersectionObserver((entries) => {
 const sized = new ResizeObserver((entries) => {
   for (const { target } of entries) {
     const { chart, area } = views.find((view) => view.area === target);
-    if (area.clientWidth && area.clientWidth !== chart.width) chart.setSize({ width: area.clientWidth, height: HEIGHT });
+    if (area.clientWidth && area.clientWidth !== chart.width)
+      chart.setSize({ width: area.clientWidth, height: HEIGHT });
   }
 });
 
@@ -149,10 +157,17 @@ let index = 0;
 function build(box) {
   const plot = plots[Number(box.dataset.plot)];
   const area = box.querySelector(".chart");
-  const chart = new uPlot(options(plot, { width: area.clientWidth || 400, height: HEIGHT }), columns(plot), area);
+  const chart = new uPlot(
+    options(plot, { width: area.clientWidth || 400, height: HEIGHT }),
+    columns(plot),
+    area,
+  );
   const values = legend(box.querySelector(".legend"), plot, chart);
   chart.over.setAttribute("role", "img");
-  chart.over.setAttribute("aria-label", `${plot.title}, ${plot.unit}: ${plot.series.map((s) => s.name).join(", ")}`);
+  chart.over.setAttribute(
+    "aria-label",
+    `${plot.title}, ${plot.unit}: ${plot.series.map((s) => s.name).join(", ")}`,
+  );
   const follow = () => {
     const left = chart.valToPos(time.values[index], "x");
     const inside = left >= 0 && left <= chart.over.clientWidth;
@@ -185,17 +200,16 @@ function release() {
   held = null;
 }
 
-const whole = [...document.querySelectorAll("button.whole")];
+const whole = document.getElementById("whole");
 
 function zoom(from, to) {
   for (const { chart } of views) chart.setScale("x", { min: from, max: to });
-  const all = from === time.values[0] && to === time.values.at(-1);
-  for (const button of whole) button.hidden = all;
+  whole.hidden = from === time.values[0] && to === time.values.at(-1);
   requestAnimationFrame(() => moved(time.values[index]));
 }
 
 const unzoom = () => zoom(time.values[0], time.values.at(-1));
-for (const button of whole) button.addEventListener("click", unzoom);
+whole?.addEventListener("click", unzoom);
 
 function point(chart) {
   const { over } = chart;
@@ -298,3 +312,6 @@ function toScreen() {
 window.addEventListener("beforeprint", toPaper);
 window.addEventListener("afterprint", toScreen);
 matchMedia("print").addEventListener("change", (event) => (event.matches ? toPaper() : toScreen()));
+
+// for the browser's console and for tests
+window.linkwright = { drawing, charts: views.map(({ chart }) => chart) };

@@ -1,6 +1,6 @@
 """The report's words in English; ``{...}`` are filled in by the page."""
 
-REPORT_WORDS: dict[str, str] = {
+REPORT: dict[str, str] = {
     "report.certificate": "Certificate",
     "report.check": "Check",
     "report.contents": "Contents",
@@ -27,8 +27,8 @@ REPORT_WORDS: dict[str, str] = {
     "report.pause": "Pause",
     "report.play": "Play",
     "report.point_names": "Point names",
-    "report.plots_hint": "Move over a plot to move the mechanism, click to stay there, drag to enlarge a span "
-    "of time, double-click to see all of it.",
+    "report.plots_hint": "Move over a plot to move the mechanism, click to stay there, drag to enlarge a "
+    "span of time, double-click to see all of it.",
     "report.real_time": "real time",
     "report.requirement": "Requirement",
     "report.speed": "Speed",
@@ -43,16 +43,3 @@ REPORT_WORDS: dict[str, str] = {
     "report.where": "Where",
     "report.whole_time": "Show the whole time",
 }
-
-SCRIPT_WORDS = (
-    "report.drawing",
-    "report.link_names",
-    "report.not_assembled",
-    "report.paths",
-    "report.pause",
-    "report.play",
-    "report.point_names",
-    "report.real_time",
-    "report.speed",
-)
-"""The keys that the page's scripts read."""

@@ -1,0 +1,3 @@
+from linkwright.cli import main
+
+main()

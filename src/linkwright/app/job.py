@@ -1,0 +1,117 @@
+"""From a model file to its results: examine, perform, write."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from linkwright.kernels import Compiled, examine
+from linkwright.model.document import read_document, write_aside
+from linkwright.model.findings import Finding
+from linkwright.model.mechanism import Document
+from linkwright.report.build import report_data
+from linkwright.report.page import page
+from linkwright.report.summary import summary
+from linkwright.studies import CycleOutcome, Task, read_studies
+
+CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite")
+"""Codes that begin so mean a model that can't do what is asked (exit code 1); all others a wrong file (2)."""
+
+
+@dataclass
+class Examined:
+    """A model file as far as it can be understood, with everything that is wrong with it."""
+
+    document: Document | None = None
+    compiled: Compiled | None = None
+    tasks: list[Task] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
+
+    @property
+    def exit_code(self) -> int:
+        """0 where nothing is wrong, 1 where the model can't do what is asked, 2 where the file is wrong."""
+        errors = [finding for finding in self.findings if finding.severity == "error"]
+        if not errors:
+            return 0
+        return 1 if all(finding.code.startswith(CANNOT) for finding in errors) else 2
+
+
+def examine_file(path: Path) -> Examined:
+    """Read and compile a model file; findings carry the lines of the file."""
+    try:
+        raw = path.read_bytes() if path.stat().st_size < 1 << 26 else b" " * (1 << 21)
+    except OSError as error:
+        data = {"file": str(path), "reason": error.strerror or str(error)}
+        return Examined(findings=[Finding("file.unreadable", data=data)])
+    document, source = read_document(raw)
+    if document is None:
+        return Examined(findings=source.findings)
+    examined = examine_document(document, path.parent)
+    examined.findings = [
+        finding if finding.line else finding.located(source.line(finding.path)) for finding in examined.findings
+    ]
+    return examined
+
+
+def examine_document(document: Document, folder: Path | None = None) -> Examined:
+    """Compile a document and read its studies."""
+    tasks, findings = read_studies(document.studies)
+    compiled, faults = examine(document, folder)
+    findings += faults
+    if compiled is not None:
+        findings += [finding for task in tasks for finding in task.study.check(compiled, task.options)]
+    return Examined(document, compiled, tasks, findings)
+
+
+@dataclass
+class Job:
+    """A performed model file: outcomes by study name, and the folder they were written to."""
+
+    examined: Examined
+    outcomes: dict[str, Any] = field(default_factory=dict)
+    folder: Path | None = None
+
+    @property
+    def cycle(self) -> CycleOutcome | None:
+        """The cycle's outcome, where the file asks for one."""
+        return self.outcomes.get("cycle")
+
+    @property
+    def exit_code(self) -> int:
+        """The examination's code, else 1 where an outcome isn't what is asked, else 0."""
+        return self.examined.exit_code or (0 if all(o.done for o in self.outcomes.values()) else 1)
+
+    @property
+    def summary(self) -> dict[str, Any]:
+        """The summary as plain data."""
+        document = self.examined.document
+        if document is None:
+            return {"done": False, "findings": [finding.as_dict() for finding in self.examined.findings]}
+        return summary(document, self.cycle, self.examined.findings)
+
+
+def perform(examined: Examined) -> Job:
+    """Perform the studies of an examined file; none where something is wrong with it."""
+    job = Job(examined)
+    if examined.exit_code == 0 and examined.compiled is not None:
+        for task in examined.tasks:
+            job.outcomes[task.study.name] = task.study.run(examined.compiled, task.options)
+    return job
+
+
+def write(job: Job, folder: Path) -> None:
+    """Write report.html, summary.json and cycle.csv, each whole or not at all."""
+    folder.mkdir(parents=True, exist_ok=True)
+    document = job.examined.document
+    if job.cycle is not None and document is not None:
+        write_aside(folder / "report.html", page(report_data(document, job.cycle)))
+        job.cycle.result.to_csv(folder / "cycle.csv")
+    write_aside(folder / "summary.json", summary_text(job.summary) + "\n")
+    job.folder = folder
+
+
+def summary_text(data: dict[str, Any]) -> str:
+    """The summary as JSON text."""
+    return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False)

@@ -1,0 +1,102 @@
+"""The command line: ``linkwright check | run | schema``. Slow imports wait until a command needs them."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from linkwright import __version__
+from linkwright.words import say
+
+if TYPE_CHECKING:
+    from linkwright.app import Examined, Job
+
+
+@click.group(help=say("cli.help"), context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(__version__, prog_name="linkwright")
+def cli() -> None:
+    """The group of commands."""
+
+
+_file = click.argument("file", type=click.Path(path_type=Path))
+_json = click.option("--json", "as_json", is_flag=True, help=say("cli.json"))
+
+
+@cli.command(help=say("cli.run"))
+@_file
+@click.option("--out", type=click.Path(path_type=Path), help=say("cli.out"))
+@_json
+def run(file: Path, out: Path | None, as_json: bool) -> None:
+    """Perform a file's studies."""
+    from linkwright import app
+    from linkwright.app.job import summary_text
+    from linkwright.cli import show
+
+    examined = app.examine_file(file)
+    with show.working(file, quiet=as_json):
+        job = app.perform(examined)
+        if examined.document is not None and job.outcomes:
+            folder = out or file.with_name(f"{file.stem}_linkwright")
+            _writing(folder, job)
+    if as_json:
+        click.echo(summary_text(job.summary))
+    else:
+        show.findings(examined, file)
+        show.job(job)
+    sys.exit(job.exit_code)
+
+
+def _writing(folder: Path, job: Job) -> None:
+    from linkwright import app
+    from linkwright.cli import show
+
+    try:
+        app.write(job, folder)
+    except OSError as error:
+        show.cannot_write(folder, error)
+        sys.exit(2)
+
+
+@cli.command(help=say("cli.check"))
+@_file
+@_json
+def check(file: Path, as_json: bool) -> None:
+    """Examine a file."""
+    from linkwright import app
+    from linkwright.app.job import summary_text
+    from linkwright.cli import show
+
+    examined: Examined = app.examine_file(file)
+    if as_json:
+        click.echo(summary_text(show.check_data(examined)))
+    else:
+        show.findings(examined, file)
+        show.structure(examined)
+    sys.exit(examined.exit_code)
+
+
+@cli.command(help=say("cli.schema"))
+def schema() -> None:
+    """Print the JSON Schema."""
+    import json
+
+    from linkwright.studies.schema import file_schema
+
+    click.echo(json.dumps(file_schema(), indent=2, ensure_ascii=False))
+
+
+def main() -> None:
+    """Entry point: a user's mistake is a message, an interrupt says so, a fault of ours asks to be reported."""
+    try:
+        cli(standalone_mode=False)
+    except click.exceptions.Exit as done:
+        sys.exit(done.exit_code)
+    except click.ClickException as error:
+        error.show()
+        sys.exit(2)
+    except (KeyboardInterrupt, click.Abort):
+        click.echo(say("cli.interrupted"), err=True)
+        sys.exit(130)

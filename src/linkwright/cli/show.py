@@ -1,0 +1,131 @@
+"""How the command line shows things: findings, structure, measures, certificate."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
+
+from linkwright.app import Examined, Job
+from linkwright.model.findings import Finding
+from linkwright.model.units import TIME
+from linkwright.report.build import measure
+from linkwright.report.facts import checks, facts
+from linkwright.words import say
+
+out = Console(highlight=False, soft_wrap=True)
+err = Console(stderr=True, highlight=False, soft_wrap=True)
+
+_STYLES = {"error": "bold red", "warning": "bold yellow"}
+
+
+@contextmanager
+def working(file: Path, quiet: bool) -> Iterator[None]:
+    """A spinner while a command works, on a terminal only."""
+    if quiet or not err.is_terminal:
+        yield
+        return
+    with err.status(say("cli.working", study="run", file=escape(str(file)))):
+        yield
+
+
+def findings(examined: Examined, file: Path) -> None:
+    """All findings with their lines, on standard error."""
+    for item in examined.findings:
+        finding(item, file)
+    if examined.findings:
+        counts = {s: sum(f.severity == s for f in examined.findings) for s in ("error", "warning")}
+        text = say("cli.findings", errors=counts["error"], warnings=counts["warning"], file=file)
+        err.print(escape(text))
+
+
+def finding(item: Finding, file: Path | None = None) -> None:
+    """One finding: place, element, what, mend."""
+    place = f"{file}:{item.line}: " if file and item.line else f"{file}: " if file else ""
+    element = f"{item.element}: " if item.element else ""
+    style = _STYLES[item.severity]
+    err.print(f"{escape(place)}[{style}]{item.severity}[/] {escape(element + item.what)} [dim]\\[{item.code}][/]")
+    err.print(f"    {escape(item.mend)}")
+
+
+def structure(examined: Examined) -> None:
+    """What a mechanism is made of, and what was inferred."""
+    if examined.compiled is None:
+        return
+    table = Table(box=None, show_header=False, padding=(0, 2, 0, 0))
+    table.add_column(style="bold", no_wrap=True)
+    table.add_column(overflow="fold")
+    for fact in facts(examined.compiled):
+        table.add_row(escape(fact["name"]), escape(fact["sentence"]))
+    out.print(table)
+
+
+def check_data(examined: Examined) -> dict[str, Any]:
+    """What `check --json` prints."""
+    known = {} if examined.compiled is None else {f["name"]: f["sentence"] for f in facts(examined.compiled)}
+    return {
+        "ok": examined.exit_code == 0,
+        "structure": known,
+        "findings": [item.as_dict() for item in examined.findings],
+    }
+
+
+def job(done: Job) -> None:
+    """A job's measures, certificate and failures, and where its files lie."""
+    if done.cycle is not None:
+        _measures(done)
+        _certificate(done)
+        for item in (*done.cycle.failures, *done.cycle.warnings):
+            finding(item)
+    if done.folder is not None:
+        out.print(escape(say("cli.written", folder=done.folder)))
+
+
+def _table(*columns: str) -> Table:
+    table = Table(box=None, header_style="bold", padding=(0, 2, 0, 0))
+    for column in columns:
+        table.add_column(say(f"cli.column.{column}"), justify="right" if column in ("value", "figure") else "left")
+    return table
+
+
+def _measures(done: Job) -> None:
+    assert done.cycle is not None
+    if not done.cycle.measures:
+        return
+    time_unit, second = done.cycle.result.run.compiled.quantities.unit_of(TIME)
+    table = _table("measure", "value", "unit", "at", "requirement", "verdict")
+    for m in done.cycle.measures:
+        entry = measure(m, second, time_unit)
+        verdict = {True: f"[green]{say('cli.met')}[/]", False: f"[bold red]{say('cli.not_met')}[/]", None: ""}
+        for i, value in enumerate(entry["values"] or [{"label": "", "value": None, "at": ""}]):
+            name = " ".join(filter(None, (m.name, value["label"])))
+            number = "-" if value["value"] is None else f"{value['value']:.7g}"
+            last = (entry["requirement"] or "", verdict[m.verdict]) if i == 0 else ("", "")
+            table.add_row(escape(name), number, escape(m.unit), escape(value["at"]), escape(last[0]), last[1])
+    out.print(table)
+    out.print()
+
+
+def _certificate(done: Job) -> None:
+    assert done.cycle is not None
+    certificate = done.cycle.result.certificate
+    if certificate is None:
+        return
+    time_unit, second = done.cycle.result.run.compiled.quantities.unit_of(TIME)
+    at = f"{certificate.nearest.time / second:.6g} {time_unit}" if certificate.nearest else ""
+    table = _table("check", "figure", "verdict")
+    for check in checks(certificate, at):
+        mark = "[green]✓[/]" if check["ok"] else "[bold red]✗[/]"
+        table.add_row(escape(check["name"]), check["figure"], f"{mark} {escape(check['sentence'])}")
+    out.print(table)
+    out.print()
+
+
+def cannot_write(folder: Path, error: OSError) -> None:
+    """The folder can't be written to."""
+    finding(Finding("file.unwritable", data={"file": str(folder), "reason": error.strerror or str(error)}))

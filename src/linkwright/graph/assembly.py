@@ -1,0 +1,216 @@
+"""The assembly mode of each group: from the file's rules to a branch, at the start pose where that is needed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from linkwright.graph.geometry import Geometry
+from linkwright.graph.motion import Motion, solve_motion
+from linkwright.groups import Dyad, OuterPin
+from linkwright.model.fields import AssemblyRule
+from linkwright.model.findings import Finding
+from linkwright.model.quantities import Quantities
+from linkwright.notation import Body, Jet, Pair
+from linkwright.structure import Connection, Group, Structure
+
+
+class _CannotStart(Exception):
+    """The start pose stops at a group; the finding is noted."""
+
+
+@dataclass
+class Assembly:
+    """The branch (+1 or -1) of each group with two modes; ``findings`` says what is missing or wrong."""
+
+    branches: dict[Group, float] = field(default_factory=dict)
+    findings: list[Finding] = field(default_factory=list)
+    start: Motion | None = None
+
+
+def assemble(quantities: Quantities, structure: Structure, start: Mapping[str, float]) -> Assembly:
+    """Settle all branches. ``start`` holds each drive's value (rad or m) at the start of the motion."""
+    return _Assembler(quantities, structure).run(start)
+
+
+class _Assembler:
+    def __init__(self, quantities: Quantities, structure: Structure) -> None:
+        self.quantities, self.structure = quantities, structure
+        self.rules: dict[str, AssemblyRule] = dict(quantities.mechanism.assembly)
+        self.used: set[str] = set()
+        self.assembly = Assembly()
+        self.geometry = Geometry(quantities, quantities.parameters)
+
+    def run(self, start: Mapping[str, float]) -> Assembly:
+        drives = {name: Jet([value]) for name, value in start.items()}
+        self.motion = Motion(self.structure, self.geometry, 0)
+        try:
+            self.assembly.start = solve_motion(self.structure, self.geometry, drives, self.branch, self.motion)
+        except _CannotStart:
+            return self.assembly
+        for name in self.rules.keys() - self.used:
+            self.note("assembly.unused", ("assembly", name), point=name)
+        return self.assembly
+
+    def note(self, code: str, path: tuple[str, ...], **data: Any) -> None:
+        self.assembly.findings.append(Finding(code, path, data))
+
+    def branch(self, group: Group, dyad: Dyad) -> float:
+        """The branch of a group reached at the start pose. Raises :class:`_CannotStart` when it can't close there."""
+        branch = 1.0
+        if group.modes > 1:
+            found = [(name, value) for name, rule in self.rules.items() if (value := self.rule(name, rule, group, dyad))]
+            self.used |= {name for name, _ in found}
+            signs = {math.copysign(1.0, value) for _, value in found if not math.isnan(value)}
+            if len(signs) == 1:
+                branch = signs.pop()
+            elif len(signs) > 1:
+                self.note("assembly.contradiction", ("assembly", found[0][0]), rules=", ".join(n for n, _ in found))
+            elif not found:
+                self.note("assembly.missing", ("assembly",), links=", ".join(group.links), options=self.options(group))
+            self.assembly.branches[group] = branch
+        if (shortfall := dyad.shortfall()) is not None:
+            data = shortfall_data(self.quantities, group, *shortfall)
+            self.note("assembly.cannot-close", ("links", group.links[0]), **data)
+            raise _CannotStart
+        return branch
+
+    def pin_names(self, joint: str) -> set[str]:
+        """A pin's name and the names of its points."""
+        pin = self.structure.topology.pins.get(joint)
+        return {joint} | ({point for _, point in pin.members} if pin else set())
+
+    def rule(self, name: str, rule: AssemblyRule, group: Group, dyad: Dyad) -> float:
+        """+1 or -1 where the rule speaks of this group, 0 where it doesn't, NaN where it can't decide."""
+        if rule.sketch is not None:
+            return self.sketched(name, rule, group, dyad)
+        if rule.along is not None:
+            return self.along(name, rule, group)
+        if group.signature != "RRR" or name not in self.pin_names(group.inner.joint):
+            return 0.0
+        if rule.word in ("open", "crossed"):
+            return self.four_bar(name, rule, group, dyad)
+        outer = [self.pin_names(c.joint) for c in group.outer]
+        side = 1.0 if rule.word == "left" else -1.0
+        for sign, (first, second) in ((1.0, outer), (-1.0, outer[::-1])):
+            if rule.reference[0] in first and rule.reference[1] in second:
+                return sign * side
+        self.note("assembly.wrong-pins", ("assembly", name), point=name, options=self.options(group))
+        return math.nan
+
+    def along(self, name: str, rule: AssemblyRule, group: Group) -> float:
+        """Rules along a slide: of the inner pin on an outer slide, or between the two outer pins."""
+        sign = 1.0 if rule.word == "ahead" else -1.0
+        pins = [self.pin_names(c.joint) if c.letter == "R" else {c.joint} for c in (*group.outer, group.inner)]
+        if group.signature == "RRP" and name in pins[2] and rule.along in pins[1]:
+            return sign if rule.reference[0] in pins[0] else self._wrong(name, group)
+        if group.signature == "RPR" and rule.along == group.inner.joint:
+            for way, (first, second) in ((1.0, (pins[0], pins[1])), (-1.0, (pins[1], pins[0]))):
+                if name in second and rule.reference[0] in first:
+                    return sign * way
+            return self._wrong(name, group) if name in pins[0] | pins[1] else 0.0
+        return 0.0
+
+    def _wrong(self, name: str, group: Group) -> float:
+        self.note("assembly.wrong-pins", ("assembly", name), point=name, options=self.options(group))
+        return math.nan
+
+    def four_bar(self, name: str, rule: AssemblyRule, group: Group, dyad: Dyad) -> float:
+        """Open: at the start pose the inner pin and the crank's fixed pin lie on opposite sides of the outer pins' line."""
+        first, second = dyad.first, dyad.second
+        assert isinstance(first, OuterPin)
+        assert isinstance(second, OuterPin)
+        opposite = self.opposite_pin(group)
+        if opposite is None:
+            self.note("assembly.not-four-bar", ("assembly", name), point=name, options=self.options(group))
+            return math.nan
+        line = second.base.now.minus(first.base.now)
+        side = line.cross(opposite.minus(first.base.now))
+        if abs(side) < 1e-9 * line.dot(line):
+            self.note("assembly.ambiguous", ("assembly", name), point=name, options=self.options(group))
+            return math.nan
+        return math.copysign(1.0, -side if rule.word == "open" else side)
+
+    def opposite_pin(self, group: Group) -> Pair | None:
+        """The pin that joins the two known links of the group to each other: the fourth pin of a four-bar."""
+        a, b = group.bases
+        for c in self.structure.topology.connections:
+            if c.letter == "R" and {c.a, c.b} == {a, b}:
+                pin = self.structure.topology.pins[c.joint]
+                return self.motion.bodies[a].point(self.geometry.point(a, pin.point(a))).now
+        return None
+
+    def sketched(self, name: str, rule: AssemblyRule, group: Group, dyad: Dyad) -> float:
+        """The mode in which the named point of one of the group's links comes nearest to its sketched place."""
+        links = self.quantities.mechanism.links
+        link = next((link for link in group.links if name in links[link].points), None)
+        if link is None or any(name in links[base].points for base in self.motion.bodies):
+            return 0.0
+        if dyad.shortfall() is not None:
+            return 1.0
+        assert rule.sketch is not None
+        goal, local = self.geometry.position(rule.sketch), self.geometry.point(link, name)
+        away = []
+        for sign in (1.0, -1.0):
+            solved = dyad.solve(sign, 0)
+            body: Body = solved.first if link == group.links[0] else solved.second
+            error = body.point(local).now.minus(goal)
+            away.append(math.hypot(error.x, error.y))
+        if abs(away[0] - away[1]) < 1e-6 * max(away):
+            self.note("assembly.ambiguous", ("assembly", name), point=name, options=self.options(group))
+            return math.nan
+        return 1.0 if away[0] < away[1] else -1.0
+
+    def options(self, group: Group) -> str:
+        """How a group's two modes may be written."""
+        first, second, inner = group.outer[0].joint, group.outer[1].joint, group.inner.joint
+        texts = {
+            "RRR": f"{inner}: left of {first}-{second}' / '{inner}: right of {first}-{second}",
+            "RRP": f"{inner}: ahead of {first} along {second}' / '{inner}: behind {first} along {second}",
+            "RPR": f"{second}: ahead of {first} along {inner}' / '{second}: behind {first} along {inner}",
+        }
+        return f"'{texts[group.signature]}'"
+
+
+def shortfall_data(quantities: Quantities, group: Group, distance: float, limit: float) -> dict[str, Any]:
+    """The words of a group that can't close: the distance (m) between its outer joints and the one it can span."""
+    from linkwright.model.units import LENGTH
+
+    unit, size = quantities.unit_of(LENGTH)
+    joints: tuple[Connection, ...] = group.outer
+    return {
+        "links": " and ".join(group.links),
+        "joints": " and ".join(c.joint for c in joints),
+        "distance": f"{distance / size:.6g}",
+        "limit": f"{limit / size:.6g}",
+        "by": f"{abs(distance - limit) / size:.4g}",
+        "unit": unit,
+        "way": "more" if distance > limit else "less",
+        "direction": "longer" if distance > limit else "more nearly equal",
+    }
+
+
+def shortfall_at(
+    quantities: Quantities,
+    structure: Structure,
+    branches: Mapping[Group, float],
+    drives: Mapping[str, float],
+    failing: Group,
+) -> tuple[float, float]:
+    """The distance (m) that a group must span at a pose at which it can't close, and the nearest that it can."""
+    found: list[tuple[float, float]] = []
+
+    def branch(group: Group, dyad: Dyad) -> float:
+        if group == failing and (shortfall := dyad.shortfall()) is not None:
+            found.append(shortfall)
+            raise _CannotStart
+        return branches.get(group, 1.0)
+
+    geometry = Geometry(quantities, quantities.parameters)
+    try:
+        solve_motion(structure, geometry, {name: Jet([value]) for name, value in drives.items()}, branch)
+    except _CannotStart:
+        pass
+    return found[0] if found else (math.nan, math.nan)

@@ -1,0 +1,98 @@
+"""A compiled mechanism: graph, branches, drive laws and kernels, ready to run over times."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.graph.assembly import Assembly, assemble
+from linkwright.graph.graph import Graph
+from linkwright.kernels.laws import drive_laws
+from linkwright.kernels.registry import KERNELS, Kernel
+from linkwright.model.check import check_names, check_values
+from linkwright.model.findings import Finding, raise_errors
+from linkwright.model.mechanism import Mechanism
+from linkwright.model.quantities import Quantities
+from linkwright.notation import MAX_ORDER, Jet
+from linkwright.structure import Structure, decompose
+
+Array = NDArray[np.float64]
+
+
+@dataclass
+class Compiled:
+    """A mechanism ready to run. ``laws`` gives each drive's value and rates (SI) at an array of times (s)."""
+
+    mechanism: Mechanism
+    quantities: Quantities
+    structure: Structure
+    assembly: Assembly
+    laws: dict[str, Callable[[Array], Jet]]
+    kernel: str = "numpy"
+    _kernels: dict[tuple[tuple[str, ...], bool], Kernel] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.graph = Graph(self.quantities, self.structure)
+        self.parameters = np.array([self.quantities.parameters[name] for name in self.graph.parameters])
+
+    def inputs(self, t: Array) -> Array:
+        """The per-pose inputs at times ``t`` (s): (inputs, poses), in SI."""
+        width = MAX_ORDER + 2
+        x = np.empty((len(self.graph.inputs), t.size))
+        for i, drive in enumerate(self.graph.drives):
+            x[i * width : (i + 1) * width] = [np.broadcast_to(d, t.shape) for d in self.laws[drive](t).d]
+        for i, group in enumerate(self.graph.branched, start=width * len(self.graph.drives)):
+            x[i] = self.assembly.branches[group]
+        return x
+
+    def evaluate(self, names: Sequence[str], t: Array, rates: bool = False) -> Array:
+        """The named rows at times ``t``: (names, poses) in SI, or (names, 2, poses) with their rates.
+
+        Angles of links come out in -pi..pi where the graph doesn't know them exactly; see
+        :class:`linkwright.results.Run` for continuous ones.
+        """
+        key = (tuple(names), rates)
+        if key not in self._kernels:
+            self._kernels[key] = KERNELS[self.kernel](self.graph.program(*key))
+        y = self._kernels[key].run(self.inputs(t), self.parameters)
+        return y.reshape(len(names), 2, t.size) if rates else y
+
+
+def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled | None, list[Finding]]:
+    """Compile a mechanism as far as it goes, with all findings; ``folder`` is where its table files lie.
+
+    The result is ``None`` where an error stops it.
+    """
+    findings = check_names(mechanism)
+    quantities = Quantities(mechanism)
+    findings += [f for f in quantities.findings if not _said(f, findings)]
+    if not findings:
+        findings = check_values(quantities)
+    if findings:
+        return None, findings
+    structure = decompose(mechanism)
+    laws, faults = drive_laws(quantities, folder)
+    findings = [*structure.findings, *faults]
+    if findings:
+        return None, findings
+    start = {name: float(np.asarray(law(np.zeros(1)).d[0]).flat[0]) for name, law in laws.items()}
+    assembly = assemble(quantities, structure, start)
+    if assembly.findings:
+        return None, list(assembly.findings)
+    return Compiled(mechanism, quantities, structure, assembly, laws), []
+
+
+def _said(finding: Finding, others: list[Finding]) -> bool:
+    return any(other.path == finding.path and other.code == finding.code for other in others)
+
+
+def compile_mechanism(mechanism: Mechanism, folder: str | Path | None = None) -> Compiled:
+    """A mechanism ready to run. Raises :class:`ModelError` with every finding when it can't be."""
+    compiled, findings = examine(mechanism, Path(folder) if folder else None)
+    raise_errors(findings)
+    assert compiled is not None
+    return compiled

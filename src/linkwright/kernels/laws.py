@@ -1,0 +1,187 @@
+"""The laws of a mechanism's drives and tables, as functions of time with exact rates."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.laws import DEGREES, OutsideTable, TableLaw
+from linkwright.model import units as u
+from linkwright.model.dimensions import DimensionError
+from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, nodes
+from linkwright.model.findings import Finding, ModelError
+from linkwright.model.mechanism import Table
+from linkwright.model.quantities import Quantities, column_unit
+from linkwright.notation import MAX_ORDER, Jet
+
+Array = NDArray[np.float64]
+Law = Callable[[Array], Jet]
+
+ORDER = MAX_ORDER + 1
+MAX_ROWS = 100_000
+
+
+def drive_laws(quantities: Quantities, folder: Path | None) -> tuple[dict[str, Law], list[Finding]]:
+    """The law of each drive (value and rates, SI) over times (s), and what is wrong with them."""
+    reader = _Reader(quantities, folder)
+    laws: dict[str, Law] = {}
+    for name in quantities.mechanism.drives:
+        law = reader.law(name)
+        if law is not None:
+            laws[name] = law
+    return laws, reader.findings
+
+
+class _Reader:
+    def __init__(self, quantities: Quantities, folder: Path | None) -> None:
+        self.quantities, self.folder = quantities, folder
+        self.findings: list[Finding] = []
+        self.tables: dict[str, TableLaw | None] = {}
+
+    def law(self, name: str) -> Law | None:
+        """A drive's law, tried at t = 0."""
+        drive = self.quantities.mechanism.drives[name]
+        dimension, rate = (u.ANGLE, u.OMEGA) if drive.turns else (u.LENGTH, u.SPEED)
+        if drive.position is None:
+            assert drive.start is not None
+            assert drive.speed is not None
+            return constant_speed(
+                self.quantities.value(drive.start, dimension), self.quantities.value(drive.speed, rate)
+            )
+        path = ("drives", name, "position")
+        node = self.quantities.bind(drive.position, dimension)
+        for part in nodes(node):
+            if isinstance(part, Name | Call) and is_signal(part):
+                self.findings.append(Finding("drive.signal", path, {"name": getattr(part, "text", "force")}))
+                return None
+            if isinstance(part, Call) and part.name in self.quantities.mechanism.tables and not self._table(part.name, path):
+                return None
+        law = self._expression(name, node)
+        try:
+            law(np.zeros(1))
+        except ModelError as error:
+            self.findings += error.findings
+            return None
+        return law
+
+    def _expression(self, drive: str, node: Node) -> Law:
+        parameters, tables = self.quantities.parameters, self.tables
+
+        def law(t: Array) -> Jet:
+            time = Jet([t, np.ones_like(t), *[np.zeros_like(t)] * (ORDER - 1)])
+
+            def named(name: Name) -> Any:
+                return time if name.text == "t" else parameters[name.text]
+
+            def called(call: Call) -> Jet:
+                table = tables[call.name]
+                assert table is not None
+                argument = evaluate(call.args[0], named, called)
+                return table(argument if isinstance(argument, Jet) else Jet.constant(argument, ORDER))
+
+            try:
+                with np.errstate(all="ignore"):
+                    value = evaluate(node, named, called)
+            except OutsideTable as error:
+                data = {"drive": drive, "at": error.at, "low": error.low, "high": error.high}
+                raise ModelError([Finding("drive.outside-table", ("drives", drive, "position"), data)]) from None
+            except ZeroDivisionError:
+                value = np.nan
+            jet = value if isinstance(value, Jet) else Jet.constant(value, ORDER)
+            _must_be_finite(drive, t, jet)
+            return jet
+
+        return law
+
+    def _table(self, name: str, path: tuple[str | int, ...]) -> bool:
+        if name not in self.tables:
+            try:
+                self.tables[name] = read_table(self.quantities, name, self.folder)
+            except ModelError as error:
+                self.findings += error.findings
+                self.tables[name] = None
+        table = self.tables[name]
+        if table is not None and table.degree == 1:
+            self.findings.append(Finding("drive.linear-table", path, {"table": name}))
+            return False
+        return table is not None
+
+
+def constant_speed(start: float, speed: float) -> Law:
+    """A drive of constant speed."""
+
+    def law(t: Array) -> Jet:
+        zero = np.zeros_like(t)
+        return Jet([start + speed * t, np.full_like(t, speed), *[zero] * (ORDER - 1)])
+
+    return law
+
+
+def _must_be_finite(drive: str, t: Array, jet: Jet) -> None:
+    for k, row in enumerate(jet.d[:3]):
+        bad = ~np.isfinite(np.broadcast_to(np.asarray(row, dtype=float), t.shape))
+        if bad.any():
+            data = {"drive": drive, "time": float(t[bad][0]), "what": ("value", "speed", "acceleration")[k]}
+            raise ModelError([Finding("drive.not-finite", ("drives", drive, "position"), data)])
+
+
+def read_table(quantities: Quantities, name: str, folder: Path | None) -> TableLaw:
+    """A table's interpolant in SI. Raises :class:`ModelError` naming what is wrong with it."""
+    table: Table = quantities.mechanism.tables[name]
+    path = ("tables", name)
+    if table.points is not None:
+        rows = [[quantities.value(value, None) for value in point] for point in table.points]
+        argument = quantities.dimensions.dimension(table.points[0][0].node)
+    else:
+        rows, argument = _file_rows(table, name, folder)
+    points = np.array(rows, dtype=float).reshape(-1, 2)
+    degree = DEGREES[table.between]
+    if len(points) < degree + 1:
+        raise ModelError([Finding("table.short", path, {"given": len(points), "wanted": degree + 1})])
+    steps = np.diff(points[:, 0])
+    if not np.isfinite(points).all() or (steps <= 0).any():
+        row = int(np.argmax(steps <= 0)) + 2 if (steps <= 0).any() else 1
+        raise ModelError([Finding("table.order", path, {"row": row})])
+    period = quantities.value(table.period, argument) if table.period else None
+    if period is not None and period < points[-1, 0] - points[0, 0] - 1e-12 * abs(period):
+        raise ModelError([Finding("table.period", path, {})])
+    whole = period is not None and np.isclose(points[-1, 0] - points[0, 0], period, rtol=1e-12)
+    if whole and not np.isclose(points[-1, 1], points[0, 1], rtol=1e-9, atol=1e-12 * float(np.ptp(points[:, 1]) or 1)):
+        raise ModelError([Finding("table.not-closed", path, {})])
+    if whole:
+        points[-1, 1] = points[0, 1]
+    return TableLaw(points[:, 0], points[:, 1], degree, period)
+
+
+def _file_rows(table: Table, name: str, folder: Path | None) -> tuple[list[list[float]], u.Dimension]:
+    assert table.file is not None
+    path = ("tables", name, "file")
+    try:
+        (x_unit, argument), (y_unit, _) = column_unit(table.x), column_unit(table.y)
+    except DimensionError as error:
+        raise ModelError([Finding(error.key, ("tables", name), error.data)]) from None
+    columns = [(text or "").split()[0] for text in (table.x, table.y)]
+    place = (folder or Path()) / table.file
+    try:
+        with place.open(newline="", encoding="utf-8-sig") as stream:
+            reader = csv.DictReader(stream)
+            missing = [c for c in columns if c not in (reader.fieldnames or [])]
+            if missing:
+                known = ", ".join(reader.fieldnames or [])
+                raise ModelError([Finding("table.no-column", path, {"name": missing[0], "known": known})])
+            rows = []
+            for number, row in enumerate(reader, start=2):
+                if number > MAX_ROWS:
+                    raise ModelError([Finding("table.long", path, {"limit": MAX_ROWS})])
+                try:
+                    rows.append([float(row[columns[0]]) * x_unit, float(row[columns[1]]) * y_unit])
+                except (TypeError, ValueError):
+                    raise ModelError([Finding("table.not-number", path, {"row": number})]) from None
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        raise ModelError([Finding("table.unreadable", path, {"file": table.file, "reason": str(error)[:100]})]) from None
+    return rows, argument

@@ -1,0 +1,64 @@
+"""Functions given by points: linear, cubic or quintic splines, periodic or not."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.notation import Jet
+
+Array = NDArray[np.float64]
+
+DEGREES = {"linear": 1, "cubic": 3, "quintic": 5}
+
+
+class OutsideTable(ValueError):
+    """An argument beyond a table's range; ``at`` is that argument, ``low`` and ``high`` the range, in SI."""
+
+    def __init__(self, at: float, low: float, high: float) -> None:
+        super().__init__(f"{at} is outside {low} .. {high}")
+        self.at, self.low, self.high = at, low, high
+
+
+@dataclass(frozen=True)
+class TableLaw:
+    """An interpolant through points (x, y) with ascending x, exact with its derivatives.
+
+    ``period`` closes it (the first y is repeated one period on); outside the range of an open table
+    :class:`OutsideTable` is raised. The spline has ``degree - 1`` continuous derivatives.
+    """
+
+    x: Array
+    y: Array
+    degree: int = 3
+    period: float | None = None
+    _spline: Any = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        from scipy.interpolate import make_interp_spline
+
+        x, y = self.x, self.y
+        if self.period is not None and not np.isclose(x[-1] - x[0], self.period, rtol=1e-12):
+            x, y = np.append(x, x[0] + self.period), np.append(y, y[0])
+        periodic = "periodic" if self.period is not None and self.degree > 1 else None
+        object.__setattr__(self, "_spline", make_interp_spline(x, y, k=self.degree, bc_type=periodic))
+
+    def __call__(self, x: Jet) -> Jet:
+        """The value with its time derivatives, from those of the argument."""
+        at = np.asarray(x.d[0], dtype=float)
+        if self.period is not None:
+            at = self.x[0] + np.mod(at - self.x[0], self.period)
+        else:
+            slack = 1e-12 * (self.x[-1] - self.x[0])
+            outside = (at < self.x[0] - slack) | (at > self.x[-1] + slack)
+            if np.any(outside):
+                raise OutsideTable(float(at[outside].flat[0]), float(self.x[0]), float(self.x[-1]))
+            at = np.clip(at, self.x[0], self.x[-1])
+        return self._compose(x, at, 0)
+
+    def _compose(self, x: Jet, at: Array, order: int) -> Jet:
+        value = self._spline(at, nu=order) if order <= self.degree else np.zeros_like(at)
+        return x.chain(value, lambda low: self._compose(low, at, order + 1))

@@ -1,0 +1,90 @@
+"""What a mechanism is made of, and what a certificate says, as lines of text for `check`, the report and Python."""
+
+from __future__ import annotations
+
+from linkwright.kernels import Compiled
+from linkwright.report.data import Check, Fact
+from linkwright.results import Certificate
+from linkwright.structure import Driven, Topology
+from linkwright.words import say
+
+PROVEN = 1e-9
+"""A residual below this holds: far under any drawing tolerance, far over round-off."""
+FAR = 1e-3
+"""A normalised determinant over this is well away from a singular pose."""
+
+
+def _fact(name: str, text: str) -> Fact:
+    return {"name": say(f"fact.{name}"), "sentence": text}
+
+
+def facts(compiled: Compiled) -> list[Fact]:
+    """The structure in sentences: links, inferred pins, slides, mobility, order of solution."""
+    topology: Topology = compiled.structure.topology
+    m = compiled.mechanism
+    lines = [_fact("links", say("fact.links.text", moving=len(topology.moving), names=", ".join(topology.moving)))]
+    pins = "; ".join(say("fact.pin", name=pin.name, links=", ".join(pin.links)) for pin in topology.pins.values())
+    lines.append(_fact("pins", say("fact.pins.text", pins=pins or "-")))
+    slides = [say("fact.pin", name=name, links=", ".join(joint.links)) for name, joint in m.prismatic_joints()]
+    if slides:
+        lines.append(_fact("slides", "; ".join(slides)))
+    pinned = {point for pin in topology.pins.values() for _, point in pin.members}
+    lone = [point for point in compiled.quantities.signals.homes if point not in pinned]
+    if lone:
+        lines.append(_fact("lone", say("fact.lone.text", points=", ".join(lone))))
+    mobility = say(
+        "fact.mobility.text",
+        mobility=topology.gruebler,
+        moving=len(topology.moving),
+        joints=topology.joint_count,
+        drives=len(m.drives),
+        loops=topology.loops,
+    )
+    lines += [_fact("mobility", mobility), _fact("order", "; ".join(_order(compiled)))]
+    masses = [link for link in topology.moving if m.links[link].mass is not None]
+    without = [link for link in topology.moving if link not in masses]
+    said = say("fact.mass.none", links=", ".join(without)) if without else say("fact.mass.all")
+    if masses:
+        lines.append(_fact("mass", say("fact.mass.text", links=", ".join(masses), without=said)))
+    gravity = ", ".join(g.text for g in m.gravity) if m.gravity else say("fact.gravity.none")
+    return [*lines, _fact("gravity", gravity)]
+
+
+def _order(compiled: Compiled) -> list[str]:
+    lines = []
+    for step in compiled.structure.steps:
+        if isinstance(step, Driven):
+            lines.append(say("fact.order.driven", link=step.link, drive=step.drive, base=step.base))
+            continue
+        links = ", ".join(step.links)
+        branch = compiled.assembly.branches.get(step)
+        key = "fact.order.group" if branch is None else "fact.order.mode"
+        mode = "" if branch is None else f"{branch:+.0f}"
+        lines.append(say(key, links=links, signature=step.signature, mode=mode))
+    return lines
+
+
+def checks(certificate: Certificate, time_text: str) -> list[Check]:
+    """The certificate in words; ``time_text`` is the time of the nearest singular pose with its unit."""
+    c = certificate
+    lines: list[Check] = [
+        {
+            "name": say(f"proof.{name}"),
+            "figure": f"{value:.1e}",
+            "sentence": say(f"proof.{name}.text", poses=c.poses),
+            "ok": value < PROVEN,
+        }
+        for name, value in c.residuals.items()
+    ]
+    lines.append(_proof("mobility", str(c.mobility), c.mobility == c.gruebler, rank=c.rank, gruebler=c.gruebler))
+    if c.nearest is not None:
+        near = c.nearest
+        lines.append(_proof("nearest", f"{near.determinant:.4g}", near.determinant > FAR, group=near.group, time=time_text))
+    branches = ", ".join(f"{group} {mode}" for group, mode in c.branches.items())
+    if branches:
+        lines.append(_proof("branches", str(len(c.branches)), True, branches=branches))
+    return [*lines, _proof("kernel", str(c.poses), True, poses=c.poses, kernel=c.kernel)]
+
+
+def _proof(name: str, figure: str, ok: bool, **data: object) -> Check:
+    return {"name": say(f"proof.{name}"), "figure": figure, "sentence": say(f"proof.{name}.text", **data), "ok": ok}

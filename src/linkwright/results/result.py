@@ -1,0 +1,121 @@
+"""Results: named arrays of a run with their units, reached by signal name or expression."""
+
+from __future__ import annotations
+
+import csv
+import io
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.model.document import write_aside
+from linkwright.model.expressions import parse
+from linkwright.model.findings import Finding
+from linkwright.model.units import PURE, Dimension
+from linkwright.results.certificate import Certificate
+from linkwright.results.run import Run
+
+Array = NDArray[np.float64]
+
+NO_FORCE = 1e-9
+"""Below this share of its largest normal force a slide has no line of action."""
+
+
+@dataclass
+class Result:
+    """A run's signals at its sampled times.
+
+    ``result["E.x"]`` is the array of a signal or of any expression of signals, in SI, shape (times,);
+    ``result.shown("E.x")`` the same in the model's own unit with that unit. ``failures`` says where the motion
+    can't be followed; there the arrays hold NaN. ``certificate`` is ``None`` only then.
+    """
+
+    run: Run
+    failures: list[Finding] = field(default_factory=list)
+    certificate: Certificate | None = None
+
+    @property
+    def t(self) -> Array:
+        """The sampled times (s)."""
+        return self.run.t
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """All signals of the mechanism."""
+        return tuple(signal.text for signal in self.run.compiled.quantities.signals.all())
+
+    @cached_property
+    def _values(self) -> dict[str, Array]:
+        values = dict(zip(self.names, self.run.evaluate(self.names, self.t), strict=True))
+        for name in self.names:
+            if name.endswith(".arm"):
+                normal = np.abs(values[name[: -len("arm")] + "normal"])
+                values[name] = np.where(normal > NO_FORCE * normal.max(initial=0.0), values[name], np.nan)
+        return values
+
+    def __getitem__(self, text: str) -> Array:
+        if text in self._values:
+            return self._values[text]
+        node = self.run.compiled.quantities.dimensions.bind(parse(text), None)
+        return np.asarray(self.run.jets(node, self.t).d[0])
+
+    def dimension(self, text: str) -> Dimension:
+        """The dimension of a signal or expression."""
+        return self.run.compiled.quantities.dimensions.dimension(parse(text))
+
+    def shown(self, text: str) -> tuple[Array, str]:
+        """A signal or expression in the model's declared unit, and that unit (arrays of shape (times,))."""
+        unit, size = self.run.compiled.quantities.unit_of(self.dimension(text))
+        return self[text] / size, unit
+
+    def element(self, name: str) -> dict[str, Array]:
+        """All signals of one element by attribute, in SI: ``result.element("E")["vx"]``, of ``force(a, b)`` too."""
+        start = f"{name}."
+        found = {text[len(start) :]: self._values[text] for text in self.names if text.startswith(start)}
+        if not found:
+            raise KeyError(name)
+        return found
+
+    def to_csv(self, path: str | Path | None = None) -> str:
+        """All signals as a table in the model's units, one row a time; blank where nothing is known."""
+        stream = io.StringIO()
+        writer = csv.writer(stream, lineterminator="\n")
+        time_unit, second = self.run.compiled.quantities.unit_of(Dimension(time=1))
+        columns, header = [self.t / second], [f"t [{time_unit}]"]
+        for name in self.names:
+            values, unit = self.shown(name)
+            columns.append(values)
+            header.append(f"{name} [{unit}]" if unit else name)
+        writer.writerow(header)
+        for row in np.stack(columns, axis=1).tolist():
+            writer.writerow(["" if value != value else repr(value) for value in row])
+        text = stream.getvalue()
+        if path is not None:
+            write_aside(Path(path), text)
+        return text
+
+    def to_xarray(self) -> Any:
+        """All signals as an xarray Dataset over ``time`` (s), in SI, with units as attributes."""
+        import xarray
+
+        units = self.run.compiled.quantities
+        variables = {}
+        for name in self.names:
+            unit = si_unit(self.dimension(name))
+            variables[name] = ("time", self._values[name], {"units": unit})
+        attributes = {"title": units.mechanism.name, "source": "linkwright"}
+        return xarray.Dataset(variables, {"time": ("time", self.t, {"units": "s"})}, attributes)
+
+
+def si_unit(dimension: Dimension) -> str:
+    """The SI unit of a dimension."""
+    from linkwright.model.units import UnitError, spelled
+
+    try:
+        return spelled(dimension, {}, strict=False)
+    except UnitError:
+        return "" if dimension.physical == PURE else "SI"

@@ -1,0 +1,112 @@
+"""A motion over a span of time: signals at any instant, with continuous angles and exact rates."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.kernels import Compiled
+from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, nodes
+from linkwright.model.units import Dimension
+from linkwright.notation import Jet
+
+Array = NDArray[np.float64]
+
+MAX_TURN = 0.5
+"""Largest turn (rad) between neighbours of the grid on which angles are made continuous."""
+MAX_GRID = 1 << 17
+
+
+class Run:
+    """A compiled mechanism over ``start`` .. ``stop`` (s), looked at on ``steps`` equal steps and in between."""
+
+    def __init__(self, compiled: Compiled, start: float, stop: float, steps: int) -> None:
+        self.compiled, self.start, self.stop, self.steps = compiled, start, stop, steps
+        self._angles: dict[str, tuple[Array, Array]] = {}
+
+    @cached_property
+    def t(self) -> Array:
+        """The sampled times (s), both ends included."""
+        return np.linspace(self.start, self.stop, self.steps + 1)
+
+    def evaluate(self, names: Sequence[str], t: Array) -> Array:
+        """The named signals at times ``t`` (s): (names, times), SI, angles continuous over the run."""
+        y = self.compiled.evaluate(names, t)
+        for i, name in enumerate(names):
+            if self._wraps(name):
+                y[i] = self._continuous(name, t, y[i])
+        return y
+
+    def rates(self, names: Sequence[str], t: Array) -> tuple[Array, Array]:
+        """The named signals and their exact time derivatives at times ``t``."""
+        y = self.compiled.evaluate(names, t, rates=True)
+        values, slopes = y[:, 0], y[:, 1]
+        for i, name in enumerate(names):
+            if self._wraps(name):
+                values[i] = self._continuous(name, t, values[i])
+        return values, slopes
+
+    def jets(self, node: Node, t: Array) -> Jet:
+        """An expression of signals with its first time derivative, at times ``t``. The tree is bound to SI."""
+        signals = self.signals_of([node])
+        values, slopes = self.rates(signals, t) if signals else (np.empty((0, t.size)),) * 2
+        return self.combine(node, t, dict(zip(signals, zip(values, slopes, strict=True), strict=True)))
+
+    def combine(self, node: Node, t: Array, rows: dict[str, tuple[Array, Array]]) -> Jet:
+        """An expression from rows of signals and rates already at hand."""
+        parameters = self.compiled.quantities.parameters
+
+        def named(name: Name) -> Any:
+            if is_signal(name):
+                return Jet(rows[name.text])
+            return Jet([t, np.ones_like(t)]) if name.text == "t" else parameters[name.text]
+
+        with np.errstate(all="ignore"):
+            value = evaluate(node, named, lambda call: Jet(rows[self.canonical(call)]))
+        if not isinstance(value, Jet):
+            value = Jet.constant(value, 1)
+        return Jet([np.broadcast_to(np.asarray(d, dtype=float), t.shape) for d in value.d])
+
+    def canonical(self, node: Name | Call) -> str:
+        """The canonical name of a signal."""
+        return self.compiled.quantities.signals.find(node).text
+
+    def signals_of(self, trees: Sequence[Node]) -> list[str]:
+        """The canonical names of all signals in some expressions."""
+        parts = (part for tree in trees for part in nodes(tree))
+        return list(dict.fromkeys(self.canonical(p) for p in parts if isinstance(p, Name | Call) and is_signal(p)))
+
+    def dimension(self, name: str) -> Dimension:
+        """The dimension of a signal."""
+        return self.compiled.graph.signal(name).dimension
+
+    def _wraps(self, name: str) -> bool:
+        link, _, attribute = name.partition(".")
+        return attribute == "angle" and link in self.compiled.mechanism.links and self.compiled.graph.wraps(link)
+
+    def _continuous(self, name: str, t: Array, wrapped: Array) -> Array:
+        """Add whole turns so that the angle runs on without jumps from its value at the start of the run."""
+        if name not in self._angles:
+            self._angles[name] = self._track(name)
+        grid, angle = self._angles[name]
+        near = np.interp(t, grid, angle)
+        turns = np.round((near - wrapped) / (2 * np.pi))
+        return wrapped + 2 * np.pi * turns
+
+    def _track(self, name: str) -> tuple[Array, Array]:
+        """The continuous angle on a grid fine enough that no step turns further than :data:`MAX_TURN`."""
+        count = max(self.steps, 64)
+        while True:
+            grid = np.linspace(self.start, self.stop, count + 1)
+            angle = self.compiled.evaluate([name], grid)[0]
+            known = np.isfinite(angle)
+            angle[known] = np.unwrap(angle[known])
+            if count >= MAX_GRID or not known.any() or np.abs(np.diff(angle[known])).max(initial=0.0) < MAX_TURN:
+                return grid[known], angle[known]
+            count *= 2
+
+

@@ -1,0 +1,77 @@
+"""Where signals are stationary: roots of exact rates between brackets of a grid that is doubled until it holds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+MAX_STEPS = 1 << 15
+NOISE = 1e-10
+"""A rate below this share of its largest magnitude doesn't count as a sign."""
+
+
+def stationary(rates: Callable[[Array], tuple[Array, Array]], start: float, stop: float, steps: int) -> list[Array]:
+    """The times in ``start`` .. ``stop`` at which each row's rate changes sign, to round-off.
+
+    ``rates(t)`` gives (values, rates), each (rows, times). The grid starts at ``steps`` and is doubled until each
+    row's count of brackets has stayed the same twice; rows that only vary by round-off have none.
+    """
+    counts: list[list[int]] = []
+    while True:
+        t = np.linspace(start, stop, steps + 1)
+        values, slopes = rates(t)
+        brackets = [_brackets(t, v, s) for v, s in zip(values, slopes, strict=True)]
+        counts.append([len(b) for b in brackets])
+        if (len(counts) > 2 and counts[-1] == counts[-2] == counts[-3]) or steps >= MAX_STEPS:
+            break
+        steps *= 2
+    return _roots(lambda at: rates(at)[1], brackets)
+
+
+def crossings(values: Callable[[Array], Array], start: float, stop: float, steps: int) -> Array:
+    """The times at which one function of time changes sign, found the same way without its rate."""
+    counts: list[int] = []
+    while True:
+        t = np.linspace(start, stop, steps + 1)
+        brackets = _sign_changes(t, values(t))
+        counts.append(len(brackets))
+        if (len(counts) > 2 and counts[-1] == counts[-2] == counts[-3]) or steps >= MAX_STEPS:
+            break
+        steps *= 2
+    return _roots(lambda at: values(at)[None, :], [brackets])[0]
+
+
+def _brackets(t: Array, values: Array, slopes: Array) -> Array:
+    size = np.nanmax(np.abs(values), initial=0.0)
+    swing = np.nanmax(np.abs(slopes), initial=0.0) * (t[-1] - t[0])
+    if not swing > 1e-11 * size:
+        return np.empty((0, 2))
+    return _sign_changes(t, slopes)
+
+
+def _sign_changes(t: Array, f: Array) -> Array:
+    """Pairs of neighbouring times at which f clearly has opposite signs: (brackets, 2)."""
+    clear = np.isfinite(f) & (np.abs(f) > NOISE * np.nanmax(np.abs(f), initial=0.0))
+    at, sign = t[clear], np.sign(f[clear])
+    turn = np.flatnonzero(sign[:-1] != sign[1:])
+    return np.stack([at[turn], at[turn + 1]], axis=1)
+
+
+def _roots(f: Callable[[Array], Array], brackets: list[Array]) -> list[Array]:
+    """One root in each bracket of each row, all at once (Chandrupatla)."""
+    rows = np.repeat(np.arange(len(brackets)), [len(b) for b in brackets])
+    if rows.size == 0:
+        return [np.empty(0) for _ in brackets]
+    from scipy.optimize.elementwise import find_root
+
+    ends = np.concatenate(brackets)
+
+    def chosen(t: Array, row: Array) -> Array:
+        return np.asarray(f(t.ravel())[row.ravel(), np.arange(t.size)].reshape(t.shape))
+
+    result = find_root(chosen, (ends[:, 0], ends[:, 1]), args=(rows,), tolerances={"xatol": 0.0, "xrtol": 4e-16, "fatol": 0.0, "frtol": 0.0})
+    return [np.sort(result.x[rows == row]) for row in range(len(brackets))]

@@ -1,0 +1,134 @@
+"""The cycle study: motion and forces of a mechanism over a span of time, proven, with its measures."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from linkwright.kernels import Compiled
+from linkwright.model import units as u
+from linkwright.model.fields import Expression, Frozen, fault
+from linkwright.model.findings import Finding
+from linkwright.results import Result, Run, certify
+from linkwright.studies.feasible import singular, unassembled
+from linkwright.studies.measures import MeasureResult, measure_all
+from linkwright.studies.registry import register
+
+TURNS = re.compile(r"^\s*(\d+(?:\.\d+)?)\s+(\w+)\s*$")
+
+
+class CycleOptions(Frozen):
+    """How long, and on how many steps. One of period, duration and turns says how long."""
+
+    period: Expression | None = Field(None, description="the motion's period: it must close")
+    duration: Expression | None = Field(None, description="how long the run lasts")
+    turns: str | None = Field(None, description="'2 engine': so many turns of a drive of constant speed")
+    samples: int = Field(200, ge=2, le=1_000_000, description="number of equal steps; rows are samples + 1")
+
+    @model_validator(mode="after")
+    def _one_length(self) -> CycleOptions:
+        given = [name for name in ("period", "duration", "turns") if getattr(self, name) is not None]
+        if len(given) != 1:
+            raise fault("study.options", study="cycle", key="period", reason="give one of period, duration, turns")
+        return self
+
+
+@dataclass
+class CycleOutcome:
+    """What a cycle gives: its result, the measures, and notes that don't stop it."""
+
+    result: Result
+    measures: list[MeasureResult] = field(default_factory=list)
+    warnings: list[Finding] = field(default_factory=list)
+
+    @property
+    def failures(self) -> list[Finding]:
+        """Why the run is not whole."""
+        return self.result.failures
+
+    @property
+    def done(self) -> bool:
+        """Whether the motion could be followed and every requirement is met."""
+        return not self.failures and all(measure.verdict is not False for measure in self.measures)
+
+
+@register
+class Cycle:
+    """Motion and forces over time."""
+
+    name = "cycle"
+    options = CycleOptions
+
+    def check(self, compiled: Compiled, options: CycleOptions) -> list[Finding]:
+        """What is wrong with the length of the run."""
+        _, findings = span(compiled, options)
+        return findings
+
+    def run(self, compiled: Compiled, options: CycleOptions) -> CycleOutcome:
+        """Follow the motion, prove it, take the measures."""
+        stop, _ = span(compiled, options)
+        run = Run(compiled, 0.0, stop, options.samples)
+        gaps = unassembled(run)
+        result = Result(run, gaps)
+        if gaps:
+            return CycleOutcome(result)
+        result.certificate = certify(run)
+        result.failures += singular(run, result.certificate.nearest)
+        measures, faults = measure_all(run)
+        result.failures += faults
+        return CycleOutcome(result, measures, not_periodic(run) if options.period is not None else [])
+
+
+def span(compiled: Compiled, options: CycleOptions) -> tuple[float, list[Finding]]:
+    """The length of the run (s), and what is wrong with it."""
+    path = ("studies", "cycle")
+    if options.turns is not None:
+        return _turns(compiled, options.turns)
+    length = options.period if options.period is not None else options.duration
+    assert length is not None
+    from linkwright.model.dimensions import DimensionError
+
+    try:
+        seconds = compiled.quantities.value(length, u.TIME)
+    except DimensionError as error:
+        return 0.0, [Finding(error.key, path, error.data)]
+    if not 0 < seconds < 1e12:
+        return 0.0, [Finding("study.options", path, {"study": "cycle", "key": "period", "reason": "must be positive"})]
+    return seconds, []
+
+
+def _turns(compiled: Compiled, text: str) -> tuple[float, list[Finding]]:
+    def wrong(reason: str) -> tuple[float, list[Finding]]:
+        data = {"study": "cycle", "key": "turns", "reason": reason}
+        return 0.0, [Finding("study.options", ("studies", "cycle", "turns"), data)]
+
+    match = TURNS.match(text)
+    drive = compiled.mechanism.drives.get(match[2]) if match else None
+    if match is None or drive is None:
+        return wrong(f"'{text}' isn't a number and a drive, such as '2 {compiled.graph.drives[0]}'")
+    if drive.speed is None or not drive.turns:
+        return wrong(f"{match[2]} doesn't turn at constant speed; give duration instead")
+    speed = compiled.quantities.value(drive.speed, u.OMEGA)
+    if speed == 0 or float(match[1]) == 0:
+        return wrong(f"{match[2]} doesn't turn")
+    return 2 * np.pi * float(match[1]) / abs(speed), []
+
+
+def not_periodic(run: Run) -> list[Finding]:
+    """A warning where a motion said to be periodic doesn't come back to where it began."""
+    points = list(run.compiled.quantities.signals.homes)
+    names = [f"{point}.{axis}" for point in points for axis in "xy"]
+    ends = run.evaluate(names, np.array([run.start, run.stop]))
+    away = np.hypot(*(ends[:, 1] - ends[:, 0]).reshape(-1, 2).T)
+    worst = int(np.argmax(away))
+    if away[worst] < 1e-6 * (np.ptp(ends) or 1.0):
+        return []
+    unit, size = run.compiled.quantities.unit_of(u.LENGTH)
+    time_unit, second = run.compiled.quantities.unit_of(u.TIME)
+    data: dict[str, Any] = {"element": points[worst], "distance": f"{away[worst] / size:.4g}", "unit": unit}
+    data["period"] = f"{(run.stop - run.start) / second:.6g} {time_unit}"
+    return [Finding("motion.not-periodic", ("studies", "cycle", "period"), data, severity="warning")]

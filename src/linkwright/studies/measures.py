@@ -1,0 +1,197 @@
+"""Measures: named scalars of a run, root-found and integrated, never read off samples."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.model.check import WHERE
+from linkwright.model.expressions import Node, parse
+from linkwright.model.findings import Finding
+from linkwright.model.mechanism import REDUCTIONS, Measure
+from linkwright.model.units import Dimension, unit
+from linkwright.results import Run
+from linkwright.results.stationary import stationary
+from linkwright.studies.windows import Interval, intervals
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Found:
+    """One number of a measure: its label ("" or min, max), value in SI, and the time (s) where it happens."""
+
+    label: str
+    value: float
+    time: float | None
+
+
+@dataclass(frozen=True)
+class MeasureResult:
+    """A measure's numbers; ``unit`` is the one it is shown in, ``size`` that unit in SI."""
+
+    name: str
+    measure: Measure
+    dimension: Dimension
+    unit: str
+    size: float
+    found: tuple[Found, ...]
+    requirement: str | None = None
+    verdict: bool | None = None
+
+    def shown(self, label: str = "") -> float:
+        """A number in the measure's unit."""
+        return next(f.value for f in self.found if f.label == label) / self.size
+
+
+@dataclass
+class Probe:
+    """An expression over the intervals of a window: its extremes, its integrals."""
+
+    run: Run
+    node: Node
+    intervals: list[Interval]
+    stationary: Array
+
+    def values(self, t: Array) -> Array:
+        return np.asarray(self.run.jets(self.node, t).d[0])
+
+    @cached_property
+    def candidates(self) -> tuple[Array, Array]:
+        """Times and values among which the extremes are: stationary points and window ends."""
+        inside = [t for t in self.stationary if any(a < t < b for a, b in self.intervals)]
+        times = np.array(sorted([*inside, *(edge for interval in self.intervals for edge in interval)]))
+        return times, self.values(times)
+
+    def top(self) -> Found:
+        times, values = self.candidates
+        i = int(np.argmax(values))
+        return Found("max", float(values[i]), float(times[i]))
+
+    def bottom(self) -> Found:
+        times, values = self.candidates
+        i = int(np.argmin(values))
+        return Found("min", float(values[i]), float(times[i]))
+
+    def mean(self, power: int = 1) -> float:
+        """The mean of a power over the intervals, by Gauss quadrature on panels doubled until it stands still."""
+        nodes, weights = np.polynomial.legendre.leggauss(8)
+        panels, last = max(16, self.run.steps // 4), np.inf
+        while True:
+            total = length = 0.0
+            for a, b in self.intervals:
+                edges = np.union1d(np.linspace(a, b, panels + 1), [t for t in self.stationary if a < t < b])
+                h = np.diff(edges)
+                t = (edges[:-1, None] + h[:, None] * (nodes + 1) / 2).ravel()
+                total += float((self.values(t) ** power) @ (h[:, None] * weights / 2).ravel())
+                length += b - a
+            mean = total / length
+            if abs(mean - last) <= 1e-12 * abs(mean) or panels >= 1 << 14:
+                return mean
+            panels, last = panels * 2, mean
+
+
+def _plain(found: Found) -> tuple[Found, ...]:
+    return (Found("", found.value, found.time),)
+
+
+# One rule per reduction of the file format; "value" has its place from `where` and is taken apart from these.
+RULES: dict[str, Callable[[Probe], tuple[Found, ...]]] = {
+    "span": lambda p: (Found("", p.top().value - p.bottom().value, None),),
+    "max": lambda p: _plain(p.top()),
+    "min": lambda p: _plain(p.bottom()),
+    "extremes": lambda p: (p.bottom(), p.top()),
+    "mean": lambda p: (Found("", p.mean(), None),),
+    "rms": lambda p: (Found("", float(np.sqrt(p.mean(2))), None),),
+}
+assert {*RULES, "value"} == set(REDUCTIONS)
+
+
+@dataclass
+class _Measurer:
+    run: Run
+    findings: list[Finding] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        quantities = self.run.compiled.quantities
+        self.mechanism = quantities.mechanism
+        self.trees: dict[str, Node] = {}
+        for name, measure in self.mechanism.measures.items():
+            self.trees[name] = quantities.bind(measure.signal, None)
+            if measure.where and (match := WHERE.match(measure.where)) and match[2]:
+                self.trees[f"{name} where"] = quantities.dimensions.bind(parse(match[2]), None)
+
+    def all(self) -> list[MeasureResult]:
+        if not self.trees:
+            return []
+        turning = dict(zip(self.trees, self.turning(), strict=True))
+        return [self.one(name, measure, turning) for name, measure in self.mechanism.measures.items()]
+
+    def turning(self) -> list[Array]:
+        """The stationary times of every expression, all searched for together."""
+        run, trees = self.run, list(self.trees.values())
+        signals = run.signals_of(trees)
+
+        def rates(t: Array) -> tuple[Array, Array]:
+            values, slopes = run.rates(signals, t)
+            rows = dict(zip(signals, zip(values, slopes, strict=True), strict=True))
+            jets = [run.combine(tree, t, rows) for tree in trees]
+            return np.array([jet.d[0] for jet in jets]), np.array([jet.d[1] for jet in jets])
+
+        return stationary(rates, run.start, run.stop, run.steps)
+
+    def one(self, name: str, measure: Measure, turning: dict[str, Array]) -> MeasureResult:
+        quantities = self.run.compiled.quantities
+        dimension = quantities.dimensions.dimension(measure.signal.node)
+        text, size = quantities.unit_of(dimension) if measure.unit is None else (measure.unit, unit(measure.unit)[0])
+        spans = intervals(self.run, measure.window)
+        found: tuple[Found, ...] = ()
+        if not spans:
+            self.findings.append(Finding("measure.nothing", ("measures", name), {"name": name}))
+        elif measure.value is not None:
+            found = self.placed(name, measure, spans, turning)
+        else:
+            found = RULES[measure.reduction](Probe(self.run, self.trees[name], spans, turning[name]))
+        if not all(np.isfinite(f.value) for f in found):
+            self.findings.append(Finding("measure.not-finite", ("measures", name), {"name": name}))
+            found = ()
+        if measure.wrap is not None:
+            low, high = (quantities.value(edge, dimension) for edge in measure.wrap)
+            found = tuple(Found(f.label, low + (f.value - low) % (high - low), f.time) for f in found)
+        requirement, verdict = self.verdict(name, dimension, found)
+        return MeasureResult(name, measure, dimension, text, size, found, requirement, verdict)
+
+    def placed(
+        self, name: str, measure: Measure, spans: list[Interval], turning: dict[str, Array]
+    ) -> tuple[Found, ...]:
+        """A value at the place that `where` names."""
+        match = WHERE.match(measure.where or "")
+        assert match is not None
+        if match[1]:
+            probe = Probe(self.run, self.trees[f"{name} where"], spans, turning[f"{name} where"])
+            time = (probe.top() if match[1] == "max" else probe.bottom()).time
+            assert time is not None
+        else:
+            time = spans[0][0] if match[3] else spans[-1][1]
+        value = float(self.run.jets(self.trees[name], np.array([time])).d[0][0])
+        return (Found("", value, time),)
+
+    def verdict(self, name: str, dimension: Dimension, found: tuple[Found, ...]) -> tuple[str | None, bool | None]:
+        """The requirement on a measure and whether it is met; one that couldn't be measured is not met."""
+        requirement = self.mechanism.require.get(name)
+        if requirement is None:
+            return None, None
+        quantities = self.run.compiled.quantities
+        low = -np.inf if requirement.low is None else quantities.value(requirement.low, dimension)
+        high = np.inf if requirement.high is None else quantities.value(requirement.high, dimension)
+        return str(requirement.raw), bool(found) and all(low <= f.value <= high for f in found)
+
+
+def measure_all(run: Run) -> tuple[list[MeasureResult], list[Finding]]:
+    """All measures of a run's mechanism, and which of them have no value."""
+    measurer = _Measurer(run)
+    return measurer.all(), measurer.findings

@@ -1,0 +1,65 @@
+"""The studies by name; each registers its options, which become part of the file's schema."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar, Protocol
+
+from pydantic import BaseModel, ValidationError
+
+from linkwright.kernels import Compiled
+from linkwright.model.findings import Finding
+from linkwright.model.signals import near
+
+
+class Study(Protocol):
+    """What a study gives: its name in the file, its options, and a run that makes an outcome."""
+
+    name: ClassVar[str]
+    options: ClassVar[type[BaseModel]]
+
+    def check(self, compiled: Compiled, options: Any) -> list[Finding]:
+        """What is wrong with options that are well-formed."""
+
+    def run(self, compiled: Compiled, options: Any) -> Any:
+        """The study's outcome."""
+
+
+STUDIES: dict[str, Study] = {}
+
+
+def register(cls: type) -> type:
+    """Register a study under its name; a second one of the same name is an error."""
+    study = cls()
+    if study.name in STUDIES:
+        raise ValueError(f"study {study.name} is registered twice")
+    STUDIES[study.name] = study
+    return cls
+
+
+@dataclass(frozen=True)
+class Task:
+    """One study of a file with its parsed options."""
+
+    study: Study
+    options: Any
+
+
+def read_studies(raw: Mapping[str, Mapping[str, Any]]) -> tuple[list[Task], list[Finding]]:
+    """The studies that a file names, and what is wrong with their options."""
+    tasks, findings = [], []
+    for name, entry in raw.items():
+        study = STUDIES.get(name)
+        if study is None:
+            findings.append(Finding("study.unknown", ("studies", name), {"name": name, "near": near(name, [*STUDIES])}))
+            continue
+        try:
+            tasks.append(Task(study, study.options.model_validate(entry)))
+        except ValidationError as error:
+            from linkwright.model.document import fault_finding
+
+            findings += [
+                fault_finding(fault, ("studies", name), study.options) for fault in error.errors(include_url=False)
+            ]
+    return tasks, findings

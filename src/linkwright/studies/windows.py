@@ -1,0 +1,58 @@
+"""Windows: the parts of a run that a measure looks at, in time or in the value of a signal."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.model import units as u
+from linkwright.model.expressions import parse
+from linkwright.results import Run
+from linkwright.results.stationary import crossings
+
+Array = NDArray[np.float64]
+Interval = tuple[float, float]
+
+
+def intervals(run: Run, name: str | None) -> list[Interval]:
+    """The intervals of time (s) that a window means within a run; the whole run without one."""
+    if name is None:
+        return [(run.start, run.stop)]
+    quantities = run.compiled.quantities
+    window = quantities.mechanism.windows[name]
+    if isinstance(window, tuple):
+        low, high = (quantities.value(edge, u.TIME) for edge in window)
+        low, high = max(low, run.start), min(high, run.stop)
+        return [(low, high)] if low < high else []
+    ((text, edges),) = window.items()
+    dimension = quantities.dimensions.dimension(parse(text))
+    low, high = (quantities.value(edge, dimension) for edge in edges)
+    return _within(run, text, low, high, turning=dimension == u.ANGLE)
+
+
+def _within(run: Run, text: str, low: float, high: float, turning: bool) -> list[Interval]:
+    """Where a signal lies in low .. high; of an angle, in that range or any whole turns from it."""
+    node = run.compiled.quantities.dimensions.bind(parse(text), None)
+
+    def value(t: Array) -> Array:
+        return np.asarray(run.jets(node, t).d[0])
+
+    def beyond(edge: float) -> Array:
+        """Times at which the signal passes an edge."""
+        if turning:
+            return crossings(lambda t: np.sin((value(t) - edge) / 2), run.start, run.stop, run.steps)
+        return crossings(lambda t: value(t) - edge, run.start, run.stop, run.steps)
+
+    times = np.unique(np.concatenate([[run.start, run.stop], beyond(low), beyond(high)]))
+    middles = value((times[:-1] + times[1:]) / 2)
+    offset = np.mod(middles - low, 2 * np.pi) if turning else middles - low
+    inside = (offset >= 0) & (offset <= high - low)
+    found: list[Interval] = []
+    for a, b, ok in zip(times[:-1], times[1:], inside, strict=True):
+        if not ok:
+            continue
+        if found and found[-1][1] == a:
+            found[-1] = (found[-1][0], float(b))
+        else:
+            found.append((float(a), float(b)))
+    return found

@@ -1,3 +1,0 @@
-"""English words, by key. Chinese and others follow as modules beside this one."""
-
-WORDS: dict[str, str] = {}

@@ -1,0 +1,322 @@
+"""The report in a real browser, from disk and without network."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Iterator
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from linkwright.report import ReportData, Scene, page
+
+pytestmark = pytest.mark.browser
+sync_api = pytest.importorskip("playwright.sync_api")
+
+FLAGS = [
+    "--headless",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+]
+HOSTILE = "</script><img src=x onerror=\"document.title='owned'\">"
+
+
+def chromium() -> str | None:
+    names = ("chromium", "chromium-browser", "google-chrome")
+    return os.environ.get("LINKWRIGHT_CHROMIUM") or next(filter(None, map(shutil.which, names)), None)
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    path = chromium()
+    if path is None:
+        pytest.skip("no Chromium on this machine (set LINKWRIGHT_CHROMIUM to one)")
+    with sync_api.sync_playwright() as play:
+        browser = play.chromium.launch(executable_path=path, args=FLAGS)
+        yield browser
+        browser.close()
+
+
+class Opened:
+    """A page on screen with everything it complained about."""
+
+    def __init__(self, browser: Any, path: Path, **settings: Any) -> None:
+        settings = {"viewport": {"width": 1400, "height": 900}, "reduced_motion": "reduce"} | settings
+        self.context = browser.new_context(**settings)
+        self.context.set_offline(True)
+        self.page = self.context.new_page()
+        self.complaints: list[str] = []
+        self.requests: list[str] = []
+        self.page.on("console", lambda m: self.complaints.append(m.text))
+        self.page.on("pageerror", lambda e: self.complaints.append(str(e)))
+        self.page.on("request", lambda r: self.requests.append(r.url))
+        self.page.goto(path.as_uri())
+        self.slider = self.page.get_by_role("slider", name="time")
+
+    def pin(self, name: str) -> complex:
+        """Centre of a point's circle on the screen, in pixels, y up."""
+        box = self.page.locator(f'#drawing [data-point="{name}"]').bounding_box()
+        return complex(box["x"] + box["width"] / 2, -box["y"] - box["height"] / 2)
+
+    def legend(self, plot: int) -> list[str]:
+        texts = self.page.locator("figure.plot").nth(plot).locator(".legend output").all_inner_texts()
+        return [text.replace("−", "-") for text in texts]
+
+    def settle(self) -> None:
+        """Two frames: plots draw in the one after a change."""
+        self.page.evaluate("() => new Promise(r => requestAnimationFrame(() => requestAnimationFrame(r)))")
+
+
+@pytest.fixture
+def show(browser: Any, tmp_path: Path) -> Iterator[Any]:
+    opened: list[Opened] = []
+
+    def open_(data: ReportData, **settings: Any) -> Opened:
+        path = tmp_path / f"report{len(opened)}.html"
+        path.write_text(page(data), encoding="utf-8")
+        opened.append(Opened(browser, path, **settings))
+        return opened[-1]
+
+    yield open_
+    for each in opened:
+        each.context.close()
+
+
+def test_loads_silently_and_asks_for_nothing(show: Any, report: ReportData) -> None:
+    view = show(report)
+    view.settle()
+    assert view.complaints == []
+    assert [url.split(":")[0] for url in view.requests if not url.startswith("data:")] == ["file"]
+    assert view.page.locator(".uplot canvas").count() == len(report["plots"])
+
+
+@pytest.mark.parametrize("index", [0, 37, 120, 200])
+def test_slider_moves_the_pins_to_their_computed_places(
+    show: Any, report: ReportData, feeder: Any, index: int
+) -> None:
+    view = show(report)
+    view.slider.fill(str(index))
+    # The ground pivots A and D give scale and origin: nothing is taken from the drawing's own figures.
+    a, d = view.pin("A"), view.pin("D")
+    world = feeder.points["D"][index] - feeder.points["A"][index]
+    scale = (d - a) / world
+    assert abs(scale.imag) < 1e-3 * scale.real
+    for name in "BCEG":
+        expected = a + scale * (feeder.points[name][index] - feeder.points["A"][index])
+        assert abs(view.pin(name) - expected) < 0.3, name
+
+
+def test_between_samples_the_drawing_stays_closed(
+    show: Any, report: ReportData, coarse: tuple[Any, Scene]
+) -> None:
+    """With 26 poses a cycle, chords would leave the crank's circle by 0.8 % of its radius."""
+    feeder, report["scene"] = coarse
+    report["time"] = {"values": feeder.t.tolist(), "unit": "s", "label": "time"}
+    report["plots"] = []
+    view = show(report)
+    radii = view.page.evaluate(
+        """() => { const at = n => { const c = document.querySelector(`#drawing [data-point="${n}"]`);
+        return [Number(c.getAttribute("cx")), Number(c.getAttribute("cy"))]; };
+        const r = []; for (let i = 0; i < 60; i++) { linkwright.drawing.setTime(i * 0.025);
+          r.push(Math.hypot(at("B")[0] - at("A")[0], at("B")[1] - at("A")[1])); } return r; }"""
+    )
+    assert np.ptp(radii) < 0.05
+
+
+def test_slider_ties_every_visible_plot(show: Any, report: ReportData) -> None:
+    view = show(report)
+    view.slider.fill("60")
+    view.settle()
+    for plot in (0, 1):
+        expected = [series["values"][60] for series in report["plots"][plot]["series"]]
+        assert [float(text) for text in view.legend(plot)] == pytest.approx(expected, rel=1e-4)
+        area = view.page.locator(".u-over").nth(plot).bounding_box()
+        line = view.page.locator(".u-over .u-cursor-x").nth(plot).bounding_box()
+        assert line["x"] + line["width"] == pytest.approx(area["x"] + area["width"] * 60 / 200, abs=2)
+
+
+def test_pointing_into_a_plot_moves_the_mechanism_and_leaving_goes_back(
+    show: Any, report: ReportData
+) -> None:
+    view = show(report)
+    view.slider.fill("20")
+    over = view.page.locator(".u-over").first
+    area = over.bounding_box()
+    over.hover(position={"x": area["width"] * 0.75, "y": 50})
+    assert view.slider.input_value() == "150"
+    view.page.mouse.move(5, 5)
+    assert view.slider.input_value() == "20"
+    over.click(position={"x": area["width"] * 0.5, "y": 50})
+    view.page.mouse.move(5, 5)
+    assert view.slider.input_value() == "100"
+
+
+def test_dragging_enlarges_a_span_in_all_plots(show: Any, report: ReportData) -> None:
+    view = show(report)
+    area = view.page.locator(".u-over").first.bounding_box()
+    y = area["y"] + 50
+    view.page.mouse.move(area["x"] + area["width"] * 0.2, y)
+    view.page.mouse.down()
+    view.page.mouse.move(area["x"] + area["width"] * 0.6, y, steps=5)
+    view.page.mouse.up()
+    view.settle()
+    spans = "() => linkwright.charts.map(c => [c.scales.x.min, c.scales.x.max])"
+    for low, high in view.page.evaluate(spans):
+        assert (low, high) == pytest.approx((0.3, 0.9), abs=0.01)
+    view.page.get_by_role("button", name="Show the whole time").click()
+    view.settle()
+    assert view.page.evaluate(spans)[3] == pytest.approx([0, 1.5])
+    assert view.complaints == []
+
+
+def test_keyboard_steps_the_slider_and_plays(show: Any, report: ReportData) -> None:
+    view = show(report)
+    view.slider.focus()
+    for _ in range(3):
+        view.page.keyboard.press("ArrowRight")
+    assert view.slider.input_value() == "3"
+    assert view.slider.get_attribute("aria-valuetext") == "0.0225 s"
+    view.page.get_by_role("button", name="Play").press("Enter")
+    sync_api.expect(view.slider).not_to_have_value("3")
+    view.page.get_by_role("button", name="Pause").press("Enter")
+    at = view.slider.input_value()
+    view.settle()
+    assert view.slider.input_value() == at
+
+
+def test_plays_by_itself_unless_reduced_motion_is_wished(show: Any, report: ReportData) -> None:
+    assert show(report).page.get_by_role("button", name="Play").count() == 1
+    lively = show(report, reduced_motion="no-preference")
+    assert lively.page.get_by_role("button", name="Pause").count() == 1
+
+
+def test_null_poses_leave_the_frame_and_a_note(show: Any, report: ReportData) -> None:
+    for link in report["scene"]["links"]:
+        if not link["fixed"]:
+            for values in link["pose"].values():
+                values[50:80] = [None] * len(values[50:80])
+    view = show(report)
+    note = view.page.locator("#drawing .lw-note")
+    assert not note.is_visible()
+    view.slider.fill("60")
+    assert note.is_visible()
+    assert "Can't be assembled here" in view.slider.get_attribute("aria-valuetext")
+    assert view.page.locator('#drawing [data-point="A"]').is_visible()
+    assert not view.page.locator('#drawing [data-point="B"]').is_visible()
+    assert view.page.locator("#drawing .lw-body").first.is_hidden()
+    view.slider.fill("100")
+    assert not note.is_visible()
+    assert view.complaints == []
+
+
+def test_nothing_assembles_at_all(show: Any, report: ReportData) -> None:
+    report["time"]["values"] = []
+    report["scene"]["time"] = []
+    report["scene"]["traces"] = []
+    report["plots"] = []
+    for link in report["scene"]["links"]:
+        if not link["fixed"]:
+            link["pose"] = {"x": [], "y": [], "c": [], "s": []}
+    view = show(report)
+    assert view.complaints == []
+    assert view.page.locator("#drawing .lw-note").is_visible()
+
+
+def test_hostile_names_show_as_text(show: Any, report: ReportData) -> None:
+    def rename(text: str) -> str:
+        return HOSTILE if text in ("B", "crank") else text
+
+    scene = report["scene"]
+    for link in scene["links"]:
+        link["name"] = rename(link["name"])
+        link["points"] = {rename(name): at for name, at in link["points"].items()}
+    for joint in scene["joints"]:
+        joint["name"] = rename(joint["name"])
+        joint["links"] = [rename(name) for name in joint["links"]]
+        joint["points"] = [rename(name) for name in joint["points"]]
+    scene["traces"][0]["name"] = HOSTILE
+    report["plots"][0]["title"] = HOSTILE
+    report["plots"][0]["series"][0]["name"] = HOSTILE
+    report["title"] = report["measures"][0]["name"] = report["model_text"] = HOSTILE
+    view = show(report)
+    view.settle()
+    assert view.page.title() == HOSTILE
+    assert view.page.locator("img").count() == 0
+    assert view.page.locator("h1").inner_text() == HOSTILE
+    assert HOSTILE in view.page.locator("#drawing .lw-labels text").all_text_contents()
+    assert HOSTILE in view.page.locator(".legend").first.inner_text()
+    assert view.complaints == []
+
+
+def test_toggles_hide_paths_and_names(show: Any, report: ReportData) -> None:
+    view = show(report)
+    path = view.page.locator("#drawing .lw-trace").first
+    label = view.page.locator("#drawing .lw-labels text", has_text="crank")
+    assert path.is_visible()
+    assert label.is_visible()
+    view.page.get_by_label("E", exact=True).uncheck()
+    view.page.get_by_label("Link names").uncheck()
+    assert not path.is_visible()
+    assert not label.is_visible()
+
+
+def test_prints_with_still_drawing_and_all_plots(show: Any, report: ReportData, tmp_path: Path) -> None:
+    view = show(report, color_scheme="dark")
+    view.page.emulate_media(media="print")
+    view.settle()
+    assert view.page.locator("#still svg").is_visible()
+    assert not view.page.locator("#drawing").is_visible()
+    assert view.page.locator("#still .lw-ghost").count() == 8
+    assert view.page.locator(".chart-paper canvas:visible").count() == len(report["plots"])
+    assert view.page.locator("#model pre").is_visible()
+    background = "getComputedStyle(document.querySelector('#still svg')).backgroundColor"
+    assert view.page.evaluate(background) == "rgb(255, 255, 255)"
+    view.page.emulate_media(media="screen")
+    view.settle()
+    assert view.page.locator(".chart-paper").count() == 0
+    pdf = view.page.pdf(prefer_css_page_size=True)
+    assert pdf.startswith(b"%PDF-")
+    assert len(pdf) > 50_000
+    assert view.complaints == []
+
+
+def test_fits_a_phone(show: Any, report: ReportData) -> None:
+    view = show(report, viewport={"width": 360, "height": 740})
+    assert view.page.evaluate("document.documentElement.scrollWidth") == 360
+
+
+def test_drawing_works_alone_as_a_notebook_widget(browser: Any, report: ReportData) -> None:
+    """As an ES module, given a widget's model: draws its scene, redraws a new one, tidies up."""
+    source = files("linkwright.report").joinpath("assets", "mechanism.js").read_text("utf-8")
+    shown = browser.new_page()
+    shown.set_content('<div id="el"></div>')
+    counts = shown.evaluate(
+        """async ([source, scene]) => {
+          const el = document.getElementById("el");
+          const count = () => el.querySelectorAll(".lw-body, .lw-block").length;
+          const url = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
+          const module = await import(url);
+          const heard = {};
+          const state = { scene };
+          const model = { get: k => state[k], on: (k, f) => (heard[k] = f), off: k => delete heard[k] };
+          const cleanup = module.default.render({ model, el });
+          const counts = [count()];
+          state.scene = { ...scene, links: scene.links.slice(0, 2), joints: [], traces: [] };
+          heard["change:scene"]();
+          counts.push(count());
+          cleanup();
+          return [...counts, el.childElementCount, Object.keys(heard).length];
+        }""",
+        [source, report["scene"]],
+    )
+    shown.close()
+    assert counts == [5, 1, 0, 0]

@@ -1,0 +1,174 @@
+"""The report page as text: self-contained, well-formed, escaped, of modest size."""
+
+from __future__ import annotations
+
+import json
+import re
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+
+from linkwright.report import ReportData, compact, page
+from linkwright.report.payload import script_json
+from linkwright.report.page import SCRIPT_WORDS
+from linkwright.words.en.report import REPORT
+
+HOSTILE = "</script><img src=x>&\"'"
+VOID = {"meta", "link", "br", "img", "input"}
+
+
+class Page(HTMLParser):
+    """Elements, attributes and text of a page; complains about tags that don't nest."""
+
+    def __init__(self, html: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.tags: list[tuple[str, dict[str, str | None]]] = []
+        self.text: dict[str, str] = {}
+        self.payload = ""
+        self.feed(html)
+        self.close()
+        assert self.open == []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        here = self.open[-1] if self.open else ""
+        self.text[here] = self.text.get(here, "") + data
+        if here == "script" and self.tags[-1][1].get("id") == "data":
+            self.payload += data
+
+
+def test_page_is_self_contained(report: ReportData) -> None:
+    html = page(report)
+    parsed = Page(html)
+    loads = [value for _, attrs in parsed.tags for key, value in attrs.items() if key in ("src", "href")]
+    assert [value for value in loads if not value.startswith(("#", "data:"))] == []
+    assert "@import" not in html
+    assert "url(" not in html
+    policy = next(a["content"] for t, a in parsed.tags if t == "meta" and "http-equiv" in a)
+    assert policy.startswith("default-src 'none'")
+    assert re.search(r"^\s*(export|import)\b", parsed.text["script"], re.MULTILINE) is None
+
+
+def test_scripts_stay_whole(report: ReportData) -> None:
+    html = page(report)
+    assert html.count("</script") == html.count("<script") == 3
+    assert "The MIT License" in html  # the plots' library travels with its licence
+
+
+def test_payload_is_what_was_given(report: ReportData) -> None:
+    data = json.loads(Page(page(report)).payload)
+    assert data["scene"] == json.loads(json.dumps(compact(report["scene"])))
+    assert data["plots"][0]["series"][0]["values"] == pytest.approx(
+        report["plots"][0]["series"][0]["values"], rel=1e-6
+    )
+    assert set(data["words"]) == set(SCRIPT_WORDS)
+
+
+def test_hostile_names_are_text_everywhere(report: ReportData) -> None:
+    clean = [tag for tag, _ in Page(page(report)).tags]
+    for key in ("title", "subtitle", "version", "language", "model_text"):
+        report[key] = HOSTILE
+    report["words"] = dict.fromkeys(REPORT, HOSTILE)
+    for measure in report["measures"]:
+        measure.update(name=HOSTILE, text=HOSTILE, unit=HOSTILE, requirement=HOSTILE)
+        for value in measure["values"]:
+            value.update(label=HOSTILE, at=HOSTILE)
+    for check in report["certificate"]:
+        check.update(name=HOSTILE, figure=HOSTILE, sentence=HOSTILE)
+    for fact in report["structure"]:
+        fact.update(name=HOSTILE, sentence=HOSTILE)
+    for plot in report["plots"]:
+        plot.update(title=HOSTILE, unit=HOSTILE)
+        plot["series"][0]["name"] = HOSTILE
+    report["scene"]["links"][1]["name"] = HOSTILE
+    parsed = Page(page(report))
+    assert [tag for tag, _ in parsed.tags] == clean
+    assert parsed.text["h1"] == HOSTILE
+    assert json.loads(parsed.payload)["scene"]["links"][1]["name"] == HOSTILE
+
+
+def test_verdicts_read_without_colour(report: ReportData) -> None:
+    html = page(report)
+    assert "✓</span> met" in html
+    assert "✗</span> not met" in html
+    assert "Requirements met: 1 of 2" in html
+
+
+def test_failures_make_a_banner(report: ReportData) -> None:
+    assert 'class="banner"' not in page(report)
+    report["failures"] = [{"code": "LW301", "what": "rocker is too short", "mend": "make it longer"}]
+    html = page(report)
+    assert html.index('class="banner"') < html.index("<main>")
+    assert "LW301" in html
+    assert "Findings: 1" in html
+
+
+def test_empty_parts_leave_no_headings(report: ReportData) -> None:
+    for part in ("measures", "certificate", "structure", "plots"):
+        report[part] = []
+    report["model_text"] = ""
+    html = page(report)
+    Page(html)
+    for word in ("measures", "certificate", "structure", "motion", "force", "model"):
+        assert f'id="{word}"' not in html
+        assert f'href="#{word}"' not in html
+
+
+def test_every_word_comes_from_the_catalogue(report: ReportData) -> None:
+    """With every word marked, no letter outside the marks is left but those of the data."""
+    report.update(title="1", subtitle="2", version="3", model_text="4", plots=[], structure=[])
+    report.update(measures=[], certificate=[], failures=[])
+    report["words"] = dict.fromkeys(REPORT, "#")
+    body = page(report).split("<body>")[1].split("<script")[0]
+    assert re.findall(r"[A-Za-z]+", re.sub(r"<[^>]*>", "", body)) == []
+
+
+def test_missing_word_is_loud(report: ReportData) -> None:
+    report["words"] = {key: text for key, text in REPORT.items() if key != "report.play"}
+    with pytest.raises(KeyError, match=r"report\.play"):
+        page(report)
+
+
+def test_size_of_a_large_report(report: ReportData) -> None:
+    """201 poses and 60 series stay under 400 kB."""
+    rng = np.random.default_rng(1)
+    series = [{"name": f"s{i}", "values": (rng.normal(size=201) * 1e3).tolist()} for i in range(60)]
+    report["plots"] = [
+        {"title": f"plot {i}", "group": "motion", "unit": "mm", "series": series[3 * i : 3 * i + 3]}
+        for i in range(20)
+    ]
+    assert len(page(report).encode()) < 400_000
+
+
+@pytest.mark.parametrize(
+    ("value", "expected"),
+    [
+        (1 / 3, 0.3333333),
+        (680.0, 680),
+        (float("nan"), None),
+        (float("inf"), None),
+        (-1.23456789e-12, -1.234568e-12),
+        (1.5e300, 1.5e300),
+        (np.float64(0.1), 0.1),
+        (True, True),
+        ((1.0, None, "a"), [1, None, "a"]),
+    ],
+)
+def test_compact(value: object, expected: object) -> None:
+    assert compact(value) == expected
+    assert type(compact(value)) is type(expected)
+
+
+def test_script_json_never_closes_the_script() -> None:
+    text = script_json({"a": "</script><!--<script>"})
+    assert "<" not in text
+    assert json.loads(text) == {"a": "</script><!--<script>"}
