@@ -1,3 +1,74 @@
-"""linkwright: planar mechanisms from one readable file."""
+"""linkwright: planar mechanisms from one readable file.
+
+    import linkwright as lw
+    job = lw.run("paper_feeder.yaml")
+    job.cycle.result["E.vx"]            # m/s, one value a sampled time
+
+The names below are the public ones; each is loaded when it is first used.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from linkwright.app import Job, check, run
+    from linkwright.kernels import Compiled
+    from linkwright.kernels import compile_mechanism as compile
+    from linkwright.model.builder import Builder
+    from linkwright.model.document import dump, load, save
+    from linkwright.model.findings import Finding, ModelError
+    from linkwright.model.mechanism import Document, Mechanism
+    from linkwright.results import Certificate, Result, Run
 
 __version__ = "0.1.0"
+
+_PLACES = {
+    "Builder": ("linkwright.model.builder", "Builder"),
+    "Certificate": ("linkwright.results", "Certificate"),
+    "Compiled": ("linkwright.kernels", "Compiled"),
+    "Document": ("linkwright.model.mechanism", "Document"),
+    "Finding": ("linkwright.model.findings", "Finding"),
+    "Job": ("linkwright.app", "Job"),
+    "Mechanism": ("linkwright.model.mechanism", "Mechanism"),
+    "ModelError": ("linkwright.model.findings", "ModelError"),
+    "Result": ("linkwright.results", "Result"),
+    "Run": ("linkwright.results", "Run"),
+    "check": ("linkwright.app", "check"),
+    "compile": ("linkwright.kernels", "compile_mechanism"),
+    "dump": ("linkwright.model.document", "dump"),
+    "load": ("linkwright.model.document", "load"),
+    "run": ("linkwright.app", "run"),
+    "save": ("linkwright.model.document", "save"),
+}
+
+__all__ = [
+    "Builder",
+    "Certificate",
+    "Compiled",
+    "Document",
+    "Finding",
+    "Job",
+    "Mechanism",
+    "ModelError",
+    "Result",
+    "Run",
+    "check",
+    "compile",
+    "dump",
+    "load",
+    "run",
+    "save",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _PLACES:
+        raise AttributeError(f"module 'linkwright' has no attribute {name!r}")
+    module, attribute = _PLACES[name]
+    return getattr(import_module(module), attribute)
+
+
+def __dir__() -> list[str]:
+    return [*__all__, "__version__"]

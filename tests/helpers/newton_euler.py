@@ -216,7 +216,6 @@ class Oracle:
         plain, q = self.plain, state.q
         matrix, right = np.zeros((self.size, self.size)), np.zeros(self.size)
         columns = 0
-        places: list[tuple[str, tuple[str, str], int, int]] = []
 
         def push(link: str, column: int, force: Array, at: Array, moment: float = 0.0) -> None:
             """A unit unknown acts on a link by a force at a place and a moment: about the link's origin."""
@@ -262,7 +261,6 @@ class Oracle:
             drives[name] = columns
             columns += 1
         assert columns == self.size
-        del places
 
         shaking = np.zeros(3)
         for link, force, at, moment in self.applied(state):

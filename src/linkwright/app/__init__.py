@@ -1,5 +1,5 @@
 """What the commands do, for Python too: examine a model file, perform its studies, write the results."""
 
-from linkwright.app.job import Examined, Job, examine_file, perform, write
+from linkwright.app.job import Examined, Job, check, examine_file, perform, run, write
 
-__all__ = ["Examined", "Job", "examine_file", "perform", "write"]
+__all__ = ["Examined", "Job", "check", "examine_file", "perform", "run", "write"]

@@ -9,7 +9,7 @@ from typing import Any
 
 from linkwright.kernels import Compiled, examine
 from linkwright.model.document import read_document, write_aside
-from linkwright.model.findings import Finding
+from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.mechanism import Document
 from linkwright.report.build import report_data
 from linkwright.report.page import page
@@ -115,3 +115,26 @@ def write(job: Job, folder: Path) -> None:
 def summary_text(data: dict[str, Any]) -> str:
     """The summary as JSON text."""
     return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False)
+
+
+def check(model: str | Path | Document) -> list[Finding]:
+    """Everything that is wrong with a model file or document; an empty list where nothing is."""
+    return _examined(model).findings
+
+
+def run(model: str | Path | Document, out: str | Path | None = None) -> Job:
+    """Perform the studies of a model file or document; with ``out``, write its results to that folder.
+
+    Raises :class:`ModelError` with all findings where the model can't be run at all; a motion that stops on its
+    way is no exception but stands in ``job.cycle.failures``.
+    """
+    examined = _examined(model)
+    raise_errors(examined.findings)
+    job = perform(examined)
+    if out is not None:
+        write(job, Path(out))
+    return job
+
+
+def _examined(model: str | Path | Document) -> Examined:
+    return examine_document(model) if isinstance(model, Document) else examine_file(Path(model))

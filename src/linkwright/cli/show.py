@@ -21,6 +21,7 @@ from linkwright.words import say
 out = Console(highlight=False, soft_wrap=True)
 err = Console(stderr=True, highlight=False, soft_wrap=True)
 
+_NUMBERS = ("value", "figure")
 _STYLES = {"error": "bold red", "warning": "bold yellow"}
 
 
@@ -89,7 +90,7 @@ def job(done: Job) -> None:
 def _table(*columns: str) -> Table:
     table = Table(box=None, header_style="bold", padding=(0, 2, 0, 0))
     for column in columns:
-        table.add_column(say(f"cli.column.{column}"), justify="right" if column in ("value", "figure") else "left")
+        table.add_column(say(f"cli.column.{column}"), overflow="fold", justify="right" if column in _NUMBERS else "left")
     return table
 
 

@@ -165,13 +165,7 @@ class _Assembler:
 
     def options(self, group: Group) -> str:
         """How a group's two modes may be written."""
-        first, second, inner = group.outer[0].joint, group.outer[1].joint, group.inner.joint
-        texts = {
-            "RRR": f"{inner}: left of {first}-{second}' / '{inner}: right of {first}-{second}",
-            "RRP": f"{inner}: ahead of {first} along {second}' / '{inner}: behind {first} along {second}",
-            "RPR": f"{second}: ahead of {first} along {inner}' / '{second}: behind {first} along {inner}",
-        }
-        return f"'{texts[group.signature]}'"
+        return f"'{group.rule(1.0)}' / '{group.rule(-1.0)}'"
 
 
 def shortfall_data(quantities: Quantities, group: Group, distance: float, limit: float) -> dict[str, Any]:

@@ -54,10 +54,14 @@ class Solved:
 
 
 class Dyad(ABC):
-    """One kind of dyad on its joints. ``signature`` is outer, inner, outer; ``modes`` its assembly modes."""
+    """One kind of dyad on its joints.
+
+    ``signature`` is outer, inner, outer joint; ``rules`` how a file states branch +1 and -1 by the names of the
+    ``first`` and ``second`` outer joints and the ``inner`` one; none where there is one assembly mode only.
+    """
 
     signature: ClassVar[str]
-    modes: ClassVar[int]
+    rules: ClassVar[tuple[str, ...]] = ()
     first: Outer
     second: Outer
     inner: Inner

@@ -12,7 +12,6 @@ class PRP(Dyad):
     """One assembly mode."""
 
     signature = "PRP"
-    modes = 1
     inner: InnerPin
 
     def root(self, branch: Scalar) -> Root:

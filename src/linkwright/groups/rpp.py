@@ -12,7 +12,6 @@ class RPP(Dyad):
     """One assembly mode: the second link's angle is known, so the first one's is too."""
 
     signature = "RPP"
-    modes = 1
     inner: InnerLine
 
     def root(self, branch: Scalar) -> Root:

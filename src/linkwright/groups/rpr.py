@@ -13,7 +13,7 @@ class RPR(Dyad):
     """Branch +1: the second outer pin is ahead of the first along the sliding line."""
 
     signature = "RPR"
-    modes = 2
+    rules = ("{second}: ahead of {first} along {inner}", "{second}: behind {first} along {inner}")
     inner: InnerLine
 
     def root(self, branch: Scalar) -> Root:

@@ -13,7 +13,7 @@ class RRR(Dyad):
     """Branch +1: the inner pin lies to the left of the line from the first outer pin to the second."""
 
     signature = "RRR"
-    modes = 2
+    rules = ("{inner}: left of {first}-{second}", "{inner}: right of {first}-{second}")
     inner: InnerPin
 
     def root(self, branch: Scalar) -> Root:

@@ -57,9 +57,8 @@ def _order(compiled: Compiled) -> list[str]:
             lines.append(say("fact.order.driven", link=step.link, drive=step.drive, base=step.base))
             continue
         links = ", ".join(step.links)
-        branch = compiled.assembly.branches.get(step)
-        key = "fact.order.group" if branch is None else "fact.order.mode"
-        mode = "" if branch is None else f"{branch:+.0f}"
+        mode = step.rule(compiled.assembly.branches.get(step, 1.0))
+        key = "fact.order.mode" if mode else "fact.order.group"
         lines.append(say(key, links=links, signature=step.signature, mode=mode))
     return lines
 
@@ -80,9 +79,9 @@ def checks(certificate: Certificate, time_text: str) -> list[Check]:
     if c.nearest is not None:
         near = c.nearest
         lines.append(_proof("nearest", f"{near.determinant:.4g}", near.determinant > FAR, group=near.group, time=time_text))
-    branches = ", ".join(f"{group} {mode}" for group, mode in c.branches.items())
-    if branches:
-        lines.append(_proof("branches", str(len(c.branches)), True, branches=branches))
+    kept = [rule for rule in c.branches.values() if rule]
+    if kept:
+        lines.append(_proof("branches", str(len(kept)), True, branches="; ".join(kept)))
     return [*lines, _proof("kernel", str(c.poses), True, poses=c.poses, kernel=c.kernel)]
 
 

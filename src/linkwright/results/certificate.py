@@ -48,7 +48,7 @@ class Certificate:
     rank: int
     loops: int
     nearest: Nearest | None
-    branches: dict[str, str]
+    branches: dict[str, str]  # the assembly rule that each group keeps; empty where it has one mode only
     poses: int
     kernel: str
 
@@ -342,7 +342,7 @@ class _Prover:
 
     def branches(self) -> dict[str, str]:
         branches = self.compiled.assembly.branches
-        return {group.label: f"{branches.get(group, 1.0):+.0f}" for group in self.structure.groups}
+        return {group.label: group.rule(branches.get(group, 1.0)) for group in self.structure.groups}
 
 
 def _pose_rows(link: str) -> list[str]:

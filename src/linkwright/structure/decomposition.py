@@ -53,7 +53,15 @@ class Group:
     @property
     def modes(self) -> int:
         """The number of assembly modes."""
-        return REGISTRY[self.signature].modes
+        return len(REGISTRY[self.signature].rules) or 1
+
+    def rule(self, branch: float) -> str:
+        """The assembly rule that states a branch, as a file spells it; empty where there is one mode only."""
+        if self.modes == 1:
+            return ""
+        first, second = (c.joint for c in self.outer)
+        template = REGISTRY[self.signature].rules[0 if branch > 0 else 1]
+        return template.format(inner=self.inner.joint, first=first, second=second)
 
     @property
     def label(self) -> str:

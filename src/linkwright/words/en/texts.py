@@ -37,7 +37,7 @@ TEXTS: dict[str, str] = {
     "proof.nearest": "Distance from a singular pose",
     "proof.nearest.text": "The smallest determinant of a group, 1 at best and 0 at a dead centre or change point: group {group} at t = {time}.",
     "proof.branches": "Assembly modes",
-    "proof.branches.text": "Each group keeps its mode over the whole run: {branches}.",
+    "proof.branches.text": "Each group with two modes keeps its own over the whole run: {branches}.",
     "proof.kernel": "Kernel",
     "proof.kernel.text": "{poses} poses by the {kernel} kernel.",
     # Plots.
