@@ -50,7 +50,8 @@ def examine_file(path: Path) -> Examined:
         return Examined(findings=source.findings)
     examined = examine_document(document, path.parent)
     examined.findings = [
-        finding if finding.line else finding.located(source.line(finding.path)) for finding in examined.findings
+        finding if finding.line else finding.located(source.line(finding.path))
+        for finding in examined.findings
     ]
     return examined
 
@@ -94,6 +95,8 @@ class Job:
 
 def perform(examined: Examined) -> Job:
     """Perform the studies of an examined file; none where something is wrong with it."""
+    if not examined.tasks and not examined.findings:
+        examined.findings.append(Finding("study.none", ("studies",)))
     job = Job(examined)
     if examined.exit_code == 0 and examined.compiled is not None:
         for task in examined.tasks:

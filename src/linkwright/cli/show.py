@@ -15,6 +15,7 @@ from linkwright.app import Examined, Job
 from linkwright.model.findings import Finding
 from linkwright.model.units import TIME
 from linkwright.report.build import measure
+from linkwright.report.data import MeasureValue
 from linkwright.report.facts import checks, facts
 from linkwright.words import say
 
@@ -50,7 +51,9 @@ def finding(item: Finding, file: Path | None = None) -> None:
     place = f"{file}:{item.line}: " if file and item.line else f"{file}: " if file else ""
     element = f"{item.element}: " if item.element else ""
     style = _STYLES[item.severity]
-    err.print(f"{escape(place)}[{style}]{item.severity}[/] {escape(element + item.what)} [dim]\\[{item.code}][/]")
+    err.print(
+        f"{escape(place)}[{style}]{item.severity}[/] {escape(element + item.what)} [dim]\\[{item.code}][/]"
+    )
     err.print(f"    {escape(item.mend)}")
 
 
@@ -90,8 +93,13 @@ def job(done: Job) -> None:
 def _table(*columns: str) -> Table:
     table = Table(box=None, header_style="bold", padding=(0, 2, 0, 0))
     for column in columns:
-        table.add_column(say(f"cli.column.{column}"), overflow="fold", justify="right" if column in _NUMBERS else "left")
+        table.add_column(
+            say(f"cli.column.{column}"), overflow="fold", justify="right" if column in _NUMBERS else "left"
+        )
     return table
+
+
+_NOTHING: MeasureValue = {"label": "", "value": None, "at": ""}
 
 
 def _measures(done: Job) -> None:
@@ -103,7 +111,7 @@ def _measures(done: Job) -> None:
     for m in done.cycle.measures:
         entry = measure(m, second, time_unit)
         verdict = {True: f"[green]{say('cli.met')}[/]", False: f"[bold red]{say('cli.not_met')}[/]", None: ""}
-        for i, value in enumerate(entry["values"] or [{"label": "", "value": None, "at": ""}]):
+        for i, value in enumerate(entry["values"] or [_NOTHING]):
             name = " ".join(filter(None, (m.name, value["label"])))
             number = "-" if value["value"] is None else f"{value['value']:.7g}"
             last = (entry["requirement"] or "", verdict[m.verdict]) if i == 0 else ("", "")

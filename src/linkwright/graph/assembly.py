@@ -47,7 +47,9 @@ class _Assembler:
         drives = {name: Jet([value]) for name, value in start.items()}
         self.motion = Motion(self.structure, self.geometry, 0)
         try:
-            self.assembly.start = solve_motion(self.structure, self.geometry, drives, self.branch, self.motion)
+            self.assembly.start = solve_motion(
+                self.structure, self.geometry, drives, self.branch, self.motion
+            )
         except _CannotStart:
             return self.assembly
         for name in self.rules.keys() - self.used:
@@ -61,15 +63,26 @@ class _Assembler:
         """The branch of a group reached at the start pose. Raises :class:`_CannotStart` when it can't close there."""
         branch = 1.0
         if group.modes > 1:
-            found = [(name, value) for name, rule in self.rules.items() if (value := self.rule(name, rule, group, dyad))]
+            found = [
+                (name, value)
+                for name, rule in self.rules.items()
+                if (value := self.rule(name, rule, group, dyad))
+            ]
             self.used |= {name for name, _ in found}
             signs = {math.copysign(1.0, value) for _, value in found if not math.isnan(value)}
             if len(signs) == 1:
                 branch = signs.pop()
             elif len(signs) > 1:
-                self.note("assembly.contradiction", ("assembly", found[0][0]), rules=", ".join(n for n, _ in found))
+                self.note(
+                    "assembly.contradiction", ("assembly", found[0][0]), rules=", ".join(n for n, _ in found)
+                )
             elif not found:
-                self.note("assembly.missing", ("assembly",), links=", ".join(group.links), options=self.options(group))
+                self.note(
+                    "assembly.missing",
+                    ("assembly",),
+                    links=", ".join(group.links),
+                    options=self.options(group),
+                )
             self.assembly.branches[group] = branch
         if (shortfall := dyad.shortfall()) is not None:
             data = shortfall_data(self.quantities, group, *shortfall)
@@ -103,7 +116,9 @@ class _Assembler:
     def along(self, name: str, rule: AssemblyRule, group: Group) -> float:
         """Rules along a slide: of the inner pin on an outer slide, or between the two outer pins."""
         sign = 1.0 if rule.word == "ahead" else -1.0
-        pins = [self.pin_names(c.joint) if c.letter == "R" else {c.joint} for c in (*group.outer, group.inner)]
+        pins = [
+            self.pin_names(c.joint) if c.letter == "R" else {c.joint} for c in (*group.outer, group.inner)
+        ]
         if group.signature == "RRP" and name in pins[2] and rule.along in pins[1]:
             return sign if rule.reference[0] in pins[0] else self._wrong(name, group)
         if group.signature == "RPR" and rule.along == group.inner.joint:

@@ -228,7 +228,7 @@ def _component(at: Vec, signal: Signal) -> Scalar:
     return jet.d[_LETTERS[signal.attribute[:-1]]]
 
 
-
 _ROWS: dict[str, Callable[[_View, Signal], Scalar]] = {
-    kind: getattr(_View, kind) for kind in ("link", "point", "com", "slide", "drive", "force", "shaking", "energy")
+    kind: getattr(_View, kind)
+    for kind in ("link", "point", "com", "slide", "drive", "force", "shaking", "energy")
 }

@@ -31,7 +31,11 @@ class Motion:
 
 
 def solve_motion(
-    structure: Structure, geometry: Geometry, drives: dict[str, Jet], branch: Branch, motion: Motion | None = None
+    structure: Structure,
+    geometry: Geometry,
+    drives: dict[str, Jet],
+    branch: Branch,
+    motion: Motion | None = None,
 ) -> Motion:
     """Run the steps: ``drives`` gives each drive's value and rates, ``branch`` each group's assembly branch.
 
@@ -84,7 +88,9 @@ def _same_angle(motion: Motion, step: Group, body: Body, other: Body) -> Body:
         return body
     link, on = step.links if body is motion.dyads[step][1].first else step.links[::-1]
     joint = step.inner.joint
-    angle = other.angle + motion.geometry.heading_angle(joint, on) - motion.geometry.heading_angle(joint, link)
+    angle = (
+        other.angle + motion.geometry.heading_angle(joint, on) - motion.geometry.heading_angle(joint, link)
+    )
     return Body(body.anchor, body.local, body.axis, body.turn, angle)
 
 

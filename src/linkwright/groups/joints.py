@@ -8,7 +8,7 @@ position, velocity, acceleration and jerk, and by duality the equilibrium.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.planar import turning_axis
@@ -41,9 +41,11 @@ class Twist:
 class Outer(Protocol):
     """An outer joint: places its link from a coordinate, and tells the freedom it leaves."""
 
-    letter: str
+    @property
+    def letter(self) -> str:
+        """R for a pin, P for a line."""
 
-    def place(self, start: Scalar | Turn, rates: Jet) -> Body:
+    def place(self, start: Any, rates: Jet) -> Body:
         """The link's motion from its coordinate: the value now, and the rates (q', q'', ...)."""
 
     def twist(self, body: Body) -> Twist:
@@ -138,7 +140,10 @@ class InnerLine:
         """d(gap)/d(coordinates)."""
         normal = a.direction(self.first_heading).perp.now
         point = b.point(self.second).now
-        return (-first.turn, second.turn), (-first.velocity(point).dot(normal), second.velocity(point).dot(normal))
+        return (-first.turn, second.turn), (
+            -first.velocity(point).dot(normal),
+            second.velocity(point).dot(normal),
+        )
 
     def action(self, a: Body, b: Body, multipliers: tuple[Scalar, Scalar]) -> Wrench:
         """The wrench on the first link that the closure's multipliers stand for."""

@@ -59,7 +59,11 @@ class _Reader:
             if isinstance(part, Name | Call) and is_signal(part):
                 self.findings.append(Finding("drive.signal", path, {"name": getattr(part, "text", "force")}))
                 return None
-            if isinstance(part, Call) and part.name in self.quantities.mechanism.tables and not self._table(part.name, path):
+            if (
+                isinstance(part, Call)
+                and part.name in self.quantities.mechanism.tables
+                and not self._table(part.name, path)
+            ):
                 return None
         law = self._expression(name, node)
         try:
@@ -89,7 +93,9 @@ class _Reader:
                     value = evaluate(node, named, called)
             except OutsideTable as error:
                 data = {"drive": drive, "at": error.at, "low": error.low, "high": error.high}
-                raise ModelError([Finding("drive.outside-table", ("drives", drive, "position"), data)]) from None
+                raise ModelError(
+                    [Finding("drive.outside-table", ("drives", drive, "position"), data)]
+                ) from None
             except ZeroDivisionError:
                 value = np.nan
             jet = value if isinstance(value, Jet) else Jet.constant(value, ORDER)
@@ -151,7 +157,9 @@ def read_table(quantities: Quantities, name: str, folder: Path | None) -> TableL
     if period is not None and period < points[-1, 0] - points[0, 0] - 1e-12 * abs(period):
         raise ModelError([Finding("table.period", path, {})])
     whole = period is not None and np.isclose(points[-1, 0] - points[0, 0], period, rtol=1e-12)
-    if whole and not np.isclose(points[-1, 1], points[0, 1], rtol=1e-9, atol=1e-12 * float(np.ptp(points[:, 1]) or 1)):
+    if whole and not np.isclose(
+        points[-1, 1], points[0, 1], rtol=1e-9, atol=1e-12 * float(np.ptp(points[:, 1]) or 1)
+    ):
         raise ModelError([Finding("table.not-closed", path, {})])
     if whole:
         points[-1, 1] = points[0, 1]
@@ -183,5 +191,7 @@ def _file_rows(table: Table, name: str, folder: Path | None) -> tuple[list[list[
                 except (TypeError, ValueError):
                     raise ModelError([Finding("table.not-number", path, {"row": number})]) from None
     except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise ModelError([Finding("table.unreadable", path, {"file": table.file, "reason": str(error)[:100]})]) from None
+        raise ModelError(
+            [Finding("table.unreadable", path, {"file": table.file, "reason": str(error)[:100]})]
+        ) from None
     return rows, argument

@@ -1,11 +1,11 @@
-"""The arithmetic of model files: numbers with units, names, calls; parsed here, never executed.
+"""The arithmetic of model files: numbers with units, names, calls; parsed and walked, never executed.
 
     expression = term {("+" | "-") term}
     term       = factor {("*" | "/") factor}
     factor     = ["+" | "-"] power
     power      = primary ["^" factor]
     primary    = number [unit] | name {"." name} | name "(" arguments ")" {"." name} | "(" expression ")"
-    unit       = word ["^" integer] {("*" | "/") word ["^" integer]}
+    unit       = word ["^" digit] {("*" | "/") word ["^" digit]}
 
 A unit binds to the number before it, so ``1/20 mm`` is 1/(20 mm).
 """
@@ -13,251 +13,44 @@ A unit binds to the number before it, so ``1/20 mm`` is 1/(20 mm).
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
-from functools import lru_cache
+from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 from linkwright.laws.step import step5
-from linkwright.model.units import is_unit
+from linkwright.model.parser import ExpressionError, parse
+from linkwright.model.trees import (
+    Binary,
+    Call,
+    Name,
+    Negative,
+    Node,
+    Number,
+    is_signal,
+    nodes,
+    signal_text,
+    text_of,
+)
 from linkwright.notation import Jet
 from linkwright.notation.jets import call
 
-MAX_TEXT = 2000
-MAX_DEPTH = 60
-
-
-class ExpressionError(ValueError):
-    """The text is not an expression; the message says why in a few words."""
-
-
-@dataclass(frozen=True)
-class Number:
-    """A literal; ``unit`` is ``None`` for a bare number, whose unit then comes from where it stands."""
-
-    value: float
-    unit: str | None = None
-
-
-@dataclass(frozen=True)
-class Name:
-    """A parameter (``AB``), the time ``t``, ``pi``, or a signal (``E.x``)."""
-
-    text: str
-
-
-@dataclass(frozen=True)
-class Call:
-    """A function or table of its arguments; with ``attribute``, a signal such as ``force(a, b).x``."""
-
-    name: str
-    args: tuple[Node, ...]
-    attribute: str | None = None
-
-
-@dataclass(frozen=True)
-class Negative:
-    of: Node
-
-
-@dataclass(frozen=True)
-class Binary:
-    op: str
-    left: Node
-    right: Node
-
-
-Node = Number | Name | Call | Negative | Binary
-
-_TOKEN = re.compile(
-    r"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)"
-    r"|(?P<word>[^\W\d][\w']*|°|µm|%)"
-    r"|(?P<op>\*\*|[-+*/^().,]))"
-)
-
-
-@dataclass
-class _Parser:
-    text: str
-    shadowed: Callable[[str], bool]
-    tokens: list[tuple[str, str]] = field(default_factory=list)
-    at: int = 0
-    depth: int = 0
-
-    def scan(self) -> None:
-        position, text = 0, self.text.rstrip()
-        while position < len(text):
-            match = _TOKEN.match(text, position)
-            if match is None:
-                raise ExpressionError(f"unexpected character {text[position:].lstrip()[:1]!r}")
-            kind = match.lastgroup or ""
-            value = match.group(kind)
-            self.tokens.append((kind, "^" if value == "**" else value))
-            position = match.end()
-        self.tokens.append(("end", ""))
-
-    @property
-    def token(self) -> tuple[str, str]:
-        return self.tokens[self.at]
-
-    def take(self, *ops: str) -> str | None:
-        kind, value = self.token
-        if kind == "op" and value in ops:
-            self.at += 1
-            return value
-        return None
-
-    def expect(self, op: str) -> None:
-        if self.take(op) is None:
-            raise ExpressionError(f"{op!r} expected" + (f" before {self.token[1]!r}" if self.token[1] else " at the end"))
-
-    def whole(self) -> Node:
-        self.scan()
-        node = self.expression()
-        if self.token[0] != "end":
-            raise ExpressionError(f"an operator is missing before {self.token[1]!r}")
-        return node
-
-    def expression(self) -> Node:
-        self.depth += 1
-        if self.depth > MAX_DEPTH:
-            raise ExpressionError("nested too deeply")
-        node = self.term()
-        while op := self.take("+", "-"):
-            node = Binary(op, node, self.term())
-        self.depth -= 1
-        return node
-
-    def term(self) -> Node:
-        node = self.factor()
-        while op := self.take("*", "/"):
-            node = Binary(op, node, self.factor())
-        return node
-
-    def factor(self) -> Node:
-        sign = 1
-        while op := self.take("+", "-"):
-            sign = -sign if op == "-" else sign
-        node = self.power()
-        return node if sign > 0 else Negative(node)
-
-    def power(self) -> Node:
-        node = self.primary()
-        if self.take("^"):
-            self.depth += 1
-            if self.depth > MAX_DEPTH:
-                raise ExpressionError("nested too deeply")
-            node = Binary("^", node, self.factor())
-            self.depth -= 1
-        return node
-
-    def primary(self) -> Node:
-        kind, value = self.token
-        self.at += 1
-        if kind == "number":
-            return Number(_finite(value), self.unit())
-        if kind == "word":
-            return self.named(value)
-        if (kind, value) == ("op", "("):
-            node = self.expression()
-            self.expect(")")
-            return node
-        raise ExpressionError(f"a value expected before {value!r}" if value else "a value expected at the end")
-
-    def named(self, word: str) -> Node:
-        if self.take("("):
-            args = [self.expression()]
-            while self.take(","):
-                args.append(self.expression())
-            self.expect(")")
-            return Call(word, tuple(args), self.word() if self.take(".") else None)
-        while self.take("."):
-            word = f"{word}.{self.word()}"
-        return Name(word)
-
-    def word(self) -> str:
-        kind, value = self.token
-        if kind != "word":
-            raise ExpressionError("a name expected after '.'")
-        self.at += 1
-        return value
-
-    def unit(self) -> str | None:
-        kind, value = self.token
-        if kind != "word":
-            return None
-        if not is_unit(value):
-            raise ExpressionError(f"unknown unit {value!r}")
-        self.at += 1
-        unit = value + self.unit_power()
-        while self.token in (("op", "*"), ("op", "/")) and self._unit_follows():
-            op = self.token[1]
-            self.at += 2
-            unit += op + self.tokens[self.at - 1][1] + self.unit_power()
-        return unit
-
-    def unit_power(self) -> str:
-        if self.token != ("op", "^"):
-            return ""
-        kind, value = self.tokens[self.at + 1]
-        if kind != "number" or not value.isdigit():
-            raise ExpressionError("a unit's power must be a whole number")
-        self.at += 2
-        return f"^{value}"
-
-    def _unit_follows(self) -> bool:
-        kind, value = self.tokens[self.at + 1]
-        after = self.tokens[self.at + 2] if self.at + 2 < len(self.tokens) else ("end", "")
-        return kind == "word" and is_unit(value) and not self.shadowed(value) and after not in (("op", "("), ("op", "."))
-
-
-def _finite(text: str) -> float:
-    value = float(text)
-    if not math.isfinite(value):
-        raise ExpressionError(f"{text} is too large")
-    return value
-
-
-# After "mm*" or "mm/" these one-letter words are the time and nothing else; tonnes are written "tonne".
-_NEVER_UNITS = frozenset({"t", "pi"})
-
-
-@lru_cache(maxsize=4096)
-def parse(text: str) -> Node:
-    """The syntax tree of ``text``. Raises :class:`ExpressionError` with a short reason."""
-    if len(text) > MAX_TEXT:
-        raise ExpressionError(f"longer than {MAX_TEXT} characters")
-    if not text.strip():
-        raise ExpressionError("empty")
-    return _Parser(text, _NEVER_UNITS.__contains__).whole()
-
-
-def nodes(node: Node) -> Iterator[Node]:
-    """The node and all nodes below it."""
-    yield node
-    below: tuple[Node, ...] = ()
-    if isinstance(node, Call):
-        below = node.args if node.attribute is None else ()
-    elif isinstance(node, Negative):
-        below = (node.of,)
-    elif isinstance(node, Binary):
-        below = (node.left, node.right)
-    for child in below:
-        yield from nodes(child)
-
-
-def signal_text(node: Name | Call) -> str:
-    """The canonical spelling of a signal: ``E.x``, ``force(frame, crank).x``."""
-    if isinstance(node, Name):
-        return node.text
-    args = ", ".join(signal_text(arg) if isinstance(arg, Name | Call) else "?" for arg in node.args)
-    return f"{node.name}({args}).{node.attribute}"
-
-
-def is_signal(node: Node) -> bool:
-    """Whether the node names a signal of the mechanism rather than a parameter or a function."""
-    return (isinstance(node, Name) and "." in node.text) or (isinstance(node, Call) and node.attribute is not None)
+__all__ = [
+    "FUNCTIONS",
+    "Binary",
+    "Call",
+    "ExpressionError",
+    "Function",
+    "Name",
+    "Negative",
+    "Node",
+    "Number",
+    "evaluate",
+    "is_signal",
+    "nodes",
+    "parse",
+    "signal_text",
+    "text_of",
+]
 
 
 def _elementary(name: str) -> Callable[..., Any]:
@@ -291,7 +84,7 @@ class Function:
     apply: Callable[..., Any]
 
 
-# The rules of dimensions, used by model.dimensions: "trig" takes an angle and gives a pure number, "angle"
+# The rules of dimensions, used by model.forms: "trig" takes an angle and gives a pure number, "angle"
 # the reverse; "pure" maps pure to pure; "same" gives what it takes; "ratio" an angle of two alike; "root".
 FUNCTIONS: dict[str, Function] = {
     **{name: Function(1, "trig", _elementary(name)) for name in ("sin", "cos", "tan")},
@@ -311,9 +104,10 @@ FUNCTIONS: dict[str, Function] = {
 
 
 def evaluate(node: Node, name: Callable[[Name], Any], other: Callable[[Call], Any] | None = None) -> Any:
-    """The value of a bound tree (numbers in SI): ``name`` gives names' values, ``other`` tables' and signals'.
+    """The value of a bound tree (numbers in SI): ``name`` gives names' values, ``other`` tables and signals.
 
-    Works alike on floats, NumPy arrays inside jets, and CasADi symbols.
+    Works alike on floats, NumPy arrays inside jets, and CasADi symbols. Of floats, what has no finite real
+    value (1/0, (-1)^0.5) comes out as NaN or infinity.
     """
     if isinstance(node, Number):
         return node.value
@@ -325,16 +119,36 @@ def evaluate(node: Node, name: Callable[[Name], Any], other: Callable[[Call], An
         if node.attribute is None and node.name in FUNCTIONS:
             return FUNCTIONS[node.name].apply(*(evaluate(arg, name, other) for arg in node.args))
         if other is None:
-            raise ExpressionError(f"{node.name} can't stand here")
+            raise ExpressionError("place", name=node.name)
         return other(node)
     left, right = evaluate(node.left, name, other), evaluate(node.right, name, other)
     return _OPERATORS[node.op](left, right)
+
+
+def _quotient(a: Any, b: Any) -> Any:
+    if isinstance(b, int | float) and b == 0:
+        return a * math.nan
+    return a / b
+
+
+def _power(a: Any, b: Any) -> Any:
+    if isinstance(b, int | float) and not math.isfinite(b):
+        return a * math.nan
+    if not (isinstance(a, int | float) and isinstance(b, int | float)):
+        return a**b
+    try:
+        value = float(a) ** float(b)
+    except OverflowError:
+        return math.inf
+    except ZeroDivisionError:
+        return math.nan
+    return math.nan if isinstance(value, complex) else value
 
 
 _OPERATORS: dict[str, Callable[[Any, Any], Any]] = {
     "+": lambda a, b: a + b,
     "-": lambda a, b: a - b,
     "*": lambda a, b: a * b,
-    "/": lambda a, b: a / b,
-    "^": lambda a, b: a**b,
+    "/": _quotient,
+    "^": _power,
 }

@@ -10,7 +10,30 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from linkwright.words import say
+from linkwright.words import catalogue
+
+
+def _say(key: str, data: Mapping[str, Any]) -> str:
+    return catalogue()[key].format_map(data)
+
+
+class Term:
+    """A phrase of the catalogue inside a finding's data: it becomes words only when the finding is said."""
+
+    def __init__(self, key: str, **data: Any) -> None:
+        self.key, self.data = key, data
+
+    def __str__(self) -> str:
+        return _say(f"term.{self.key}", self.data)
+
+    def __repr__(self) -> str:
+        return f"Term({self.key!r})"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Term) and (self.key, self.data) == (other.key, other.data)
+
+    def __hash__(self) -> int:
+        return hash(self.key)
 
 
 @dataclass(frozen=True)
@@ -33,11 +56,13 @@ class Finding:
 
     @property
     def what(self) -> str:
-        return say(f"{self.code}.what", **self.data)
+        """What is wrong and why, in a sentence."""
+        return _say(f"{self.code}.what", self.data)
 
     @property
     def mend(self) -> str:
-        return say(f"{self.code}.mend", **self.data)
+        """How to mend it."""
+        return _say(f"{self.code}.mend", self.data)
 
     def located(self, line: int | None) -> Finding:
         """The same finding with its line."""
@@ -66,6 +91,9 @@ class ModelError(Exception):
     def __init__(self, findings: Iterable[Finding]) -> None:
         self.findings = tuple(findings)
         super().__init__("\n".join(str(finding) for finding in self.findings))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (ModelError, (self.findings,))
 
 
 def raise_errors(findings: Iterable[Finding]) -> None:

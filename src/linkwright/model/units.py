@@ -17,7 +17,7 @@ _WORDS = {
     **{w: w for w in ("m", "mm", "cm", "dm", "km", "um", "nm", "ft", "kg", "g", "mg", "lb", "s", "ms", "min")},
     **{w: w for w in ("rad", "mrad", "deg", "rpm", "Hz", "kHz", "N", "mN", "kN", "MN", "lbf", "kgf")},
     **{w: w for w in ("Pa", "kPa", "MPa", "GPa", "hPa", "bar", "mbar", "psi", "J", "mJ", "kJ", "W", "mW", "kW")},
-    "in": "inch", "inch": "inch", "h": "hour", "us": "us", "µm": "um", "°": "deg", "rev": "revolution",
+    "in": "inch", "inch": "inch", "h": "hour", "us": "us", "µm": "um", "μm": "um", "°": "deg", "rev": "revolution",
     "r": "revolution", "turn": "revolution", "tonne": "metric_ton", "Nm": "N*m", "Nmm": "N*mm", "kNm": "kN*m",
     "arcmin": "arcminute", "arcsec": "arcsecond", "%": "percent",
 }  # fmt: skip
@@ -87,18 +87,39 @@ def _registry() -> Any:
     return pint.UnitRegistry(cache_folder=None)
 
 
+MAX_POWER = 9
+"""The highest power that a unit may carry."""
+
+_FACTOR = r"[^\s*/^0-9]+(?:\^[1-9])?"
+_UNIT = re.compile(rf"\s*(?:1\s*/\s*)?{_FACTOR}(?:\s*[*/]\s*{_FACTOR})*\s*")
+
+
 @lru_cache(maxsize=512)
 def unit(text: str) -> tuple[float, Dimension]:
-    """The SI value of one ``text`` (such as ``mm``, ``N*m``, ``r/min``) and its dimension."""
+    """The SI value of one ``text`` (such as ``mm``, ``N*m``, ``1/s``, ``r/min``) and its dimension.
+
+    Raises :class:`UnitError` with the word that isn't a unit, or the whole text where its form is wrong.
+    """
+    if text.strip() in ("", "1"):
+        return 1.0, PURE
+    if not _UNIT.fullmatch(text):
+        raise UnitError(text.strip())
     factor, dimension, op = 1.0, PURE, "*"
-    for word, power_text, next_op in re.findall(r"([^\s*/^]+)(?:\^(\d+))?\s*([*/]?)\s*", text):
+    for word, power_text, next_op in re.findall(r"([^\s*/^]+)(?:\^(\d))?\s*([*/]?)\s*", text):
         if word != "1":
             one, of = _word(word)
             power = int(power_text or 1) * (1 if op == "*" else -1)
             factor *= one**power
             dimension = dimension.times(of, power)
         op = next_op
+    if not 1e-60 < factor < 1e60:
+        raise UnitError(text.strip())
     return factor, dimension
+
+
+def words_of(text: str) -> list[str]:
+    """The words of a unit, in order: ``N*m/s^2`` has N, m and s."""
+    return re.findall(r"[^\s*/^0-9]+", text)
 
 
 @lru_cache(maxsize=256)
@@ -129,13 +150,14 @@ _BUILT_IN: dict[str, tuple[float, Dimension]] = {
 def spelled(dimension: Dimension, declared: dict[str, str], strict: bool = True) -> str:
     """The unit of a dimension in the declared words; undeclared bases are an error, or SI if not ``strict``.
 
-    Torque follows from force and length when it isn't declared itself.
+    Torque follows from force and length when it isn't declared itself. Raises :class:`UnitError` with the
+    base that isn't declared (``length``), or with an empty text where no unit is usual for the dimension.
     """
     if dimension == ENERGY:
         return "J"
     if dimension == POWER:
         return "W"
-    recipe = _RECIPES.get(dimension) or _RECIPES.get(dimension.physical)
+    recipe = _RECIPES.get(dimension) or _RECIPES.get(dimension.physical) or _composed(dimension)
     if recipe is None:
         raise UnitError("")
     words: dict[str, str] = {}
@@ -149,3 +171,23 @@ def spelled(dimension: Dimension, declared: dict[str, str], strict: bool = True)
             word = _SI[base]
         words[base] = word
     return recipe.format(**words)
+
+
+def _composed(dimension: Dimension) -> str | None:
+    """The recipe of a dimension without mass in whole powers; with mass it could go by force or by mass."""
+    powers = {name: power for name, power in dimension._asdict().items() if power}
+    if dimension.mass or any(Fraction(p).denominator != 1 or abs(p) > MAX_POWER for p in powers.values()):
+        return None
+    over = [_raised(name, power) for name, power in powers.items() if power > 0]
+    under = [_raised(name, -power) for name, power in powers.items() if power < 0]
+    return "/".join(["*".join(over) or "1", *under])
+
+
+def _raised(name: str, power: Fraction | int) -> str:
+    return f"{{{name}}}" + (f"^{power}" if power != 1 else "")
+
+
+def si_text(dimension: Dimension) -> str:
+    """Any dimension in base units, for messages: ``m^2*kg``; empty for a pure number."""
+    words = zip(("m", "kg", "s", "rad"), dimension, strict=True)
+    return "*".join(word if power == 1 else f"{word}^{power}" for word, power in words if power)

@@ -35,7 +35,13 @@ def call(name: str, *args: Scalar) -> Scalar:
         if type(arg).__module__.startswith("casadi"):
             import casadi
 
-            aliases = {"arctan2": "atan2", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "abs": "fabs"}
+            aliases = {
+                "arctan2": "atan2",
+                "arcsin": "asin",
+                "arccos": "acos",
+                "arctan": "atan",
+                "abs": "fabs",
+            }
             return getattr(casadi, aliases.get(name, name))(*args)
     return getattr(np, name)(*args)
 

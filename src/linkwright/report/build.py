@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +13,7 @@ from linkwright.model.document import dump
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.model.units import LENGTH, TIME
-from linkwright.report.data import Failure, Joint, Link, Measure, Plot, ReportData, Scene, Trace
+from linkwright.report.data import Failure, Joint, Link, Measure, Plot, Pose, ReportData, Scene, Series, Trace
 from linkwright.report.facts import checks, facts
 from linkwright.results import Result
 from linkwright.structure import FRAME
@@ -22,9 +23,13 @@ from linkwright.words import LANGUAGE, catalogue, say
 Array = NDArray[np.float64]
 
 
+MAX_STEPS = 800
+"""Poses in a report: enough for any screen, few enough for a page that opens at once."""
+
+
 def report_data(document: Document, outcome: CycleOutcome) -> ReportData:
     """Everything that the report of a run shows, in the file's units."""
-    result = outcome.result
+    result = outcome.result.thinned(MAX_STEPS)
     quantities = result.run.compiled.quantities
     time_unit, second = quantities.unit_of(TIME)
     nearest = result.certificate.nearest if result.certificate else None
@@ -64,14 +69,11 @@ def scene(result: Result) -> Scene:
     links: list[Link] = []
     for name, entry in compiled.mechanism.links.items():
         points = {p: [c / size for c in geometry.point(name, p)] for p in entry.points}
-        if name == FRAME:
-            pose = {"x": [0.0], "y": [0.0], "c": [1.0], "s": [0.0]}
-        else:
-            pose = {
-                key: _listed(poses[f"{name}:{row}"] / scale)
-                for key, row, scale in (("x", "x", size), ("y", "y", size), ("c", "cos", 1.0), ("s", "sin", 1.0))
-            }
-        links.append({"name": name, "fixed": name == FRAME, "points": points, "pose": pose})  # type: ignore[typeddict-item]
+        pose: Pose = {"x": [0.0], "y": [0.0], "c": [1.0], "s": [0.0]}
+        if name != FRAME:
+            x, y, c, s = (poses[f"{name}:{row}"] for row in ("x", "y", "cos", "sin"))
+            pose = {"x": _listed(x / size), "y": _listed(y / size), "c": _listed(c), "s": _listed(s)}
+        links.append({"name": name, "fixed": name == FRAME, "points": points, "pose": pose})
     return {
         "length_unit": unit,
         "time": (result.t / second).tolist(),
@@ -96,7 +98,13 @@ def _joints(result: Result) -> list[Joint]:
         angles = [float(geometry.heading_angle(name, link)) for link in joint.links]
         points = [line.point for line in joint.line]
         found.append(
-            {"name": name, "kind": "prismatic", "links": list(joint.links), "points": points, "angles": angles}
+            {
+                "name": name,
+                "kind": "prismatic",
+                "links": list(joint.links),
+                "points": points,
+                "angles": angles,
+            }
         )
     return found
 
@@ -163,13 +171,13 @@ def plots(result: Result) -> list[Plot]:
     return [plot for plot in found if plot is not None]
 
 
-def _plot(result: Result, title: str, group: str, names: Sequence[str]) -> Plot | None:
+def _plot(result: Result, title: str, group: Literal["motion", "force"], names: Sequence[str]) -> Plot | None:
     """A plot of some signals of one unit; ``None`` where all of them stay zero."""
     shown = [(name, *result.shown(name)) for name in names]
     if not any(_largest(values) > 0 for _, values, _ in shown):
         return None
-    series = [{"name": name, "values": _listed(values)} for name, values, _ in shown]
-    return {"title": title, "group": group, "unit": shown[0][2], "series": series}  # type: ignore[typeddict-item]
+    series: list[Series] = [{"name": name, "values": _listed(values)} for name, values, _ in shown]
+    return {"title": title, "group": group, "unit": shown[0][2], "series": series}
 
 
 def _largest(values: Array) -> float:
@@ -181,7 +189,12 @@ def _largest(values: Array) -> float:
 def measure(m: MeasureResult, second: float, time_unit: str) -> Measure:
     """A line of the table of measures."""
     entry, reduction = m.measure, m.measure.reduction
-    data = {"reduction": reduction, "signal": m.measure.signal.text, "window": entry.window, "where": entry.where}
+    data = {
+        "reduction": reduction,
+        "signal": m.measure.signal.text,
+        "window": entry.window,
+        "where": entry.where,
+    }
     key = "measure.text.where" if entry.where else "measure.text.window" if entry.window else "measure.text"
     return {
         "name": m.name,

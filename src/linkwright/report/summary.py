@@ -52,7 +52,12 @@ def certificate_entry(result: Result, second: float, time_unit: str) -> dict[str
     c: Certificate | None = result.certificate
     if c is None:
         return None
-    entry: dict[str, Any] = dict(c.residuals)
+    entry: dict[str, Any] = {
+        "closure": c.closure,
+        "equilibrium": c.equilibrium,
+        "power": c.power,
+        "work": c.work,
+    }
     entry |= {"mobility": c.mobility, "gruebler": c.gruebler, "rank": c.rank, "loops": c.loops}
     if c.nearest is not None:
         entry["smallest_determinant"] = c.nearest.determinant

@@ -37,12 +37,13 @@ class Certificate:
     equilibrium: worst force or moment left on any link, the frame too, over the largest force (or its moment).
     power: worst sum of drive, load, gravity and inertia power, over the sum of their sizes.
     work: work of drives and loads less the change of energy over the run, over the work's and energies' sizes.
+    The last three are ``None`` where no link has mass and nothing loads it: there is nothing to balance.
     """
 
     closure: float
-    equilibrium: float
-    power: float
-    work: float
+    equilibrium: float | None
+    power: float | None
+    work: float | None
     mobility: int
     gruebler: int
     rank: int
@@ -54,8 +55,9 @@ class Certificate:
 
     @property
     def residuals(self) -> dict[str, float]:
-        """The four relative residuals by name."""
-        return {name: getattr(self, name) for name in ("closure", "equilibrium", "power", "work")}
+        """The relative residuals by name, those that say something."""
+        every = {name: getattr(self, name) for name in ("closure", "equilibrium", "power", "work")}
+        return {name: value for name, value in every.items() if value is not None}
 
     def sound(self, tolerance: float = 1e-9) -> bool:
         """Whether every residual is below ``tolerance``."""
@@ -80,12 +82,13 @@ class _Prover:
         t = self.run.t
         self.look(t)
         rank = self.rank()
+        loaded = bool(self.masses or self.mechanism.loads)
         topology = self.topology
         return Certificate(
             closure=self.closure(),
-            equilibrium=self.equilibrium(),
-            power=self.power(),
-            work=self.work(),
+            equilibrium=self.equilibrium() if loaded else None,
+            power=self.power() if loaded else None,
+            work=self.work() if loaded else None,
             mobility=3 * len(topology.moving) - rank,
             gruebler=topology.gruebler,
             rank=rank,
@@ -131,7 +134,9 @@ class _Prover:
 
     def at(self, link: str, local: Any) -> Array:
         """A link's point in the frame: (2, poses)."""
-        start = np.zeros((2, 1)) if link == FRAME else np.array([self.rows[f"{link}:x"], self.rows[f"{link}:y"]])
+        start = (
+            np.zeros((2, 1)) if link == FRAME else np.array([self.rows[f"{link}:x"], self.rows[f"{link}:y"]])
+        )
         return start + self.turned(link, local)
 
     def pinned(self, link: str, pin: str) -> Array:

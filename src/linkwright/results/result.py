@@ -43,6 +43,13 @@ class Result:
         """The sampled times (s)."""
         return self.run.t
 
+    def thinned(self, steps: int) -> Result:
+        """The same run looked at on at most ``steps`` steps, for a drawing."""
+        if self.run.steps <= steps:
+            return self
+        run = Run(self.run.compiled, self.run.start, self.run.stop, steps)
+        return Result(run, self.failures, self.certificate)
+
     @cached_property
     def names(self) -> tuple[str, ...]:
         """All signals of the mechanism."""

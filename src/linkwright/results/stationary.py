@@ -9,40 +9,42 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-MAX_STEPS = 1 << 15
+FIRST_STEPS, LATEST_FIRST, MAX_STEPS = 1 << 6, 1 << 12, 1 << 15
 NOISE = 1e-10
 """A rate below this share of its largest magnitude doesn't count as a sign."""
 
 
-def stationary(rates: Callable[[Array], tuple[Array, Array]], start: float, stop: float, steps: int) -> list[Array]:
+def stationary(
+    rates: Callable[[Array], tuple[Array, Array]], start: float, stop: float, steps: int
+) -> list[Array]:
     """The times in ``start`` .. ``stop`` at which each row's rate changes sign, to round-off.
 
-    ``rates(t)`` gives (values, rates), each (rows, times). The grid starts at ``steps`` and is doubled until each
+    ``rates(t)`` gives (values, rates), each (rows, times). The grid starts near ``steps`` and is doubled until each
     row's count of brackets has stayed the same twice; rows that only vary by round-off have none.
     """
-    counts: list[list[int]] = []
-    while True:
-        t = np.linspace(start, stop, steps + 1)
-        values, slopes = rates(t)
-        brackets = [_brackets(t, v, s) for v, s in zip(values, slopes, strict=True)]
-        counts.append([len(b) for b in brackets])
-        if (len(counts) > 2 and counts[-1] == counts[-2] == counts[-3]) or steps >= MAX_STEPS:
-            break
-        steps *= 2
-    return _roots(lambda at: rates(at)[1], brackets)
+
+    def look(t: Array) -> list[Array]:
+        return [_brackets(t, v, s) for v, s in zip(*rates(t), strict=True)]
+
+    return _roots(lambda at: rates(at)[1], _settled(look, start, stop, steps))
 
 
 def crossings(values: Callable[[Array], Array], start: float, stop: float, steps: int) -> Array:
     """The times at which one function of time changes sign, found the same way without its rate."""
-    counts: list[int] = []
+    brackets = _settled(lambda t: [_sign_changes(t, values(t))], start, stop, steps)
+    return _roots(lambda at: values(at)[None, :], brackets)[0]
+
+
+def _settled(look: Callable[[Array], list[Array]], start: float, stop: float, steps: int) -> list[Array]:
+    """The brackets that ``look`` finds on a grid, doubled until their counts have stayed the same twice."""
+    counts: list[list[int]] = []
+    steps = min(max(steps, FIRST_STEPS), LATEST_FIRST)
     while True:
-        t = np.linspace(start, stop, steps + 1)
-        brackets = _sign_changes(t, values(t))
-        counts.append(len(brackets))
+        brackets = look(np.linspace(start, stop, steps + 1))
+        counts.append([len(b) for b in brackets])
         if (len(counts) > 2 and counts[-1] == counts[-2] == counts[-3]) or steps >= MAX_STEPS:
-            break
+            return brackets
         steps *= 2
-    return _roots(lambda at: values(at)[None, :], [brackets])[0]
 
 
 def _brackets(t: Array, values: Array, slopes: Array) -> Array:
@@ -73,5 +75,10 @@ def _roots(f: Callable[[Array], Array], brackets: list[Array]) -> list[Array]:
     def chosen(t: Array, row: Array) -> Array:
         return np.asarray(f(t.ravel())[row.ravel(), np.arange(t.size)].reshape(t.shape))
 
-    result = find_root(chosen, (ends[:, 0], ends[:, 1]), args=(rows,), tolerances={"xatol": 0.0, "xrtol": 4e-16, "fatol": 0.0, "frtol": 0.0})
+    result = find_root(
+        chosen,
+        (ends[:, 0], ends[:, 1]),
+        args=(rows,),
+        tolerances={"xatol": 0.0, "xrtol": 4e-16, "fatol": 0.0, "frtol": 0.0},
+    )
     return [np.sort(result.x[rows == row]) for row in range(len(brackets))]

@@ -114,10 +114,18 @@ class _Search:
             options = self.topology.driven(name)
             if not options:
                 kind = "revolute" if drive.turns else "prismatic"
-                self.note("structure.drive-no-joint", ("drives", name), link=drive.link, on=drive.on, joint=kind)
+                self.note(
+                    "structure.drive-no-joint", ("drives", name), link=drive.link, on=drive.on, joint=kind
+                )
             elif len(options) > 1:
                 joints = ", ".join(c.joint for c in options)
-                self.note("structure.drive-two-joints", ("drives", name), link=drive.link, on=drive.on, joints=joints)
+                self.note(
+                    "structure.drive-two-joints",
+                    ("drives", name),
+                    link=drive.link,
+                    on=drive.on,
+                    joints=joints,
+                )
             else:
                 self.joints[name] = options[0]
 
@@ -156,7 +164,11 @@ class _Search:
             for inner in self.topology.connections:
                 if {inner.a, inner.b} != {a, b} or inner.joint in pinned or not self.free(inner):
                     continue
-                if len(hanging[a]) == 1 and len(hanging[b]) == 1 and (group := _dyad(a, hanging[a][0], inner, hanging[b][0], b)):
+                if (
+                    len(hanging[a]) == 1
+                    and len(hanging[b]) == 1
+                    and (group := _dyad(a, hanging[a][0], inner, hanging[b][0], b))
+                ):
                     self.steps.append(group)
                     self.known += group.links
                     return True
@@ -202,10 +214,12 @@ class _Search:
         for pin in self.topology.pins.values():
             within = sum(link in part for link in pin.links)
             joints += within - (0 if any(link in self.known for link in pin.links) else 1) if within else 0
-        joints += sum(
-            c.letter == "P" and (c.a in part or c.b in part) for c in self.topology.connections
+        joints += sum(c.letter == "P" and (c.a in part or c.b in part) for c in self.topology.connections)
+        driven = sum(
+            self.topology.mechanism.drives[name].link in part
+            or self.topology.mechanism.drives[name].on in part
+            for name in self.joints
         )
-        driven = sum(self.topology.mechanism.drives[name].link in part or self.topology.mechanism.drives[name].on in part for name in self.joints)
         return 3 * len(part) - 2 * joints - driven
 
     def parts(self, left: list[str]) -> Iterator[list[str]]:

@@ -27,13 +27,15 @@ class CycleOptions(Frozen):
     period: Expression | None = Field(None, description="the motion's period: it must close")
     duration: Expression | None = Field(None, description="how long the run lasts")
     turns: str | None = Field(None, description="'2 engine': so many turns of a drive of constant speed")
-    samples: int = Field(200, ge=2, le=1_000_000, description="number of equal steps; rows are samples + 1")
+    samples: int = Field(200, ge=2, le=100_000, description="number of equal steps; rows are samples + 1")
 
     @model_validator(mode="after")
     def _one_length(self) -> CycleOptions:
         given = [name for name in ("period", "duration", "turns") if getattr(self, name) is not None]
         if len(given) != 1:
-            raise fault("study.options", study="cycle", key="period", reason="give one of period, duration, turns")
+            raise fault(
+                "study.options", study="cycle", key="period", reason="give one of period, duration, turns"
+            )
         return self
 
 
@@ -97,7 +99,9 @@ def span(compiled: Compiled, options: CycleOptions) -> tuple[float, list[Finding
     except DimensionError as error:
         return 0.0, [Finding(error.key, path, error.data)]
     if not 0 < seconds < 1e12:
-        return 0.0, [Finding("study.options", path, {"study": "cycle", "key": "period", "reason": "must be positive"})]
+        return 0.0, [
+            Finding("study.options", path, {"study": "cycle", "key": "period", "reason": "must be positive"})
+        ]
     return seconds, []
 
 

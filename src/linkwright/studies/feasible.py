@@ -77,8 +77,12 @@ def drive_value(run: Run, time: float) -> dict[str, Any]:
 
 def _cannot_assemble(run: Run, group: Group, start: float, stop: float, worst: float) -> Finding:
     compiled = run.compiled
-    values = {name: float(np.asarray(law(np.array([worst])).d[0]).flat[0]) for name, law in compiled.laws.items()}
-    distance, limit = shortfall_at(compiled.quantities, compiled.structure, compiled.assembly.branches, values, group)
+    values = {
+        name: float(np.asarray(law(np.array([worst])).d[0]).flat[0]) for name, law in compiled.laws.items()
+    }
+    distance, limit = shortfall_at(
+        compiled.quantities, compiled.structure, compiled.assembly.branches, values, group
+    )
     data = shortfall_data(compiled.quantities, group, distance, limit)
     ends = [drive_value(run, time) for time in (start, stop)]
     data |= {"length_unit": data["unit"], "drive": ends[0]["drive"], "unit": ends[0]["unit"]}
@@ -90,6 +94,10 @@ def singular(run: Run, nearest: Nearest | None) -> list[Finding]:
     """A finding where the run passes through a singular pose of a group."""
     if nearest is None or nearest.determinant > SINGULAR:
         return []
-    data = {"group": nearest.group, "time": f"{nearest.time:.6g}", "determinant": f"{nearest.determinant:.2g}"}
+    data = {
+        "group": nearest.group,
+        "time": f"{nearest.time:.6g}",
+        "determinant": f"{nearest.determinant:.2g}",
+    }
     link = nearest.group.split("-")[0]
     return [Finding("motion.singular", ("links", link), data | drive_value(run, nearest.time))]

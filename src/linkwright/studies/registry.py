@@ -52,14 +52,22 @@ def read_studies(raw: Mapping[str, Mapping[str, Any]]) -> tuple[list[Task], list
     for name, entry in raw.items():
         study = STUDIES.get(name)
         if study is None:
-            findings.append(Finding("study.unknown", ("studies", name), {"name": name, "near": near(name, [*STUDIES])}))
+            findings.append(
+                Finding("study.unknown", ("studies", name), {"name": name, "near": near(name, [*STUDIES])})
+            )
             continue
         try:
             tasks.append(Task(study, study.options.model_validate(entry)))
         except ValidationError as error:
-            from linkwright.model.document import fault_finding
-
-            findings += [
-                fault_finding(fault, ("studies", name), study.options) for fault in error.errors(include_url=False)
-            ]
+            findings += [_wrong_option(name, fault) for fault in error.errors(include_url=False)]
     return tasks, findings
+
+
+def _wrong_option(study: str, fault: Any) -> Finding:
+    """A fault of an option as a finding: its own where the option has one, else what the type wants."""
+    path = ("studies", study, *fault["loc"])
+    if fault["type"] == "finding":
+        context = dict(fault["ctx"])
+        return Finding(context.pop("code"), path, context)
+    key = ".".join(map(str, fault["loc"]))
+    return Finding("study.options", path, {"study": study, "key": key, "reason": fault["msg"]})

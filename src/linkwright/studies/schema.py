@@ -10,13 +10,14 @@ from linkwright.studies.registry import STUDIES
 
 def file_schema() -> dict[str, Any]:
     """The schema that editors complete from."""
-    schema = json_schema()
+    schema: dict[str, Any] = json_schema()
     known: dict[str, Any] = {}
     for name, study in STUDIES.items():
         options = study.options.model_json_schema(by_alias=True)
         schema.setdefault("$defs", {}).update(options.pop("$defs", {}))
         known[name] = options
-    schema["properties"]["studies"] = {
+    properties: dict[str, Any] = schema["properties"]
+    properties["studies"] = {
         "type": "object",
         "description": "what to do with the mechanism, by study",
         "properties": known,

@@ -1,0 +1,89 @@
+"""Times of the main job, as figures and as ratios within one run: ``python3 dev.py bench [--json]``.
+
+The paper feeder: compile, 200 poses of full kinetostatics, a million poses of the 18 outputs of a design study
+(docs/performance.md), the command line. Machines differ and are noisy: hold ratios against each other, not seconds.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+import linkwright as lw
+from linkwright.kernels import KERNELS
+
+ROOT = Path(__file__).resolve().parent.parent
+FEEDER = ROOT / "examples" / "paper_feeder.yaml"
+
+OUTPUTS = [
+    *("C.x", "C.y", "E.x", "E.y", "E.vx", "E.vy", "E.ax", "E.ay"),
+    *("coupler.omega", "rocker.omega", "coupler.alpha", "rocker.alpha"),
+    *("force(frame, crank).x", "force(frame, crank).y", "force(coupler, rocker).x", "force(coupler, rocker).y"),
+    *("force(guide, slider).x", "motor.torque"),
+]
+
+
+def median(action: Callable[[], object], times: int) -> float:
+    """The median time of an action (s), one warm-up apart."""
+    action()
+    seconds = []
+    for _ in range(times):
+        start = time.perf_counter()
+        action()
+        seconds.append(time.perf_counter() - start)
+    return statistics.median(seconds)
+
+
+def command(*words: str) -> Callable[[], object]:
+    """A run of the command line in a process of its own."""
+    return lambda: subprocess.run([sys.executable, "-m", "linkwright", *words], check=True, capture_output=True)
+
+
+def measure(poses: int) -> dict[str, float]:
+    """All figures by name; the unit ends the name."""
+    document = lw.load(FEEDER)
+    compiled = lw.compile(document)
+    every = [signal.text for signal in compiled.quantities.signals.all()]
+    t = np.linspace(0.0, 1.5, 200)
+    figures = {
+        "compile_ms": 1e3 * median(lambda: lw.compile(document).graph.program(OUTPUTS), 9),
+        "poses_200_full_ms": 1e3 * median(lambda: compiled.evaluate(every, t), 9),
+        "poses_200_full_cold_ms": 1e3 * median(lambda: lw.compile(document).evaluate(every, t), 5),
+    }
+    kernel = KERNELS["numpy"](compiled.graph.program(OUTPUTS))
+    x = compiled.inputs(np.linspace(0.0, 1.5, poses))
+    out = np.empty((len(OUTPUTS), poses))
+    figures["numpy_ns_per_pose"] = 1e9 / poses * median(lambda: kernel.run(x, compiled.parameters, out), 5)
+    figures["fill_ns_per_pose"] = 1e9 / poses * median(lambda: out.fill(1.0), 5)
+    figures["numpy_over_fill"] = figures["numpy_ns_per_pose"] / figures["fill_ns_per_pose"]
+    with tempfile.TemporaryDirectory() as folder:
+        figures["help_s"] = median(command("--help"), 5)
+        figures["run_with_report_s"] = median(command("run", str(FEEDER), "--out", folder), 5)
+    return figures
+
+
+def main() -> None:
+    """Print the figures, as a table or as JSON."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--json", action="store_true", help="print JSON")
+    parser.add_argument("--poses", type=int, default=1_000_000, help="poses of the kernel's figure")
+    options = parser.parse_args()
+    figures = measure(options.poses)
+    if options.json:
+        print(json.dumps(figures, indent=2))
+        return
+    for name, value in figures.items():
+        print(f"{name:28s} {value:10.4g}")
+
+
+if __name__ == "__main__":
+    main()

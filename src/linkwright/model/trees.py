@@ -1,0 +1,121 @@
+"""The syntax trees of expressions: numbers with units, names, calls, operations."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Number:
+    """A literal; ``unit`` is ``None`` for a bare number, whose unit then comes from where it stands."""
+
+    value: float
+    unit: str | None = None
+
+
+@dataclass(frozen=True)
+class Name:
+    """A parameter (``AB``), the time ``t``, ``pi``, or a signal (``E.x``)."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Call:
+    """A function or table of its arguments; with ``attribute``, a signal such as ``force(a, b).x``."""
+
+    name: str
+    args: tuple[Node, ...]
+    attribute: str | None = None
+
+
+@dataclass(frozen=True)
+class Negative:
+    """A value with its sign changed."""
+
+    of: Node
+
+
+@dataclass(frozen=True)
+class Binary:
+    """``+``, ``-``, ``*``, ``/`` or ``^`` of two values."""
+
+    op: str
+    left: Node
+    right: Node
+
+
+Node = Number | Name | Call | Negative | Binary
+
+
+def children(node: Node) -> tuple[Node, ...]:
+    """The nodes right below; the names inside a signal's brackets are part of its own name."""
+    if isinstance(node, Call):
+        return node.args if node.attribute is None else ()
+    if isinstance(node, Negative):
+        return (node.of,)
+    return (node.left, node.right) if isinstance(node, Binary) else ()
+
+
+def nodes(node: Node) -> Iterator[Node]:
+    """The node and all nodes below it, from left to right."""
+    todo = [node]
+    while todo:
+        top = todo.pop()
+        yield top
+        todo += reversed(children(top))
+
+
+def height(node: Node) -> int:
+    """The number of levels of a tree."""
+    levels, front = 0, [node]
+    while front:
+        levels += 1
+        front = [child for top in front for child in (top.args if isinstance(top, Call) else children(top))]
+    return levels
+
+
+def is_signal(node: Node) -> bool:
+    """Whether the node names a signal of the mechanism rather than a parameter or a function."""
+    if isinstance(node, Name):
+        return "." in node.text
+    return isinstance(node, Call) and node.attribute is not None
+
+
+def signal_text(node: Name | Call) -> str:
+    """The canonical spelling of a signal: ``E.x``, ``force(frame, crank).x``."""
+    if isinstance(node, Name):
+        return node.text
+    args = ", ".join(signal_text(arg) if isinstance(arg, Name | Call) else "?" for arg in node.args)
+    return f"{node.name}({args})" + (f".{node.attribute}" if node.attribute else "")
+
+
+_LEVELS = {"+": 1, "-": 1, "*": 2, "/": 2, "^": 4}
+
+
+def text_of(node: Node) -> str:
+    """A readable text of a tree, for messages; it parses to the same tree."""
+    return _text(node)[0]
+
+
+def _text(node: Node) -> tuple[str, int]:
+    """The text and how tightly its outermost operation binds."""
+    if isinstance(node, Number):
+        return f"{node.value:.12g}" + (f" {node.unit}" if node.unit else ""), 5
+    if isinstance(node, Name):
+        return node.text, 5
+    if isinstance(node, Negative):
+        return "-" + _within(node.of, 3), 3
+    if isinstance(node, Binary):
+        level = _LEVELS[node.op]
+        left, right = (level, level + 1) if level < 4 else (level + 1, 3)
+        space = " " if level < 3 else ""
+        return f"{_within(node.left, left)}{space}{node.op}{space}{_within(node.right, right)}", level
+    args = ", ".join(text_of(arg) for arg in node.args)
+    return f"{node.name}({args})" + (f".{node.attribute}" if node.attribute else ""), 5
+
+
+def _within(node: Node, least: int) -> str:
+    text, level = _text(node)
+    return text if level >= least else f"({text})"
