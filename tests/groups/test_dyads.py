@@ -129,7 +129,8 @@ def built(example: Example) -> np.ndarray:
 def usable(dyad: Dyad, branch: float, least: float = 0.01) -> bool:
     """Whether the closed form stands and the normalised determinant is over ``least``."""
     try:
-        determinant = float(dyad.solve(branch, 0).determinant)
+        with np.errstate(all="ignore"):
+            determinant = float(dyad.solve(branch, 0).determinant)
     except (ZeroDivisionError, ValueError):
         return False
     return abs(determinant) > least
@@ -139,7 +140,7 @@ def branches(signature: str) -> tuple[float, ...]:
     return (1.0, -1.0) if REGISTRY[signature].rules else (1.0,)
 
 
-def each(count: int = 60) -> Any:
+def each(count: int = 40) -> Any:
     """Run a test for every dyad in the registry, drawing inside it, as the example depends on the signature."""
 
     def mark(test: Any) -> Any:
@@ -162,9 +163,9 @@ def distances(example: Example) -> float:
 
 
 def draw_usable(data: Any, signature: str, least: float = 0.01) -> tuple[Example, Dyad, float]:
-    """An example away from a singular pose, and a branch of it."""
+    """An example away from a singular pose, with no arm very short against the others, and a branch of it."""
     example = data.draw(examples(signature))
-    assume(distances(example) > 0.05)
+    assume(distances(example) > 0.3)
     dyad, branch = example.dyad(0.0), data.draw(st.sampled_from(branches(signature)))
     assume(usable(dyad, branch, least))
     return example, dyad, branch
@@ -183,15 +184,16 @@ def _bodies(dyad: Dyad, branch: float) -> tuple[Body, Body]:
     return solved.first, solved.second
 
 
-@each(150)
+@each(100)
 def test_closed_form_agrees_with_newton(signature: str, data: Any) -> None:
+    """To 1e-12 of the pose's extent, wherever the normalised determinant is over 0.01."""
     _, dyad, branch = draw_usable(data, signature)
     bodies = _bodies(dyad, branch)
     nudge = data.draw(st.floats(-1e-3, 1e-3))
     start = tuple(_nudged(q, nudge) for q in coordinates(dyad, branch))
     twin = dyad.newton(start)
     extent = max(1.0, np.abs(places(bodies)).max())
-    assert np.abs(places(twin) - places(bodies)).max() < TOLERANCE * extent / 0.01
+    assert np.abs(places(twin) - places(bodies)).max() < TOLERANCE * extent
 
 
 def _nudged(q: Any, by: float) -> Any:
@@ -205,7 +207,7 @@ def test_closure_holds_at_the_root(signature: str, data: Any) -> None:
     gaps = [abs(float(gap.d[0])) for gap in dyad.inner.gap(a, b)]
     extent = max(1.0, np.abs(places((a, b))).max())
     assert max(gaps) < TOLERANCE * extent
-    assert all(abs(math.hypot(*body.axis.now) - 1.0) < TOLERANCE * 100 for body in (a, b))
+    assert all(abs(math.hypot(*body.axis.now) - 1.0) < TOLERANCE for body in (a, b))
 
 
 @each()
@@ -227,11 +229,10 @@ def test_the_other_branch_is_the_other_mode(signature: str, data: Any) -> None:
     assert max(abs(float(gap.d[0])) for gap in gaps) < 1e-11
 
 
-@each(40)
+@each(25)
 def test_rates_are_the_derivatives_of_the_root(signature: str, data: Any) -> None:
     """Each order against differences of the order below, the bases moving: 1e-8 where the determinant is over 0.3."""
     example, dyad, branch = draw_usable(data, signature, least=0.3)
-    assume(distances(example) > 0.2)
 
     def rows(t: float, k: int) -> np.ndarray:
         solved = example.dyad(t).solve(branch, ORDER)
@@ -301,7 +302,7 @@ def test_shortfall_tells_where_the_group_cannot_close(signature: str, data: Any)
     )
     dyad = other.dyad(0.0)
     try:
-        with np.errstate(invalid="ignore"):
+        with np.errstate(all="ignore"):
             reach = float(dyad.root(1.0).reach)
     except ZeroDivisionError:
         return

@@ -100,9 +100,7 @@ def test_loads_silently_and_asks_for_nothing(show: Any, report: ReportData) -> N
 
 
 @pytest.mark.parametrize("index", [0, 37, 120, 200])
-def test_slider_moves_the_pins_to_their_computed_places(
-    show: Any, report: ReportData, feeder: Any, index: int
-) -> None:
+def test_slider_moves_the_pins_to_their_computed_places(show: Any, report: ReportData, feeder: Any, index: int) -> None:
     view = show(report)
     view.slider.fill(str(index))
     # The ground pivots A and D give scale and origin: nothing is taken from the drawing's own figures.
@@ -115,9 +113,7 @@ def test_slider_moves_the_pins_to_their_computed_places(
         assert abs(view.pin(name) - expected) < 0.3, name
 
 
-def test_between_samples_the_drawing_stays_closed(
-    show: Any, report: ReportData, coarse: tuple[Any, Scene]
-) -> None:
+def test_between_samples_the_drawing_stays_closed(show: Any, report: ReportData, coarse: tuple[Any, Scene]) -> None:
     """With 26 poses a cycle, chords would leave the crank's circle by 0.8 % of its radius."""
     feeder, report["scene"] = coarse
     report["time"] = {"values": feeder.t.tolist(), "unit": "s", "label": "time"}
@@ -144,9 +140,7 @@ def test_slider_ties_every_visible_plot(show: Any, report: ReportData) -> None:
         assert line["x"] + line["width"] == pytest.approx(area["x"] + area["width"] * 60 / 200, abs=2)
 
 
-def test_pointing_into_a_plot_moves_the_mechanism_and_leaving_goes_back(
-    show: Any, report: ReportData
-) -> None:
+def test_pointing_into_a_plot_moves_the_mechanism_and_leaving_goes_back(show: Any, report: ReportData) -> None:
     view = show(report)
     view.slider.fill("20")
     over = view.page.locator(".u-over").first

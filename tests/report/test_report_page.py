@@ -67,9 +67,7 @@ def test_scripts_stay_whole(report: ReportData) -> None:
 def test_payload_is_what_was_given(report: ReportData) -> None:
     data = json.loads(Page(page(report)).payload)
     assert data["scene"] == json.loads(json.dumps(compact(report["scene"])))
-    assert data["plots"][0]["series"][0]["values"] == pytest.approx(
-        report["plots"][0]["series"][0]["values"], rel=1e-6
-    )
+    assert data["plots"][0]["series"][0]["values"] == pytest.approx(report["plots"][0]["series"][0]["values"], rel=1e-6)
     assert set(data["words"]) == set(SCRIPT_WORDS)
 
 
@@ -143,8 +141,7 @@ def test_size_of_a_large_report(report: ReportData) -> None:
     rng = np.random.default_rng(1)
     series = [{"name": f"s{i}", "values": (rng.normal(size=201) * 1e3).tolist()} for i in range(60)]
     report["plots"] = [
-        {"title": f"plot {i}", "group": "motion", "unit": "mm", "series": series[3 * i : 3 * i + 3]}
-        for i in range(20)
+        {"title": f"plot {i}", "group": "motion", "unit": "mm", "series": series[3 * i : 3 * i + 3]} for i in range(20)
     ]
     assert len(page(report).encode()) < 400_000
 

@@ -50,8 +50,7 @@ def examine_file(path: Path) -> Examined:
         return Examined(findings=source.findings)
     examined = examine_document(document, path.parent)
     examined.findings = [
-        finding if finding.line else finding.located(source.line(finding.path))
-        for finding in examined.findings
+        finding if finding.line else finding.located(source.line(finding.path)) for finding in examined.findings
     ]
     return examined
 

@@ -51,9 +51,7 @@ def finding(item: Finding, file: Path | None = None) -> None:
     place = f"{file}:{item.line}: " if file and item.line else f"{file}: " if file else ""
     element = f"{item.element}: " if item.element else ""
     style = _STYLES[item.severity]
-    err.print(
-        f"{escape(place)}[{style}]{item.severity}[/] {escape(element + item.what)} [dim]\\[{item.code}][/]"
-    )
+    err.print(f"{escape(place)}[{style}]{item.severity}[/] {escape(element + item.what)} [dim]\\[{item.code}][/]")
     err.print(f"    {escape(item.mend)}")
 
 

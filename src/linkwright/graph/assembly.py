@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any
+
+import numpy as np
 
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, solve_motion
@@ -47,11 +50,18 @@ class _Assembler:
         drives = {name: Jet([value]) for name, value in start.items()}
         self.motion = Motion(self.structure, self.geometry, 0)
         try:
-            self.assembly.start = solve_motion(
-                self.structure, self.geometry, drives, self.branch, self.motion
-            )
+            with np.errstate(all="ignore"):
+                solve_motion(self.structure, self.geometry, drives, self.branch, self.motion)
         except _CannotStart:
             return self.assembly
+        except ZeroDivisionError:
+            self.degenerate(self.current)
+            return self.assembly
+        vague = [g for g, (_, solved) in self.motion.dyads.items() if not math.isfinite(solved.determinant)]
+        if vague:
+            self.degenerate(vague[0])
+            return self.assembly
+        self.assembly.start = self.motion
         for name in self.rules.keys() - self.used:
             self.note("assembly.unused", ("assembly", name), point=name)
         return self.assembly
@@ -59,23 +69,24 @@ class _Assembler:
     def note(self, code: str, path: tuple[str, ...], **data: Any) -> None:
         self.assembly.findings.append(Finding(code, path, data))
 
+    def degenerate(self, group: Group) -> None:
+        joints = ", ".join(c.joint for c in group.joints)
+        self.note("assembly.degenerate", ("links", group.links[0]), links=" and ".join(group.links), joints=joints)
+
     def branch(self, group: Group, dyad: Dyad) -> float:
         """The branch of a group reached at the start pose. Raises :class:`_CannotStart` when it can't close there."""
+        self.current = group
         branch = 1.0
         if group.modes > 1:
             found = [
-                (name, value)
-                for name, rule in self.rules.items()
-                if (value := self.rule(name, rule, group, dyad))
+                (name, value) for name, rule in self.rules.items() if (value := self.rule(name, rule, group, dyad))
             ]
             self.used |= {name for name, _ in found}
             signs = {math.copysign(1.0, value) for _, value in found if not math.isnan(value)}
             if len(signs) == 1:
                 branch = signs.pop()
             elif len(signs) > 1:
-                self.note(
-                    "assembly.contradiction", ("assembly", found[0][0]), rules=", ".join(n for n, _ in found)
-                )
+                self.note("assembly.contradiction", ("assembly", found[0][0]), rules=", ".join(n for n, _ in found))
             elif not found:
                 self.note(
                     "assembly.missing",
@@ -116,9 +127,7 @@ class _Assembler:
     def along(self, name: str, rule: AssemblyRule, group: Group) -> float:
         """Rules along a slide: of the inner pin on an outer slide, or between the two outer pins."""
         sign = 1.0 if rule.word == "ahead" else -1.0
-        pins = [
-            self.pin_names(c.joint) if c.letter == "R" else {c.joint} for c in (*group.outer, group.inner)
-        ]
+        pins = [self.pin_names(c.joint) if c.letter == "R" else {c.joint} for c in (*group.outer, group.inner)]
         if group.signature == "RRP" and name in pins[2] and rule.along in pins[1]:
             return sign if rule.reference[0] in pins[0] else self._wrong(name, group)
         if group.signature == "RPR" and rule.along == group.inner.joint:
@@ -133,7 +142,7 @@ class _Assembler:
         return math.nan
 
     def four_bar(self, name: str, rule: AssemblyRule, group: Group, dyad: Dyad) -> float:
-        """Open: at the start pose the inner pin and the crank's fixed pin lie on opposite sides of the outer pins' line."""
+        """Open: at the start pose the inner pin lies across the outer pins' line from the four-bar's fourth pin."""
         first, second = dyad.first, dyad.second
         assert isinstance(first, OuterPin)
         assert isinstance(second, OuterPin)
@@ -218,8 +227,6 @@ def shortfall_at(
         return branches.get(group, 1.0)
 
     geometry = Geometry(quantities, quantities.parameters)
-    try:
+    with suppress(_CannotStart):
         solve_motion(structure, geometry, {name: Jet([value]) for name, value in drives.items()}, branch)
-    except _CannotStart:
-        pass
     return found[0] if found else (math.nan, math.nan)

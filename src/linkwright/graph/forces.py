@@ -37,9 +37,7 @@ class _Solver:
         self.motion = motion
         self.forces = Forces()
         self.carried: dict[tuple[str, str], Wrench] = {}
-        self.wrenches = {
-            link: own_wrench(motion, link, body) for link, body in motion.bodies.items() if link != FRAME
-        }
+        self.wrenches = {link: own_wrench(motion, link, body) for link, body in motion.bodies.items() if link != FRAME}
         self.wrenches[FRAME] = Wrench.zero(ZERO)
 
     def run(self) -> Forces:

@@ -79,9 +79,7 @@ class Geometry:
     def gravity(self) -> Pair:
         """The acceleration of gravity (m/s^2); zero unless the file gives it."""
         g = self.mechanism.gravity
-        return (
-            ZERO if g is None else Pair(self.number(g[0], u.ACCELERATION), self.number(g[1], u.ACCELERATION))
-        )
+        return ZERO if g is None else Pair(self.number(g[0], u.ACCELERATION), self.number(g[1], u.ACCELERATION))
 
     def load_point(self, load: Load) -> Pair:
         """Where a load acts, in its link's frame (m)."""

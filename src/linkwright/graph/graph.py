@@ -130,9 +130,7 @@ class _View:
         symbols = [ca.SX.sym(name) for name in graph.inputs]
         values = [ca.SX.sym(name) for name in graph.parameters]
         width = MAX_ORDER + 2
-        laws = {
-            drive: Jet(symbols[i * width : i * width + order + 1]) for i, drive in enumerate(graph.drives)
-        }
+        laws = {drive: Jet(symbols[i * width : i * width + order + 1]) for i, drive in enumerate(graph.drives)}
         branches = dict(zip(graph.branched, symbols[len(graph.drives) * width :], strict=True))
         geometry = Geometry(graph.quantities, dict(zip(graph.parameters, values, strict=True)))
         motion = solve_motion(graph.structure, geometry, laws, lambda group, _: branches.get(group, 1.0))
@@ -229,6 +227,5 @@ def _component(at: Vec, signal: Signal) -> Scalar:
 
 
 _ROWS: dict[str, Callable[[_View, Signal], Scalar]] = {
-    kind: getattr(_View, kind)
-    for kind in ("link", "point", "com", "slide", "drive", "force", "shaking", "energy")
+    kind: getattr(_View, kind) for kind in ("link", "point", "com", "slide", "drive", "force", "shaking", "energy")
 }

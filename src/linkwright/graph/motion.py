@@ -88,9 +88,7 @@ def _same_angle(motion: Motion, step: Group, body: Body, other: Body) -> Body:
         return body
     link, on = step.links if body is motion.dyads[step][1].first else step.links[::-1]
     joint = step.inner.joint
-    angle = (
-        other.angle + motion.geometry.heading_angle(joint, on) - motion.geometry.heading_angle(joint, link)
-    )
+    angle = other.angle + motion.geometry.heading_angle(joint, on) - motion.geometry.heading_angle(joint, link)
     return Body(body.anchor, body.local, body.axis, body.turn, angle)
 
 

@@ -24,9 +24,7 @@ class RPR(Dyad):
         radicand = square - across * across
         along = branch * call("sqrt", radicand)
         # The base vector is (along, across) in the line's frame: the line's direction follows.
-        heading = Pair(
-            (along * base.x + across * base.y) / square, (along * base.y - across * base.x) / square
-        )
+        heading = Pair((along * base.x + across * base.y) / square, (along * base.y - across * base.x) / square)
         return Root(
             heading.turned_back(self.inner.first_heading),
             heading.turned_back(self.inner.second_heading),

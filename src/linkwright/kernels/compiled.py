@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 
 from linkwright.graph.assembly import Assembly, assemble
 from linkwright.graph.graph import Graph
-from linkwright.kernels.laws import drive_laws
+from linkwright.kernels.laws import Law, drive_laws
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.model.check import check_names, check_values
 from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.quantities import Quantities
-from linkwright.notation import MAX_ORDER, Jet
-from linkwright.structure import Structure, decompose
+from linkwright.notation import MAX_ORDER
+from linkwright.structure import Structure, Topology, decompose
 
 Array = NDArray[np.float64]
 
@@ -31,7 +31,7 @@ class Compiled:
     quantities: Quantities
     structure: Structure
     assembly: Assembly
-    laws: dict[str, Callable[[Array], Jet]]
+    laws: dict[str, Law]
     kernel: str = "numpy"
     _kernels: dict[tuple[tuple[str, ...], bool], Kernel] = field(default_factory=dict)
 
@@ -67,16 +67,14 @@ def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled 
 
     The result is ``None`` where an error stops it.
     """
-    findings = check_names(mechanism)
-    quantities = Quantities(mechanism)
-    findings += [f for f in quantities.findings if not _said(f, findings)]
-    if not findings:
-        findings = check_values(quantities)
-    if findings:
-        return None, findings
-    structure = decompose(mechanism)
-    laws, faults = drive_laws(quantities, folder)
-    findings = [*structure.findings, *faults]
+    names, quantities = check_names(mechanism), Quantities(mechanism)
+    findings = [*names, *(f for f in quantities.findings if not _said(f, names))]
+    laws: dict[str, Law] = {}
+    if not quantities.findings:
+        laws, faults = drive_laws(quantities, folder)
+        findings += [*check_values(quantities), *faults]
+    structure = decompose(mechanism) if not names else Structure(Topology(mechanism), ())
+    findings += structure.findings
     if findings:
         return None, findings
     start = {name: float(np.asarray(law(np.zeros(1)).d[0]).flat[0]) for name, law in laws.items()}

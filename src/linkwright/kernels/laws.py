@@ -93,9 +93,7 @@ class _Reader:
                     value = evaluate(node, named, called)
             except OutsideTable as error:
                 data = {"drive": drive, "at": error.at, "low": error.low, "high": error.high}
-                raise ModelError(
-                    [Finding("drive.outside-table", ("drives", drive, "position"), data)]
-                ) from None
+                raise ModelError([Finding("drive.outside-table", ("drives", drive, "position"), data)]) from None
             except ZeroDivisionError:
                 value = np.nan
             jet = value if isinstance(value, Jet) else Jet.constant(value, ORDER)
@@ -157,9 +155,7 @@ def read_table(quantities: Quantities, name: str, folder: Path | None) -> TableL
     if period is not None and period < points[-1, 0] - points[0, 0] - 1e-12 * abs(period):
         raise ModelError([Finding("table.period", path, {})])
     whole = period is not None and np.isclose(points[-1, 0] - points[0, 0], period, rtol=1e-12)
-    if whole and not np.isclose(
-        points[-1, 1], points[0, 1], rtol=1e-9, atol=1e-12 * float(np.ptp(points[:, 1]) or 1)
-    ):
+    if whole and not np.isclose(points[-1, 1], points[0, 1], rtol=1e-9, atol=1e-12 * float(np.ptp(points[:, 1]) or 1)):
         raise ModelError([Finding("table.not-closed", path, {})])
     if whole:
         points[-1, 1] = points[0, 1]

@@ -8,7 +8,7 @@ from linkwright.notation import Jet
 
 
 def step5(x: Any, x0: Any, h0: Any, x1: Any, h1: Any) -> Any:
-    """From h0 at x0 to h1 at x1 by 10 u^3 - 15 u^4 + 6 u^5, constant outside; velocity and acceleration stay continuous.
+    """From h0 at x0 to h1 at x1 by 10 u^3 - 15 u^4 + 6 u^5, constant outside; smooth to the acceleration.
 
     Takes numbers or jets; the result has the dimension of h0 and h1.
     """

@@ -2,94 +2,58 @@
 
 from __future__ import annotations
 
-import math
 import re
-from collections.abc import Mapping
-from typing import Any, NoReturn, TypeVar
+from collections.abc import Callable
+from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict, GetCoreSchemaHandler, GetJsonSchemaHandler
-from pydantic_core import CoreSchema, PydanticCustomError, core_schema
+from pydantic import BeforeValidator, WithJsonSchema
 
 from linkwright.model.expressions import ExpressionError, Node, Number, parse
+from linkwright.model.written import (
+    Frozen,
+    FrozenDict,
+    Written,
+    check_name,
+    describe,
+    fault,
+    frozen,
+    plain_number,
+    short_text,
+    unexpected,
+)
 
-NAME = re.compile(r"^[^\W\d]\w*$")
-RESERVED = frozenset({"t", "pi", "start", "end"})
+__all__ = [
+    "AssemblyRule",
+    "Expression",
+    "Frozen",
+    "FrozenDict",
+    "LineOn",
+    "Name",
+    "Position",
+    "Requirement",
+    "Shape",
+    "Text",
+    "Written",
+    "check_name",
+    "describe",
+    "fault",
+    "frozen",
+    "pair",
+    "parse_text",
+]
+
+# Editors match patterns as ECMAScript does, where \w knows ASCII only: say what a name doesn't hold.
+_NO_WORD = r"\s.,:;+*/^()\[\]{}'\"<>=!?|&%@`#-"
+Name = Annotated[
+    str,
+    BeforeValidator(check_name),
+    WithJsonSchema({"type": "string", "pattern": f"^[^0-9{_NO_WORD}][^{_NO_WORD}]*$"}),
+]
+
+_NOT_NUMBERS = frozenset({"nan", "inf", "infinity", ".nan", ".inf"})
 
 
-def fault(code: str, **data: Any) -> PydanticCustomError:
-    """A validation error that becomes the finding ``code``."""
-    return PydanticCustomError("finding", "{code}", {"code": code, **data})  # type: ignore[arg-type]
-
-
-def check_name(name: str) -> str:
-    """A plain identifier (any script), not one of the reserved words."""
-    if not NAME.match(name) or name in RESERVED:
-        raise fault("file.bad-name", name=name)
-    return name
-
-
-class Frozen(BaseModel):
-    """Base of the model's parts: immutable, and an unknown key is a fault."""
-
-    model_config = ConfigDict(frozen=True, extra="forbid", populate_by_name=True, arbitrary_types_allowed=True)
-
-
-class FrozenDict(dict[str, Any]):
-    """A mapping that can't be changed."""
-
-    def _refuse(self, *_: Any, **__: Any) -> NoReturn:
-        raise TypeError("a mechanism is immutable; build a new one")
-
-    __setitem__ = __delitem__ = clear = pop = popitem = setdefault = update = _refuse  # type: ignore[assignment]
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return (FrozenDict, (dict(self),))
-
-
-T = TypeVar("T", bound="Written")
-
-
-class Written:
-    """A value that parses from what is written in the file and gives it back unchanged."""
-
-    __slots__ = ("raw",)
-    json_type: Any = {"type": "string"}
-
-    def __init__(self, raw: Any) -> None:
-        object.__setattr__(self, "raw", raw)
-        self.read(raw)
-
-    def read(self, raw: Any) -> None:
-        """Parse and store; raises :func:`fault`."""
-
-    def put(self, name: str, value: Any) -> None:
-        object.__setattr__(self, name, value)
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        raise TypeError("a mechanism is immutable; build a new one")
-
-    def __eq__(self, other: object) -> bool:
-        return type(self) is type(other) and self.raw == other.raw  # type: ignore[attr-defined]
-
-    def __hash__(self) -> int:
-        return hash((type(self), str(self.raw)))
-
-    def __repr__(self) -> str:
-        return f"{type(self).__name__}({self.raw!r})"
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return (type(self), (self.raw,))
-
-    @classmethod
-    def __get_pydantic_core_schema__(cls, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
-        return core_schema.no_info_plain_validator_function(
-            lambda raw: raw if isinstance(raw, cls) else cls(raw),
-            serialization=core_schema.plain_serializer_function_ser_schema(lambda value: value.raw),
-        )
-
-    @classmethod
-    def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
-        return dict(cls.json_type)
+Text = Annotated[str, BeforeValidator(short_text), WithJsonSchema({"type": "string"})]
 
 
 class Expression(Written):
@@ -100,17 +64,16 @@ class Expression(Written):
     node: Node
 
     def read(self, raw: Any) -> None:
-        if isinstance(raw, bool) or not isinstance(raw, int | float | str):
-            raise fault("file.expected", wanted="a number or an expression", given=describe(raw))
-        if isinstance(raw, int | float):
-            if not math.isfinite(raw):
-                raise fault("file.not-finite", given=raw)
-            self.put("node", parse_text(repr(raw)))
-        else:
-            self.put("node", parse_text(raw))
+        if not isinstance(raw, str):
+            raw = plain_number(raw, "expression")
+            self.put("raw", raw)
+        elif raw.strip().lstrip("+-").lower() in _NOT_NUMBERS:
+            raise fault("file.not-finite", given=raw.strip())
+        self.put("node", parse_text(str(raw)))
 
     @property
     def text(self) -> str:
+        """As it is written."""
         return str(self.raw)
 
     def bare_number(self) -> float | None:
@@ -123,20 +86,19 @@ def parse_text(text: str) -> Node:
     try:
         return parse(text)
     except ExpressionError as error:
-        raise fault("expression.syntax", text=text[:80], reason=str(error)) from None
+        short = text if len(text) <= 60 else text[:57] + "..."
+        raise fault("expression.syntax", text=short, reason=error.reason) from None
 
 
-def describe(raw: Any) -> str:
-    """What kind of value was given, in plain words."""
-    if raw is None:
-        return "nothing"
-    if isinstance(raw, bool):
-        return "true" if raw else "false"
-    if isinstance(raw, Mapping):
-        return "a mapping"
-    if isinstance(raw, list | tuple):
-        return f"a list of {len(raw)}"
-    return repr(raw)[:60]
+def pair(wanted: str) -> Callable[[Any], Any]:
+    """A validator of lists of two; ``wanted`` is the phrase that says what they hold."""
+
+    def check(raw: Any) -> Any:
+        if not isinstance(raw, list | tuple) or len(raw) != 2:
+            raise unexpected(wanted, raw)
+        return tuple(raw)
+
+    return check
 
 
 class Position(Written):
@@ -154,17 +116,17 @@ class Position(Written):
     polar: bool
 
     def read(self, raw: Any) -> None:
-        if isinstance(raw, str) and (parts := raw.split(" at ")) and len(parts) == 2:
+        if isinstance(raw, str) and len(parts := raw.split(" at ")) == 2:
             self.put("polar", True)
         elif isinstance(raw, list | tuple) and len(raw) == 2:
             parts = list(raw)
             self.put("polar", False)
         else:
-            raise fault("file.expected", wanted="[x, y] or 'r at angle'", given=describe(raw))
+            raise unexpected("position", raw)
         self.put("first", Expression(parts[0]))
         self.put("second", Expression(parts[1]))
-        if isinstance(raw, tuple):
-            self.put("raw", list(raw))
+        if not self.polar:
+            self.put("raw", (self.first.raw, self.second.raw))
 
 
 class LineOn(Written):
@@ -178,8 +140,8 @@ class LineOn(Written):
     def read(self, raw: Any) -> None:
         parts = raw.split(" at ") if isinstance(raw, str) else []
         if len(parts) != 2:
-            raise fault("file.expected", wanted="a line such as 'G at 90 deg'", given=describe(raw))
-        self.put("point", parts[0].strip())
+            raise unexpected("line", raw)
+        self.put("point", check_name(parts[0].strip()))
         self.put("angle", Expression(parts[1]))
 
 
@@ -187,17 +149,17 @@ class Shape(Written):
     """Where the mass sits: ``rod A-B`` (slender, uniform), ``disc 40 mm at A`` (radius), ``point E``."""
 
     __slots__ = ("form", "points", "radius")
-    json_type = {"type": "string", "pattern": "^(rod|disc|point) "}
+    json_type = {"type": "string", "pattern": "^\\s*(rod|disc|point) "}
     form: str
     points: tuple[str, ...]
     radius: Expression | None
 
-    _PATTERN = re.compile(r"^\s*(?:rod\s+(\w+)\s*-\s*(\w+)|disc\s+(.+?)\s+at\s+(\w+)|point\s+(\w+))\s*$")
+    _PATTERN = re.compile(r"\s*(?:rod\s+(\w+)\s*-\s*(\w+)|disc\s+(\S.*?)\s+at\s+(\w+)|point\s+(\w+))\s*", re.S)
 
     def read(self, raw: Any) -> None:
-        match = self._PATTERN.match(raw) if isinstance(raw, str) else None
+        match = self._PATTERN.fullmatch(raw) if isinstance(raw, str) else None
         if match is None:
-            raise fault("file.expected", wanted="'rod A-B', 'disc RADIUS at A' or 'point A'", given=describe(raw))
+            raise unexpected("shape", raw)
         start, end, radius, centre, single = match.groups()
         self.put("form", raw.split()[0])
         self.put("points", tuple(p for p in (start, end, centre, single) if p))
@@ -206,12 +168,12 @@ class Shape(Written):
 
 class AssemblyRule(Written):
     """Which way a group is put together: ``left of B-D``, ``right of B-D``, ``open``, ``crossed``,
-    ``ahead of B along rail``, ``behind B along rail``, or the point's position in a sketch pose ``[x, y]``."""
+    ``ahead of B along rail``, ``behind B along rail``, or the point's place ``[x, y]`` in a sketch pose."""
 
     __slots__ = ("along", "reference", "sketch", "word")
     json_type = {
         "anyOf": [
-            {"type": "string", "pattern": "^(left of|right of|ahead of|behind|open|crossed)"},
+            {"type": "string", "pattern": "^\\s*(left of|right of|ahead of|behind|open|crossed)"},
             {"type": "array", "items": {"type": ["number", "string"]}, "minItems": 2, "maxItems": 2},
         ]
     }
@@ -221,32 +183,36 @@ class AssemblyRule(Written):
     sketch: Position | None
 
     _PATTERN = re.compile(
-        r"^\s*(?:(left|right) of (\w+)\s*-\s*(\w+)|(ahead) of (\w+) along (\w+)|(behind) (?:of )?(\w+) along (\w+)"
-        r"|(open)|(crossed))\s*$"
+        r"\s*(?:(left|right) of (\w+)\s*-\s*(\w+)|(ahead) of (\w+) along (\w+)"
+        r"|(behind) (?:of )?(\w+) along (\w+)|(open)|(crossed))\s*"
     )
 
     def read(self, raw: Any) -> None:
         if isinstance(raw, list | tuple):
-            self._put("sketch", (), None, Position(raw))
+            sketch = Position(raw)
+            self.put("raw", sketch.raw)
+            self._put("sketch", (), None, sketch)
             return
-        match = self._PATTERN.match(raw) if isinstance(raw, str) else None
+        match = self._PATTERN.fullmatch(raw) if isinstance(raw, str) else None
         if match is None:
-            wanted = "'left of B-D', 'right of B-D', 'open', 'crossed', 'ahead of B along JOINT', 'behind B along JOINT' or [x, y]"
-            raise fault("file.expected", wanted=wanted, given=describe(raw))
+            raise unexpected("assembly", raw)
         words = [group for group in match.groups() if group]
         sliding = words[0] in ("ahead", "behind")
-        self._put(words[0], tuple(words[1:2] if sliding else words[1:]), words[2] if sliding else None, None)
+        along = words[2] if sliding else None
+        self._put(words[0], tuple(words[1:2] if sliding else words[1:]), along, None)
 
     def _put(self, word: str, reference: tuple[str, ...], along: str | None, sketch: Position | None) -> None:
-        for name, value in zip(("word", "reference", "along", "sketch"), (word, reference, along, sketch), strict=True):
-            self.put(name, value)
+        self.put("word", word)
+        self.put("reference", reference)
+        self.put("along", along)
+        self.put("sketch", sketch)
 
 
 class Requirement(Written):
     """A limit on a measure: ``>= 680 mm``, ``<= 5 N*m``, or a range ``10 mm .. 12 mm``."""
 
     __slots__ = ("high", "low")
-    json_type = {"type": "string"}
+    json_type = {"type": "string", "pattern": "^\\s*(>=|<=)|\\.\\."}
     low: Expression | None
     high: Expression | None
 
@@ -260,6 +226,11 @@ class Requirement(Written):
         elif ".." in text:
             low, high = (Expression(part) for part in text.split("..", 1))
         else:
-            raise fault("file.expected", wanted="'>= VALUE', '<= VALUE' or 'LOW .. HIGH'", given=describe(raw))
+            raise unexpected("requirement", raw)
         self.put("low", low)
         self.put("high", high)
+
+    @property
+    def bounds(self) -> tuple[Expression, ...]:
+        """The limits that are given."""
+        return tuple(bound for bound in (self.low, self.high) if bound is not None)

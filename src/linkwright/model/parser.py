@@ -26,7 +26,7 @@ class ExpressionError(ValueError):
 
 
 _TOKEN = re.compile(
-    r"\s*(?:(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
+    r"\s*(?:(?P<number>(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
     r"|(?P<word>[^\W\d][\w']*|°|%)"
     r"|(?P<op>\*\*|[-+*/^().,−·×]))"
 )
@@ -176,7 +176,7 @@ class _Parser:
         if self.token != ("op", "^"):
             return ""
         kind, value = self.tokens[self.at + 1]
-        if kind != "number" or value not in "123456789":
+        if kind != "number" or not re.fullmatch("[1-9]", value):
             raise ExpressionError("unit-power")
         self.at += 2
         return f"^{value}"

@@ -79,9 +79,7 @@ class Signals:
         """The contact that ``force(names...)`` means. Raises DimensionError naming what is wrong."""
         link, on, *rest = [*names, "", ""][: max(2, len(names))]
         found = [
-            c
-            for c in self.contacts
-            if c.link == link and on in (c.on, c.joint) and (not rest or c.joint == rest[0])
+            c for c in self.contacts if c.link == link and on in (c.on, c.joint) and (not rest or [c.joint] == rest)
         ]
         if len(found) == 1:
             return found[0]
@@ -121,7 +119,7 @@ class Signals:
         if node.name == "force":
             contact = self.contact(names)
             attributes = SLIDE_FORCE if contact.sliding else FORCE
-            owners = (contact.link, contact.on)
+            owners: tuple[str, ...] = (contact.link, contact.on)
             if sum(c.link == contact.link and c.on == contact.on for c in self.contacts) > 1:
                 owners = (*owners, contact.joint)
             return self._signal("force", owners, node.attribute or "", attributes)
@@ -131,9 +129,7 @@ class Signals:
             return self._signal("com", (names[0],), node.attribute or "", POINT)
         raise DimensionError("signal.unknown", name=signal_text(node))
 
-    def _signal(
-        self, kind: str, owners: tuple[str, ...], attribute: str, attributes: dict[str, Dimension]
-    ) -> Signal:
+    def _signal(self, kind: str, owners: tuple[str, ...], attribute: str, attributes: dict[str, Dimension]) -> Signal:
         if attribute not in attributes:
             raise DimensionError(
                 "signal.no-attribute", name=", ".join(owners), attribute=attribute, known=", ".join(attributes)
@@ -146,9 +142,7 @@ class Signals:
         found = [Signal("point", (p,), a, d) for p in self.homes for a, d in POINT.items()]
         found += [Signal("link", (link,), a, d) for link in m.links if link != "frame" for a, d in LINK.items()]
         found += [Signal("slide", (name,), a, d) for name, _ in m.prismatic_joints() for a, d in SLIDE.items()]
-        found += [
-            Signal("drive", (name,), a, d) for name in m.drives for a, d in self.attributes(name)[1].items()
-        ]
+        found += [Signal("drive", (name,), a, d) for name in m.drives for a, d in self.attributes(name)[1].items()]
         found += [Signal("com", (n,), a, d) for n, link in m.links.items() if link.mass for a, d in POINT.items()]
         seen = set()
         for c in self.contacts:
@@ -163,6 +157,7 @@ class Signals:
 
 def near(name: str, known: Sequence[str]) -> str:
     """A readable hint: the closest known names, else all of them."""
-    known = list(dict.fromkeys(known))
-    close = get_close_matches(name, known, n=3, cutoff=0.6)
+    known = [word for word in dict.fromkeys(known) if len(word) <= 60]
+    alike = [word for word in known if abs(len(word) - len(name)) <= 4][:200]
+    close = get_close_matches(name, alike, n=3, cutoff=0.6)
     return ", ".join(close or known[:20]) or "-"

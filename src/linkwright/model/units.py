@@ -71,8 +71,8 @@ _RECIPES: dict[Dimension, str] = {
     Dimension(1, 0, 0, -1): "{length}/{angle}", Dimension(-1, 0, 0, 1): "{angle}/{length}",
 }  # fmt: skip
 
-_SI = {"length": "m", "mass": "kg", "time": "s", "angle": "rad", "force": "N", "torque": "N*m", "pressure": "Pa"}
-BASES = tuple(_SI)
+SI = {"length": "m", "mass": "kg", "time": "s", "angle": "rad", "force": "N", "torque": "N*m", "pressure": "Pa"}
+BASES = tuple(SI)
 BASE_DIMENSIONS = dict(zip(BASES, (LENGTH, MASS, TIME, ANGLE, FORCE, TORQUE, PRESSURE), strict=True))
 
 
@@ -168,26 +168,24 @@ def spelled(dimension: Dimension, declared: dict[str, str], strict: bool = True)
         if word is None:
             if strict:
                 raise UnitError(base)
-            word = _SI[base]
+            word = SI[base]
         words[base] = word
     return recipe.format(**words)
 
 
 def _composed(dimension: Dimension) -> str | None:
     """The recipe of a dimension without mass in whole powers; with mass it could go by force or by mass."""
-    powers = {name: power for name, power in dimension._asdict().items() if power}
-    if dimension.mass or any(Fraction(p).denominator != 1 or abs(p) > MAX_POWER for p in powers.values()):
-        return None
-    over = [_raised(name, power) for name, power in powers.items() if power > 0]
-    under = [_raised(name, -power) for name, power in powers.items() if power < 0]
+    whole = all(Fraction(p).denominator == 1 and abs(Fraction(p)) <= MAX_POWER for p in dimension)
+    words = ("{length}", "{mass}", "{time}", "{angle}")
+    return None if dimension.mass or not whole else _product(words, dimension)
+
+
+def _product(words: tuple[str, ...], powers: Dimension) -> str:
+    over = [f"{w}^{p}" if p != 1 else w for w, p in zip(words, powers, strict=True) if p > 0]
+    under = [f"{w}^{-p}" if p != -1 else w for w, p in zip(words, powers, strict=True) if p < 0]
     return "/".join(["*".join(over) or "1", *under])
-
-
-def _raised(name: str, power: Fraction | int) -> str:
-    return f"{{{name}}}" + (f"^{power}" if power != 1 else "")
 
 
 def si_text(dimension: Dimension) -> str:
     """Any dimension in base units, for messages: ``m^2*kg``; empty for a pure number."""
-    words = zip(("m", "kg", "s", "rad"), dimension, strict=True)
-    return "*".join(word if power == 1 else f"{word}^{power}" for word, power in words if power)
+    return "" if dimension == PURE else _product(("m", "kg", "s", "rad"), dimension)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -12,23 +13,33 @@ from linkwright.model.findings import Finding
 
 MAX_BYTES = 1_000_000
 MAX_DEPTH = 24
+MAX_NODES = 100_000
 MAX_FINDINGS = 50
 
 Path = tuple[str | int, ...]
 
-_INT = re.compile(r"^[-+]?\d+$")
-_FLOAT = re.compile(r"^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
+_INT = re.compile(r"[-+]?[0-9]{1,15}")
+_FLOAT = re.compile(r"[-+]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?")
 _CONSTANTS = {"": None, "~": None, "null": None, "true": True, "false": False}
-_NOT_NUMBERS = {".nan", ".inf", "-.inf", "+.inf", "nan", "inf", "-inf"}
+_NOT_NUMBERS = {".nan": math.nan, ".inf": math.inf, "+.inf": math.inf, "-.inf": -math.inf}
+_NO_TEXT = re.compile(r"[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+
+# What YAML refuses or reads as something else where a value starts; ">=" stands for a folded text to it.
+_MARKS = re.compile(r"(?:^\s*-\s+|:\s+|[\[{,]\s*)([@%`*][^\s,}\]]*|[>|](?![-+0-9]*\s*$)[^,}\]]*)")
+_QUOTED = re.compile(r"\"[^\"]*\"|'[^']*'|(?:^|\s)#.*")
 
 
 @dataclass
 class Source:
-    """What a file holds: its data, the line of each entry, and what is wrong with its text."""
+    """What a file holds: its data, the line of each entry, and what is wrong with its text.
+
+    ``spoilt`` are the places of which a finding tells already; ``data`` is ``None`` where nothing could be read.
+    """
 
     data: Any = None
     lines: dict[Path, int] = field(default_factory=dict)
     findings: list[Finding] = field(default_factory=list)
+    spoilt: set[Path] = field(default_factory=set)
 
     def line(self, path: Path) -> int | None:
         """The line of an entry, or of the nearest one around it."""
@@ -46,10 +57,12 @@ def read_text(raw: bytes) -> Source:
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        source.findings.append(Finding("file.binary", data={"at": error.start}))
+        line = raw.count(b"\n", 0, error.start) + 1
+        source.findings.append(Finding("file.binary", data={"at": error.start}, line=line))
         return source
-    if bad := re.search(r"[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", text):
-        source.findings.append(Finding("file.binary", data={"at": bad.start()}, line=text.count("\n", 0, bad.start()) + 1))
+    if bad := _NO_TEXT.search(text):
+        line = text.count("\n", 0, bad.start()) + 1
+        source.findings.append(Finding("file.binary", data={"at": bad.start()}, line=line))
         return source
     _Builder(source).build(text)
     return source
@@ -59,91 +72,169 @@ class _Stop(Exception):
     """The text can't be read further; the finding is noted."""
 
 
+@dataclass
+class _Entry:
+    """One value of a collection. ``plain`` is its text where it stands without quotes."""
+
+    key: str
+    value: Any
+    line: int
+    plain: str | None
+
+
 class _Builder:
-    """Builds plain data from YAML events; refuses aliases, tags, duplicate keys and deep nesting."""
+    """Builds plain data from YAML events; refuses aliases, anchors, tags, duplicate keys and deep nesting."""
 
     def __init__(self, source: Source) -> None:
-        self.source = source
+        self.source, self.count = source, 0
 
     def build(self, text: str) -> None:
         from ruamel.yaml import YAML
         from ruamel.yaml.error import MarkedYAMLError, YAMLError
 
+        self.events = iter(YAML(typ="safe", pure=True).parse(io.StringIO(text)))
+        line, reason = None, None
         try:
-            self.events = iter(YAML(typ="safe", pure=True).parse(io.StringIO(text)))
-            event = self.next()
-            while type(event).__name__ in ("StreamStartEvent", "DocumentStartEvent"):
-                event = self.next()
-            if type(event).__name__ == "StreamEndEvent":
-                self.note("file.empty", 1)
-                return
-            self.source.data = self.value(event, ())
-            self.next()
-            if type(self.next()).__name__ != "StreamEndEvent":
-                self.note("file.documents", None)
+            self.document()
+            return
         except _Stop:
-            self.source.data = None
+            pass
         except MarkedYAMLError as error:
             mark = error.problem_mark or error.context_mark
-            line = mark.line + 1 if mark else None
-            self.source.data = None
-            self.note("file.yaml", line, reason=" ".join(str(error.problem or error.context).split()))
-        except (YAMLError, ValueError, RecursionError) as error:
-            self.source.data = None
-            self.note("file.yaml", None, reason=" ".join(str(error).split())[:200])
+            line, reason = mark.line + 1 if mark else None, error.problem or error.context
+        except (YAMLError, ValueError, RecursionError, StopIteration) as error:
+            reason = error
+        self.source.data = None
+        if reason is not None:
+            self.refused(text, line, " ".join(str(reason).split())[:200])
 
-    def next(self) -> Any:
-        return next(self.events)
+    def refused(self, text: str, line: int | None, reason: str) -> None:
+        """YAML itself gives up at the first fault; where that is a common one, all of its kind are named."""
+        tabs, marks = [], {}
+        for number, content in enumerate(text.split("\n"), start=1):
+            if re.match(r" *\t", content):
+                tabs.append(number)
+            elif mark := _MARKS.search(_QUOTED.sub("", content)):
+                marks[number] = mark.group(1).strip()[:40]
+        if line in tabs:
+            for number in tabs:
+                self.note("file.tab", number)
+        elif line in marks:
+            for number, value in marks.items():
+                self.note("file.quote", number, value=value)
+        else:
+            self.note("file.yaml", line, reason=reason)
 
-    def note(self, code: str, line: int | None, path: Path = (), **data: Any) -> None:
-        self.source.findings.append(Finding(code, path, data, line))
+    def document(self) -> None:
+        event = next(self.events)
+        while type(event).__name__ in ("StreamStartEvent", "DocumentStartEvent"):
+            event = next(self.events)
+        if type(event).__name__ == "StreamEndEvent":
+            self.note("file.empty", 1)
+            return
+        self.source.data = self.value(event, ())
+        next(self.events)
+        event = next(self.events)
+        if type(event).__name__ != "StreamEndEvent":
+            self.note("file.documents", event.start_mark.line + 1)
+
+    def note(self, code: str, line: int | None, path: Path | None = None, **data: Any) -> None:
+        """Note a finding; the entry at ``path`` is spoilt."""
+        self.source.findings.append(Finding(code, path or (), data, line))
+        if path is not None:
+            self.source.spoilt.add(path)
 
     def value(self, event: Any, path: Path) -> Any:
         line = event.start_mark.line + 1
         self.source.lines.setdefault(path, line)
         kind = type(event).__name__
-        if kind == "AliasEvent" or getattr(event, "anchor", None):
-            self.note("file.alias", line, path)
+        self.count += 1
+        if self.count > MAX_NODES:
+            self.note("file.too-many", line, path[:2], count=self.count, limit=MAX_NODES)
             raise _Stop
         if len(path) > MAX_DEPTH:
             self.note("file.depth", line, path[:4], limit=MAX_DEPTH)
             raise _Stop
+        if kind == "AliasEvent" or getattr(event, "anchor", None):
+            self.note("file.alias", line, path, mark=("*" if kind == "AliasEvent" else "&") + str(event.anchor))
+            if kind == "AliasEvent":
+                return None
         if getattr(event, "tag", None) is not None and str(event.tag) not in ("!", "None"):
-            self.note("file.tag", line, path, tag=str(event.tag))
-            raise _Stop
+            self.note("file.tag", line, path, tag=str(event.tag)[:60])
         if kind == "ScalarEvent":
-            return event.value if event.style in ("'", '"', "|", ">") else self.scalar(event.value, line, path)
-        return self.mapping(path) if kind == "MappingStartEvent" else self.sequence(path)
+            if _NO_TEXT.search(event.value):
+                self.note("file.character", line, path)
+                return None
+            return self.scalar(event.value) if _is_plain(event) else event.value
+        if kind == "MappingStartEvent":
+            return self.mapping(path, flow=bool(event.flow_style))
+        return self.sequence(path, flow=bool(event.flow_style))
 
-    def mapping(self, path: Path) -> dict[str, Any]:
-        data: dict[str, Any] = {}
-        while type(event := self.next()).__name__ != "MappingEndEvent":
+    def mapping(self, path: Path, flow: bool) -> dict[str, Any]:
+        entries: list[_Entry] = []
+        while type(event := next(self.events)).__name__ != "MappingEndEvent":
             line = event.start_mark.line + 1
             if type(event).__name__ != "ScalarEvent":
-                code = "file.alias" if type(event).__name__ == "AliasEvent" else "file.key"
-                self.note(code, line, path)
+                self.note("file.key", line, path)
                 raise _Stop
-            key = str(event.value)
-            if key in data:
-                self.note("file.duplicate", line, (*path, key), key=key, first=self.source.lines[(*path, key)])
-            self.source.lines[(*path, key)] = line
-            data[key] = self.value(self.next(), (*path, key))
+            key, event = str(event.value), next(self.events)
+            if _NO_TEXT.search(key):
+                self.note("file.character", line, path)
+                key = _NO_TEXT.sub("?", key)
+            self.source.lines.setdefault((*path, key), line)
+            plain = event.value if _is_plain(event) else None
+            entries.append(_Entry(key, self.value(event, (*path, key)), line, plain))
+        data: dict[str, Any] = {}
+        lines: dict[str, int] = {}
+        for entry in self.rejoined(entries, path) if flow else entries:
+            if entry.key in data:
+                self.note("file.duplicate", entry.line, (*path, entry.key), name=entry.key, first=lines[entry.key])
+            lines[entry.key] = entry.line
+            data[entry.key] = entry.value
         return data
 
-    def sequence(self, path: Path) -> list[Any]:
-        data: list[Any] = []
-        while type(event := self.next()).__name__ != "SequenceEndEvent":
-            data.append(self.value(event, (*path, len(data))))
-        return data
+    def sequence(self, path: Path, flow: bool) -> list[Any]:
+        entries: list[_Entry] = []
+        while type(event := next(self.events)).__name__ != "SequenceEndEvent":
+            plain, line = event.value if _is_plain(event) else None, event.start_mark.line + 1
+            entries.append(_Entry("", self.value(event, (*path, len(entries))), line, plain))
+        return [entry.value for entry in (self.rejoined(entries, path) if flow else entries)]
 
-    def scalar(self, text: str, line: int, path: Path) -> Any:
+    def rejoined(self, entries: list[_Entry], path: Path) -> list[_Entry]:
+        """Put together again what YAML splits at the commas inside an expression's brackets, with a finding."""
+        found: list[_Entry] = []
+        at = 0
+        while at < len(entries):
+            entry, text, end = entries[at], entries[at].plain or "", at + 1
+            while _opens(text) and end < len(entries):
+                part = entries[end].plain if not entry.key else entries[end].key
+                if part is None or (entry.key and entries[end].plain != ""):
+                    break
+                text, end = f"{text}, {part}", end + 1
+            if end > at + 1 and not _opens(text):
+                entry.value, at = text, end
+                self.note("file.comma", entry.line, (*path, entry.key or len(found)), text=text[:80])
+            else:
+                at += 1
+            found.append(entry)
+        return found
+
+    def scalar(self, text: str) -> Any:
         if text in _CONSTANTS:
             return _CONSTANTS[text]
         if text.lower() in _NOT_NUMBERS:
-            return float(text.lower().replace(".", ""))
-        if _INT.match(text) and len(text) < 19:
+            return _NOT_NUMBERS[text.lower()]
+        if _INT.fullmatch(text):
             return int(text)
-        return float(text) if _FLOAT.match(text) else text
+        return float(text) if _FLOAT.fullmatch(text) else text
+
+
+def _is_plain(event: Any) -> bool:
+    return type(event).__name__ == "ScalarEvent" and event.style not in ("'", '"', "|", ">")
+
+
+def _opens(text: str) -> bool:
+    return text.count("(") > text.count(")")
 
 
 def write_text(data: Mapping[str, Any]) -> str:

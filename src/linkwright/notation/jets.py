@@ -105,7 +105,7 @@ class Jet:
 
     def __truediv__(self, other: Jet | Scalar) -> Jet:
         if not isinstance(other, Jet):
-            return self * (1.0 / other)
+            return self.__mul__(1.0 / other)
         quotient: list[Scalar] = []
         for k in range(min(self.order, other.order) + 1):
             known = leibniz([*quotient, 0.0], other.d, k, range(k))

@@ -22,16 +22,10 @@ def facts(compiled: Compiled) -> list[Fact]:
     """The structure in sentences: links, inferred pins, slides, mobility, order of solution."""
     topology: Topology = compiled.structure.topology
     m = compiled.mechanism
-    lines = [
-        _fact("links", say("fact.links.text", moving=len(topology.moving), names=", ".join(topology.moving)))
-    ]
-    pins = "; ".join(
-        say("fact.pin", name=pin.name, links=", ".join(pin.links)) for pin in topology.pins.values()
-    )
+    lines = [_fact("links", say("fact.links.text", moving=len(topology.moving), names=", ".join(topology.moving)))]
+    pins = "; ".join(say("fact.pin", name=pin.name, links=", ".join(pin.links)) for pin in topology.pins.values())
     lines.append(_fact("pins", say("fact.pins.text", pins=pins or "-")))
-    slides = [
-        say("fact.pin", name=name, links=", ".join(joint.links)) for name, joint in m.prismatic_joints()
-    ]
+    slides = [say("fact.pin", name=name, links=", ".join(joint.links)) for name, joint in m.prismatic_joints()]
     if slides:
         lines.append(_fact("slides", "; ".join(slides)))
     pinned = {point for pin in topology.pins.values() for _, point in pin.members}
@@ -83,15 +77,11 @@ def checks(certificate: Certificate, time_text: str) -> list[Check]:
     ]
     if c.equilibrium is None:
         lines.append(_proof("forces", "-", True))
-    lines.append(
-        _proof("mobility", str(c.mobility), c.mobility == c.gruebler, rank=c.rank, gruebler=c.gruebler)
-    )
+    lines.append(_proof("mobility", str(c.mobility), c.mobility == c.gruebler, rank=c.rank, gruebler=c.gruebler))
     if c.nearest is not None:
         near = c.nearest
         lines.append(
-            _proof(
-                "nearest", f"{near.determinant:.4g}", near.determinant > FAR, group=near.group, time=time_text
-            )
+            _proof("nearest", f"{near.determinant:.4g}", near.determinant > FAR, group=near.group, time=time_text)
         )
     kept = [rule for rule in c.branches.values() if rule]
     if kept:

@@ -110,8 +110,7 @@ def structure(data: ReportData) -> str:
     if not data["structure"]:
         return ""
     rows = "".join(
-        f"<div><dt>{escape(fact['name'])}</dt><dd>{_lines(fact['sentence'])}</dd></div>"
-        for fact in data["structure"]
+        f"<div><dt>{escape(fact['name'])}</dt><dd>{_lines(fact['sentence'])}</dd></div>" for fact in data["structure"]
     )
     title = escape(data["words"]["report.structure"])
     return f'<section id="structure"><h2>{title}</h2><dl>{rows}</dl></section>'

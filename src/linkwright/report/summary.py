@@ -40,7 +40,7 @@ def measure_entry(m: MeasureResult, second: float, time_unit: str) -> dict[str, 
     entry["unit"] = m.unit
     places = {f.label: f.time / second for f in m.found if f.time is not None}
     if places:
-        entry["at"] = places[""] if "" in places else places
+        entry["at"] = places.get("", places)
         entry["at_unit"] = time_unit
     if m.requirement is not None:
         entry |= {"require": m.requirement, "met": m.verdict}

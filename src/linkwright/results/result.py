@@ -6,6 +6,7 @@ import csv
 import io
 from dataclasses import dataclass, field
 from functools import cached_property
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -99,7 +100,7 @@ class Result:
             header.append(f"{name} [{unit}]" if unit else name)
         writer.writerow(header)
         for row in np.stack(columns, axis=1).tolist():
-            writer.writerow(["" if value != value else repr(value) for value in row])
+            writer.writerow([repr(value) if isfinite(value) else "" for value in row])
         text = stream.getvalue()
         if path is not None:
             write_aside(Path(path), text)

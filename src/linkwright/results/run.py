@@ -78,9 +78,7 @@ class Run:
     def signals_of(self, trees: Sequence[Node]) -> list[str]:
         """The canonical names of all signals in some expressions."""
         parts = (part for tree in trees for part in nodes(tree))
-        return list(
-            dict.fromkeys(self.canonical(p) for p in parts if isinstance(p, Name | Call) and is_signal(p))
-        )
+        return list(dict.fromkeys(self.canonical(p) for p in parts if isinstance(p, Name | Call) and is_signal(p)))
 
     def dimension(self, name: str) -> Dimension:
         """The dimension of a signal."""
@@ -88,9 +86,7 @@ class Run:
 
     def _wraps(self, name: str) -> bool:
         link, _, attribute = name.partition(".")
-        return (
-            attribute == "angle" and link in self.compiled.mechanism.links and self.compiled.graph.wraps(link)
-        )
+        return attribute == "angle" and link in self.compiled.mechanism.links and self.compiled.graph.wraps(link)
 
     def _continuous(self, name: str, t: Array, wrapped: Array) -> Array:
         """Add whole turns so that the angle runs on without jumps from its value at the start of the run."""
@@ -109,10 +105,6 @@ class Run:
             angle = self.compiled.evaluate([name], grid)[0]
             known = np.isfinite(angle)
             angle[known] = np.unwrap(angle[known])
-            if (
-                count >= MAX_GRID
-                or not known.any()
-                or np.abs(np.diff(angle[known])).max(initial=0.0) < MAX_TURN
-            ):
+            if count >= MAX_GRID or not known.any() or np.abs(np.diff(angle[known])).max(initial=0.0) < MAX_TURN:
                 return grid[known], angle[known]
             count *= 2

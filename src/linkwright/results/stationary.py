@@ -14,9 +14,7 @@ NOISE = 1e-10
 """A rate below this share of its largest magnitude doesn't count as a sign."""
 
 
-def stationary(
-    rates: Callable[[Array], tuple[Array, Array]], start: float, stop: float, steps: int
-) -> list[Array]:
+def stationary(rates: Callable[[Array], tuple[Array, Array]], start: float, stop: float, steps: int) -> list[Array]:
     """The times in ``start`` .. ``stop`` at which each row's rate changes sign, to round-off.
 
     ``rates(t)`` gives (values, rates), each (rows, times). The grid starts near ``steps`` and is doubled until each

@@ -114,9 +114,7 @@ class _Search:
             options = self.topology.driven(name)
             if not options:
                 kind = "revolute" if drive.turns else "prismatic"
-                self.note(
-                    "structure.drive-no-joint", ("drives", name), link=drive.link, on=drive.on, joint=kind
-                )
+                self.note("structure.drive-no-joint", ("drives", name), link=drive.link, on=drive.on, joint=kind)
             elif len(options) > 1:
                 joints = ", ".join(c.joint for c in options)
                 self.note(
@@ -216,8 +214,7 @@ class _Search:
             joints += within - (0 if any(link in self.known for link in pin.links) else 1) if within else 0
         joints += sum(c.letter == "P" and (c.a in part or c.b in part) for c in self.topology.connections)
         driven = sum(
-            self.topology.mechanism.drives[name].link in part
-            or self.topology.mechanism.drives[name].on in part
+            self.topology.mechanism.drives[name].link in part or self.topology.mechanism.drives[name].on in part
             for name in self.joints
         )
         return 3 * len(part) - 2 * joints - driven

@@ -54,9 +54,7 @@ class Topology:
     @cached_property
     def joint_count(self) -> int:
         """Joints of one freedom: a pin of k links counts k - 1."""
-        return sum(len(pin.links) - 1 for pin in self.pins.values()) + sum(
-            1 for _ in self.mechanism.prismatic_joints()
-        )
+        return sum(len(pin.links) - 1 for pin in self.pins.values()) + sum(1 for _ in self.mechanism.prismatic_joints())
 
     @property
     def gruebler(self) -> int:

@@ -14,6 +14,7 @@ from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen, fault
 from linkwright.model.findings import Finding
 from linkwright.results import Result, Run, certify
+from linkwright.results.certificate import nearest
 from linkwright.studies.feasible import singular, unassembled
 from linkwright.studies.measures import MeasureResult, measure_all
 from linkwright.studies.registry import register
@@ -33,9 +34,7 @@ class CycleOptions(Frozen):
     def _one_length(self) -> CycleOptions:
         given = [name for name in ("period", "duration", "turns") if getattr(self, name) is not None]
         if len(given) != 1:
-            raise fault(
-                "study.options", study="cycle", key="period", reason="give one of period, duration, turns"
-            )
+            raise fault("study.options", study="cycle", key="period", reason="give one of period, duration, turns")
         return self
 
 
@@ -74,12 +73,12 @@ class Cycle:
         """Follow the motion, prove it, take the measures."""
         stop, _ = span(compiled, options)
         run = Run(compiled, 0.0, stop, options.samples)
-        gaps = unassembled(run)
-        result = Result(run, gaps)
-        if gaps:
-            return CycleOutcome(result)
-        result.certificate = certify(run)
-        result.failures += singular(run, result.certificate.nearest)
+        if gaps := unassembled(run):
+            return CycleOutcome(Result(run, gaps))
+        near = nearest(run)
+        if passages := singular(run, near):
+            return CycleOutcome(Result(run, passages))
+        result = Result(run, certificate=certify(run, near))
         measures, faults = measure_all(run)
         result.failures += faults
         return CycleOutcome(result, measures, not_periodic(run) if options.period is not None else [])
@@ -99,9 +98,7 @@ def span(compiled: Compiled, options: CycleOptions) -> tuple[float, list[Finding
     except DimensionError as error:
         return 0.0, [Finding(error.key, path, error.data)]
     if not 0 < seconds < 1e12:
-        return 0.0, [
-            Finding("study.options", path, {"study": "cycle", "key": "period", "reason": "must be positive"})
-        ]
+        return 0.0, [Finding("study.options", path, {"study": "cycle", "key": "period", "reason": "must be positive"})]
     return seconds, []
 
 

@@ -77,12 +77,8 @@ def drive_value(run: Run, time: float) -> dict[str, Any]:
 
 def _cannot_assemble(run: Run, group: Group, start: float, stop: float, worst: float) -> Finding:
     compiled = run.compiled
-    values = {
-        name: float(np.asarray(law(np.array([worst])).d[0]).flat[0]) for name, law in compiled.laws.items()
-    }
-    distance, limit = shortfall_at(
-        compiled.quantities, compiled.structure, compiled.assembly.branches, values, group
-    )
+    values = {name: float(np.asarray(law(np.array([worst])).d[0]).flat[0]) for name, law in compiled.laws.items()}
+    distance, limit = shortfall_at(compiled.quantities, compiled.structure, compiled.assembly.branches, values, group)
     data = shortfall_data(compiled.quantities, group, distance, limit)
     ends = [drive_value(run, time) for time in (start, stop)]
     data |= {"length_unit": data["unit"], "drive": ends[0]["drive"], "unit": ends[0]["unit"]}

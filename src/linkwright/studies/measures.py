@@ -147,9 +147,7 @@ class _Measurer:
     def one(self, name: str, measure: Measure, turning: dict[str, Array]) -> MeasureResult:
         quantities = self.run.compiled.quantities
         dimension = quantities.dimensions.dimension(measure.signal.node)
-        text, size = (
-            quantities.unit_of(dimension) if measure.unit is None else (measure.unit, unit(measure.unit)[0])
-        )
+        text, size = quantities.unit_of(dimension) if measure.unit is None else (measure.unit, unit(measure.unit)[0])
         spans = intervals(self.run, measure.window)
         found: tuple[Found, ...] = ()
         if not spans:
@@ -182,9 +180,7 @@ class _Measurer:
         value = float(self.run.jets(self.trees[name], np.array([time])).d[0][0])
         return (Found("", value, time),)
 
-    def verdict(
-        self, name: str, dimension: Dimension, found: tuple[Found, ...]
-    ) -> tuple[str | None, bool | None]:
+    def verdict(self, name: str, dimension: Dimension, found: tuple[Found, ...]) -> tuple[str | None, bool | None]:
         """The requirement on a measure and whether it is met; one that couldn't be measured is not met."""
         requirement = self.mechanism.require.get(name)
         if requirement is None:

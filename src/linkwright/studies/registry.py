@@ -52,9 +52,7 @@ def read_studies(raw: Mapping[str, Mapping[str, Any]]) -> tuple[list[Task], list
     for name, entry in raw.items():
         study = STUDIES.get(name)
         if study is None:
-            findings.append(
-                Finding("study.unknown", ("studies", name), {"name": name, "near": near(name, [*STUDIES])})
-            )
+            findings.append(Finding("study.unknown", ("studies", name), {"name": name, "near": near(name, [*STUDIES])}))
             continue
         try:
             tasks.append(Task(study, study.options.model_validate(entry)))

@@ -1,0 +1,210 @@
+"""What acts on a model and what is asked of it: tables, loads, windows and measures, as its file states them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from pathlib import PurePosixPath, PureWindowsPath
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Discriminator, Field, Tag, WithJsonSchema
+
+from linkwright.model.expressions import is_signal
+from linkwright.model.fields import Expression, Frozen, Name, Position, fault, pair, parse_text
+from linkwright.model.parts import Interval, Two, Vector, freeze
+from linkwright.model.units import PURE, Dimension, UnitError, unit
+from linkwright.model.written import Fault, short_text, unexpected
+
+MAX_ROWS = 10_000
+
+Row = Annotated[Two, BeforeValidator(pair("table-row"))]
+
+# A branch of a union is chosen by the looks of the value, so that its faults are told once.
+Force = Annotated[
+    Annotated[Vector, Tag("vector")] | Annotated[Expression, Tag("scalar")],
+    Discriminator(lambda raw: "vector" if isinstance(raw, list | tuple) else "scalar"),
+]
+At = Annotated[
+    Annotated[Name, Tag("name")] | Annotated[Position, Tag("position")],
+    Discriminator(lambda raw: "name" if isinstance(raw, str) and " " not in raw.strip() else "position"),
+]
+
+
+def _beside(raw: Any) -> str:
+    """The name of a file in the model's own folder or below."""
+    name = short_text(raw)
+    for path in (PurePosixPath(name), PureWindowsPath(name)):
+        if not name.strip() or path.is_absolute() or path.drive or ".." in path.parts:
+            raise fault("table.place", file=name[:60])
+    return name
+
+
+def column_unit(text: str | None) -> tuple[float, Dimension]:
+    """The unit of ``'COLUMN UNIT'``: its SI value and dimension. Raises UnitError."""
+    words = (text or "").split(None, 1)
+    return unit(words[1]) if len(words) == 2 else (1.0, PURE)
+
+
+def _column(raw: Any) -> str:
+    text = short_text(raw)
+    if not text.strip():
+        raise unexpected("column", raw)
+    try:
+        column_unit(text)
+    except UnitError as error:
+        raise fault("units.unknown", word=str(error)[:40]) from None
+    return text
+
+
+Column = Annotated[str, BeforeValidator(_column), WithJsonSchema({"type": "string"})]
+
+
+def _rows(raw: Any) -> Any:
+    if not isinstance(raw, list | tuple):
+        raise unexpected("table-rows", raw)
+    if len(raw) > MAX_ROWS:
+        raise fault("file.too-many", count=len(raw), limit=MAX_ROWS)
+    return raw
+
+
+class Table(Frozen):
+    """A function given by points, inline or in a CSV file beside the model."""
+
+    file: Annotated[str, BeforeValidator(_beside)] | None = Field(
+        None, description="a CSV file beside the model; with x and y"
+    )
+    points: Annotated[tuple[Row, ...], BeforeValidator(_rows)] | None = Field(
+        None, description="the points [x, y] themselves, x ascending"
+    )
+    x: Column | None = Field(None, description="'COLUMN UNIT' of the argument in the file, e.g. 'angle deg'")
+    y: Column | None = Field(None, description="'COLUMN UNIT' of the value in the file, e.g. 'pressure bar'")
+    period: Expression | None = Field(None, description="the argument after which the table repeats itself")
+    between: Literal["linear", "cubic", "quintic"] = Field(
+        "cubic", description="how values between the points are found: straight lines or a spline"
+    )
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+        columns = [key for key in ("x", "y") if key in given]
+        if ("file" in given) == ("points" in given):
+            yield "table.source", {}
+        elif "file" in given and len(columns) < 2:
+            yield "table.columns", {}
+        elif "points" in given and columns:
+            yield "table.inline-columns", {"given": ", ".join(columns)}
+
+
+class Load(Frozen):
+    """A constant force at a point, or a torque, on a link."""
+
+    on: Name = Field(description="the link that is loaded")
+    at: At | None = Field(None, description="where a force acts: a point of the link, or [x, y] in its frame")
+    force: Force | None = Field(None, description="[Fx, Fy], or one number that acts along a joint's line")
+    along: Name | None = Field(None, description="the prismatic joint whose line a force of one number follows")
+    torque: Expression | None = Field(None, description="a torque on the link, counter-clockwise positive")
+    in_: Name | None = Field(
+        None, alias="in", description="the link whose axes [Fx, Fy] is given in and turns with; frame by default"
+    )
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+        if "force" not in given and "torque" not in given:
+            yield "load.empty", {}
+        if "force" not in given:
+            return
+        if "at" not in given:
+            yield "load.at", {}
+        vector = isinstance(given["force"], list | tuple)
+        if vector == ("along" in given):
+            yield "load.direction", {}
+        elif not vector and "in" in given:
+            yield "load.in", {}
+
+
+def _signal(raw: Any) -> str:
+    text = short_text(raw)
+    if not is_signal(parse_text(text)):
+        raise fault("window.signal", given=text[:60])
+    return text
+
+
+def _one(raw: Any) -> Any:
+    if len(raw) != 1:
+        raise fault("window.one-signal", count=len(raw))
+    return raw
+
+
+_BySignal = Annotated[dict[Annotated[str, BeforeValidator(_signal)], Interval], BeforeValidator(_one), freeze]
+
+Window = Annotated[
+    Annotated[Interval, Tag("time")] | Annotated[_BySignal, Tag("signal")],
+    Discriminator(lambda raw: "signal" if isinstance(raw, Mapping) else "time"),
+]
+
+WHERE = re.compile(r"^\s*(?:(max|min)\s+(\S.*)|(start)|(end))\s*$", re.S)
+"""How a place of a value is written: ``max E.x``, ``min E.x``, ``start``, ``end``."""
+
+REDUCTIONS = ("span", "max", "min", "extremes", "mean", "rms", "value")
+
+
+def _where(raw: Any) -> str:
+    text = short_text(raw)
+    match = WHERE.match(text)
+    if match is None:
+        raise fault("measure.bad-where", given=text[:60])
+    if match[2]:
+        parse_text(match[2])
+    return text
+
+
+def _unit(raw: Any) -> str:
+    text = short_text(raw)
+    try:
+        unit(text)
+    except UnitError as error:
+        raise fault("units.unknown", word=str(error)[:40]) from None
+    return text
+
+
+class Measure(Frozen):
+    """A named scalar of a run: one reduction of a signal expression."""
+
+    span: Expression | None = Field(None, description="largest less smallest value of this signal expression")
+    max: Expression | None = Field(None, description="largest value")
+    min: Expression | None = Field(None, description="smallest value")
+    extremes: Expression | None = Field(None, description="both: the smallest and the largest value")
+    mean: Expression | None = Field(None, description="mean over time")
+    rms: Expression | None = Field(None, description="root of the mean square over time")
+    value: Expression | None = Field(None, description="value at one instant; with where")
+    where: Annotated[str, BeforeValidator(_where)] | None = Field(
+        None,
+        description="the instant of a value: 'max E.x', 'min E.x', 'start' or 'end'",
+        examples=["max E.x", "min E.x", "start", "end"],
+    )
+    window: Name | None = Field(None, description="the window (of windows) to which the measure is confined")
+    wrap: Interval | None = Field(None, description="[low, high]: whole turns are added until it lies there")
+    unit: Annotated[str, BeforeValidator(_unit)] | None = Field(
+        None, description="unit of the figure, instead of the declared one"
+    )
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+        reductions = [name for name in REDUCTIONS if name in given]
+        if len(reductions) != 1:
+            yield (
+                "measure.reduction",
+                {"given": ", ".join(reductions) or "-", "known": ", ".join(REDUCTIONS)},
+            )
+        elif ("value" in given) != ("where" in given):
+            yield "measure.where", {}
+
+    @property
+    def reduction(self) -> str:
+        """The name of the reduction."""
+        return next(name for name in REDUCTIONS if getattr(self, name) is not None)
+
+    @property
+    def signal(self) -> Expression:
+        """The expression that is reduced."""
+        expression: Expression = getattr(self, self.reduction)
+        return expression

@@ -1,0 +1,74 @@
+"""From the faults that validation finds in plain data to findings."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from linkwright.model import actions as a
+from linkwright.model import parts as p
+from linkwright.model.findings import Finding, Term
+from linkwright.model.mechanism import Document
+from linkwright.model.signals import near
+from linkwright.model.written import Frozen, describe
+from linkwright.model.yaml_text import Path, Source
+
+_CLASSES: dict[str, type[Frozen]] = {
+    "units": p.Units,
+    "parameters": p.Parameter,
+    "links": p.Link,
+    "joints": p.Joint,
+    "drives": p.Drive,
+    "tables": a.Table,
+    "loads": a.Load,
+    "measures": a.Measure,
+}
+
+_WANTED = {
+    "dict_type": "mapping", "model_type": "mapping", "model_attributes_type": "mapping",
+    "string_type": "text", "tuple_type": "list", "list_type": "list",
+}  # fmt: skip
+
+
+def findings_of(faults: Iterable[Any], source: Source) -> list[Finding]:
+    """Pydantic's errors as findings with lines; what the reader of the text has named already is left out."""
+    found: dict[tuple[Any, ...], Finding] = {}
+    for fault in faults:
+        finding = _finding(fault, source.data)
+        if not any(finding.path[: len(bad)] == bad for bad in source.spoilt):
+            line = source.line(finding.path)
+            found.setdefault((finding.path, finding.code, str(finding.data)), finding.located(line))
+    return list(found.values())
+
+
+def _path(loc: tuple[Any, ...], data: Any) -> Path:
+    """The place in the file: pydantic's, without the names of its branches and of what isn't written."""
+    path: list[Any] = []
+    for key in loc:
+        inside = range(len(data)) if isinstance(data, list | tuple) else data if isinstance(data, Mapping) else ()
+        if key in inside:
+            data = data[key]
+            path.append(key)
+    return tuple(path)
+
+
+def _finding(fault: Any, data: Any) -> Finding:
+    context, kind, path = dict(fault.get("ctx") or {}), fault["type"], _path(fault["loc"], data)
+    if kind == "finding":
+        return Finding(context.pop("code"), path, context)
+    if kind == "missing":
+        name = str(fault["loc"][-1])
+        return Finding("file.missing", path, {"name": name, "known": ", ".join(known_keys((*path, name)))})
+    if kind == "extra_forbidden":
+        name = str(path[-1])
+        return Finding("file.unknown-key", path, {"name": name[:60], "near": near(name, known_keys(path))})
+    wanted: Any = context.get("expected") if kind == "literal_error" else Term(_WANTED.get(kind, "other"))
+    return Finding("file.expected", path, {"wanted": wanted, "given": describe(fault["input"])})
+
+
+def known_keys(path: Path) -> list[str]:
+    """The keys that may stand beside the last one of a path."""
+    owner = Document if len(path) == 1 else _CLASSES.get(str(path[0]))
+    if owner is None:
+        return []
+    return [field.alias or name for name, field in owner.model_fields.items()]

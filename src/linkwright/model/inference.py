@@ -1,0 +1,127 @@
+"""One pass over all expressions of a mechanism: their names, the dimensions inferred from them, what conflicts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from graphlib import CycleError, TopologicalSorter
+
+from linkwright.model.actions import column_unit
+from linkwright.model.dimensions import DimensionError, Dimensions, argument, value
+from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, Number, nodes, text_of
+from linkwright.model.findings import Finding
+from linkwright.model.mechanism import Mechanism
+from linkwright.model.names import Names
+from linkwright.model.places import Path, Place, measured, places
+from linkwright.model.signals import Signals
+from linkwright.model.units import PURE, Dimension, unit, words_of
+
+
+class Inference:
+    """The dimensions of a mechanism's parameters and tables, the order of its parameters, and all findings.
+
+    ``sound`` are the places whose names and dimensions fit.
+    """
+
+    def __init__(self, mechanism: Mechanism, signals: Signals, declared: Mapping[str, str]) -> None:
+        self.mechanism = mechanism
+        self.findings: list[Finding] = []
+        self.dimensions = Dimensions(declared, mechanism.parameters, lambda node: signals.find(node).dimension)
+        self.places = list(places(mechanism))
+        self.order = self._order()
+        names = Names(mechanism, signals)
+        self.sound = [place for place in self.places if self._known(names, place)]
+        self._infer()
+        self._measure_units()
+
+    def _order(self) -> list[str]:
+        """The parameters, each after those that it needs; those in a circle are left out with a finding."""
+        parameters = self.mechanism.parameters
+        left = {
+            name: {n.text for n in nodes(entry.value.node) if isinstance(n, Name) and n.text in parameters}
+            for name, entry in parameters.items()
+        }
+        while True:
+            try:
+                return list(TopologicalSorter(left).static_order())
+            except CycleError as error:
+                circle = error.args[1][::-1]
+                path: Path = ("parameters", circle[0])
+                self.findings.append(Finding("parameters.cycle", path, {"cycle": " -> ".join(circle)[:200]}))
+                left = {n: needs - {*circle} for n, needs in left.items() if n not in circle}
+
+    def _known(self, names: Names, place: Place) -> bool:
+        self._add(list(names.misplaced(place)))
+        unknown = list(names.unknown(place))
+        self._add(unknown)
+        in_circle = place.path[0] == "parameters" and place.path[1] not in self.order
+        return not unknown and not in_circle
+
+    def _add(self, findings: list[Finding]) -> None:
+        self.findings += [f for i, f in enumerate(findings) if f not in self.findings and f not in findings[:i]]
+
+    def _infer(self) -> None:
+        for name, table in self.mechanism.tables.items():
+            for unknown, text in ((argument(name), table.x), (value(name), table.y)):
+                if text is not None:
+                    self.dimensions.settle(unknown, column_unit(text)[1])
+        fine = {id(place) for place in sorted(self.sound, key=_rank) if self._try(place, self.dimensions.use)}
+        self.sound = [place for place in self.sound if id(place) in fine and self._try(place, self._bind_here)]
+        for place in self.sound:
+            self._ambiguous(place)
+
+    def _bind_here(self, node: Node, wanted: object) -> None:
+        self.dimensions.bind(node, self.dimensions.resolve(wanted))  # type: ignore[arg-type]
+
+    def _try(self, place: Place, action: Callable[..., None]) -> bool:
+        try:
+            action(place.expression.node, place.wanted)
+        except DimensionError as error:
+            self._add([Finding(error.key, place.path, error.data)])
+            return False
+        return True
+
+    def _ambiguous(self, place: Place) -> None:
+        """A word behind ``2 mm*`` that is a unit and a parameter, where both could be meant."""
+        for node in nodes(place.expression.node):
+            for word in words_of(node.unit)[1:] if isinstance(node, Number) and node.unit else ():
+                if word in self.mechanism.parameters:
+                    is_unit, is_parameter = unit(word)[1].physical, self.dimensions.of(word).physical
+                    if is_unit in (PURE, is_parameter):
+                        data = {"part": text_of(node), "word": word}
+                        self._add([Finding("expression.ambiguous-unit", place.path, data)])
+
+    def _measure_units(self) -> None:
+        fine = {place.path[1] for place in self.sound if place.path[0] == "measures"}
+        for name, measure in self.mechanism.measures.items():
+            if measure.unit is None or name not in fine:
+                continue
+            given, wanted = unit(measure.unit)[1], self.dimensions.resolve(measured(name))
+            angle = wanted.angle in (given.angle, 0) or wanted.physical not in _TURNING
+            if given.physical != wanted.physical or not angle:
+                data = {"unit": measure.unit, "wanted": wanted}
+                self._add([Finding("measure.unit", ("measures", name, "unit"), data)])
+
+
+# Without length and mass, radians and revolutions are told apart by the angle alone (40 rpm is no frequency).
+_TURNING = tuple(Dimension(0, 0, -k) for k in range(4))
+
+
+def _rank(place: Place) -> int:
+    """In which order the uses are read. What states its own units comes first: a conflict is then told where
+    such a thing is used. Lone names come next: they settle the power of angle, which later uses confirm."""
+    node = place.expression.node
+    if _explicit(node):
+        return 0
+    if place.path[0] == "parameters":
+        return 3
+    return 1 if isinstance(node, Name) else 2
+
+
+def _explicit(node: Node) -> bool:
+    """Whether an expression has its dimension by itself: units are written, no name is in it."""
+    parts = list(nodes(node))
+    named = any(
+        (isinstance(part, Name) and part.text != "pi") or (isinstance(part, Call) and part.name not in FUNCTIONS)
+        for part in parts
+    )
+    return not named and any(isinstance(part, Number) and part.unit for part in parts)

@@ -1,0 +1,73 @@
+"""The names in a mechanism's expressions: each must be known, and of a kind that may stand there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from linkwright.model.dimensions import DimensionError
+from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, is_signal, nodes, signal_text
+from linkwright.model.findings import Finding
+from linkwright.model.mechanism import Mechanism
+from linkwright.model.places import Path, Place, Scope
+from linkwright.model.signals import Signals, near
+from linkwright.model.trees import children
+from linkwright.model.units import is_unit
+
+# What stands where it may not: the finding of each scope.
+_MISPLACED = {
+    Scope.CONSTANT: "expression.not-constant",
+    Scope.LOAD: "load.varies",
+    Scope.TIME: "drive.signal",
+    Scope.SIGNALS: "measure.table",
+}
+
+
+class Names:
+    """Looks up the names of expressions."""
+
+    def __init__(self, mechanism: Mechanism, signals: Signals) -> None:
+        self.mechanism, self.signals = mechanism, signals
+
+    def unknown(self, place: Place) -> Iterator[Finding]:
+        """Names in an expression that nothing is called by."""
+        for node in nodes(place.expression.node):
+            if isinstance(node, Name | Call):
+                yield from self._unknown(node, place.path)
+
+    def _unknown(self, node: Name | Call, path: Path) -> Iterator[Finding]:
+        m = self.mechanism
+        if is_signal(node):
+            try:
+                self.signals.find(node)
+            except DimensionError as error:
+                yield Finding(error.key, path, error.data)
+        elif isinstance(node, Call):
+            if node.name not in FUNCTIONS and node.name not in m.tables:
+                known = [*FUNCTIONS, *m.tables]
+                data = {"name": node.name, "near": near(node.name, known)}
+                yield Finding("expression.unknown-function", path, data)
+        elif node.text not in ("t", "pi") and node.text not in m.parameters:
+            if is_unit(node.text):
+                yield Finding("expression.unit-alone", path, {"name": node.text})
+            else:
+                known = [*m.parameters, "t", "pi"]
+                data = {"name": node.text, "near": near(node.text, known)}
+                yield Finding("name.unknown-parameter", path, data)
+
+    def misplaced(self, place: Place) -> Iterator[Finding]:
+        """Known names that can't stand in this expression."""
+        todo: list[Node] = [place.expression.node]
+        while todo:
+            node = todo.pop()
+            if not isinstance(node, Name | Call) or self._may_stand(node, place.scope):
+                todo += reversed(children(node))
+            else:
+                name = signal_text(node)[:60]
+                yield Finding(_MISPLACED[place.scope], place.path, {"name": name})
+
+    def _may_stand(self, node: Name | Call, scope: Scope) -> bool:
+        if is_signal(node):
+            return scope is Scope.SIGNALS
+        if isinstance(node, Name):
+            return node.text != "t" or scope in (Scope.TIME, Scope.SIGNALS)
+        return node.name in FUNCTIONS or scope is Scope.TIME

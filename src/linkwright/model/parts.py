@@ -1,0 +1,166 @@
+"""The bodies of a model as its file states them: units, parameters, links, joints and their drives."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any
+
+from pydantic import (
+    AfterValidator,
+    BeforeValidator,
+    Discriminator,
+    Field,
+    GetJsonSchemaHandler,
+    ModelWrapValidatorHandler,
+    Tag,
+    model_validator,
+)
+from pydantic_core import CoreSchema
+
+from linkwright.model.fields import (
+    Expression,
+    Frozen,
+    FrozenDict,
+    LineOn,
+    Name,
+    Position,
+    Shape,
+    Text,
+    pair,
+)
+from linkwright.model.written import Fault
+
+freeze = AfterValidator(FrozenDict)
+
+Two = tuple[Expression, Expression]
+Vector = Annotated[Two, BeforeValidator(pair("vector"))]
+Interval = Annotated[Two, BeforeValidator(pair("interval"))]
+TwoLinks = Annotated[tuple[Name, Name], BeforeValidator(pair("two-links"))]
+TwoPoints = Annotated[tuple[Name, Name], BeforeValidator(pair("two-points"))]
+TwoLines = Annotated[tuple[LineOn, LineOn], BeforeValidator(pair("two-lines"))]
+
+# A branch of a union is chosen by the looks of the value, so that its faults are told once.
+_Tolerance = Annotated[
+    Annotated[Interval, Tag("pair")] | Annotated[Expression, Tag("single")],
+    Discriminator(lambda raw: "pair" if isinstance(raw, list | tuple) else "single"),
+]
+
+
+class Units(Frozen):
+    """What bare numbers mean: the unit of each quantity that the file gives without one."""
+
+    length: Text | None = Field(None, description="unit of bare lengths", examples=["mm", "m", "in"])
+    angle: Text | None = Field(None, description="unit of bare angles", examples=["deg", "rad"])
+    mass: Text | None = Field(None, description="unit of bare masses", examples=["kg", "g"])
+    time: Text | None = Field(None, description="unit of bare times", examples=["s", "ms", "min"])
+    force: Text | None = Field(None, description="unit of bare forces", examples=["N", "kN"])
+    torque: Text | None = Field(
+        None, description="unit of bare torques; force times length where left out", examples=["N*m", "N*mm"]
+    )
+    pressure: Text | None = Field(None, description="unit of bare pressures", examples=["bar", "MPa"])
+
+    @property
+    def declared(self) -> dict[str, str]:
+        """The declared words by quantity."""
+        return self.model_dump(exclude_none=True)
+
+
+class Parameter(Frozen):
+    """A named value, that a study may vary or differentiate by. In a file mostly written as its value alone."""
+
+    value: Expression = Field(description="a number, with or without unit, or arithmetic on other parameters")
+    tolerance: _Tolerance | None = Field(
+        None, description="deviation in manufacture: one number for plus and minus, or [lower, upper]"
+    )
+    note: str | None = Field(None, description="free text")
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _bare(cls, raw: Any, handler: ModelWrapValidatorHandler[Parameter]) -> Parameter:
+        return handler(raw if isinstance(raw, Mapping | Parameter) else {"value": raw})
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        whole = handler.resolve_ref_schema(handler(schema))
+        short = {"type": ["number", "string"], "description": "the value alone"}
+        return {"description": cls.__doc__, "anyOf": [short, whole]}
+
+
+class Link(Frozen):
+    """A rigid link: its points in its own frame, and its mass if it has one."""
+
+    points: Annotated[dict[Name, Position], freeze] = Field(
+        description="named points, [x, y] or 'r at angle' in the link's frame; "
+        "a name that several links share is a pin between them"
+    )
+    mass: Expression | None = Field(None, description="mass; with com and inertia, or with shape")
+    com: Position | None = Field(None, description="centre of mass in the link's frame")
+    inertia: Expression | None = Field(None, description="moment of inertia about the centre of mass")
+    shape: Shape | None = Field(
+        None, description="'rod A-B', 'disc RADIUS at A' or 'point A', instead of com and inertia"
+    )
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+        about = [key for key in ("com", "inertia") if key in given]
+        if "shape" in given and about:
+            yield "mass.shape-and-com", {"given": ", ".join(about)}
+        elif "mass" in given and "shape" not in given and len(about) < 2:
+            missing = [key for key in ("com", "inertia") if key not in given]
+            yield "mass.incomplete", {"missing": ", ".join(missing)}
+        if "mass" not in given and (about or "shape" in given):
+            yield "mass.missing", {"given": ", ".join([*about, *(["shape"] if "shape" in given else [])])}
+
+
+class Joint(Frozen):
+    """A prismatic joint (a line on each of two links), or a revolute one between points of different names."""
+
+    prismatic: TwoLinks | None = Field(None, description="the two links that slide on each other; with line")
+    line: TwoLines | None = Field(None, description="the line on each of the two links, e.g. [H at 0 deg, G at 0 deg]")
+    revolute: TwoLinks | None = Field(None, description="the two links that are pinned; with at")
+    at: TwoPoints | None = Field(None, description="the pinned point of each of the two links")
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+        if ("prismatic" in given) == ("revolute" in given):
+            yield "joint.kind", {}
+        elif "prismatic" in given and ("line" not in given or "at" in given):
+            yield "joint.line", {}
+        elif "revolute" in given and ("at" not in given or "line" in given):
+            yield "joint.at", {}
+
+    @property
+    def links(self) -> tuple[str, str]:
+        """The two links joined."""
+        pair = self.prismatic or self.revolute
+        assert pair is not None
+        return pair
+
+
+class Drive(Frozen):
+    """A prescribed relative motion of two joined links: of ``turns``/``slides`` against ``on``."""
+
+    turns: Name | None = Field(None, description="the link that is turned, about the pin that it shares with on")
+    slides: Name | None = Field(None, description="the link that is moved along the line that it shares with on")
+    on: Name = Field(description="the link against which the motion is measured, e.g. frame")
+    speed: Expression | None = Field(None, description="constant speed, e.g. 60 rpm; with start")
+    start: Expression | None = Field(None, description="value at t = 0; with speed")
+    position: Expression | None = Field(
+        None, description="value as an expression in t, e.g. 20 deg*sin(180 deg*t/(1 s)); may call tables"
+    )
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+        if ("turns" in given) == ("slides" in given):
+            yield "drive.kind", {}
+        if ("speed" in given) == ("position" in given):
+            yield "drive.law", {}
+        elif ("speed" in given) != ("start" in given):
+            yield "drive.start", {}
+
+    @property
+    def link(self) -> str:
+        """The link that is moved."""
+        name = self.turns or self.slides
+        assert name is not None
+        return name

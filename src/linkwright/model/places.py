@@ -1,0 +1,144 @@
+"""Where a mechanism's expressions stand: the dimension that each place wants, and the names that may stand there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import Enum
+
+from linkwright.model import units as u
+from linkwright.model.actions import WHERE, Measure
+from linkwright.model.dimensions import Wanted, argument, value
+from linkwright.model.fields import Expression, Position
+from linkwright.model.mechanism import Mechanism
+from linkwright.model.units import Dimension
+
+Path = tuple[str | int, ...]
+
+
+class Scope(Enum):
+    """What an expression may name besides parameters and functions."""
+
+    CONSTANT = "constant"
+    LOAD = "load"
+    TIME = "time"
+    SIGNALS = "signals"
+
+
+@dataclass(frozen=True)
+class Place:
+    """One expression of a file: its path, the dimension wanted there, and what it may name."""
+
+    path: Path
+    expression: Expression
+    wanted: Wanted
+    scope: Scope = Scope.CONSTANT
+
+
+def measured(name: str) -> Wanted:
+    """The unknown dimension of a measure, which its bounds share."""
+    return (f"measure {name}", 0)
+
+
+def crossed(name: str) -> Wanted:
+    """The unknown dimension of the signal that bounds a window."""
+    return (f"window {name}", 0)
+
+
+def instant(name: str) -> Wanted:
+    """The unknown dimension of the expression that places a value in time."""
+    return (f"where {name}", 0)
+
+
+def position_parts(position: Position) -> tuple[tuple[Expression, Dimension], tuple[Expression, Dimension]]:
+    """The two expressions of a position with their dimensions."""
+    return (position.first, u.LENGTH), (position.second, u.ANGLE if position.polar else u.LENGTH)
+
+
+def places(m: Mechanism) -> Iterator[Place]:
+    """Every expression of a mechanism, the definitions of its parameters first."""
+    for name, parameter in m.parameters.items():
+        yield Place(("parameters", name), parameter.value, name)
+        tolerance = parameter.tolerance
+        for part in tolerance if isinstance(tolerance, tuple) else (tolerance,) if tolerance else ():
+            yield Place(("parameters", name, "tolerance"), part, name)
+    for g in m.gravity or ():
+        yield Place(("gravity",), g, u.ACCELERATION)
+    yield from _links(m)
+    yield from _actions(m)
+    yield from _tables(m)
+    for name, window in m.windows.items():
+        if isinstance(window, tuple):
+            yield from (Place(("windows", name), edge, u.TIME) for edge in window)
+        else:
+            for signal, edges in window.items():
+                at: Path = ("windows", name, signal)
+                yield Place(at, Expression(signal), crossed(name), Scope.SIGNALS)
+                yield from (Place(at, edge, crossed(name)) for edge in edges)
+    for name, measure in m.measures.items():
+        yield from _measure(name, measure)
+        if name in m.require:
+            bounds = m.require[name].bounds
+            yield from (Place(("require", name), bound, measured(name)) for bound in bounds)
+
+
+def _links(m: Mechanism) -> Iterator[Place]:
+    for name, link in m.links.items():
+        at: Path = ("links", name)
+        for point, position in link.points.items():
+            yield from _position((*at, "points", point), position)
+        if link.com:
+            yield from _position((*at, "com"), link.com)
+        if link.mass is not None:
+            yield Place((*at, "mass"), link.mass, u.MASS)
+        if link.inertia is not None:
+            yield Place((*at, "inertia"), link.inertia, u.INERTIA)
+        if link.shape and link.shape.radius:
+            yield Place((*at, "shape"), link.shape.radius, u.LENGTH)
+    for name, joint in m.joints.items():
+        for i, line in enumerate(joint.line or ()):
+            yield Place(("joints", name, "line", i), line.angle, u.ANGLE)
+    for name, rule in m.assembly.items():
+        if rule.sketch:
+            yield from _position(("assembly", name), rule.sketch)
+
+
+def _actions(m: Mechanism) -> Iterator[Place]:
+    for name, drive in m.drives.items():
+        at: Path = ("drives", name)
+        span, rate = (u.ANGLE, u.OMEGA) if drive.turns else (u.LENGTH, u.SPEED)
+        if drive.speed is not None:
+            yield Place((*at, "speed"), drive.speed, rate)
+        if drive.start is not None:
+            yield Place((*at, "start"), drive.start, span)
+        if drive.position is not None:
+            yield Place((*at, "position"), drive.position, span, Scope.TIME)
+    for name, load in m.loads.items():
+        at = ("loads", name)
+        if isinstance(load.at, Position):
+            yield from _position((*at, "at"), load.at)
+        forces = load.force if isinstance(load.force, tuple) else (load.force,) if load.force else ()
+        yield from (Place((*at, "force"), force, u.FORCE, Scope.LOAD) for force in forces)
+        if load.torque is not None:
+            yield Place((*at, "torque"), load.torque, u.TORQUE, Scope.LOAD)
+
+
+def _position(path: Path, position: Position) -> Iterator[Place]:
+    return (Place(path, expression, dimension) for expression, dimension in position_parts(position))
+
+
+def _tables(m: Mechanism) -> Iterator[Place]:
+    for name, table in m.tables.items():
+        for i, (x, y) in enumerate(table.points or ()):
+            yield Place(("tables", name, "points", i), x, argument(name))
+            yield Place(("tables", name, "points", i), y, value(name))
+        if table.period is not None:
+            yield Place(("tables", name, "period"), table.period, argument(name))
+
+
+def _measure(name: str, measure: Measure) -> Iterator[Place]:
+    at: Path = ("measures", name)
+    yield Place((*at, measure.reduction), measure.signal, measured(name), Scope.SIGNALS)
+    yield from (Place((*at, "wrap"), edge, measured(name)) for edge in measure.wrap or ())
+    if measure.where and (match := WHERE.match(measure.where)) and match[2]:
+        yield Place((*at, "where"), Expression(match[2]), instant(name), Scope.SIGNALS)

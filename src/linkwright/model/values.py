@@ -1,0 +1,89 @@
+"""Whether a mechanism's numbers make sense: finite, masses not negative, intervals that hold something."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from linkwright.model import units as u
+from linkwright.model.fields import Expression
+from linkwright.model.findings import Finding, Term
+from linkwright.model.places import Place, Scope, crossed, measured, position_parts
+from linkwright.model.quantities import LARGEST, Quantities
+from linkwright.model.units import Dimension
+
+CONSTANT = (Scope.CONSTANT, Scope.LOAD)
+
+
+def check_values(quantities: Quantities) -> list[Finding]:
+    """Faults of numbers. The quantities are free of findings."""
+    constant = [place for place in quantities.places if place.scope in CONSTANT]
+    bad = [finding for place in constant for finding in _finite(quantities, place)]
+    return bad or [finding for part in (_bodies, _rods, _intervals) for finding in part(quantities)]
+
+
+def _finite(q: Quantities, place: Place) -> Iterator[Finding]:
+    value = q.value(place.expression, q.dimensions.resolve(place.wanted))
+    if not abs(value) < LARGEST:
+        yield Finding("value.not-finite", place.path, {"text": place.expression.text[:60]})
+
+
+def _bodies(q: Quantities) -> Iterator[Finding]:
+    def least(path: tuple[Any, ...], term: str, of: Expression, dimension: Dimension, over: bool) -> Iterator[Finding]:
+        value, (unit, size) = q.value(of, dimension), q.unit_of(dimension)
+        if value < 0 or (over and value == 0):
+            data = {"what": Term(term), "value": f"{value / size:.6g}", "unit": unit}
+            yield Finding("value.too-small", path, data)
+
+    for name, link in q.mechanism.links.items():
+        if link.mass is not None:
+            yield from least(("links", name, "mass"), "mass", link.mass, u.MASS, False)
+        if link.inertia is not None:
+            yield from least(("links", name, "inertia"), "inertia", link.inertia, u.INERTIA, False)
+        if link.shape and link.shape.radius:
+            yield from least(("links", name, "shape"), "radius", link.shape.radius, u.LENGTH, True)
+    for name, table in q.mechanism.tables.items():
+        if table.period is not None:
+            yield from least(("tables", name, "period"), "period", table.period, u.PURE, True)
+
+
+def _rods(q: Quantities) -> Iterator[Finding]:
+    for name, link in q.mechanism.links.items():
+        if link.shape and link.shape.form == "rod":
+            ends = [
+                [q.value(expression, dimension) for expression, dimension in position_parts(link.points[point])]
+                for point in link.shape.points
+            ]
+            if ends[0] == ends[1]:
+                points = "-".join(link.shape.points)
+                yield Finding("value.rod", ("links", name, "shape"), {"points": points})
+
+
+def _intervals(q: Quantities) -> Iterator[Finding]:
+    m, resolve = q.mechanism, q.dimensions.resolve
+    for name, window in m.windows.items():
+        if isinstance(window, tuple):
+            yield from _rising(q, ("windows", name), window, u.TIME)
+        else:
+            for signal, edges in window.items():
+                yield from _rising(q, ("windows", name, signal), edges, resolve(crossed(name)))
+    for name, measure in m.measures.items():
+        dimension = resolve(measured(name))
+        if measure.wrap:
+            yield from _rising(q, ("measures", name, "wrap"), measure.wrap, dimension)
+        if name in m.require and len(m.require[name].bounds) == 2:
+            low, high = m.require[name].bounds
+            yield from _rising(q, ("require", name), (low, high), dimension, equal=True)
+
+
+def _rising(
+    q: Quantities,
+    path: tuple[Any, ...],
+    edges: tuple[Expression, Expression],
+    dimension: Dimension,
+    equal: bool = False,
+) -> Iterator[Finding]:
+    low, high = (q.value(edge, dimension) for edge in edges)
+    if not (low < high or (equal and low == high)):
+        data = {"low": edges[0].text[:40], "high": edges[1].text[:40]}
+        yield Finding("value.not-rising", path, data)

@@ -1,0 +1,202 @@
+"""The ground that the model's parts stand on: immutable values that keep what was written."""
+
+from __future__ import annotations
+
+import math
+import numbers
+import re
+from collections.abc import Iterator, Mapping
+from typing import Any, ClassVar, NoReturn, Self
+
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    GetCoreSchemaHandler,
+    GetJsonSchemaHandler,
+    ModelWrapValidatorHandler,
+    ValidationError,
+    model_validator,
+)
+from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, core_schema
+
+from linkwright.model.findings import Term
+
+NAME = re.compile(r"[^\W\d]\w*")
+MAX_NAME = 60
+MAX_TEXT = 2000
+MAX_INT = 10**15
+"""Whole numbers from here on are kept as floats, in files and in Python alike."""
+RESERVED = frozenset({"t", "pi", "start", "end"})
+
+Fault = tuple[str, dict[str, Any]]
+"""The code of a finding and the data of its sentence."""
+
+
+def fault(code: str, **data: Any) -> PydanticCustomError:
+    """A validation error that becomes the finding ``code``."""
+    return PydanticCustomError("finding", "{code}", {"code": code, **data})
+
+
+def unexpected(wanted: str, given: Any) -> PydanticCustomError:
+    """A validation error: something else is wanted here (a phrase of the catalogue), and what is given."""
+    return fault("file.expected", wanted=Term(wanted), given=describe(given))
+
+
+def describe(raw: Any) -> Any:
+    """What kind of value was given, in plain words."""
+    if raw is None:
+        return Term("nothing")
+    if isinstance(raw, bool):
+        return "true" if raw else "false"
+    if isinstance(raw, Mapping):
+        return Term("given-mapping")
+    if isinstance(raw, list | tuple):
+        return Term("given-list", count=len(raw))
+    text = str(raw) if isinstance(raw, int | float) else f"'{raw}'"
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def short_text(raw: Any) -> str:
+    """A text of bounded length."""
+    if not isinstance(raw, str):
+        raise unexpected("text", raw)
+    if len(raw) > MAX_TEXT:
+        raise fault("file.long", limit=MAX_TEXT)
+    return raw
+
+
+def check_name(name: Any) -> str:
+    """A plain identifier (any script), not one of the reserved words."""
+    if not isinstance(name, str):
+        raise unexpected("name", name)
+    if name in RESERVED:
+        raise fault("file.reserved-name", name=name)
+    if len(name) > MAX_NAME or not NAME.fullmatch(name):
+        raise fault("file.bad-name", name=name[:MAX_NAME], limit=MAX_NAME)
+    return name
+
+
+class FrozenDict(dict[str, Any]):
+    """A mapping that can't be changed."""
+
+    def _refuse(self, *_: Any, **__: Any) -> NoReturn:
+        raise TypeError("a mechanism is immutable; build a new one")
+
+    __setitem__ = __delitem__ = __ior__ = clear = pop = popitem = setdefault = update = _refuse
+
+    def __hash__(self) -> int:  # type: ignore[override]
+        return hash(frozenset(self.items()))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (FrozenDict, (dict(self),))
+
+
+def frozen(raw: Any) -> Any:
+    """Plain data (as YAML holds it) made immutable, through and through."""
+    if isinstance(raw, Mapping):
+        if bad := next((key for key in raw if not isinstance(key, str)), None):
+            raise unexpected("name", bad)
+        return FrozenDict({key: frozen(value) for key, value in raw.items()})
+    if isinstance(raw, list | tuple):
+        return tuple(frozen(value) for value in raw)
+    if raw is None or isinstance(raw, bool | str):
+        return raw
+    return plain_number(raw, "plain")
+
+
+def plain_number(raw: Any, wanted: str) -> int | float:
+    """A finite number as Python's int or float, from NumPy's too."""
+    if isinstance(raw, bool) or not isinstance(raw, numbers.Real):
+        raise unexpected(wanted, raw)
+    try:
+        value = int(raw) if isinstance(raw, numbers.Integral) else float(raw)
+        value = value if abs(value) < MAX_INT else float(value)
+    except OverflowError:
+        value = math.inf
+    if not math.isfinite(value):
+        raise fault("file.not-finite", given=str(value))
+    return value
+
+
+class Frozen(BaseModel):
+    """Base of the model's parts: immutable, and an unknown key is a fault."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True)
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+        """What is wrong with the keys that are given together, by the file's names; ``None`` isn't given."""
+        yield from ()
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _all_at_once(cls, raw: Any, handler: ModelWrapValidatorHandler[Self]) -> Self:
+        """Faults of the keys together are found also where a value is wrong by itself."""
+        if not isinstance(raw, Mapping):
+            return handler(raw)
+        given = {key: value for key, value in raw.items() if value is not None}
+        details = [InitErrorDetails(type=fault(c, **data), input=None) for c, data in cls.faults(given)]
+        try:
+            value = handler(raw)
+        except ValidationError as error:
+            details += [_again(line) for line in error.errors(include_url=False)]
+        if details:
+            raise ValidationError.from_exception_data(cls.__name__, details)
+        return value
+
+
+def _again(line: Any) -> InitErrorDetails:
+    """A line of a validation error, to be raised once more together with others."""
+    kind = line["type"]
+    if kind == "finding":
+        kind = PydanticCustomError("finding", "{code}", line["ctx"])
+    return InitErrorDetails(type=kind, loc=line["loc"], input=line["input"], ctx=line.get("ctx", {}))
+
+
+class Written:
+    """A value that parses from what is written in the file and gives it back unchanged."""
+
+    __slots__ = ("raw",)
+    raw: Any
+    json_type: ClassVar[dict[str, Any]] = {"type": "string"}
+
+    def __init__(self, raw: Any) -> None:
+        if isinstance(raw, str) and len(raw) > MAX_TEXT:
+            raise fault("file.long", limit=MAX_TEXT)
+        self.put("raw", raw)
+        self.read(raw)
+
+    def read(self, raw: Any) -> None:
+        """Parse and store; raises :func:`fault`."""
+
+    def put(self, name: str, value: Any) -> None:
+        """Set an attribute, while the value is being made."""
+        object.__setattr__(self, name, value)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise TypeError("a mechanism is immutable; build a new one")
+
+    __delattr__ = __setattr__  # type: ignore[assignment]
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Written) and type(self) is type(other) and self.raw == other.raw
+
+    def __hash__(self) -> int:
+        return hash((type(self), self.raw))
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.raw!r})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (type(self), (self.raw,))
+
+    @classmethod
+    def __get_pydantic_core_schema__(cls, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        return core_schema.no_info_plain_validator_function(
+            lambda raw: raw if isinstance(raw, cls) else cls(raw),
+            serialization=core_schema.plain_serializer_function_ser_schema(lambda value: value.raw),
+        )
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        return dict(cls.json_type)
