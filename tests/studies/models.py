@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 import linkwright as lw
 from linkwright.app.job import Job, examine_document, perform
+from linkwright.model.expressions import parse
 from linkwright.model.findings import Finding
 from linkwright.studies import CycleOutcome, MeasureResult
 
@@ -85,6 +86,12 @@ def measured(data: Mapping[str, Any], **measures: Any) -> dict[str, MeasureResul
 def value(data: Mapping[str, Any], label: str = "", **measure: Any) -> float:
     """One measure in its unit."""
     return measured(data, m=measure)["m"].shown(label)
+
+
+def at(run: Any, text: str, t: Array) -> Array:
+    """An expression of signals at any times (s) of a run, in SI."""
+    node = run.compiled.quantities.dimensions.bind(parse(text), None)
+    return np.asarray(run.jets(node, t).d[0])
 
 
 def codes(findings: Any) -> list[str]:

@@ -24,9 +24,20 @@ Force = Annotated[
     Annotated[Vector, Tag("vector")] | Annotated[Expression, Tag("scalar")],
     Discriminator(lambda raw: "vector" if isinstance(raw, list | tuple) else "scalar"),
 ]
+
+
+def _place(raw: Any) -> Any:
+    lone = isinstance(raw, str) and " " not in raw.strip()
+    polar = isinstance(raw, str) and " at " in raw
+    if lone or polar or isinstance(raw, Position) or (isinstance(raw, list | tuple) and len(raw) == 2):
+        return raw
+    raise unexpected("place", raw)
+
+
 At = Annotated[
     Annotated[Name, Tag("name")] | Annotated[Position, Tag("position")],
     Discriminator(lambda raw: "name" if isinstance(raw, str) and " " not in raw.strip() else "position"),
+    BeforeValidator(_place),
 ]
 
 
@@ -114,6 +125,8 @@ class Load(Frozen):
             return
         if "at" not in given:
             yield "load.at", {}
+        if isinstance(given["force"], Mapping):
+            return
         vector = isinstance(given["force"], list | tuple)
         if vector == ("along" in given):
             yield "load.direction", {}

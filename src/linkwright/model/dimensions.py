@@ -89,13 +89,14 @@ class Dimensions:
         wanted = Form.of(_PLACE) if place is None else Form(place)
         floats = equations.read(node, wanted, self._settled, self._settled_table)
 
-        def in_si(number: Number) -> Number:
-            if number.unit is not None:
-                return Number(number.value * unit(number.unit)[0])
-            unknown = floats.get(id(number))
-            if unknown is None or number.value == 0:
-                return Number(number.value)
-            return Number(number.value * declared_scale(equations.of(unknown), self.declared))
+        def in_si(part: Node) -> Node | None:
+            if isinstance(part, Number) and part.unit is not None:
+                return Number(part.value * unit(part.unit)[0])
+            unknown = floats.get(id(part))
+            if unknown is None or part == Number(0.0):
+                return None
+            scale = declared_scale(equations.of(unknown), self.declared)
+            return Number(part.value * scale) if isinstance(part, Number) else Binary("*", part, Number(scale))
 
         return _mapped(node, in_si)
 
@@ -129,13 +130,14 @@ def declared_scale(dimension: Dimension, declared: Mapping[str, str]) -> float:
         raise DimensionError("expression.odd-unit", dimension=dimension) from None
 
 
-def _mapped(node: Node, number: Callable[[Number], Number]) -> Node:
-    if isinstance(node, Number):
-        return number(node)
+def _mapped(node: Node, other: Callable[[Node], Node | None]) -> Node:
+    """The tree with those nodes put in for which ``other`` gives one."""
+    if (instead := other(node)) is not None:
+        return instead
     if isinstance(node, Negative):
-        return Negative(_mapped(node.of, number))
+        return Negative(_mapped(node.of, other))
     if isinstance(node, Binary):
-        return Binary(node.op, _mapped(node.left, number), _mapped(node.right, number))
+        return Binary(node.op, _mapped(node.left, other), _mapped(node.right, other))
     if isinstance(node, Call) and node.attribute is None:
-        return Call(node.name, tuple(_mapped(arg, number) for arg in node.args))
+        return Call(node.name, tuple(_mapped(arg, other) for arg in node.args))
     return node

@@ -13,7 +13,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from linkwright.model.faults import findings_of
-from linkwright.model.findings import Finding, ModelError
+from linkwright.model.findings import Finding, ModelError, Term
 from linkwright.model.mechanism import VERSION, Document
 from linkwright.model.yaml_text import MAX_FINDINGS, Source, read_text, write_text
 
@@ -24,7 +24,7 @@ def read_document(raw: bytes) -> tuple[Document | None, Source]:
     document = None
     if isinstance(source.data, dict):
         if "linkwright" not in source.data:
-            source.findings.append(Finding("file.version", data={"given": "-", "known": VERSION}, line=1))
+            source.findings.append(Finding("file.version", data={"given": Term("nothing"), "known": VERSION}, line=1))
         document = parse_document(source.data, source)
     elif not source.findings:
         source.findings.append(Finding("file.mapping", line=1))

@@ -35,10 +35,16 @@ def findings_of(faults: Iterable[Any], source: Source) -> list[Finding]:
     found: dict[tuple[Any, ...], Finding] = {}
     for fault in faults:
         finding = _finding(fault, source.data)
-        if not any(finding.path[: len(bad)] == bad for bad in source.spoilt):
+        if not any(_nested(finding.path, bad) for bad in source.spoilt):
             line = source.line(finding.path)
             found.setdefault((finding.path, finding.code, str(finding.data)), finding.located(line))
     return list(found.values())
+
+
+def _nested(path: Path, other: Path) -> bool:
+    """Whether one of two places lies in the other."""
+    both = min(len(path), len(other))
+    return bool(path) and path[:both] == other[:both]
 
 
 def _path(loc: tuple[Any, ...], data: Any) -> Path:

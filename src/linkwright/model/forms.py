@@ -180,7 +180,7 @@ class _Reader:
         """A term: the product of its factors; with a bare number and otherwise pure, it floats."""
         form, bare = Form(), None
         for factor, power in _factors(node):
-            if isinstance(factor, Number) and factor.unit is None:
+            if _is_bare(factor):
                 bare = bare or (factor if power == 1 else None)
                 continue
             form = form.times(self.factor(factor), power)
@@ -208,9 +208,9 @@ class _Reader:
 
     def power(self, node: Binary) -> Form:
         exponent = constant(node.right)
-        if exponent is not None and constant(node.left) is None:
+        if exponent is not None and not _is_bare(node.left):
             return self.product(node.left).to(exponent)
-        if constant(node.left) is None:
+        if not _is_bare(node.left):
             self.equations.append((self.form(node.left), Form(), node.left))
         self.equations.append((self.form(node.right), Form(), node.right))
         return Form()
@@ -275,6 +275,13 @@ _RULES: dict[str, Callable[[_Reader, list[Form], Call], Form]] = {
     "step": _step,
     "root": lambda reader, forms, node: forms[0].to(Fraction(1, 2)),
 }
+
+
+def _is_bare(node: Node) -> bool:
+    """Whether a factor is a number without unit, or a power of such numbers."""
+    if isinstance(node, Binary) and node.op != "^":
+        return False
+    return all(isinstance(n, Negative | Binary) or (isinstance(n, Number) and n.unit is None) for n in nodes(node))
 
 
 def constant(node: Node) -> Fraction | None:

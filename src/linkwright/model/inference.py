@@ -11,7 +11,7 @@ from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, Number, no
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.names import Names
-from linkwright.model.places import Path, Place, measured, places
+from linkwright.model.places import Path, Place, Scope, measured, places
 from linkwright.model.signals import Signals
 from linkwright.model.units import PURE, Dimension, unit, words_of
 
@@ -108,13 +108,14 @@ _TURNING = tuple(Dimension(0, 0, -k) for k in range(4))
 
 def _rank(place: Place) -> int:
     """In which order the uses are read. What states its own units comes first: a conflict is then told where
-    such a thing is used. Lone names come next: they settle the power of angle, which later uses confirm."""
-    node = place.expression.node
-    if _explicit(node):
+    such a thing is used. Lone names come next: they settle the power of angle, which later uses confirm; and
+    what is measured comes before the bounds on it."""
+    section, node = place.path[0], place.expression.node
+    if section in ("parameters", "tables") and _explicit(node):
         return 0
-    if place.path[0] == "parameters":
+    if section == "parameters":
         return 3
-    return 1 if isinstance(node, Name) else 2
+    return 1 if isinstance(node, Name) or place.scope is Scope.SIGNALS else 2
 
 
 def _explicit(node: Node) -> bool:

@@ -41,7 +41,7 @@ TwoLines = Annotated[tuple[LineOn, LineOn], BeforeValidator(pair("two-lines"))]
 
 # A branch of a union is chosen by the looks of the value, so that its faults are told once.
 _Tolerance = Annotated[
-    Annotated[Interval, Tag("pair")] | Annotated[Expression, Tag("single")],
+    Annotated[Two, BeforeValidator(pair("tolerance")), Tag("pair")] | Annotated[Expression, Tag("single")],
     Discriminator(lambda raw: "pair" if isinstance(raw, list | tuple) else "single"),
 ]
 

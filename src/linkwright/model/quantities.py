@@ -37,7 +37,8 @@ class Quantities:
         self.dimensions: Dimensions = inference.dimensions
         self.places: list[Place] = inference.places
         self.order = inference.order
-        self.findings += _collapsed([self._worded(finding) for finding in inference.findings])
+        wrong = {finding.data["base"] for finding in self.findings}
+        self.findings += _collapsed([self._worded(finding) for finding in inference.findings], wrong)
         self._bound: dict[tuple[str, Dimension | None], Node] = {}
         # Cells of tables are bound alike whoever asks: a bare 0 alone doesn't tell its dimension.
         self._cells: dict[int, Wanted] = {
@@ -110,14 +111,14 @@ _USUAL = {
 }
 
 
-def _collapsed(findings: list[Finding]) -> list[Finding]:
-    """One finding for each unit that isn't declared, at the first number that needs it."""
+def _collapsed(findings: list[Finding], wrong: set[str]) -> list[Finding]:
+    """One finding for each unit that isn't declared, at the first number that needs it; none for wrong ones."""
     kept: list[Finding] = []
     count: dict[Any, int] = {}
     for finding in findings:
         base = finding.data.get("base") if finding.code == "expression.undeclared-unit" else None
         count[base] = count.get(base, 0) + 1
-        if base is None or count[base] == 1:
+        if base is None or (count[base] == 1 and base not in wrong):
             kept.append(finding)
     return [
         replace(f, data={**f.data, "count": count[f.data["base"]]}) if f.code == "expression.undeclared-unit" else f

@@ -6,40 +6,44 @@ from typing import Any
 
 from linkwright.model.mechanism import VERSION, Document
 
-ID = f"https://linkwright.org/schema/model-{VERSION}.json"
+_NAMED = ("properties", "patternProperties", "$defs")
+"""Keywords whose entries are schemas by name."""
 
 
 def json_schema() -> dict[str, Any]:
     """The schema of a model file (JSON Schema 2020-12). Studies stand in it as free mappings."""
     schema = _plain(Document.model_json_schema(by_alias=True))
-    schema["required"] = ["linkwright", "links"]
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
-        "$id": ID,
+        "$id": f"urn:linkwright:model:{VERSION}",
         **schema,
         "title": "linkwright model file",
         "description": "A planar mechanism: links, joints, drives, loads, measures and studies.",
+        "required": ["linkwright", "links"],
     }
 
 
-def _plain(node: Any) -> Any:
+def _plain(schema: Any) -> Any:
     """Without what pydantic adds and files don't know: titles made from keys, null for what is left out."""
-    if isinstance(node, list):
-        return [_plain(entry) for entry in node]
-    if not isinstance(node, dict):
-        return node
-    if "properties" in node:
-        node = {**node, "properties": {key: _entry(value) for key, value in node["properties"].items()}}
-    if "patternProperties" in node:
-        node = {**node, "additionalProperties": False}
-    node = {key: value for key, value in node.items() if key not in ("title", "default") or isinstance(value, dict)}
-    return {key: _plain(value) for key, value in node.items()}
+    if isinstance(schema, list):
+        return [_plain(entry) for entry in schema]
+    if not isinstance(schema, dict):
+        return schema
+    schema = {key: value for key, value in _given(schema).items() if key not in ("title", "default")}
+    if "patternProperties" in schema:
+        schema["additionalProperties"] = False
+    if "description" in schema:
+        schema["description"] = schema["description"].replace("``", "'")
+    return {
+        key: {name: _plain(entry) for name, entry in value.items()} if key in _NAMED else _plain(value)
+        for key, value in schema.items()
+    }
 
 
-def _entry(schema: dict[str, Any]) -> dict[str, Any]:
-    """The schema of one key that may be left out: what stands there when it isn't."""
+def _given(schema: dict[str, Any]) -> dict[str, Any]:
+    """The schema of a key where it is given: without the null that stands for its absence."""
     options = [option for option in schema.get("anyOf", []) if option != {"type": "null"}]
-    if "anyOf" not in schema or len(options) == len(schema["anyOf"]):
+    if len(options) == len(schema.get("anyOf", [])):
         return schema
     rest = {key: value for key, value in schema.items() if key != "anyOf"}
     return {**rest, **options[0]} if len(options) == 1 else {**rest, "anyOf": options}

@@ -116,7 +116,7 @@ class Signals:
 
     def _called(self, node: Call) -> Signal:
         names = [signal_text(arg) if isinstance(arg, Name | Call) else "?" for arg in node.args]
-        if node.name == "force":
+        if node.name == "force" and len(names) in (2, 3):
             contact = self.contact(names)
             attributes = SLIDE_FORCE if contact.sliding else FORCE
             owners: tuple[str, ...] = (contact.link, contact.on)

@@ -157,7 +157,7 @@ def spelled(dimension: Dimension, declared: dict[str, str], strict: bool = True)
         return "J"
     if dimension == POWER:
         return "W"
-    recipe = _RECIPES.get(dimension) or _RECIPES.get(dimension.physical) or _composed(dimension)
+    recipe = _RECIPES.get(dimension, _RECIPES.get(dimension.physical, _composed(dimension)))
     if recipe is None:
         raise UnitError("")
     words: dict[str, str] = {}

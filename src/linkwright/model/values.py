@@ -49,7 +49,7 @@ def _bodies(q: Quantities) -> Iterator[Finding]:
 
 def _rods(q: Quantities) -> Iterator[Finding]:
     for name, link in q.mechanism.links.items():
-        if link.shape and link.shape.form == "rod":
+        if link.shape and link.shape.form == "rod" and all(point in link.points for point in link.shape.points):
             ends = [
                 [q.value(expression, dimension) for expression, dimension in position_parts(link.points[point])]
                 for point in link.shape.points

@@ -237,14 +237,42 @@ def _opens(text: str) -> bool:
     return text.count("(") > text.count(")")
 
 
+WIDTH = 110
+
+
 def write_text(data: Mapping[str, Any]) -> str:
-    """Plain data as YAML: sections as blocks, leaves in one line each."""
+    """Plain data as YAML, as files are written by hand: one entry of a section a line where it fits."""
     from ruamel.yaml import YAML
+    from ruamel.yaml.comments import CommentedMap
 
     yaml = YAML(typ="rt", pure=True)
-    yaml.default_flow_style = None
-    yaml.width = 110
+    yaml.width = WIDTH + 10
     yaml.allow_unicode = True
     stream = io.StringIO()
-    yaml.dump(dict(data), stream)
+    yaml.dump(CommentedMap({key: _laid_out(value, len(key), top=True) for key, value in data.items()}), stream)
     return stream.getvalue()
+
+
+def _laid_out(value: Any, indent: int, top: bool = False) -> Any:
+    """Collections in one line where they fit; a section of mappings takes a line for each."""
+    from ruamel.yaml.comments import CommentedMap, CommentedSeq
+
+    if not isinstance(value, dict | list):
+        return value
+    many = top and isinstance(value, dict) and any(isinstance(entry, dict) for entry in value.values())
+    if indent + _length(value) <= WIDTH and not many:
+        flat: Any = CommentedMap(value) if isinstance(value, dict) else CommentedSeq(value)
+        flat.fa.set_flow_style()
+        return flat
+    if isinstance(value, dict):
+        return CommentedMap({key: _laid_out(entry, indent + len(key) + 4) for key, entry in value.items()})
+    return CommentedSeq([_laid_out(entry, indent + 4) for entry in value])
+
+
+def _length(value: Any) -> int:
+    """About how many characters a value takes in one line."""
+    if isinstance(value, dict):
+        return sum(len(key) + 4 + _length(entry) for key, entry in value.items()) + 2
+    if isinstance(value, list):
+        return sum(2 + _length(entry) for entry in value) + 2
+    return len(str(value))

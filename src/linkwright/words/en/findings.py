@@ -1,3 +1,603 @@
-"""What findings say: `CODE.what` and `CODE.mend`, with the data of the finding filled in."""
+"""What findings say: `CODE.what` and `CODE.mend`, with the data of the finding filled in.
 
-FINDINGS: dict[str, str] = {}
+`term.…` are phrases that stand for data inside them. Quantities in the data carry their units; the few that
+don't are in SI, and the text says so.
+"""
+
+_TEXTS: dict[str, tuple[str, str]] = {
+    # The file and its text.
+    "file.unreadable": (
+        "The file {file} can't be read: {reason}.",
+        "Check its name and your permission to read it.",
+    ),
+    "file.unwritable": (
+        "Can't write to {file}: {reason}.",
+        "Choose another folder with --out, or make this one writable.",
+    ),
+    "file.too-large": (
+        "The file has {size} bytes; a model file has at most {limit}.",
+        "Put long tables into CSV files beside the model and name them under tables.",
+    ),
+    "file.binary": (
+        "This is no text file: byte {at} can't stand in one.",
+        "Save the model as plain text in UTF-8.",
+    ),
+    "file.character": (
+        "A text here holds a control character.",
+        "Type the text again; write no \\x, \\u or \\0 escapes in it.",
+    ),
+    "file.empty": (
+        "The file is empty.",
+        "Start it with 'linkwright: 1', then give links and drives; see docs/file-format.md.",
+    ),
+    "file.documents": (
+        "A second document starts here (after '---' or '...'); a model file holds one.",
+        "Take the marker out, or split the file.",
+    ),
+    "file.mapping": (
+        "The file holds no 'key: value' entries at its top level.",
+        "Start it with 'linkwright: 1', then give links and drives; see docs/file-format.md.",
+    ),
+    "file.version": (
+        "The file doesn't say that it is a model of format version {known} (given: {given}).",
+        "Write 'linkwright: {known}' as its first line.",
+    ),
+    "file.yaml": (
+        "This can't be read as YAML: {reason}.",
+        "Look here and in the line above for an open bracket or quote, a missing colon, or wrong indentation.",
+    ),
+    "file.tab": (
+        "The line is indented with a tab; YAML takes spaces only.",
+        "Replace the tab by spaces.",
+    ),
+    "file.quote": (
+        "YAML doesn't take a value that starts like '{value}' as text.",
+        "Put the value in double quotes.",
+    ),
+    "file.comma": (
+        "YAML splits '{text}' at the commas, because it isn't quoted.",
+        'Put the expression in quotes: "{text}".',
+    ),
+    "file.alias": (
+        "'{mark}' is an anchor or alias of YAML, which model files don't have.",
+        "Use a parameter instead; if the value is meant to begin with '*' or '&', put it in double quotes.",
+    ),
+    "file.tag": (
+        "'{tag}' is a type tag of YAML, which model files don't have.",
+        "Take the tag out; if the value is meant to begin with '!', put it in double quotes.",
+    ),
+    "file.key": (
+        "A list or mapping stands where a name is expected before a colon.",
+        "Write a plain name there; a value in braces or brackets goes after the colon.",
+    ),
+    "file.depth": (
+        "Values are nested more than {limit} levels deep.",
+        "Model files need five levels at most: look for a bracket too many.",
+    ),
+    "file.duplicate": (
+        "'{name}' stands twice in the same place, first in line {first}.",
+        "Rename or remove one of the two.",
+    ),
+    "file.too-many": (
+        "There are {count} entries here; {limit} is the most that a model file may hold.",
+        "Split the model; put long tables into CSV files.",
+    ),
+    "file.long": (
+        "This text is longer than {limit} characters.",
+        "Shorten it; give parts of a long expression as parameters.",
+    ),
+    "file.more": (
+        "There are {count} more findings.",
+        "Mend the ones above first; many of the rest may follow from them.",
+    ),
+    "file.missing": (
+        "'{name}' is missing here.",
+        "Add it. The keys of such an entry are: {known}.",
+    ),
+    "file.unknown-key": (
+        "'{name}' isn't a key that can stand here.",
+        "Write one of these: {near}. Or remove it.",
+    ),
+    "file.expected": (
+        "Wanted here: {wanted}. Given: {given}.",
+        "Write what is wanted; docs/file-format.md shows an example of each entry.",
+    ),
+    "file.not-finite": (
+        "{given} is no finite number.",
+        "Give a finite number.",
+    ),
+    "file.bad-name": (
+        "'{name}' can't be a name.",
+        "Use letters of any script, digits and underscores (at most {limit}), and no digit first.",
+    ),
+    "file.reserved-name": (
+        "'{name}' means something already: t is the time, pi the number, start and end the ends of a run.",
+        "Choose another name.",
+    ),
+    "builder.twice": (
+        "'{name}' was given to the builder twice.",
+        "Rename or remove one of the two.",
+    ),
+    # Units and expressions.
+    "units.wrong": (
+        "'{word}' isn't a unit of {base}.",
+        "Write a plain unit of {base}, for example {usual}.",
+    ),
+    "units.unknown": (
+        "'{word}' isn't a unit.",
+        "Write units such as mm, deg, kg, s, N, N*m, rpm, mm/s; products with *, quotients with /, powers with ^.",
+    ),
+    "expression.syntax": (
+        "'{text}' can't be read as an expression: {reason}.",
+        "Write arithmetic with + - * / ^ and brackets, as in '2*AB + 5 mm'; put a * between factors.",
+    ),
+    "expression.units-conflict": (
+        "'{part}' has the unit {given}; here {wanted} is wanted.",
+        "Correct the unit written, or the parameter; a parameter takes its unit from its own value or its other uses.",
+    ),
+    "expression.units-mixed": (
+        "In '{part}' a value with the unit {given} meets one with {wanted}; they can't be added.",
+        "Write units on the numbers, or correct the parameter; bare parameters take their units from their uses.",
+    ),
+    "expression.hertz": (
+        "'{part}' counts events a second, which leaves open whether revolutions or radians are meant.",
+        "Write rpm, r/s or deg/s for a speed; in sin and cos write 2*pi*{part}*t.",
+    ),
+    "expression.arguments": (
+        "The function {name} is given {given} arguments; it takes {wanted}.",
+        "Give {wanted} arguments, with commas between them.",
+    ),
+    "expression.unknown-function": (
+        "There is no function or table called '{name}'.",
+        "Write one of these: {near}. Or declare it under tables.",
+    ),
+    "expression.unit-alone": (
+        "'{name}' is a unit without a number, and no parameter is called so.",
+        "Write the number before it, as in '1 {name}', or declare {name} under parameters.",
+    ),
+    "expression.undeclared-unit": (
+        "A number without a unit stands here, but 'units' doesn't say the unit of {base} (such numbers: {count}).",
+        "Declare {base} under units, or write the unit behind the number.",
+    ),
+    "expression.odd-unit": (
+        "A number without a unit would be read in {dimension} here, which is seldom meant.",
+        "Write the unit behind the number.",
+    ),
+    "expression.not-constant": (
+        "'{name}' changes while the mechanism moves; here a constant is wanted.",
+        "Use numbers, parameters and functions of them only.",
+    ),
+    "expression.ambiguous-unit": (
+        "In '{part}', '{word}' is read as a unit, but a parameter is called so too.",
+        "For the parameter write it in brackets: '*({word})'. For the unit, rename the parameter.",
+    ),
+    "parameters.cycle": (
+        "These parameters are defined by one another: {cycle}.",
+        "Give one of them as a number.",
+    ),
+    "parameters.value": (
+        "'{text}' has no value: it divides by zero, takes a root of a negative number, or is too large.",
+        "Check the numbers that go into it.",
+    ),
+    "value.not-finite": (
+        "'{text}' has no value: it divides by zero, takes a root of a negative number, or is too large.",
+        "Check the numbers and parameters that go into it.",
+    ),
+    "value.too-small": (
+        "The {what} is {value} {unit}, which is too small.",
+        "Give a positive value.",
+    ),
+    "value.rod": (
+        "The ends {points} of the rod lie in one place.",
+        "Name two points apart, or write 'point' instead of 'rod'.",
+    ),
+    "value.not-rising": (
+        "The interval from {low} to {high} is empty.",
+        "Give the lower end first.",
+    ),
+    # Names.
+    "name.unknown": (
+        "'{name}' isn't {kind} of this mechanism.",
+        "Write one of these: {near}.",
+    ),
+    "name.unknown-point": (
+        "The link {link} has no point called '{name}'.",
+        "Write one of these: {near}. Or add the point to the link.",
+    ),
+    "name.unknown-element": (
+        "Nothing in this mechanism is called '{name}'.",
+        "Write one of these: {near}.",
+    ),
+    "name.unknown-parameter": (
+        "There is no parameter called '{name}'.",
+        "Write one of these: {near}. Or declare it under parameters.",
+    ),
+    "name.taken": (
+        "'{name}' is the name of {first} and of {second}; signals such as '{name}.x' couldn't be told apart.",
+        "Rename one of the two.",
+    ),
+    "signal.no-attribute": (
+        "'{attribute}' isn't a signal of {name}.",
+        "Write one of these: {known}.",
+    ),
+    "signal.no-joint": (
+        "{a} and {b} don't touch each other, so there is no force between them.",
+        "Write one of these: {options}. With three links on a pin, name the pin as the second.",
+    ),
+    "signal.several-joints": (
+        "{a} and {b} touch each other at several joints: {joints}.",
+        "Name the joint as the third: force({a}, {b}, JOINT).",
+    ),
+    "signal.no-mass": (
+        "'{name}' isn't a link with mass, so it has no centre of mass.",
+        "Give the link a mass, or follow one of its points.",
+    ),
+    "signal.unknown": (
+        "'{name}' isn't a signal.",
+        "Write POINT.x, LINK.angle, JOINT.s, DRIVE.torque, force(LINK, LINK).x or com(LINK).x; see docs/file-format.md.",
+    ),
+    # Links, joints, drives, loads.
+    "model.no-frame": (
+        "No link is called 'frame', so nothing stands still. Links: {links}.",
+        "Call the link that doesn't move 'frame'.",
+    ),
+    "model.frame-mass": (
+        "The frame has a mass; it doesn't move, so its mass has no effect.",
+        "Take the mass out.",
+    ),
+    "model.no-moving-link": (
+        "There is no link besides the frame.",
+        "Add the links that move.",
+    ),
+    "model.no-points": (
+        "The link {name} has no points, so nothing can be joined to it.",
+        "Give it points, for example points: {{A: [0, 0], B: [100, 0]}}.",
+    ),
+    "model.no-drive": (
+        "There is no drive, so nothing says how the mechanism moves.",
+        "Add one, for example drives: {{motor: {{turns: crank, on: frame, speed: 60 rpm, start: 0 deg}}}}.",
+    ),
+    "mass.shape-and-com": (
+        "A shape says where the mass sits already, but {given} is given too.",
+        "Keep the shape, or com and inertia.",
+    ),
+    "mass.missing": (
+        "{given} is given without a mass.",
+        "Add the mass.",
+    ),
+    "mass.incomplete": (
+        "A mass is given, but not how it is spread ({missing} is missing).",
+        "Add com and inertia, or a shape such as 'rod A-B'.",
+    ),
+    "joint.kind": (
+        "It isn't clear whether this joint slides or turns.",
+        "Give either prismatic with line, or revolute with at.",
+    ),
+    "joint.line": (
+        "A prismatic joint needs a line on each link, and nothing else.",
+        "Write line: [H at 0 deg, G at 0 deg]: on each of the two links a point and the direction of the line.",
+    ),
+    "joint.at": (
+        "A revolute joint needs the pinned point of each link, and nothing else.",
+        "Write at: [P, Q], a point of the first link and one of the second.",
+    ),
+    "joint.same-link": (
+        "Both links are {name}; a joint or drive acts between two different ones.",
+        "Name the other link.",
+    ),
+    "joint.pin-twice": (
+        "The link {link} would be on the pin {pin} with several of its points ({points}).",
+        "Give these points other names, or take the joint out that ties them together.",
+    ),
+    "drive.kind": (
+        "It isn't clear what is driven.",
+        "Give either turns or slides, with the name of a link.",
+    ),
+    "drive.law": (
+        "It isn't clear how the drive moves.",
+        "Give either speed and start, or position as an expression in t.",
+    ),
+    "drive.start": (
+        "Speed and start belong together.",
+        "Give both: speed (constant), and start (the value at t = 0).",
+    ),
+    "drive.twice": (
+        "{a} and {b} are driven against each other by {other} already.",
+        "Keep one of the two drives.",
+    ),
+    "drive.signal": (
+        "The law of a drive can't follow '{name}', which results from the motion.",
+        "Write the law in t, parameters and tables.",
+    ),
+    "drive.linear-table": (
+        "The table {table} joins its points by straight lines, so the drive's speed would jump at each.",
+        "Write between: cubic or between: quintic in the table.",
+    ),
+    "drive.not-finite": (
+        "The {what} of the drive {drive} has no finite value at t = {time:.6g} s.",
+        "Check its position for a division by zero, a root of a negative number, or a root at zero.",
+    ),
+    "drive.outside-table": (
+        "The drive {drive} asks a table for {at:.6g}, outside its range {low:.6g} to {high:.6g} (in SI units: s, m, rad).",
+        "Extend the table, or give it a period.",
+    ),
+    "load.empty": (
+        "The load has neither a force nor a torque.",
+        "Give one of them.",
+    ),
+    "load.at": (
+        "It isn't said where the force acts.",
+        "Add at: a point of the link, or [x, y] in its own coordinates.",
+    ),
+    "load.direction": (
+        "A force is two numbers [Fx, Fy], or one number along a slide.",
+        "Write force: [Fx, Fy] without along, or one number with along: JOINT.",
+    ),
+    "load.in": (
+        "A force along a slide has its direction from the slide; 'in' has no meaning for it.",
+        "Take 'in' out.",
+    ),
+    "load.on-frame": (
+        "The load acts on the frame, which doesn't move: it has no effect.",
+        "Put the load on a moving link, or take it out.",
+    ),
+    "load.varies": (
+        "The load depends on '{name}'; loads that change while the mechanism moves can't be computed yet.",
+        "Give a constant force or torque.",
+    ),
+    # Tables.
+    "table.source": (
+        "A table has either a file or points.",
+        "Give file with x and y, or points: [[x, y], ...].",
+    ),
+    "table.columns": (
+        "It isn't said which columns of the file to take.",
+        "Add x and y as 'COLUMN UNIT', for example x: angle deg.",
+    ),
+    "table.inline-columns": (
+        "{given} names a column of a file, but the points stand here.",
+        "Take it out; write units on the points, or leave them to the units that are declared.",
+    ),
+    "table.place": (
+        "The file '{file}' doesn't lie beside the model.",
+        "Put it into the model's folder, or below, and write its name without '..' and without a drive or root.",
+    ),
+    "table.unreadable": (
+        "The file {file} can't be read: {reason}.",
+        "Put the CSV file beside the model, as UTF-8 text with a line of column names first.",
+    ),
+    "table.no-column": (
+        "The file has no column '{name}'. Its columns: {known}.",
+        "Correct x and y, or the first line of the file.",
+    ),
+    "table.not-number": (
+        "Row {row} of the file holds something that isn't a number.",
+        "Correct the row; write decimal points, and no units.",
+    ),
+    "table.long": (
+        "The file has more than {limit} rows.",
+        "Leave rows out: the spline between them needs few.",
+    ),
+    "table.short": (
+        "The table has {given} points; the curve between them needs at least {wanted}.",
+        "Add points, or write between: linear.",
+    ),
+    "table.order": (
+        "The argument doesn't ascend at point {row}.",
+        "Sort the points, and give each argument once.",
+    ),
+    "table.period": (
+        "The points span more than one period.",
+        "Give a longer period, or fewer points.",
+    ),
+    "table.not-closed": (
+        "The points span one whole period, but the last value differs from the first.",
+        "Make the two equal, or leave the last point out.",
+    ),
+    # Windows, measures, studies.
+    "window.one-signal": (
+        "A window by a signal has one signal; {count} are given.",
+        "Write {{SIGNAL: [low, high]}} with one signal.",
+    ),
+    "window.signal": (
+        "'{given}' isn't a signal such as motor.angle.",
+        "Write {{SIGNAL: [low, high]}}, for example {{motor.angle: [0 deg, 90 deg]}}.",
+    ),
+    "window.outside": (
+        "The window {name} lies outside the run.",
+        "Correct the window, or let the study run longer.",
+    ),
+    "measure.reduction": (
+        "A measure asks for one thing of a signal; given: {given}.",
+        "Give exactly one of: {known}.",
+    ),
+    "measure.where": (
+        "A value is taken at one instant, and only a value is.",
+        "Write value and where together: {{value: crank.angle, where: max E.x}}.",
+    ),
+    "measure.bad-where": (
+        "'{given}' doesn't name an instant.",
+        "Write where: max SIGNAL, min SIGNAL, start or end.",
+    ),
+    "measure.unit": (
+        "The figure is in {wanted}; it can't be shown in {unit}.",
+        "Choose a unit of the same kind as {wanted}, or take the unit out.",
+    ),
+    "measure.table": (
+        "The table '{name}' can't be used in a measure.",
+        "Tables are for the laws of drives; write the measure in signals, t and parameters.",
+    ),
+    "measure.nothing": (
+        "The measure {name} has no value: nothing of the run lies in its window.",
+        "Correct the window, or let the study run longer.",
+    ),
+    "measure.not-finite": (
+        "The measure {name} has no finite value.",
+        "Check its expression for a division by zero or a root of a negative number; is the mechanism at a singular pose?",
+    ),
+    "study.unknown": (
+        "There is no study called '{name}'.",
+        "Write one of these: {near}.",
+    ),
+    "study.options": (
+        "The option {key} of the study {study} is wrong: {reason}.",
+        "Correct it; docs/file-format.md lists the options of each study.",
+    ),
+    "study.none": (
+        "The file asks for no study.",
+        "Add one, for example studies: {{cycle: {{period: 1.5 s, samples: 200}}}}.",
+    ),
+    # Structure.
+    "structure.drive-no-joint": (
+        "{link} and {on} share no {joint} joint, so the drive can't act between them.",
+        "Name two links that meet at a pin (turns) or on a line (slides).",
+    ),
+    "structure.drive-two-joints": (
+        "{link} and {on} meet at several joints ({joints}), so the drive can't tell which to move.",
+        "Leave one joint between the two links.",
+    ),
+    "structure.drive-too-many": (
+        "{link} and {on} are held already, by their joints or other drives; this drive would fight them.",
+        "Take the drive out, or a joint.",
+    ),
+    "structure.drive-inside": (
+        "The drive acts inside a closed group of links ({links}); such a group can't be solved yet.",
+        "Drive a link against one that is held already, such as the frame.",
+    ),
+    "structure.loose": (
+        "These links aren't held: {links} (free motions: {freedom}).",
+        "Join them to links that are held, check the spelling of shared points, or add a drive. {hint}",
+    ),
+    "structure.overconstrained": (
+        "These links are held too much: {links} (constraints too many: {excess}).",
+        "Take out a joint or a drive, or add the link that is missing between two pins.",
+    ),
+    "structure.higher-group": (
+        "These {count} links can only be placed all at once: {links}. Groups of more than two links can't be solved yet.",
+        "Drive another link, so that the rest falls apart into pairs of links.",
+    ),
+    "structure.redundant": (
+        "The joint {joint} between {links} holds what other joints hold already, so its forces are undetermined.",
+        "Take this joint out, or the link that doubles another.",
+    ),
+    # Assembly and motion.
+    "assembly.missing": (
+        "{links} can be put together in two ways, and nothing says which.",
+        "Add to assembly: {options}. Or give the point's place in a sketch: [x, y].",
+    ),
+    "assembly.contradiction": (
+        "These rules ask for both ways of putting one pair of links together: {rules}.",
+        "Keep one of them.",
+    ),
+    "assembly.unused": (
+        "The rule for {point} says nothing about a pair of links that can be put together in two ways.",
+        "Take it out, or name the pin in the middle of such a pair.",
+    ),
+    "assembly.wrong-pins": (
+        "The rule for {point} doesn't name the joints by which its pair of links hangs.",
+        "Write {options}.",
+    ),
+    "assembly.not-four-bar": (
+        "'open' and 'crossed' are words for a four-bar, and {point} isn't the pin of one.",
+        "Write {options}.",
+    ),
+    "assembly.ambiguous": (
+        "At the start the rule for {point} fits both ways of putting the links together equally well.",
+        "Write {options}. Or start elsewhere.",
+    ),
+    "assembly.cannot-close": (
+        "{links} can't be put together at the start: {joints} are {distance} {unit} apart, "
+        "{by} {unit} {way} than the links can span ({limit} {unit}).",
+        "Make the links {direction}, by {by} {unit} at least; or start elsewhere.",
+    ),
+    "assembly.degenerate": (
+        "{links} have no definite pose at the start: their joints {joints} coincide, or their lines are parallel.",
+        "Correct the points and lines of these links; or start elsewhere.",
+    ),
+    "motion.cannot-assemble": (
+        "{links} can't be put together between {drive} = {from} and {to} {unit}: {joints} come {distance} {length_unit} "
+        "apart, {by} {length_unit} {way} than the links can span ({limit} {length_unit}).",
+        "Make the links {direction}, by {by} {length_unit} at least; or keep {drive} out of that range.",
+    ),
+    "motion.singular": (
+        "At t = {time} s ({drive} = {value} {unit}) the motion passes a change point or dead centre of {group} "
+        "(determinant {determinant}); rates and forces have no meaning there.",
+        "Change the lengths, drive another link, or keep the motion away from that pose.",
+    ),
+    "motion.not-periodic": (
+        "The motion isn't closed: after {period} the point {element} is {distance} {unit} from where it began.",
+        "Correct the period, or give duration instead of period.",
+    ),
+}
+
+# Phrases inside the texts above.
+_TERMS: dict[str, str] = {
+    # What is wanted where something else is given.
+    "expression": "a number or an expression",
+    "plain": "a number, a text, true, false, a list or a mapping",
+    "mapping": "a mapping (key: value)",
+    "list": "a list",
+    "text": "a text (numbers in quotes)",
+    "name": "a name (letters, digits, underscores)",
+    "other": "another kind of value",
+    "position": "[x, y] or 'r at angle'",
+    "place": "a point of the link, [x, y] or 'r at angle'",
+    "line": "a line such as 'G at 90 deg'",
+    "shape": "'rod A-B', 'disc RADIUS at A' or 'point A'",
+    "assembly": "'left of B-D', 'right of B-D', 'open', 'crossed', 'ahead of B along JOINT', 'behind B along JOINT' or [x, y]",
+    "requirement": "'>= VALUE', '<= VALUE' or 'LOW .. HIGH'",
+    "vector": "[x, y]",
+    "interval": "[low, high]",
+    "tolerance": "a number, or [lower, upper]",
+    "two-links": "[LINK, LINK]",
+    "two-points": "[POINT, POINT], one of each link",
+    "two-lines": "[POINT at ANGLE, POINT at ANGLE], one on each link",
+    "table-row": "[x, y]",
+    "table-rows": "a list of points [x, y]",
+    "column": "'COLUMN UNIT', for example angle deg",
+    # What is given.
+    "nothing": "nothing",
+    "given-mapping": "a mapping",
+    "given-list": "a list of {count}",
+    "no-unit": "1 (a pure number)",
+    # Kinds of names.
+    "a-link": "a link",
+    "a-point": "a point",
+    "a-joint": "a joint",
+    "a-slide": "a prismatic joint",
+    "a-drive": "a drive",
+    "a-parameter": "a parameter",
+    "a-function": "a function",
+    "a-table": "a table",
+    "a-window": "a window",
+    "a-measure": "a measure",
+    "the-shaking": "the shaking force",
+    "the-energies": "the energies",
+    # Quantities.
+    "mass": "mass",
+    "inertia": "moment of inertia",
+    "radius": "radius",
+    "period": "period",
+    # Why an expression can't be read.
+    "syntax-empty": "it is empty",
+    "syntax-long": "it is longer than {limit} characters",
+    "syntax-deep": "it is nested too deeply; give parts of it as parameters",
+    "syntax-large": "the number {given} is too large",
+    "syntax-character": "the character {given} has no meaning here",
+    "syntax-operator": "an operator is missing before '{before}'",
+    "syntax-open": "a bracket is closed that wasn't opened",
+    "syntax-close": "a closing bracket is missing before '{before}'",
+    "syntax-close-end": "a closing bracket is missing at the end",
+    "syntax-value": "a value is missing before '{before}'",
+    "syntax-value-end": "a value is missing at the end",
+    "syntax-attribute": "a name is missing after the point",
+    "syntax-unit": "'{word}' isn't a unit",
+    "syntax-unit-power": "the power of a unit is one digit, 1 to 9",
+    "syntax-place": "{name} can't stand here",
+}
+
+FINDINGS: dict[str, str] = {
+    **{f"{code}.what": what for code, (what, _) in _TEXTS.items()},
+    **{f"{code}.mend": mend for code, (_, mend) in _TEXTS.items()},
+    **{f"term.{name}": text for name, text in _TERMS.items()},
+}

@@ -1,0 +1,174 @@
+"""Mechanisms written in Python: the same object as a model file gives, by the same validation."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Self
+
+from linkwright.model.document import parse_document
+from linkwright.model.findings import Finding, ModelError
+from linkwright.model.mechanism import VERSION, Document
+
+Point = Any
+"""``[x, y]`` or ``"r at angle"``; numbers, or expressions as text."""
+
+
+class Builder:
+    """Collects the parts of a model file; each method gives the builder back, so that calls can be chained.
+
+    Names, numbers and expressions are written as in the file; what a bare number means is said by the units
+    given here. Nothing is checked before :meth:`build`.
+    """
+
+    def __init__(
+        self,
+        name: str = "mechanism",
+        length: str | None = "mm",
+        angle: str | None = "deg",
+        mass: str | None = "kg",
+        time: str | None = "s",
+        force: str | None = "N",
+        torque: str | None = "N*m",
+        pressure: str | None = None,
+        note: str | None = None,
+    ) -> None:
+        units = {"length": length, "angle": angle, "mass": mass, "time": time, "force": force, "torque": torque}
+        self._data: dict[str, Any] = _given(
+            linkwright=VERSION, name=name, note=note, units=_given(**units, pressure=pressure)
+        )
+        self._twice: list[Finding] = []
+
+    def parameter(self, name: str, value: Any, tolerance: Any = None, note: str | None = None) -> Self:
+        """A named value; ``tolerance`` is one number for plus and minus, or ``[lower, upper]``."""
+        if tolerance is None and note is None:
+            return self._put("parameters", name, value)
+        return self._put("parameters", name, _given(value=value, tolerance=tolerance, note=note))
+
+    def frame(self, points: Mapping[str, Point] | None = None, **more: Point) -> Self:
+        """The link that doesn't move, with its points."""
+        return self._put("links", "frame", {"points": {**(points or {}), **more}})
+
+    def link(
+        self,
+        name: str,
+        points: Mapping[str, Point] | None = None,
+        *,
+        mass: Any = None,
+        com: Point = None,
+        inertia: Any = None,
+        shape: str | None = None,
+        **more: Point,
+    ) -> Self:
+        """A moving link. Points are given as a mapping, or by name (``B=["AB", 0]``)."""
+        rest = _given(mass=mass, com=com, inertia=inertia, shape=shape)
+        return self._put("links", name, {"points": {**(points or {}), **more}, **rest})
+
+    def prismatic(self, name: str, first: tuple[str, str], second: tuple[str, str]) -> Self:
+        """A slide: of each of two links its name and its line, such as ``("guide", "G at 90 deg")``."""
+        return self._put("joints", name, {"prismatic": [first[0], second[0]], "line": [first[1], second[1]]})
+
+    def revolute(self, name: str, first: tuple[str, str], second: tuple[str, str]) -> Self:
+        """A pin between points of different names: of each of two links its name and its point."""
+        return self._put("joints", name, {"revolute": [first[0], second[0]], "at": [first[1], second[1]]})
+
+    def assembly(self, point: str, rule: Any) -> Self:
+        """On which side a group is put together: ``("C", "left of B-D")``."""
+        return self._put("assembly", point, rule)
+
+    def drive(
+        self,
+        name: str,
+        *,
+        turns: str | None = None,
+        slides: str | None = None,
+        on: str = "frame",
+        speed: Any = None,
+        start: Any = None,
+        position: Any = None,
+    ) -> Self:
+        """A prescribed motion of the link that it ``turns`` or ``slides``, against the link ``on``."""
+        law = _given(turns=turns, slides=slides, on=on, speed=speed, start=start, position=position)
+        return self._put("drives", name, law)
+
+    def table(
+        self,
+        name: str,
+        points: Any = None,
+        *,
+        file: str | None = None,
+        x: str | None = None,
+        y: str | None = None,
+        period: Any = None,
+        between: str | None = None,
+    ) -> Self:
+        """A function given by points ``[x, y]``, or by two columns of a CSV file."""
+        return self._put("tables", name, _given(file=file, points=points, x=x, y=y, period=period, between=between))
+
+    def load(
+        self,
+        name: str,
+        on: str,
+        *,
+        at: Any = None,
+        force: Any = None,
+        along: str | None = None,
+        torque: Any = None,
+        in_: str | None = None,
+    ) -> Self:
+        """A force ``[Fx, Fy]`` at a point (or one number ``along`` a slide), or a torque, on a link."""
+        data = _given(on=on, at=at, force=force, along=along, torque=torque)
+        return self._put("loads", name, data | ({"in": in_} if in_ is not None else {}))
+
+    def window(self, name: str, low: Any, high: Any, of: str | None = None) -> Self:
+        """A stretch of the motion: from ``low`` to ``high`` in time, or in the value of the signal ``of``."""
+        return self._put("windows", name, [low, high] if of is None else {of: [low, high]})
+
+    def measure(self, name: str, **reduction: Any) -> Self:
+        """A figure that is asked for: ``measure("stroke", span="E.x")``."""
+        return self._put("measures", name, reduction)
+
+    def require(self, measure: str, limit: str) -> Self:
+        """A limit on a measure: ``require("stroke", ">= 680 mm")``."""
+        return self._put("require", measure, limit)
+
+    def gravity(self, x: Any, y: Any) -> Self:
+        """The acceleration of gravity."""
+        self._data["gravity"] = [_listed(x), _listed(y)]
+        return self
+
+    def study(self, name: str, **options: Any) -> Self:
+        """Something to be computed, with its options."""
+        return self._put("studies", name, options)
+
+    def build(self) -> Document:
+        """The document. Raises :class:`ModelError` with all findings of form."""
+        findings = list(self._twice)
+        document = None
+        try:
+            document = parse_document({"links": {}, **self._data})
+        except ModelError as error:
+            findings += error.findings
+        if findings or document is None:
+            raise ModelError(findings)
+        return document
+
+    def _put(self, section: str, name: str, entry: Any) -> Self:
+        entries = self._data.setdefault(section, {})
+        if name in entries:
+            self._twice.append(Finding("builder.twice", (section, name), {"name": name}))
+        entries[name] = _listed(entry)
+        return self
+
+
+def _given(**entries: Any) -> dict[str, Any]:
+    """What is given of some keys."""
+    return {key: value for key, value in entries.items() if value is not None}
+
+
+def _listed(value: Any) -> Any:
+    """Plain data also where NumPy's arrays and numbers stand in it."""
+    if isinstance(value, Mapping):
+        return {key: _listed(entry) for key, entry in value.items()}
+    if isinstance(value, list | tuple):
+        return [_listed(entry) for entry in value]
+    return value.tolist() if type(value).__module__ == "numpy" else value

@@ -1,0 +1,155 @@
+"""Checking and running model files and documents from Python."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import linkwright as lw
+from app.models import FORM, FORM_LINES, KINDS, NAMES, NAMES_LINES, SOUND, STUCK, UNMET, WARNED
+from linkwright.app import examine_file, perform
+
+
+def file(folder: Path, text: str) -> Path:
+    path = folder / "model.yaml"
+    path.write_text(text, "utf-8")
+    return path
+
+
+def test_check_of_a_sound_file(tmp_path: Path) -> None:
+    path = file(tmp_path, SOUND)
+    assert lw.check(path) == []
+    assert lw.check(str(path)) == []
+    assert lw.check(lw.load(path)) == []
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["model.yaml"]
+
+
+def test_run_of_a_file_and_of_its_document_are_one(tmp_path: Path) -> None:
+    path = file(tmp_path, SOUND)
+    jobs = [lw.run(path), lw.run(str(path)), lw.run(lw.load(path))]
+    for job in jobs:
+        assert isinstance(job, lw.Job)
+        assert job.exit_code == 0
+        assert job.folder is None
+        assert job.summary == jobs[0].summary
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["model.yaml"]
+
+
+def test_run_writes_where_it_is_told(tmp_path: Path) -> None:
+    out = tmp_path / "deep" / "down"
+    job = lw.run(file(tmp_path, SOUND), out)
+    assert job.folder == out
+    assert sorted(p.name for p in out.iterdir()) == ["cycle.csv", "report.html", "summary.json"]
+    assert json.loads((out / "summary.json").read_text("utf-8")) == json.loads(json.dumps(job.summary))
+
+
+@pytest.mark.parametrize(("text", "code"), KINDS.values(), ids=KINDS)
+def test_exit_code_by_kind(tmp_path: Path, text: str, code: int) -> None:
+    job = perform(examine_file(file(tmp_path, text)))
+    assert job.exit_code == code
+    assert job.summary["done"] is (code == 0)
+    if code:
+        findings = [f for f in job.summary["findings"] if f["severity"] == "error"]
+        assert findings or [m for m in job.summary["measures"].values() if m.get("met") is False]
+
+
+@pytest.mark.parametrize(("text", "lines"), [(FORM, FORM_LINES), (NAMES, NAMES_LINES)], ids=["form", "names"])
+def test_every_fault_at_once_each_with_its_line(tmp_path: Path, text: str, lines: list[int]) -> None:
+    path = file(tmp_path, text)
+    found = lw.check(path)
+    assert sorted({finding.line for finding in found}) == lines
+    for finding in found:
+        assert isinstance(finding, lw.Finding)
+        assert finding.severity == "error"
+        assert finding.element
+        assert len(finding.what) > 10
+        assert len(finding.mend) > 5
+    with pytest.raises(lw.ModelError) as caught:
+        lw.run(path)
+    assert list(caught.value.findings) == found
+    for finding in found:
+        assert finding.what in str(caught.value)
+        assert f"line {finding.line}" in str(caught.value)
+
+
+def test_a_document_has_no_lines_but_the_same_findings(tmp_path: Path) -> None:
+    path = file(tmp_path, NAMES)
+    of_file, of_document = lw.check(path), lw.check(lw.load(path))
+    assert [f.located(None) for f in of_file] == of_document
+    assert all(f.line is None for f in of_document)
+
+
+@pytest.mark.parametrize("make", [lambda p: p / "nowhere.yaml", lambda p: p], ids=["missing", "a folder"])
+def test_a_file_that_can_not_be_read(tmp_path: Path, make: Any) -> None:
+    path = make(tmp_path)
+    (finding,) = lw.check(path)
+    assert finding.code == "file.unreadable"
+    assert str(path) in finding.what
+    with pytest.raises(lw.ModelError):
+        lw.run(path)
+
+
+def test_a_file_of_no_sane_size_is_not_even_read(tmp_path: Path) -> None:
+    path = tmp_path / "huge.yaml"
+    with path.open("wb") as stream:
+        stream.truncate(1 << 33)
+    (finding,) = lw.check(path)
+    assert finding.code == "file.too-large"
+
+
+def test_a_motion_that_stops_is_no_exception(tmp_path: Path) -> None:
+    job = lw.run(file(tmp_path, STUCK))
+    assert job.cycle is not None
+    assert [f.code for f in job.cycle.failures] == ["motion.cannot-assemble"]
+    assert job.exit_code == 1
+    assert not job.cycle.done
+
+
+def test_a_requirement_not_met_is_no_exception(tmp_path: Path) -> None:
+    job = lw.run(file(tmp_path, UNMET))
+    assert job.cycle is not None
+    assert job.cycle.failures == []
+    assert job.exit_code == 1
+
+
+def test_a_warning_is_told_and_stops_nothing(tmp_path: Path) -> None:
+    job = lw.run(file(tmp_path, WARNED))
+    assert job.exit_code == 0
+    (finding,) = job.summary["findings"]
+    assert (finding["code"], finding["severity"]) == ("motion.not-periodic", "warning")
+
+
+def test_compile_raises_with_every_finding(tmp_path: Path) -> None:
+    document = lw.load(file(tmp_path, NAMES))
+    with pytest.raises(lw.ModelError) as caught:
+        lw.compile(document)
+    assert {f.path[0] for f in caught.value.findings} == {"drives", "measures", "require"}
+
+
+def test_load_raises_with_every_finding(tmp_path: Path) -> None:
+    with pytest.raises(lw.ModelError) as caught:
+        lw.load(file(tmp_path, FORM))
+    assert sorted({f.line for f in caught.value.findings}) == FORM_LINES
+    with pytest.raises(OSError):
+        lw.load(tmp_path / "nowhere.yaml")
+
+
+def test_a_model_error_survives_pickling(tmp_path: Path) -> None:
+    import pickle
+
+    with pytest.raises(lw.ModelError) as caught:
+        lw.run(file(tmp_path, NAMES))
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert again.findings == caught.value.findings
+    assert str(again) == str(caught.value)
+
+
+def test_the_same_run_twice_is_the_same_to_the_bit(tmp_path: Path) -> None:
+    path = file(tmp_path, SOUND)
+    for name in ("one", "two"):
+        lw.run(path, tmp_path / name)
+    for name in ("cycle.csv", "summary.json", "report.html"):
+        assert (tmp_path / "one" / name).read_bytes() == (tmp_path / "two" / name).read_bytes()

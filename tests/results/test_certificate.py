@@ -1,0 +1,204 @@
+"""The certificate: sound for every random mechanism, and it catches a report that isn't true."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+from helpers.compiled import compiled_from, compiled_of, regular
+from helpers.examples import UNITS, feeder, four_bar, heavy_four_bar, slider_crank
+from helpers.random_mechanisms import DURATION, RECIPES, mechanisms
+from linkwright.kernels import Compiled
+from linkwright.results.certificate import Certificate, certify
+from linkwright.results.run import Run
+
+Array = NDArray[np.float64]
+
+
+@pytest.mark.parametrize("recipe", RECIPES)
+@settings(max_examples=6)
+@given(data=st.data())
+def test_random_mechanisms_are_proven(recipe: str, data: Any) -> None:
+    """Every residual below 1e-9; mobility by rank, by Gruebler and by the number of drives agree."""
+    plain = data.draw(mechanisms(recipe))
+    compiled = compiled_of(plain)
+    regular(compiled, np.linspace(0.0, DURATION, 9))
+    certificate = certify(Run(compiled, 0.0, DURATION, 20))
+    assert certificate.closure < 1e-11
+    assert certificate.sound(1e-9), certificate.residuals
+    assert certificate.mobility == certificate.gruebler == len(plain.drives)
+    assert certificate.loops == compiled.structure.topology.loops
+    assert certificate.rank == 2 * compiled.structure.topology.joint_count
+    assert set(certificate.branches) == {group.label for group in compiled.structure.groups}
+    heavy = any(link.mass is not None for link in plain.links.values()) or plain.loads
+    assert (certificate.equilibrium is None) == (not heavy)
+
+
+def test_the_feeder_is_proven_over_a_whole_cycle() -> None:
+    certificate = certify(Run(compiled_from(feeder()), 0.0, 1.5, 200))
+    assert certificate.residuals.keys() == {"closure", "equilibrium", "power", "work"}
+    assert max(certificate.residuals.values()) < 1e-12
+    assert (certificate.mobility, certificate.gruebler, certificate.loops, certificate.rank) == (1, 1, 2, 14)
+    assert (certificate.poses, certificate.kernel) == (201, "numpy")
+    assert certificate.branches["coupler-rocker"] == "C: left of B-D"
+
+
+def test_nothing_to_balance_without_mass_and_loads() -> None:
+    certificate = certify(Run(compiled_from(four_bar()), 0.0, 1.0, 20))
+    assert (certificate.equilibrium, certificate.power, certificate.work) == (None, None, None)
+    assert list(certificate.residuals) == ["closure"]
+
+
+# The nearest singular pose.
+
+
+def test_nearest_determinant_of_a_four_bar_by_hand() -> None:
+    """|sin| of the angle between coupler and rocker: least where the crank lies along the ground."""
+    compiled = compiled_from(four_bar(1, 3, 3.2, 4))
+    certificate = certify(Run(compiled, 0.0, 2 * np.pi, 30))
+    b, c = 3.0, 3.2
+    sines = [np.sqrt(1 - ((b * b + c * c - d * d) / (2 * b * c)) ** 2) for d in (3.0, 5.0)]
+    assert certificate.nearest is not None
+    assert certificate.nearest.group == "coupler-rocker"
+    assert certificate.nearest.determinant == pytest.approx(min(sines), rel=1e-12)
+    at = {3.0: 2 * np.pi - 0.5, 5.0: np.pi - 0.5}[(3.0, 5.0)[int(np.argmin(sines))]]
+    assert certificate.nearest.time == pytest.approx(at, abs=1e-7)
+
+
+def test_nearest_sees_a_passage_through_a_singular_pose_between_samples() -> None:
+    """An elliptic trammel whose two lines become parallel for an instant."""
+    data: dict[str, Any] = {
+        "linkwright": 1,
+        "units": UNITS,
+        "links": {
+            "frame": {"points": {"A": [0, 0], "F": [0, 0]}},
+            "crank": {"points": {"A": [0, 0], "B": [0.2, 0.1]}},
+            "block": {"points": {"C": [0, 0]}},
+            "rail": {"points": {"C": [0, 1], "G": [0, 0]}},
+        },
+        "joints": {
+            "slot": {"prismatic": ["crank", "block"], "line": ["B at 0", "C at 0"]},
+            "bed": {"prismatic": ["frame", "rail"], "line": ["F at 0", "G at 0"]},
+        },
+        "drives": {"motor": {"turns": "crank", "on": "frame", "speed": 1, "start": -1}},
+    }
+    certificate = certify(Run(compiled_from(data), 0.0, 2.0, 7))
+    assert certificate.nearest is not None
+    assert certificate.nearest.determinant < 1e-9
+    assert certificate.nearest.time == pytest.approx(1.0, abs=1e-7)
+
+
+def test_a_mechanism_without_groups_has_no_nearest() -> None:
+    data = {
+        "linkwright": 1,
+        "units": UNITS,
+        "links": {"frame": {"points": {"A": [0, 0]}}, "fan": {"points": {"A": [0, 0], "T": [1, 0]}}},
+        "drives": {"motor": {"turns": "fan", "on": "frame", "speed": 5, "start": 0}},
+    }
+    certificate = certify(Run(compiled_from(data), 0.0, 1.0, 10))
+    assert certificate.nearest is None
+    assert certificate.branches == {}
+    assert (certificate.mobility, certificate.loops) == (1, 0)
+
+
+# Lies.
+
+
+def lie(monkeypatch: pytest.MonkeyPatch, row: str, wrong: Callable[[Array], Array]) -> list[str]:
+    """From now on one row is reported as ``wrong`` makes it. Returns a list that notes each time it happens."""
+    honest, told = Compiled.evaluate, []
+
+    def evaluate(compiled: Compiled, names: Any, t: Array, rates: bool = False) -> Array:
+        y = honest(compiled, names, t, rates)
+        for i, name in enumerate(names):
+            if name == row:
+                told.append(name)
+                y[i] = wrong(y[i])
+        return y
+
+    monkeypatch.setattr(Compiled, "evaluate", evaluate)
+    return told
+
+
+BY = 1e-6
+FEEDER_LIES = {
+    "force(frame, crank, A).x": "equilibrium",
+    "force(coupler, rocker, C).y": "equilibrium",
+    "force(rocker, coupler, C).x": "equilibrium",
+    "force(guide, slider, slide).x": "equilibrium",
+    "force(frame, guide, rail).moment": "equilibrium",
+    "com(guide).ax": "equilibrium",
+    "com(rocker).ay": "equilibrium",
+    "rocker.alpha": "equilibrium",
+    "shaking.x": "equilibrium",
+    "shaking.moment": "equilibrium",
+    "motor.torque": "equilibrium",
+    "coupler:x": "closure",
+    "rocker:x": "closure",
+    "rocker:cos": "closure",
+    "guide:sin": "closure",
+    "slider:x": "closure",
+    "motor.omega": "power",
+    "rocker.omega": "power",
+    "E.vx": "power",
+    "energy.kinetic": "work",
+}
+ZERO_ROWS = {"guide:sin"}
+"""Rows that are zero throughout, which no factor makes wrong."""
+
+
+def residual(certificate: Certificate, name: str) -> float:
+    value = getattr(certificate, name)
+    assert value is not None
+    return float(value)
+
+
+@pytest.mark.parametrize(("row", "which"), FEEDER_LIES.items())
+def test_a_report_a_millionth_wrong_is_caught(row: str, which: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    run = Run(compiled_from(feeder()), 0.0, 1.3, 60)
+    honest = residual(certify(run), which)
+    nought = row in ZERO_ROWS
+    told = lie(monkeypatch, row, lambda y: y + BY if nought else y * (1 + BY))
+    certificate = certify(run)
+    assert told
+    assert honest < 1e-13
+    assert residual(certificate, which) > 1e-9
+    assert not certificate.sound()
+
+
+@pytest.mark.parametrize(("row", "which"), [("push.force", "equilibrium"), ("push.v", "power")])
+def test_a_sliding_drive_is_audited_too(row: str, which: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    data = slider_crank(gravity=[0, -9.81])
+    data["links"]["rod"] |= {"mass": 2, "shape": "rod B-C"}
+    data["links"]["crank"] |= {"mass": 1, "shape": "rod A-B"}
+    data["drives"] = {"push": {"slides": "piston", "on": "frame", "start": 3.2, "speed": 0.1}}
+    data["assembly"] = {"B": "left of A-C"}
+    run = Run(compiled_from(data), 0.0, 1.0, 40)
+    assert certify(run).sound(1e-12)
+    told = lie(monkeypatch, row, lambda y: y * (1 + BY))
+    assert residual(certify(run), which) > 1e-9
+    assert told
+
+
+@pytest.mark.parametrize("row", ["force(frame, crank, A).x", "coupler:x", "E.vx", "motor.torque"])
+def test_a_report_that_is_not_a_number_is_not_sound(row: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    run = Run(compiled_from(feeder()), 0.0, 1.3, 20)
+    lie(monkeypatch, row, lambda y: np.nan * y)
+    assert not certify(run).sound()
+
+
+def test_a_wrong_branch_for_an_instant_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    """At one pose the reported pose of a link is that of the other assembly mode."""
+    compiled = compiled_from(heavy_four_bar())
+    other = compiled_from(heavy_four_bar(assembly={"C": "right of B-D"}))
+    run = Run(compiled, 0.0, 1.0, 30)
+    for row in ("rocker:cos", "rocker:sin"):
+        there = other.evaluate([row], run.t)[0]
+        lie(monkeypatch, row, lambda y, there=there: np.where(np.arange(y.size) == 15, there[15], y))
+    assert certify(run).closure > 0.01

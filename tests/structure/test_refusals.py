@@ -1,0 +1,231 @@
+"""What can't be solved is refused, with the code and the element that is at fault."""
+
+from __future__ import annotations
+
+import copy
+from typing import Any
+
+import pytest
+
+from helpers.examples import UNITS, four_bar, slider_crank
+from linkwright.model.findings import Finding
+from linkwright.model.mechanism import Document
+from linkwright.structure import decompose
+
+
+def findings_of(data: dict[str, Any]) -> tuple[Finding, ...]:
+    return decompose(Document.model_validate(data)).findings
+
+
+def only(data: dict[str, Any]) -> Finding:
+    findings = findings_of(data)
+    assert len(findings) == 1, [f.code for f in findings]
+    return findings[0]
+
+
+def triad() -> dict[str, Any]:
+    """A plate on three rods, each on a driven crank: a group of four links (class III)."""
+    links: dict[str, Any] = {"frame": {"points": {"O1": [0, 0], "O2": [4, 0], "O3": [2, 4]}}}
+    drives = {}
+    for i in (1, 2, 3):
+        links[f"crank{i}"] = {"points": {f"O{i}": [0, 0], f"A{i}": [0.5, 0]}}
+        links[f"rod{i}"] = {"points": {f"A{i}": [0, 0], f"B{i}": [1.5, 0]}}
+        drives[f"m{i}"] = {"turns": f"crank{i}", "on": "frame", "speed": 1, "start": 0}
+    links["plate"] = {"points": {"B1": [0, 0], "B2": [1, 0], "B3": [0.5, 1]}}
+    return {"linkwright": 1, "units": UNITS, "links": links, "drives": drives}
+
+
+def cylinder() -> dict[str, Any]:
+    """A boom lifted by a cylinder: the drive sits between two links that are both unknown."""
+    return {
+        "linkwright": 1,
+        "units": UNITS,
+        "links": {
+            "frame": {"points": {"O": [0, 0], "K": [1, -1]}},
+            "boom": {"points": {"O": [0, 0], "M": [2, 0]}},
+            "barrel": {"points": {"K": [0, 0]}},
+            "rod": {"points": {"M": [0, 0]}},
+        },
+        "joints": {"tube": {"prismatic": ["barrel", "rod"], "line": ["K at 0", "M at 0"]}},
+        "drives": {"lift": {"slides": "rod", "on": "barrel", "speed": 0.1, "start": 1.5}},
+    }
+
+
+def test_a_link_that_hangs_on_nothing() -> None:
+    data = four_bar()
+    data["links"]["stray"] = {"points": {"Z": [0, 0]}}
+    finding = only(data)
+    assert (finding.code, finding.element) == ("structure.loose", "links.stray")
+    assert finding.data["freedom"] == 3
+
+
+def test_a_link_that_swings_freely_is_offered_a_drive() -> None:
+    data = four_bar()
+    data["links"]["flag"] = {"points": {"C": [0, 0], "Z": [1, 0]}}
+    finding = only(data)
+    assert (finding.code, finding.element) == ("structure.loose", "links.flag")
+    assert finding.data["freedom"] == 1
+    assert "turns: flag" in finding.data["hint"]
+
+
+def test_two_loose_parts_are_two_findings() -> None:
+    data = four_bar()
+    data["links"]["flag"] = {"points": {"C": [0, 0]}}
+    data["links"]["bob"] = {"points": {"B": [0, 0]}}
+    assert {f.element for f in findings_of(data)} == {"links.flag", "links.bob"}
+    assert {f.code for f in findings_of(data)} == {"structure.loose"}
+
+
+def test_too_few_drives() -> None:
+    """A five-bar with one drive: its other crank is loose."""
+    data = four_bar()
+    data["links"]["frame"]["points"]["E"] = [5, 1]
+    data["links"]["rocker"] = {"points": {"D": [0, 0], "C": [2, 0]}}
+    data["links"]["crank2"] = {"points": {"E": [0, 0], "D": [1, 0]}}
+    del data["links"]["frame"]["points"]["D"]
+    finding = only(data)
+    assert (finding.code, finding.data["freedom"]) == ("structure.loose", 1)
+    assert set(finding.data["links"].split(", ")) == {"coupler", "rocker", "crank2"}
+
+
+def test_a_drive_too_many_leaves_a_link_with_no_freedom() -> None:
+    data = four_bar()
+    data["drives"]["second"] = {"turns": "rocker", "on": "frame", "speed": 1, "start": 0}
+    findings = findings_of(data)
+    assert findings
+    assert all(f.code in ("structure.overconstrained", "structure.drive-too-many") for f in findings)
+
+
+def test_a_drive_between_known_links_is_too_many() -> None:
+    """Crank and slide both driven against the frame, and then against each other."""
+    data = slider_crank()
+    data["links"]["wheel"] = {"points": {"A": [0, 0]}}
+    data["drives"]["first"] = {"turns": "wheel", "on": "frame", "speed": 2, "start": 0}
+    data["drives"]["second"] = {"turns": "wheel", "on": "crank", "speed": 2, "start": 0}
+    finding = only(data)
+    assert (finding.code, finding.element) == ("structure.drive-too-many", "drives.second")
+
+
+def test_two_drives_on_one_joint() -> None:
+    from linkwright.kernels import examine
+
+    data = four_bar()
+    data["drives"]["second"] = {"turns": "frame", "on": "crank", "speed": 1, "start": 0}
+    compiled, findings = examine(Document.model_validate(data))
+    assert compiled is None
+    assert [(f.code, f.element) for f in findings] == [("drive.twice", "drives.second")]
+
+
+@pytest.mark.parametrize(
+    ("drive", "joint"),
+    [
+        ({"turns": "crank", "on": "rocker"}, "revolute"),
+        ({"slides": "crank", "on": "frame"}, "prismatic"),
+    ],
+)
+def test_a_drive_between_links_without_such_a_joint(drive: dict[str, str], joint: str) -> None:
+    data = four_bar(drives={"motor": drive | {"speed": 1, "start": 0}})
+    finding = only(data)
+    assert (finding.code, finding.element) == ("structure.drive-no-joint", "drives.motor")
+    assert finding.data["joint"] == joint
+
+
+def test_a_drive_that_could_act_at_two_joints() -> None:
+    data = four_bar()
+    data["links"]["crank"]["points"]["D"] = [4, 0]
+    finding = only(data)
+    assert (finding.code, finding.element) == ("structure.drive-two-joints", "drives.motor")
+    assert finding.data["joints"] == "A, D"
+
+
+@pytest.mark.parametrize("make", [cylinder, lambda: four_bar(drives=COUPLER_DRIVE)])
+def test_a_drive_inside_a_group(make: Any) -> None:
+    finding = only(make())
+    assert finding.code == "structure.drive-inside"
+    assert finding.element in ("drives.lift", "drives.motor")
+
+
+COUPLER_DRIVE = {"motor": {"turns": "coupler", "on": "crank", "speed": 1, "start": 0}}
+
+
+def test_a_higher_group_is_named_by_its_links() -> None:
+    finding = only(triad())
+    assert finding.code == "structure.higher-group"
+    assert finding.data["count"] == 4
+    assert set(finding.data["links"].split(", ")) == {"rod1", "rod2", "rod3", "plate"}
+
+
+def test_a_third_parallel_crank_is_one_joint_too_many() -> None:
+    """It moves in fact, as the cranks are parallel; no dimensions may be counted on to be exact."""
+    data = four_bar(1, 4, 1, 4)
+    data["links"]["frame"]["points"]["M"] = [2, 0]
+    data["links"]["coupler"]["points"]["N"] = [2, 0]
+    data["links"]["third"] = {"points": {"M": [0, 0], "N": [1, 0]}}
+    finding = only(data)
+    assert (finding.code, finding.element) == ("structure.overconstrained", "links.third")
+    assert finding.data["excess"] == 1
+
+
+@pytest.mark.parametrize("second", ["joint", "pin"])
+def test_two_joints_between_the_same_links(second: str) -> None:
+    data = slider_crank()
+    if second == "joint":
+        data["joints"]["bore2"] = copy.deepcopy(data["joints"]["bore"])
+    else:
+        data["links"]["frame"]["points"]["Q"] = [1, 0]
+        data["links"]["piston"]["points"]["Q"] = [0, 0]
+    finding = only(data)
+    assert finding.code == "structure.overconstrained"
+    assert finding.data["excess"] == 2
+    assert "piston" in finding.data["links"]
+
+
+@pytest.mark.parametrize("base", ["frame", "crank"])
+def test_a_link_pinned_to_two_known_places(base: str) -> None:
+    data = four_bar()
+    data["links"]["frame"]["points"]["U"] = [0, 1]
+    data["links"][base]["points"]["V"] = [1, 1]
+    data["links"]["bar"] = {"points": {"U": [0, 0], "V": [1, 0]}}
+    finding = only(data)
+    assert (finding.code, finding.element) == ("structure.overconstrained", "links.bar")
+
+
+def test_a_joint_between_links_that_others_have_placed() -> None:
+    data = four_bar()
+    data["links"]["coupler"]["points"]["X"] = [3, 1]
+    data["links"]["rocker"]["points"]["X"] = [3, 1]
+    finding = only(data)
+    assert (finding.code, finding.element) == ("structure.redundant", "joints.X")
+    assert set(finding.data["links"].split(", ")) == {"coupler", "rocker"}
+
+
+def test_three_slides_in_a_loop_hold_each_other() -> None:
+    """Three translating links have a mobility that Gruebler's count does not see: refused, not guessed."""
+    data = {
+        "linkwright": 1,
+        "units": UNITS,
+        "links": {
+            "frame": {"points": {"O": [0, 0]}},
+            "wedge": {"points": {"P": [0, 0]}},
+            "lifter": {"points": {"Q": [0, 0]}},
+        },
+        "joints": {
+            "bed": {"prismatic": ["frame", "wedge"], "line": ["O at 0", "P at 0"]},
+            "face": {"prismatic": ["wedge", "lifter"], "line": ["P at 1", "Q at 1"]},
+            "column": {"prismatic": ["frame", "lifter"], "line": ["O at 1.5", "Q at 1.5"]},
+        },
+        "drives": {"push": {"slides": "wedge", "on": "frame", "speed": 1, "start": 0}},
+    }
+    finding = only(data)
+    assert (finding.code, finding.element) == ("structure.overconstrained", "links.lifter")
+
+
+@pytest.mark.xfail(strict=True, reason="the count is taken over the whole connected part: +1 and -1 make 0")
+def test_a_loose_end_on_an_overconstrained_link_is_not_a_higher_group() -> None:
+    """Freedoms of one link do not make up for those missing in another."""
+    data = four_bar()
+    data["links"]["frame"]["points"] |= {"U": [0, 1], "V": [1, 1]}
+    data["links"]["bar"] = {"points": {"U": [0, 0], "V": [1, 0], "W": [2, 0]}}
+    data["links"]["flag"] = {"points": {"W": [0, 0]}}
+    codes = {f.code for f in findings_of(data)}
+    assert "structure.higher-group" not in codes
