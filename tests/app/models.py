@@ -25,7 +25,7 @@ studies:
   cycle: {turns: 1 motor, samples: 24}
 """
 
-UNMET = SOUND.replace("70 deg .. 80 deg", ">= 90 deg")
+UNMET = SOUND.replace("70 deg .. 80 deg", "'>= 90 deg'")
 STUCK = SOUND.replace("{a: 40, b: 120, c: 80, d: 100}", "{a: 60, b: 70, c: 50, d: 100}")
 CANNOT_START = STUCK.replace("start: 40 deg", "start: 170 deg")
 LOOSE = SOUND.replace("P: 70 at 30 deg}", "P: 70 at 30 deg, Q: [0, 9]}").replace(

@@ -68,12 +68,12 @@ TAME = 1e4
 
 def chains(compiled: Any) -> list[list[str]]:
     """Every signal of motion with its successive rates, by name."""
-    found = []
-    for signal in compiled.quantities.signals.all():
-        for chain in ORDERS.get(signal.kind, []):
-            if signal.attribute == chain[0]:
-                found.append([signal.text.removesuffix(chain[0]) + rate for rate in chain])
-    return found
+    return [
+        [signal.text.removesuffix(chain[0]) + rate for rate in chain]
+        for signal in compiled.quantities.signals.all()
+        for chain in ORDERS.get(signal.kind, [])
+        if signal.attribute == chain[0]
+    ]
 
 
 @pytest.mark.parametrize("recipe", RECIPES)

@@ -27,6 +27,8 @@ def derivatives(f: Callable[[Array], Array], t: Array, h: float) -> Array:
     return values.reshape(*values.shape[:-1], t.size, OFFSETS.size) @ WEIGHTS / h
 
 
-def misfit(f: Callable[[Array], Array], exact: Array, t: Array, steps: tuple[float, ...] = (4e-3, 1e-3, 2.5e-4)) -> Array:
+def misfit(
+    f: Callable[[Array], Array], exact: Array, t: Array, steps: tuple[float, ...] = (4e-3, 1e-3, 2.5e-4)
+) -> Array:
     """How far ``exact`` is from the differences of f, at the step that suits each entry best."""
     return np.asarray(np.min([np.abs(derivatives(f, t, h) - exact) for h in steps], axis=0))

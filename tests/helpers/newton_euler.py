@@ -143,9 +143,7 @@ class Oracle:
             """The gap's component along a direction fixed in a (``turn`` beyond ``angle``), its gradient and -gamma."""
             sa, sb, quadratic = gap(a, pa, b, pb)
             d = self.pose(q, b)[:2] + sb - self.pose(q, a)[:2] - sa
-            d_rate = (
-                self.pose(v, b)[:2] + omega(b) * perp(sb) - self.pose(v, a)[:2] - omega(a) * perp(sa)
-            )
+            d_rate = self.pose(v, b)[:2] + omega(b) * perp(sb) - self.pose(v, a)[:2] - omega(a) * perp(sa)
             heading = self.pose(q, a)[2] + angle + turn
             e = np.array([math.cos(heading), math.sin(heading)])
             row = spread((b, [*e, e @ perp(sb)]), (a, [*-e, -e @ perp(sa) + perp(e) @ d]))
@@ -161,21 +159,14 @@ class Oracle:
         for name, drive in self.plain.drives.items():
             law = drive.law
             if drive.kind == "turns":
-                turn = (
-                    self.pose(q, drive.link)[2]
-                    - self.pose(q, drive.on)[2]
-                    - law(t)
-                    - self.turns.get(name, 0.0)
-                )
+                turn = self.pose(q, drive.link)[2] - self.pose(q, drive.on)[2] - law(t) - self.turns.get(name, 0.0)
                 row = spread((drive.link, [0, 0, 1]), (drive.on, [0, 0, -1]))
                 rows.append((turn, row, law(t, 1), law(t, 2)))
             else:
                 s = self.slide_of(drive)
                 place = {link: (p, angle) for link, p, angle in zip(s.links, s.points, s.angles, strict=True)}
                 base, base_angle = place[drive.on]
-                value, row, second = along(
-                    drive.on, base, base_angle, drive.link, place[drive.link][0], 0.0
-                )
+                value, row, second = along(drive.on, base, base_angle, drive.link, place[drive.link][0], 0.0)
                 rows.append((value - law(t), row, law(t, 1), law(t, 2) - second))
         values, jacobian, speeds, gammas = zip(*rows, strict=True)
         return np.array(values), np.array(jacobian), np.array(speeds), np.array(gammas)
@@ -236,7 +227,7 @@ class Oracle:
                 columns += 2
         lines: dict[str, tuple[int, Array]] = {}
         for name, s in plain.slides.items():
-            (a, b), (pa, pb) = s.links, s.points
+            (a, b), pb = s.links, s.points[1]
             heading = self.pose(q, a)[2] + s.angles[0]
             normal = np.array([-math.sin(heading), math.cos(heading)])
             at = self.point(q, b, pb)

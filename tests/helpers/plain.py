@@ -162,9 +162,7 @@ def rotated(plain: Plain, angle: float) -> Plain:
         for name, s in plain.slides.items()
     }
     drives = {
-        name: d
-        if d.kind == "slides"
-        else replace(d, law=d.law.plus(angle * ((d.on == FRAME) - (d.link == FRAME))))
+        name: d if d.kind == "slides" else replace(d, law=d.law.plus(angle * ((d.on == FRAME) - (d.link == FRAME))))
         for name, d in plain.drives.items()
     }
     loads = {
@@ -210,9 +208,7 @@ def mirrored(plain: Plain) -> Plain:
         for name, link in plain.links.items()
     }
     slides = {name: replace(s, angles=tuple(-a for a in s.angles)) for name, s in plain.slides.items()}
-    drives = {
-        name: replace(d, law=d.law.times(-1.0)) if d.kind == "turns" else d for name, d in plain.drives.items()
-    }
+    drives = {name: replace(d, law=d.law.times(-1.0)) if d.kind == "turns" else d for name, d in plain.drives.items()}
     loads = {
         name: replace(
             load,
@@ -255,9 +251,7 @@ def scaled(plain: Plain, k: float) -> Plain:
         )
         for name, link in plain.links.items()
     }
-    drives = {
-        name: replace(d, law=d.law.times(k)) if d.kind == "slides" else d for name, d in plain.drives.items()
-    }
+    drives = {name: replace(d, law=d.law.times(k)) if d.kind == "slides" else d for name, d in plain.drives.items()}
     loads = {
         name: replace(
             load,
@@ -328,13 +322,10 @@ def reordered(plain: Plain, order: Callable[[list[str]], list[str]]) -> Plain:
     def shuffled(entries: dict[str, Any]) -> dict[str, Any]:
         return {name: entries[name] for name in order(list(entries))}
 
-    links = {
-        name: replace(link, points=shuffled(link.points)) for name, link in shuffled(plain.links).items()
-    }
+    links = {name: replace(link, points=shuffled(link.points)) for name, link in shuffled(plain.links).items()}
     rank = list(links)
     pins = {
-        name: tuple(sorted(members, key=lambda m: rank.index(m[0])))
-        for name, members in shuffled(plain.pins).items()
+        name: tuple(sorted(members, key=lambda m: rank.index(m[0]))) for name, members in shuffled(plain.pins).items()
     }
     return replace(
         plain,
@@ -413,9 +404,7 @@ class Writer:
             if len({point for _, point in members}) > 1
         }
         for name, s in plain.slides.items():
-            lines = [
-                f"{p} at {a / UNITS[self.units['angle']]!r}" for p, a in zip(s.points, s.angles, strict=True)
-            ]
+            lines = [f"{p} at {a / UNITS[self.units['angle']]!r}" for p, a in zip(s.points, s.angles, strict=True)]
             joints[name] = {"prismatic": list(s.links), "line": lines}
         if joints:
             data["joints"] = joints

@@ -226,7 +226,7 @@ class Sketch:
         mass = self.source.uniform(0.2, 3.0)
         if way == "given":
             return PlainLink(points, mass, self.anywhere(1.0), self.source.uniform(0.01, 0.5))
-        if way == "rod" and len(names) > 1:
+        if way == "rod" and len(names) > 1 and math.dist(points[names[0]], points[names[1]]) > 0.01:
             return PlainLink(points, mass, shape=("rod", names[0], names[1]))
         if way == "disc":
             return PlainLink(points, mass, shape=("disc", self.source.uniform(0.1, 0.5), names[0]))  # type: ignore[arg-type]
@@ -260,9 +260,7 @@ class Sketch:
         links = {name: PlainLink(points) if name == FRAME else self.mass(name) for name, points in self.points.items()}
         gravity = self.source.pick((None, (0.0, -9.80665), (3.0, -5.0)))
         pins = {name: tuple(members) for name, members in self.pins.items()}
-        return Plain(
-            links, pins, self.slides, self.drives, self.pose, self.assembly, self.loads, gravity
-        )
+        return Plain(links, pins, self.slides, self.drives, self.pose, self.assembly, self.loads, gravity)
 
 
 DYADS = ("RRR", "RRP", "RPR", "PRP", "RPP")

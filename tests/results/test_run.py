@@ -116,3 +116,10 @@ def test_a_drive_that_stands_still() -> None:
     found = run.evaluate(["fan.angle", "fan.omega", "T.x", "T.vx"], run.t)
     assert np.allclose(found[:, 0], [1.0, 0.0, np.cos(1.0), 0.0], atol=1e-15)
     assert np.array_equal(found, np.repeat(found[:, :1], 5, axis=1))
+
+
+def test_where_nothing_can_be_assembled_all_is_nan() -> None:
+    """The rocker is too short for this part of the crank's turn: no angle, no position, and no exception."""
+    run = Run(compiled_from(four_bar(2, 3, 1.2, 4)), 2.0, 2.4, 10)
+    found = run.evaluate(["rocker.angle", "C.x"], run.t)
+    assert np.isnan(found).all()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -141,7 +142,7 @@ def test_poses_that_are_not_numbers_are_left_out() -> None:
     st.floats(1e-6, 1e6),
 )
 def test_polynomials_with_known_turning_points(roots: list[float], steps: int, size: float) -> None:
-    if any(b - a < 0.01 for a, b in zip(roots, roots[1:], strict=False)):
+    if any(b - a < 0.01 for a, b in pairwise(roots)):
         return
     rate = size * np.polynomial.Polynomial.fromroots(roots) if roots else np.polynomial.Polynomial([size])
     value = rate.integ()

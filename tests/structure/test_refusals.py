@@ -14,7 +14,9 @@ from linkwright.structure import decompose
 
 
 def findings_of(data: dict[str, Any]) -> tuple[Finding, ...]:
-    return decompose(Document.model_validate(data)).findings
+    findings = decompose(Document.model_validate(data)).findings
+    assert all(str(finding) for finding in findings), "each can be said in words"
+    return findings
 
 
 def only(data: dict[str, Any]) -> Finding:

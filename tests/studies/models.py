@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import json
+import re
+import tempfile
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 import linkwright as lw
+from linkwright.app import examine_file
 from linkwright.app.job import Job, examine_document, perform
 from linkwright.model.expressions import parse
 from linkwright.model.findings import Finding
@@ -68,6 +73,19 @@ def job_of(data: Mapping[str, Any]) -> Job:
     return perform(examine_document(lw.Document.model_validate(dict(data))))
 
 
+def refused(data: Mapping[str, Any]) -> list[Finding]:
+    """What is wrong with a model file that can't be used; its form, its names and its values alike."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "model.yaml"
+        path.write_text(json.dumps({"linkwright": 1, **data}, indent=1), "utf-8")  # JSON is YAML too
+        job = perform(examine_file(path))
+    assert job.exit_code == 2
+    assert job.cycle is None
+    assert job.examined.findings
+    assert all(finding.line and speakable(finding) for finding in job.examined.findings)
+    return job.examined.findings
+
+
 def cycle_of(data: Mapping[str, Any]) -> CycleOutcome:
     """The outcome of a cycle that can be run."""
     job = job_of(data)
@@ -100,6 +118,6 @@ def codes(findings: Any) -> list[str]:
 
 
 def speakable(finding: Finding) -> bool:
-    """Whether a finding's sentences are whole: every word of its data is there and none is a NaN."""
+    """Whether a finding's sentences are there, and no number in them is a NaN."""
     text = f"{finding.what} {finding.mend}"
-    return "nan" not in text.split() and "{" not in text and len(finding.what) > 10 and len(finding.mend) > 5
+    return not re.search(r"\bnan\b", text) and len(finding.what) > 10 and len(finding.mend) > 5

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from linkwright.kernels import Compiled, examine
 from linkwright.model.document import read_document, write_aside
-from linkwright.model.findings import Finding, raise_errors
+from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.mechanism import Document
+from linkwright.model.yaml_text import Source
 from linkwright.report.build import report_data
 from linkwright.report.page import page
 from linkwright.report.summary import summary
@@ -28,6 +30,11 @@ class Examined:
     compiled: Compiled | None = None
     tasks: list[Task] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
+    source: Source = field(default_factory=Source)
+
+    def located(self, findings: Iterable[Finding]) -> list[Finding]:
+        """The same findings with their lines in the file."""
+        return [f if f.line else f.located(self.source.line(f.path)) for f in findings]
 
     @property
     def exit_code(self) -> int:
@@ -49,9 +56,8 @@ def examine_file(path: Path) -> Examined:
     if document is None:
         return Examined(findings=source.findings)
     examined = examine_document(document, path.parent)
-    examined.findings = [
-        finding if finding.line else finding.located(source.line(finding.path)) for finding in examined.findings
-    ]
+    examined.source = source
+    examined.findings = examined.located(examined.findings)
     return examined
 
 
@@ -79,6 +85,11 @@ class Job:
         return self.outcomes.get("cycle")
 
     @property
+    def found(self) -> list[Finding]:
+        """What the studies found: why a run isn't whole, and warnings."""
+        return [] if self.cycle is None else [*self.cycle.failures, *self.cycle.warnings]
+
+    @property
     def exit_code(self) -> int:
         """The examination's code, else 1 where an outcome isn't what is asked, else 0."""
         return self.examined.exit_code or (0 if all(o.done for o in self.outcomes.values()) else 1)
@@ -89,7 +100,7 @@ class Job:
         document = self.examined.document
         if document is None:
             return {"done": False, "findings": [finding.as_dict() for finding in self.examined.findings]}
-        return summary(document, self.cycle, self.examined.findings)
+        return summary(document, self.cycle, self.examined.located([*self.examined.findings, *self.found]))
 
 
 def perform(examined: Examined) -> Job:
@@ -99,7 +110,10 @@ def perform(examined: Examined) -> Job:
     job = Job(examined)
     if examined.exit_code == 0 and examined.compiled is not None:
         for task in examined.tasks:
-            job.outcomes[task.study.name] = task.study.run(examined.compiled, task.options)
+            try:
+                job.outcomes[task.study.name] = task.study.run(examined.compiled, task.options)
+            except ModelError as error:  # a drive's law that gives no number between the samples
+                examined.findings += examined.located(error.findings)
     return job
 
 

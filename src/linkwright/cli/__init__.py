@@ -45,7 +45,7 @@ def run(file: Path, out: Path | None, as_json: bool) -> None:
         click.echo(summary_text(job.summary))
     else:
         show.findings(examined, file)
-        show.job(job)
+        show.job(job, file)
     sys.exit(job.exit_code)
 
 

@@ -77,13 +77,13 @@ def check_data(examined: Examined) -> dict[str, Any]:
     }
 
 
-def job(done: Job) -> None:
+def job(done: Job, file: Path) -> None:
     """A job's measures, certificate and failures, and where its files lie."""
     if done.cycle is not None:
         _measures(done)
         _certificate(done)
-        for item in (*done.cycle.failures, *done.cycle.warnings):
-            finding(item)
+        for item in done.examined.located(done.found):
+            finding(item, file)
     if done.folder is not None:
         out.print(escape(say("cli.written", folder=done.folder)))
 

@@ -18,6 +18,9 @@ from linkwright.notation.jets import call
 
 Coordinate = Scalar | Pair
 
+SLACK = 1e-12
+"""A group short by less than this share of its size closes but for round-off."""
+
 REGISTRY: dict[str, type[Dyad]] = {}
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from linkwright.groups.dyad import Dyad, Root, length, pin, register
+from linkwright.groups.dyad import SLACK, Dyad, Root, length, pin, register
 from linkwright.groups.joints import InnerLine
 from linkwright.notation import Body, Pair, Scalar
 from linkwright.notation.jets import call
@@ -34,7 +34,7 @@ class RPR(Dyad):
     def shortfall(self) -> tuple[float, float] | None:
         distance = length(pin(self.second).base.now.minus(pin(self.first).base.now))
         across = abs(self._across())
-        return (distance, across) if distance < across else None
+        return (distance, across) if distance < across * (1 - SLACK) else None
 
     def _across(self) -> Scalar:
         """The distance of the second outer pin from the first, across the sliding line: fixed by the links."""

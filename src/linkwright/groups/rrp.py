@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from linkwright.groups.dyad import Dyad, Root, length, line, pin, pointing, register
+from linkwright.groups.dyad import SLACK, Dyad, Root, length, line, pin, pointing, register
 from linkwright.groups.joints import InnerPin
 from linkwright.notation import Body, Pair, Scalar
 from linkwright.notation.jets import call
@@ -29,7 +29,7 @@ class RRP(Dyad):
 
     def shortfall(self) -> tuple[float, float] | None:
         radius, (_, aside) = length(self.inner.first.minus(pin(self.first).foot)), self._start()
-        return (abs(aside), radius) if abs(aside) > radius else None
+        return (abs(aside), radius) if abs(aside) > radius * (1 + SLACK) else None
 
     def _start(self) -> tuple[Scalar, Scalar]:
         """The inner pin at zero travel as seen from the outer pin: along the line's direction and across it."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from linkwright.groups.dyad import Dyad, Root, length, pin, pointing, register
+from linkwright.groups.dyad import SLACK, Dyad, Root, length, pin, pointing, register
 from linkwright.groups.joints import InnerPin
 from linkwright.notation import Body, Pair, Scalar
 from linkwright.notation.jets import call
@@ -33,9 +33,9 @@ class RRR(Dyad):
         first, second = pin(self.first), pin(self.second)
         r1, r2 = length(self.inner.first.minus(first.foot)), length(self.inner.second.minus(second.foot))
         distance = length(second.base.now.minus(first.base.now))
-        if distance > r1 + r2:
+        if distance > (r1 + r2) * (1 + SLACK):
             return distance, r1 + r2
-        return (distance, abs(r1 - r2)) if distance < abs(r1 - r2) else None
+        return (distance, abs(r1 - r2)) if distance < abs(r1 - r2) * (1 - SLACK) else None
 
     def scale(self, a: Body, b: Body) -> Scalar:
         arm1 = self.inner.first.minus(pin(self.first).foot)

@@ -13,7 +13,7 @@ from linkwright.studies import CycleOutcome, MeasureResult
 
 
 def summary(document: Document, outcome: CycleOutcome | None, findings: list[Finding]) -> dict[str, Any]:
-    """Name, verdict, measures (in the file's units), certificate, and all findings of a run."""
+    """Name, verdict, measures (in the file's units), certificate, and all findings of the file and its run."""
     data: dict[str, Any] = {"linkwright": linkwright.__version__, "name": document.name, "done": False}
     if outcome is not None:
         quantities = outcome.result.run.compiled.quantities
@@ -29,7 +29,6 @@ def summary(document: Document, outcome: CycleOutcome | None, findings: list[Fin
         }
         data["measures"] = {m.name: measure_entry(m, second, time_unit) for m in outcome.measures}
         data["certificate"] = certificate_entry(outcome.result, second, time_unit)
-        findings = [*findings, *outcome.failures, *outcome.warnings]
     data["findings"] = [finding.as_dict() for finding in findings]
     return data
 

@@ -60,8 +60,8 @@ class Certificate:
         return all(value < tolerance for value in self.residuals.values())
 
 
-def certify(run: Run, near: Nearest | None = None) -> Certificate:
-    """Prove a run at its sampled times; ``near`` is the nearest singular pose where it is known already."""
+def certify(run: Run) -> Certificate:
+    """Prove a run at its sampled times."""
     compiled, topology = run.compiled, run.compiled.structure.topology
     reports = Reports(compiled, run.t)
     constraints = rank(reports)
@@ -76,7 +76,7 @@ def certify(run: Run, near: Nearest | None = None) -> Certificate:
         gruebler=topology.gruebler,
         rank=constraints,
         loops=topology.loops,
-        nearest=near or nearest(run),
+        nearest=nearest(run),
         branches={group.label: group.rule(branches.get(group, 1.0)) for group in compiled.structure.groups},
         poses=run.t.size,
         kernel=compiled.kernel,
@@ -118,7 +118,7 @@ def power(r: Reports) -> float:
     """The worst rest of the power balance at a pose, over the largest sum of its terms' sizes."""
     terms = np.array([*r.drive_powers(), *r.powers_of([*r.loads(), *r.inertia_and_gravity()])])
     size = _worst(np.abs(terms).sum(axis=0))
-    return _worst(terms.sum(axis=0)) / size if size > 0 else 0.0
+    return 0.0 if size == 0 else _worst(terms.sum(axis=0)) / size
 
 
 def work(compiled: Compiled, t: Array) -> float:
@@ -131,13 +131,14 @@ def work(compiled: Compiled, t: Array) -> float:
     change = float(energy.sum(axis=0) @ np.array([-1.0, 1.0]))
     weight = (h * weights / 2).ravel()
     size = float(np.abs(terms) @ weight) + float(np.abs(energy).sum())
-    return abs(float(terms @ weight) - change) / size if size > 0 else 0.0
+    return 0.0 if size == 0 else abs(float(terms @ weight) - change) / size
 
 
 def rank(r: Reports) -> int:
     """The rank of the joints' constraint Jacobian, at that of five poses where it is largest."""
     poses = np.unique(np.linspace(0, r.count - 1, 5).astype(int))
-    return max(int(np.linalg.matrix_rank(jacobian(r, pose), tol=1e-9)) for pose in poses)
+    matrices = [matrix for pose in poses if np.isfinite(matrix := jacobian(r, pose)).all()]
+    return max((int(np.linalg.matrix_rank(matrix, tol=1e-9)) for matrix in matrices), default=0)
 
 
 def jacobian(r: Reports, pose: int) -> Array:
@@ -177,10 +178,11 @@ def nearest(run: Run) -> Nearest | None:
     def rates(t: Array) -> tuple[Array, Array]:
         # Of the magnitude, so that a passage through zero is a turning point too.
         y = run.compiled.evaluate(names, t, rates=True)
-        return np.abs(y[:, 0]), np.sign(y[:, 0]) * y[:, 1]
+        with np.errstate(invalid="ignore"):
+            return np.abs(y[:, 0]), np.sign(y[:, 0]) * y[:, 1]
 
     found = []
-    turning = stationary(rates, run.start, run.stop, run.steps) if groups else []
+    turning = stationary(rates, run.start, run.stop, run.grid) if groups else []
     for i, group in enumerate(groups):
         times = np.concatenate([turning[i], [run.start, run.stop]])
         values = np.abs(run.compiled.evaluate([names[i]], times)[0])

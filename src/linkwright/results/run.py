@@ -29,6 +29,14 @@ class Run:
         self._angles: dict[str, tuple[Array, Array]] = {}
 
     @cached_property
+    def grid(self) -> int:
+        """Steps for searches: the samples, and more where a drive turns far between them."""
+        t = np.linspace(self.start, self.stop, 1001)
+        turns = [self.compiled.laws[name](t).d[1] for name, d in self.compiled.mechanism.drives.items() if d.turns]
+        angle = max((float(np.mean(np.abs(rate))) * (self.stop - self.start) for rate in turns), default=0.0)
+        return max(self.steps, min(int(angle / MAX_TURN) + 1, MAX_GRID))
+
+    @cached_property
     def t(self) -> Array:
         """The sampled times (s), both ends included."""
         return np.linspace(self.start, self.stop, self.steps + 1)
@@ -65,8 +73,11 @@ class Run:
                 return Jet(rows[name.text])
             return Jet([t, np.ones_like(t)]) if name.text == "t" else parameters[name.text]
 
-        with np.errstate(all="ignore"):
-            value = evaluate(node, named, lambda call: Jet(rows[self.canonical(call)]))
+        try:
+            with np.errstate(all="ignore"):
+                value = evaluate(node, named, lambda call: Jet(rows[self.canonical(call)]))
+        except ZeroDivisionError:
+            value = np.nan
         if not isinstance(value, Jet):
             value = Jet.constant(value, 1)
         return Jet([np.broadcast_to(np.asarray(d, dtype=float), t.shape) for d in value.d])
@@ -100,11 +111,15 @@ class Run:
     def _track(self, name: str) -> tuple[Array, Array]:
         """The continuous angle on a grid fine enough that no step turns further than :data:`MAX_TURN`."""
         count = max(self.steps, 64)
+        names = [name, name.replace(".angle", ".omega")]
         while True:
             grid = np.linspace(self.start, self.stop, count + 1)
-            angle = self.compiled.evaluate([name], grid)[0]
-            known = np.isfinite(angle)
-            angle[known] = np.unwrap(angle[known])
-            if count >= MAX_GRID or not known.any() or np.abs(np.diff(angle[known])).max(initial=0.0) < MAX_TURN:
-                return grid[known], angle[known]
+            angle, omega = self.compiled.evaluate(names, grid)
+            known = np.isfinite(angle) & np.isfinite(omega)
+            grid, angle, omega = grid[known], angle[known], omega[known]
+            # The rates say how far it turned; the angles only have to agree with that but for whole turns.
+            turned = np.diff(grid) * (omega[1:] + omega[:-1]) / 2
+            rest = np.mod(np.diff(angle) - turned + np.pi, 2 * np.pi) - np.pi
+            if count >= MAX_GRID or np.abs(turned).max(initial=0.0) < MAX_TURN:
+                return grid, np.concatenate([angle[:1], angle[:1] + np.cumsum(turned + rest)])
             count *= 2

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 FIRST_STEPS, LATEST_FIRST, MAX_STEPS = 1 << 6, 1 << 12, 1 << 15
+HUGE = 1e150
 NOISE = 1e-10
 """A rate below this share of its largest magnitude doesn't count as a sign."""
 
@@ -46,16 +47,20 @@ def _settled(look: Callable[[Array], list[Array]], start: float, stop: float, st
 
 
 def _brackets(t: Array, values: Array, slopes: Array) -> Array:
-    size = np.nanmax(np.abs(values), initial=0.0)
-    swing = np.nanmax(np.abs(slopes), initial=0.0) * (t[-1] - t[0])
+    size, swing = _largest(values), _largest(slopes) * (t[-1] - t[0])
     if not swing > 1e-11 * size:
         return np.empty((0, 2))
     return _sign_changes(t, slopes)
 
 
+def _largest(values: Array) -> float:
+    """The largest finite magnitude."""
+    return float(np.abs(values[np.isfinite(values)]).max(initial=0.0))
+
+
 def _sign_changes(t: Array, f: Array) -> Array:
     """Pairs of neighbouring times at which f clearly has opposite signs: (brackets, 2)."""
-    clear = np.isfinite(f) & (np.abs(f) > NOISE * np.nanmax(np.abs(f), initial=0.0))
+    clear = ~np.isnan(f) & (np.abs(f) > NOISE * _largest(f))
     at, sign = t[clear], np.sign(f[clear])
     turn = np.flatnonzero(sign[:-1] != sign[1:])
     return np.stack([at[turn], at[turn + 1]], axis=1)
@@ -71,7 +76,8 @@ def _roots(f: Callable[[Array], Array], brackets: list[Array]) -> list[Array]:
     ends = np.concatenate(brackets)
 
     def chosen(t: Array, row: Array) -> Array:
-        return np.asarray(f(t.ravel())[row.ravel(), np.arange(t.size)].reshape(t.shape))
+        found = f(t.ravel())[row.ravel(), np.arange(t.size)].reshape(t.shape)
+        return np.asarray(np.nan_to_num(found, posinf=HUGE, neginf=-HUGE))
 
     result = find_root(
         chosen,

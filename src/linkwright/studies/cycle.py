@@ -12,9 +12,8 @@ from pydantic import Field, model_validator
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen, fault
-from linkwright.model.findings import Finding
+from linkwright.model.findings import Finding, ModelError
 from linkwright.results import Result, Run, certify
-from linkwright.results.certificate import nearest
 from linkwright.studies.feasible import singular, unassembled
 from linkwright.studies.measures import MeasureResult, measure_all
 from linkwright.studies.registry import register
@@ -34,7 +33,8 @@ class CycleOptions(Frozen):
     def _one_length(self) -> CycleOptions:
         given = [name for name in ("period", "duration", "turns") if getattr(self, name) is not None]
         if len(given) != 1:
-            raise fault("study.options", study="cycle", key="period", reason="give one of period, duration, turns")
+            key = given[0] if given else "period"
+            raise fault("study.options", study="cycle", key=key, reason="give one of period, duration, turns")
         return self
 
 
@@ -66,7 +66,14 @@ class Cycle:
 
     def check(self, compiled: Compiled, options: CycleOptions) -> list[Finding]:
         """What is wrong with the length of the run."""
-        _, findings = span(compiled, options)
+        stop, findings = span(compiled, options)
+        if not findings:
+            t = np.linspace(0.0, stop, options.samples + 1)
+            for law in compiled.laws.values():
+                try:
+                    law(t)
+                except ModelError as error:
+                    findings += error.findings
         return findings
 
     def run(self, compiled: Compiled, options: CycleOptions) -> CycleOutcome:
@@ -75,10 +82,9 @@ class Cycle:
         run = Run(compiled, 0.0, stop, options.samples)
         if gaps := unassembled(run):
             return CycleOutcome(Result(run, gaps))
-        near = nearest(run)
-        if passages := singular(run, near):
+        if passages := singular(run):
             return CycleOutcome(Result(run, passages))
-        result = Result(run, certificate=certify(run, near))
+        result = Result(run, certificate=certify(run))
         measures, faults = measure_all(run)
         result.failures += faults
         return CycleOutcome(result, measures, not_periodic(run) if options.period is not None else [])
@@ -86,19 +92,22 @@ class Cycle:
 
 def span(compiled: Compiled, options: CycleOptions) -> tuple[float, list[Finding]]:
     """The length of the run (s), and what is wrong with it."""
-    path = ("studies", "cycle")
     if options.turns is not None:
         return _turns(compiled, options.turns)
-    length = options.period if options.period is not None else options.duration
+    key, length = ("period", options.period) if options.period is not None else ("duration", options.duration)
     assert length is not None
+    path = ("studies", "cycle", key)
     from linkwright.model.dimensions import DimensionError
 
     try:
         seconds = compiled.quantities.value(length, u.TIME)
     except DimensionError as error:
         return 0.0, [Finding(error.key, path, error.data)]
+    except KeyError:
+        data = {"study": "cycle", "key": key, "reason": "it must be made of numbers and parameters"}
+        return 0.0, [Finding("study.options", path, data)]
     if not 0 < seconds < 1e12:
-        return 0.0, [Finding("study.options", path, {"study": "cycle", "key": "period", "reason": "must be positive"})]
+        return 0.0, [Finding("study.options", path, {"study": "cycle", "key": key, "reason": "must be positive"})]
     return seconds, []
 
 

@@ -11,12 +11,14 @@ from linkwright.graph.assembly import shortfall_at, shortfall_data
 from linkwright.model import units as u
 from linkwright.model.findings import Finding
 from linkwright.results import Run
-from linkwright.results.certificate import Nearest
+from linkwright.results.certificate import nearest
 from linkwright.results.stationary import stationary
 from linkwright.structure import Group
 
 Array = NDArray[np.float64]
 
+TOUCH = 1e-13
+"""A reach within this of zero only touches: a singular pose, and the radicand's round-off decides its sign."""
 SINGULAR = 1e-7
 """A normalised group determinant below this is a singular pose: rates and forces lose all their digits there."""
 
@@ -35,17 +37,22 @@ def unassembled(run: Run) -> list[Finding]:
     return findings
 
 
-def _gaps(run: Run, row: str) -> list[tuple[float, float, float]]:
-    """Intervals in which a reach is negative, with the time of its least value."""
+def _reach(run: Run, row: str) -> tuple[Array, Array]:
+    """A group's reach on a grid that holds its turning points: times and values."""
 
     def rates(t: Array) -> tuple[Array, Array]:
         y = run.compiled.evaluate([row], t, rates=True)
         return y[:, 0], y[:, 1]
 
-    turning = stationary(rates, run.start, run.stop, run.steps)[0]
-    t = np.union1d(np.linspace(run.start, run.stop, max(run.steps, 200) + 1), turning)
-    reach = run.compiled.evaluate([row], t)[0]
-    bad = reach < 0
+    turning = stationary(rates, run.start, run.stop, run.grid)[0]
+    t = np.union1d(np.linspace(run.start, run.stop, max(run.grid, 200) + 1), turning)
+    return t, run.compiled.evaluate([row], t)[0]
+
+
+def _gaps(run: Run, row: str) -> list[tuple[float, float, float]]:
+    """Intervals in which a reach is negative, with the time of its least value."""
+    t, reach = _reach(run, row)
+    bad = reach < -TOUCH
     edges = np.flatnonzero(np.diff(np.concatenate([[False], bad, [False]]).astype(int)))
     gaps = []
     for first, after in edges.reshape(-1, 2):
@@ -59,10 +66,10 @@ def _edge(run: Run, row: str, bad: float, good: float) -> float:
     """The time at which a reach turns negative, by bisection to round-off."""
     for _ in range(60):
         middle = 0.5 * (bad + good)
-        if run.compiled.evaluate([row], np.array([middle]))[0, 0] >= 0:
-            good = middle
-        else:
+        if run.compiled.evaluate([row], np.array([middle]))[0, 0] < 0:
             bad = middle
+        else:
+            good = middle
     return good
 
 
@@ -86,14 +93,30 @@ def _cannot_assemble(run: Run, group: Group, start: float, stop: float, worst: f
     return Finding("motion.cannot-assemble", ("links", group.links[0]), data)
 
 
-def singular(run: Run, nearest: Nearest | None) -> list[Finding]:
-    """A finding where the run passes through a singular pose of a group."""
-    if nearest is None or nearest.determinant > SINGULAR:
-        return []
-    data = {
-        "group": nearest.group,
-        "time": f"{nearest.time:.6g}",
-        "determinant": f"{nearest.determinant:.2g}",
-    }
-    link = nearest.group.split("-")[0]
-    return [Finding("motion.singular", ("links", link), data | drive_value(run, nearest.time))]
+def singular(run: Run) -> list[Finding]:
+    """A finding for each pose in which a group with two modes has them meet, else for the worst other one."""
+    findings = []
+    for group in run.compiled.structure.groups:
+        if group.modes < 2:
+            continue
+        t, reach = _reach(run, f"reach:{group.label}")
+        touches = _apart(t[np.abs(reach) <= TOUCH], (run.stop - run.start) / run.grid)
+        findings += [_singular(run, group.label, time, 0.0) for time in touches]
+    near = None if findings else nearest(run)
+    if near is not None and not near.determinant > SINGULAR:
+        findings.append(_singular(run, near.group, near.time, near.determinant))
+    return findings
+
+
+def _apart(times: Array, step: float) -> list[float]:
+    """One time of each cluster of times closer than a step."""
+    found: list[float] = []
+    for time in times.tolist():
+        if not found or time - found[-1] > step:
+            found.append(time)
+    return found
+
+
+def _singular(run: Run, group: str, time: float, determinant: float) -> Finding:
+    data = {"group": group, "time": f"{time:.6g}", "determinant": f"{determinant:.2g}"}
+    return Finding("motion.singular", ("links", group.split("-")[0]), data | drive_value(run, time))

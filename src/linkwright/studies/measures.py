@@ -30,6 +30,9 @@ class Found:
     time: float | None
 
 
+NOTHING = Found("", float("nan"), None)
+
+
 @dataclass(frozen=True)
 class MeasureResult:
     """A measure's numbers; ``unit`` is the one it is shown in, ``size`` that unit in SI."""
@@ -66,6 +69,11 @@ class Probe:
         inside = [t for t in self.stationary if any(a < t < b for a, b in self.intervals)]
         times = np.array(sorted([*inside, *(edge for interval in self.intervals for edge in interval)]))
         return times, self.values(times)
+
+    def finite(self) -> bool:
+        """Whether the expression has a value all over the intervals."""
+        times = np.concatenate([np.linspace(a, b, self.run.grid + 1) for a, b in self.intervals])
+        return bool(np.isfinite(self.values(times)).all())
 
     def top(self) -> Found:
         times, values = self.candidates
@@ -142,7 +150,7 @@ class _Measurer:
             jets = [run.combine(tree, t, rows) for tree in trees]
             return np.array([jet.d[0] for jet in jets]), np.array([jet.d[1] for jet in jets])
 
-        return stationary(rates, run.start, run.stop, run.steps)
+        return stationary(rates, run.start, run.stop, run.grid)
 
     def one(self, name: str, measure: Measure, turning: dict[str, Array]) -> MeasureResult:
         quantities = self.run.compiled.quantities
@@ -155,7 +163,8 @@ class _Measurer:
         elif measure.value is not None:
             found = self.placed(name, measure, spans, turning)
         else:
-            found = RULES[measure.reduction](Probe(self.run, self.trees[name], spans, turning[name]))
+            probe = Probe(self.run, self.trees[name], spans, turning[name])
+            found = RULES[measure.reduction](probe) if probe.finite() else (NOTHING,)
         if not all(np.isfinite(f.value) for f in found):
             self.findings.append(Finding("measure.not-finite", ("measures", name), {"name": name}))
             found = ()
@@ -173,6 +182,8 @@ class _Measurer:
         assert match is not None
         if match[1]:
             probe = Probe(self.run, self.trees[f"{name} where"], spans, turning[f"{name} where"])
+            if not probe.finite():
+                return (NOTHING,)
             time = (probe.top() if match[1] == "max" else probe.bottom()).time
             assert time is not None
         else:

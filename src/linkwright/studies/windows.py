@@ -40,8 +40,8 @@ def _within(run: Run, text: str, low: float, high: float, turning: bool) -> list
     def beyond(edge: float) -> Array:
         """Times at which the signal passes an edge."""
         if turning:
-            return crossings(lambda t: np.sin((value(t) - edge) / 2), run.start, run.stop, run.steps)
-        return crossings(lambda t: value(t) - edge, run.start, run.stop, run.steps)
+            return crossings(lambda t: np.sin((value(t) - edge) / 2), run.start, run.stop, run.grid)
+        return crossings(lambda t: value(t) - edge, run.start, run.stop, run.grid)
 
     times = np.unique(np.concatenate([[run.start, run.stop], beyond(low), beyond(high)]))
     middles = value((times[:-1] + times[1:]) / 2)

@@ -72,7 +72,7 @@ TEXTS: dict[str, str] = {
     "cli.out": "The folder to write to (default: FILE's name with _linkwright, beside it).",
     "cli.json": "Print the summary alone, as JSON.",
     "cli.written": "Written: {folder}",
-    "cli.findings": "{errors} errors, {warnings} warnings in {file}",
+    "cli.findings": "{file}: errors {errors}, warnings {warnings}",
     "cli.column.measure": "Measure",
     "cli.column.value": "Value",
     "cli.column.unit": "Unit",

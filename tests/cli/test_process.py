@@ -1,0 +1,175 @@
+"""The command line as processes of its own: start-up, streams, signals."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from app.models import NAMES, SOUND, STUCK
+
+PROGRAM = [sys.executable, "-m", "linkwright"]
+
+
+def run(*words: Any, **options: Any) -> subprocess.CompletedProcess[str]:
+    options.setdefault("encoding", "utf-8")
+    return subprocess.run([*PROGRAM, *map(str, words)], capture_output=True, timeout=60, check=False, **options)
+
+
+@pytest.fixture
+def model(tmp_path: Path) -> Path:
+    path = tmp_path / "model.yaml"
+    path.write_text(SOUND, "utf-8")
+    return path
+
+
+@pytest.mark.parametrize("words", [["--help"], ["--version"], ["run", "--help"], ["fly"]], ids=" ".join)
+def test_help_waits_for_no_slow_import(words: list[str]) -> None:
+    """Help answers at once, because nothing that computes is loaded for it."""
+    code = f"""\
+import sys
+sys.argv = ["linkwright", *{words!r}]
+from linkwright.cli import main
+try:
+    main()
+except SystemExit:
+    pass
+slow = ("numpy", "casadi", "scipy", "pint", "pydantic", "ruamel", "rich", "xarray", "matplotlib", "linkwright.model")
+print([name for name in slow if name in sys.modules], file=sys.stderr)
+"""
+    result = subprocess.run([sys.executable, "-c", code], capture_output=True, encoding="utf-8", timeout=60, check=True)
+    assert result.stderr.splitlines()[-1] == "[]"
+
+
+def test_importing_the_package_loads_nothing_slow() -> None:
+    slow = ("numpy", "casadi", "scipy", "pint", "pydantic")
+    code = f"import sys, linkwright; print([name for name in {slow} if name in sys.modules])"
+    assert subprocess.check_output([sys.executable, "-c", code], encoding="utf-8").strip() == "[]"
+
+
+def test_a_whole_run(model: Path, tmp_path: Path) -> None:
+    result = run("run", model, "--out", tmp_path / "out", cwd=tmp_path)
+    assert result.returncode == 0
+    assert result.stderr == ""
+    assert "swing" in result.stdout
+    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == ["cycle.csv", "report.html", "summary.json"]
+
+
+def test_a_relative_path_without_a_folder(model: Path, tmp_path: Path) -> None:
+    assert run("run", model.name, cwd=tmp_path).returncode == 0
+    assert (tmp_path / "model_linkwright" / "summary.json").exists()
+
+
+def test_json_alone_on_stdout(model: Path) -> None:
+    for text, code in ((SOUND, 0), (STUCK, 1), (NAMES, 2)):
+        model.write_text(text, "utf-8")
+        result = run("run", model, "--json")
+        assert result.returncode == code
+        assert json.loads(result.stdout)["done"] is (code == 0)
+        assert "Traceback" not in result.stderr
+
+
+def test_faults_on_stderr_with_lines(model: Path) -> None:
+    model.write_text(NAMES, "utf-8")
+    result = run("check", model)
+    assert result.returncode == 2
+    assert result.stdout == ""
+    assert f"{model}:13: " in result.stderr
+    assert "Traceback" not in result.stderr
+
+
+def test_no_colours_or_wrapped_lines_in_a_pipe(model: Path) -> None:
+    model.write_text(NAMES, "utf-8")
+    result = run("check", model, env={**os.environ, "COLUMNS": "40", "TERM": "xterm-256color"})
+    assert "\x1b" not in result.stderr
+    assert any(len(line) > 60 for line in result.stderr.splitlines())
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "cp1252", "gbk"])
+def test_a_terminal_that_knows_few_letters(model: Path, encoding: str) -> None:
+    """A tick it can't show is no reason to fail."""
+    model.write_text(SOUND.replace("name: Four-bar", "name: Four-bar 四连杆 ä ✓"), "utf-8")
+    environment = {**os.environ, "PYTHONIOENCODING": encoding, "PYTHONUTF8": "0"}
+    for words in (("run", model), ("run", model, "--json"), ("check", model)):
+        result = run(*words, env=environment, encoding=encoding, errors="replace")
+        assert result.returncode == 0, result.stderr
+        assert "Traceback" not in result.stderr
+    environment["PYTHONIOENCODING"] = encoding
+    assert json.loads(run("run", model, "--json", env=environment, encoding=encoding).stdout)["done"] is True
+
+
+@pytest.mark.skipif(os.name == "nt", reason="a closed pipe is another thing on Windows")
+def test_a_reader_that_leaves_early(model: Path) -> None:
+    with subprocess.Popen([*PROGRAM, "schema"], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        assert process.stdout is not None
+        assert process.stderr is not None
+        process.stdout.read(10)
+        process.stdout.close()
+        complaint = process.stderr.read()
+        process.wait(60)
+    assert b"Traceback" not in complaint
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals are POSIX's")
+@pytest.mark.parametrize("delay", [0.35, 0.6, 1.0, 1.5])
+def test_an_interrupt_leaves_nothing_half_written(tmp_path: Path, delay: float) -> None:
+    """Whatever it is at: no traceback, and files in the folder are whole or not there."""
+    path = tmp_path / "long.yaml"
+    path.write_text(
+        SOUND.replace("samples: 24", "samples: 60000").replace("turns: 1 motor", "turns: 50 motor"), "utf-8"
+    )
+    out = tmp_path / "out"
+    with subprocess.Popen(
+        [*PROGRAM, "run", str(path), "--out", str(out)], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as process:
+        time.sleep(delay)
+        process.send_signal(signal.SIGINT)
+        _, complaint = process.communicate(timeout=60)
+    assert process.returncode in (0, 130)
+    assert b"Traceback" not in complaint
+    found = sorted(p.name for p in out.iterdir()) if out.exists() else []
+    assert set(found) <= {"cycle.csv", "report.html", "summary.json"}
+    if "summary.json" in found:
+        json.loads((out / "summary.json").read_text("utf-8"))
+    if "report.html" in found:
+        assert (out / "report.html").read_text("utf-8").rstrip().endswith("</html>")
+    if "cycle.csv" in found:
+        text = (out / "cycle.csv").read_text("utf-8")
+        assert text.count("\n") == 60002
+        assert text.endswith("\n")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals are POSIX's")
+def test_an_interrupt_while_writing(tmp_path: Path) -> None:
+    """The signal comes in the middle of the longest file."""
+    path = tmp_path / "model.yaml"
+    path.write_text(SOUND.replace("samples: 24", "samples: 20000"), "utf-8")
+    out = tmp_path / "out"
+    code = f"""\
+import io, os, signal, sys
+real = io.TextIOWrapper.write
+from pathlib import Path
+replace = Path.replace
+def stopped(self, target):
+    if Path(target).name == "cycle.csv":
+        os.kill(os.getpid(), signal.SIGINT)
+    return replace(self, target)
+Path.replace = stopped
+sys.argv = ["linkwright", "run", {str(path)!r}, "--out", {str(out)!r}]
+from linkwright.cli import main
+main()
+"""
+    result = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, encoding="utf-8", timeout=60, check=False
+    )
+    assert result.returncode == 130
+    assert "Traceback" not in result.stderr
+    assert "nterrupted" in result.stderr
+    assert not [p for p in out.iterdir() if p.name not in ("report.html", "cycle.csv", "summary.json")]
