@@ -149,6 +149,8 @@ def call(command: str | list[str], cwd: Path, exit_code: int = 0, timeout: float
         said = error.stdout or b""
         text = said.decode(errors="replace") if isinstance(said, bytes) else said
         raise Failure(f"not done after {timeout:.0f} s\n{text}") from None
+    if "Traceback (most recent call last)" in done.stdout:
+        raise Failure(f"a traceback\n{done.stdout}")
     if done.returncode != exit_code:
         raise Failure(f"exit code {done.returncode}, expected {exit_code}\n{done.stdout}")
 

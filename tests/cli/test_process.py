@@ -132,7 +132,8 @@ def test_an_interrupt_leaves_nothing_half_written(tmp_path: Path, delay: float) 
         time.sleep(delay)
         process.send_signal(signal.SIGINT)
         _, complaint = process.communicate(timeout=60)
-    assert process.returncode in (0, 130)
+    # Python itself dies of the signal where it came while a text was executed, as imports of dataclasses do.
+    assert process.returncode in (0, 130, -signal.SIGINT), complaint
     assert b"Traceback" not in complaint
     found = sorted(p.name for p in out.iterdir()) if out.exists() else []
     assert set(found) <= {"cycle.csv", "report.html", "summary.json"}

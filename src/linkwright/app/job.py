@@ -147,6 +147,7 @@ def run(model: str | Path | Document, out: str | Path | None = None) -> Job:
     examined = _examined(model)
     raise_errors(examined.findings)
     job = perform(examined)
+    raise_errors(examined.findings)
     if out is not None:
         write(job, Path(out))
     return job

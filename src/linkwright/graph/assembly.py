@@ -29,6 +29,7 @@ class Assembly:
     """The branch (+1 or -1) of each group with two modes; ``findings`` says what is missing or wrong."""
 
     branches: dict[Group, float] = field(default_factory=dict)
+    rules: dict[Group, str] = field(default_factory=dict)  # the rule that settled each, as the file has it
     findings: list[Finding] = field(default_factory=list)
     start: Motion | None = None
 
@@ -85,6 +86,8 @@ class _Assembler:
             signs = {math.copysign(1.0, value) for _, value in found if not math.isnan(value)}
             if len(signs) == 1:
                 branch = signs.pop()
+                name = found[0][0]
+                self.assembly.rules[group] = f"{name}: {self.rules[name].raw}"
             elif len(signs) > 1:
                 self.note("assembly.contradiction", ("assembly", found[0][0]), rules=", ".join(n for n, _ in found))
             elif not found:

@@ -114,20 +114,27 @@ class Signals:
         kind, attributes = self.attributes(owner)
         return self._signal(kind, (owner,), attribute, attributes)
 
-    def _called(self, node: Call) -> Signal:
+    def element(self, node: Name | Call) -> tuple[str, tuple[str, ...], dict[str, Dimension]]:
+        """Kind, names and attributes of what ``E``, ``com(crank)`` or ``force(a, b)`` names."""
+        if isinstance(node, Name):
+            kind, attributes = self.attributes(node.text)
+            return kind, (node.text,), attributes
         names = [signal_text(arg) if isinstance(arg, Name | Call) else "?" for arg in node.args]
         if node.name == "force" and len(names) in (2, 3):
             contact = self.contact(names)
-            attributes = SLIDE_FORCE if contact.sliding else FORCE
             owners: tuple[str, ...] = (contact.link, contact.on)
             if sum(c.link == contact.link and c.on == contact.on for c in self.contacts) > 1:
                 owners = (*owners, contact.joint)
-            return self._signal("force", owners, node.attribute or "", attributes)
+            return "force", owners, SLIDE_FORCE if contact.sliding else FORCE
         if node.name == "com" and len(names) == 1:
             if names[0] not in self.mechanism.links or self.mechanism.links[names[0]].mass is None:
                 raise DimensionError("signal.no-mass", name=names[0])
-            return self._signal("com", (names[0],), node.attribute or "", POINT)
+            return "com", (names[0],), POINT
         raise DimensionError("signal.unknown", name=signal_text(node))
+
+    def _called(self, node: Call) -> Signal:
+        kind, owners, attributes = self.element(node)
+        return self._signal(kind, owners, node.attribute or "", attributes)
 
     def _signal(self, kind: str, owners: tuple[str, ...], attribute: str, attributes: dict[str, Dimension]) -> Signal:
         if attribute not in attributes:

@@ -57,7 +57,7 @@ def _order(compiled: Compiled) -> list[str]:
             lines.append(say("fact.order.driven", link=step.link, drive=step.drive, base=step.base))
             continue
         links = ", ".join(step.links)
-        mode = step.rule(compiled.assembly.branches.get(step, 1.0))
+        mode = compiled.assembly.rules.get(step, "")
         key = "fact.order.mode" if mode else "fact.order.group"
         lines.append(say(key, links=links, signature=step.signature, mode=mode))
     return lines

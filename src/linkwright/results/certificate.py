@@ -66,7 +66,7 @@ def certify(run: Run) -> Certificate:
     reports = Reports(compiled, run.t)
     constraints = rank(reports)
     loaded = bool(reports.masses or compiled.mechanism.loads)
-    branches = compiled.assembly.branches
+    rules = compiled.assembly.rules
     return Certificate(
         closure=closure(reports),
         equilibrium=equilibrium(reports) if loaded else None,
@@ -77,7 +77,7 @@ def certify(run: Run) -> Certificate:
         rank=constraints,
         loops=topology.loops,
         nearest=nearest(run),
-        branches={group.label: group.rule(branches.get(group, 1.0)) for group in compiled.structure.groups},
+        branches={group.label: rules.get(group, "") for group in compiled.structure.groups},
         poses=run.t.size,
         kernel=compiled.kernel,
     )

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import csv
 import io
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import isfinite
@@ -14,8 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.model.document import write_aside
-from linkwright.model.expressions import parse
-from linkwright.model.findings import Finding
+from linkwright.model.expressions import Call, ExpressionError, Name, parse
+from linkwright.model.dimensions import DimensionError
+from linkwright.model.findings import Finding, ModelError
 from linkwright.model.units import PURE, Dimension
 from linkwright.results.certificate import Certificate
 from linkwright.results.run import Run
@@ -31,7 +34,8 @@ class Result:
     """A run's signals at its sampled times.
 
     ``result["E.x"]`` is the array of a signal or of any expression of signals, in SI, shape (times,);
-    ``result.shown("E.x")`` the same in the model's own unit with that unit. ``failures`` says where the motion
+    ``result.shown("E.x")`` the same in the model's own unit with that unit; a name or expression that can't be
+    read raises :class:`ModelError`. ``failures`` says where the motion
     can't be followed; there the arrays hold NaN. ``certificate`` is ``None`` only then.
     """
 
@@ -68,12 +72,14 @@ class Result:
     def __getitem__(self, text: str) -> Array:
         if text in self._values:
             return self._values[text]
-        node = self.run.compiled.quantities.dimensions.bind(parse(text), None)
+        with _read(text):
+            node = self.run.compiled.quantities.dimensions.bind(parse(text), None)
         return np.asarray(self.run.jets(node, self.t).d[0])
 
     def dimension(self, text: str) -> Dimension:
-        """The dimension of a signal or expression."""
-        return self.run.compiled.quantities.dimensions.dimension(parse(text))
+        """The dimension of a signal or expression. Raises :class:`ModelError` for what isn't one."""
+        with _read(text):
+            return self.run.compiled.quantities.dimensions.dimension(parse(text))
 
     def shown(self, text: str) -> tuple[Array, str]:
         """A signal or expression in the model's declared unit, and that unit (arrays of shape (times,))."""
@@ -81,12 +87,17 @@ class Result:
         return self[text] / size, unit
 
     def element(self, name: str) -> dict[str, Array]:
-        """All signals of one element by attribute, in SI: ``result.element("E")["vx"]``, of ``force(a, b)`` too."""
-        start = f"{name}."
-        found = {text[len(start) :]: self._values[text] for text in self.names if text.startswith(start)}
-        if not found:
-            raise KeyError(name)
-        return found
+        """All signals of one element by attribute, in SI: ``result.element("E")["vx"]``, of ``force(a, b)`` too.
+
+        Raises :class:`ModelError` for a name that no element has.
+        """
+        signals = self.run.compiled.quantities.signals
+        with _read(name):
+            node = parse(name)
+            if not isinstance(node, Name | Call):
+                raise DimensionError("signal.unknown", name=name)
+            _, _, attributes = signals.element(node)
+        return {attribute: self[f"{name}.{attribute}"] for attribute in attributes}
 
     def to_csv(self, path: str | Path | None = None) -> str:
         """All signals as a table in the model's units, one row a time; blank where nothing is known."""
@@ -117,6 +128,17 @@ class Result:
             variables[name] = ("time", self._values[name], {"units": unit})
         attributes = {"title": units.mechanism.name, "source": "linkwright"}
         return xarray.Dataset(variables, {"time": ("time", self.t, {"units": "s"})}, attributes)
+
+
+@contextmanager
+def _read(text: str) -> Iterator[None]:
+    """What is wrong with an expression, as a finding."""
+    try:
+        yield
+    except DimensionError as error:
+        raise ModelError([Finding(error.key, (text,), error.data)]) from None
+    except ExpressionError as error:
+        raise ModelError([Finding("expression.syntax", (text,), {"text": text, "reason": error.reason})]) from None
 
 
 def si_unit(dimension: Dimension) -> str:

@@ -70,7 +70,7 @@ def _edge(run: Run, row: str, bad: float, good: float) -> float:
             bad = middle
         else:
             good = middle
-    return good
+    return float(good)
 
 
 def drive_value(run: Run, time: float) -> dict[str, Any]:

@@ -47,8 +47,9 @@ class MeasureResult:
     verdict: bool | None = None
 
     def shown(self, label: str = "") -> float:
-        """A number in the measure's unit."""
-        return next(f.value for f in self.found if f.label == label) / self.size
+        """A number in the measure's unit. Raises KeyError where the measure has none of that label."""
+        values = {f.label: f.value for f in self.found}
+        return values[label] / self.size
 
 
 @dataclass
