@@ -90,7 +90,7 @@ def test_a_wrong_command_is_2(words: list[str], monkeypatch: pytest.MonkeyPatch,
     assert left.value.code == 2
     printed = capsys.readouterr()
     assert printed.out == ""
-    assert "Usage" in printed.err
+    assert "Usage" in printed.err or "Error" in printed.err
     assert "Traceback" not in printed.err
 
 

@@ -113,36 +113,25 @@ class _Assembler:
         """+1 or -1 where the rule speaks of this group, 0 where it doesn't, NaN where it can't decide."""
         if rule.sketch is not None:
             return self.sketched(name, rule, group, dyad)
-        if rule.along is not None:
-            return self.along(name, rule, group)
-        if group.signature != "RRR" or name not in self.pin_names(group.inner.joint):
-            return 0.0
         if rule.word in ("open", "crossed"):
-            return self.four_bar(name, rule, group, dyad)
-        outer = [self.pin_names(c.joint) for c in group.outer]
-        side = 1.0 if rule.word == "left" else -1.0
-        for sign, (first, second) in ((1.0, outer), (-1.0, outer[::-1])):
-            if rule.reference[0] in first and rule.reference[1] in second:
-                return sign * side
-        self.note("assembly.wrong-pins", ("assembly", name), point=name, options=self.options(group))
-        return math.nan
-
-    def along(self, name: str, rule: AssemblyRule, group: Group) -> float:
-        """Rules along a slide: of the inner pin on an outer slide, or between the two outer pins."""
-        sign = 1.0 if rule.word == "ahead" else -1.0
-        pins = [self.pin_names(c.joint) if c.letter == "R" else {c.joint} for c in (*group.outer, group.inner)]
-        if group.signature == "RRP" and name in pins[2] and rule.along in pins[1]:
-            return sign if rule.reference[0] in pins[0] else self._wrong(name, group)
-        if group.signature == "RPR" and rule.along == group.inner.joint:
-            for way, (first, second) in ((1.0, (pins[0], pins[1])), (-1.0, (pins[1], pins[0]))):
-                if name in second and rule.reference[0] in first:
-                    return sign * way
-            return self._wrong(name, group) if name in pins[0] | pins[1] else 0.0
-        return 0.0
-
-    def _wrong(self, name: str, group: Group) -> float:
-        self.note("assembly.wrong-pins", ("assembly", name), point=name, options=self.options(group))
-        return math.nan
+            four = all(c.letter == "R" for c in group.joints) and name in self.pin_names(group.inner.joint)
+            return self.four_bar(name, rule, group, dyad) if four else 0.0
+        joints = {"first": group.outer[0], "second": group.outer[1], "inner": group.inner}
+        names = {role: self.pin_names(c.joint) for role, c in joints.items()}
+        told = [
+            (sign, wanted)
+            for sign, templates in zip((1.0, -1.0), dyad.rules, strict=False)
+            for role, wanted in map(_template, templates)
+            if name in names[role] and (rule.along in names[wanted.along] if wanted.along else rule.along is None)
+        ]
+        for sign, wanted in told:
+            if rule.word == wanted.word and all(
+                point in names[role] for point, role in zip(rule.reference, wanted.reference, strict=True)
+            ):
+                return sign
+        if told:
+            self.note("assembly.wrong-pins", ("assembly", name), point=name, options=self.options(group))
+        return math.nan if told else 0.0
 
     def four_bar(self, name: str, rule: AssemblyRule, group: Group, dyad: Dyad) -> float:
         """Open: at the start pose the inner pin lies across the outer pins' line from the four-bar's fourth pin."""
@@ -193,6 +182,12 @@ class _Assembler:
     def options(self, group: Group) -> str:
         """How a group's two modes may be written."""
         return f"'{group.rule(1.0)}' / '{group.rule(-1.0)}'"
+
+
+def _template(text: str) -> tuple[str, AssemblyRule]:
+    """A dyad's rule with the roles of its joints for names: whose place it states, and the rule."""
+    role, rule = text.format(first="first", second="second", inner="inner").split(": ")
+    return role, AssemblyRule(rule)
 
 
 def shortfall_data(quantities: Quantities, group: Group, distance: float, limit: float) -> dict[str, Any]:

@@ -59,12 +59,13 @@ class Solved:
 class Dyad(ABC):
     """One kind of dyad on its joints.
 
-    ``signature`` is outer, inner, outer joint; ``rules`` how a file states branch +1 and -1 by the names of the
-    ``first`` and ``second`` outer joints and the ``inner`` one; none where there is one assembly mode only.
+    ``signature`` is outer, inner, outer joint; ``rules`` the ways in which a file states branch +1, and those for
+    -1, by the names of the ``first`` and ``second`` outer joints and the ``inner`` one; none where there is one
+    assembly mode only.
     """
 
     signature: ClassVar[str]
-    rules: ClassVar[tuple[str, ...]] = ()
+    rules: ClassVar[tuple[tuple[str, ...], ...]] = ()
     first: Outer
     second: Outer
     inner: Inner

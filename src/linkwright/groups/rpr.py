@@ -13,7 +13,10 @@ class RPR(Dyad):
     """Branch +1: the second outer pin is ahead of the first along the sliding line."""
 
     signature = "RPR"
-    rules = ("{second}: ahead of {first} along {inner}", "{second}: behind {first} along {inner}")
+    rules = (
+        ("{second}: ahead of {first} along {inner}", "{first}: behind {second} along {inner}"),
+        ("{second}: behind {first} along {inner}", "{first}: ahead of {second} along {inner}"),
+    )
     inner: InnerLine
 
     def root(self, branch: Scalar) -> Root:

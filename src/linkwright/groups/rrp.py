@@ -13,7 +13,7 @@ class RRP(Dyad):
     """Branch +1: the inner pin is ahead of the outer pin's foot point, along the line's direction."""
 
     signature = "RRP"
-    rules = ("{inner}: ahead of {first} along {second}", "{inner}: behind {first} along {second}")
+    rules = (("{inner}: ahead of {first} along {second}",), ("{inner}: behind {first} along {second}",))
     inner: InnerPin
 
     def root(self, branch: Scalar) -> Root:

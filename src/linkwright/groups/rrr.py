@@ -13,7 +13,10 @@ class RRR(Dyad):
     """Branch +1: the inner pin lies to the left of the line from the first outer pin to the second."""
 
     signature = "RRR"
-    rules = ("{inner}: left of {first}-{second}", "{inner}: right of {first}-{second}")
+    rules = (
+        ("{inner}: left of {first}-{second}", "{inner}: right of {second}-{first}"),
+        ("{inner}: right of {first}-{second}", "{inner}: left of {second}-{first}"),
+    )
     inner: InnerPin
 
     def root(self, branch: Scalar) -> Root:

@@ -126,12 +126,12 @@ def work(compiled: Compiled, t: Array) -> float:
     nodes, weights = np.polynomial.legendre.leggauss(8)
     h = np.diff(t)[:, None]
     r = Reports(compiled, (t[:-1, None] + h * (nodes + 1) / 2).ravel())
-    terms = np.array([*r.drive_powers(), *r.powers_of(r.loads())]).sum(axis=0)
+    terms = np.array([*r.drive_powers(), *r.powers_of(r.loads())])
     energy = compiled.evaluate(["energy.kinetic", "energy.potential"], t[[0, -1]])
     change = float(energy.sum(axis=0) @ np.array([-1.0, 1.0]))
     weight = (h * weights / 2).ravel()
-    size = float(np.abs(terms) @ weight) + float(np.abs(energy).sum())
-    return 0.0 if size == 0 else abs(float(terms @ weight) - change) / size
+    size = float(np.abs(terms).sum(axis=0) @ weight) + float(np.abs(energy).sum())
+    return 0.0 if size == 0 else abs(float(terms.sum(axis=0) @ weight) - change) / size
 
 
 def rank(r: Reports) -> int:

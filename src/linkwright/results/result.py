@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.model.dimensions import DimensionError
 from linkwright.model.document import write_aside
 from linkwright.model.expressions import Call, ExpressionError, Name, parse
-from linkwright.model.dimensions import DimensionError
 from linkwright.model.findings import Finding, ModelError
 from linkwright.model.units import PURE, Dimension
 from linkwright.results.certificate import Certificate

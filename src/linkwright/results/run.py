@@ -104,6 +104,8 @@ class Run:
         if name not in self._angles:
             self._angles[name] = self._track(name)
         grid, angle = self._angles[name]
+        if not grid.size:
+            return np.full_like(wrapped, np.nan)
         near = np.interp(t, grid, angle)
         turns = np.round((near - wrapped) / (2 * np.pi))
         return wrapped + 2 * np.pi * turns

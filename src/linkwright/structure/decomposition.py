@@ -60,7 +60,7 @@ class Group:
         if self.modes == 1:
             return ""
         first, second = (c.joint for c in self.outer)
-        template = REGISTRY[self.signature].rules[0 if branch > 0 else 1]
+        template = REGISTRY[self.signature].rules[0 if branch > 0 else 1][0]
         return template.format(inner=self.inner.joint, first=first, second=second)
 
     @property

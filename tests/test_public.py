@@ -1,0 +1,239 @@
+"""What others may rely on: the public names, the registries, and that imports go down only."""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import inspect
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import linkwright
+from linkwright.groups import REGISTRY
+from linkwright.groups.dyad import register as register_group
+from linkwright.kernels import KERNELS
+from linkwright.kernels.registry import register as register_kernel
+from linkwright.studies import STUDIES
+from linkwright.studies.registry import register as register_study
+
+PUBLIC = [
+    "Builder",
+    "Certificate",
+    "Compiled",
+    "Document",
+    "Finding",
+    "Job",
+    "Mechanism",
+    "ModelError",
+    "Result",
+    "Run",
+    "check",
+    "compile",
+    "dump",
+    "load",
+    "run",
+    "save",
+]
+SOURCE = Path(linkwright.__file__).parent
+
+
+# Names.
+
+
+def test_the_public_names() -> None:
+    assert linkwright.__all__ == PUBLIC
+    assert sorted(PUBLIC) == PUBLIC
+    assert sorted(dir(linkwright)) == sorted([*PUBLIC, "__version__"])
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_each_name_is_there_and_says_what_it_is(name: str) -> None:
+    thing = getattr(linkwright, name)
+    assert inspect.isclass(thing) or callable(thing)
+    assert inspect.getdoc(thing)
+    assert thing is getattr(linkwright, name)
+    if inspect.isclass(thing):
+        assert thing.__name__ == name
+        members = {**vars(thing)}
+        silent = [
+            member
+            for member, value in members.items()
+            if not member.startswith("_")
+            and not member.startswith("model_")
+            and (inspect.isfunction(value) or isinstance(value, property))
+            and not inspect.getdoc(value)
+        ]
+        assert silent == []
+
+
+def test_a_star_import_gives_them_all() -> None:
+    names: dict[str, Any] = {}
+    exec("from linkwright import *", names)
+    assert set(PUBLIC) <= set(names)
+
+
+@pytest.mark.parametrize("name", ["nothing", "Cycle", "_run"])
+def test_no_other_name(name: str) -> None:
+    with pytest.raises(AttributeError, match=name):
+        getattr(linkwright, name)
+
+
+def test_version_is_the_projects() -> None:
+    import tomllib
+
+    project = SOURCE.parents[1] / "pyproject.toml"
+    if project.exists():
+        assert tomllib.loads(project.read_text("utf-8"))["project"]["version"] == linkwright.__version__
+
+
+def test_typing_sees_what_is_loaded() -> None:
+    """The names under TYPE_CHECKING are the ones that __getattr__ gives."""
+    tree = ast.parse((SOURCE / "__init__.py").read_text("utf-8"))
+    (block,) = [node for node in tree.body if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.dump(node.test)]
+    seen = {}
+    for node in block.body:
+        assert isinstance(node, ast.ImportFrom)
+        for alias in node.names:
+            seen[alias.asname or alias.name] = getattr(importlib.import_module(node.module or ""), alias.name)
+    assert seen == {name: getattr(linkwright, name) for name in PUBLIC}
+
+
+# Registries are loud.
+
+
+def test_the_registered_names() -> None:
+    assert set(REGISTRY) == {"RRR", "RRP", "RPR", "PRP", "RPP"}
+    assert set(KERNELS) == {"numpy"}
+    assert set(STUDIES) == {"cycle"}
+
+
+@pytest.mark.parametrize("entry", REGISTRY.values(), ids=REGISTRY)
+def test_a_group_registers_once(entry: Any) -> None:
+    before = dict(REGISTRY)
+    with pytest.raises(ValueError, match=entry.signature):
+        register_group(type("Second", (), {"signature": entry.signature}))  # type: ignore[arg-type]
+    assert before == REGISTRY
+
+
+@pytest.mark.parametrize("name", KERNELS)
+def test_a_kernel_registers_once(name: str) -> None:
+    before = dict(KERNELS)
+    with pytest.raises(ValueError, match=name):
+        register_kernel(type("Second", (), {"name": name}))
+    assert before == KERNELS
+
+
+@pytest.mark.parametrize("name", STUDIES)
+def test_a_study_registers_once(name: str) -> None:
+    before = dict(STUDIES)
+    with pytest.raises(ValueError, match=name):
+        register_study(type("Second", (), {"name": name}))
+    assert before == STUDIES
+
+
+@pytest.mark.parametrize(("registry", "key"), [(REGISTRY, "signature"), (KERNELS, "name"), (STUDIES, "name")])
+def test_a_registered_name_stands_on_its_class(registry: dict[str, Any], key: str) -> None:
+    for name, entry in registry.items():
+        assert getattr(entry, key) == name
+        assert inspect.getdoc(entry)
+
+
+# Imports go down only.
+
+LEVELS = {
+    **dict.fromkeys(("notation", "words"), 0),
+    "laws": 1,
+    "model": 2,
+    "groups": 3,
+    "structure": 4,
+    "graph": 5,
+    "kernels": 6,
+    "results": 7,
+    "studies": 8,
+    **dict.fromkeys(("report", "export"), 9),
+    "app": 10,
+    "cli": 11,
+    "__main__": 12,
+}
+# The side floors know of nothing but what is named here.
+SIDES = {"notation": set(), "words": set(), "laws": {"notation"}}
+
+
+def imports() -> list[tuple[str, str, str]]:
+    """(file, its package, a package that it imports), those inside functions and for type checkers too."""
+    found = []
+    for path in sorted(SOURCE.rglob("*.py")):
+        parts = path.relative_to(SOURCE).parts
+        if parts == ("__init__.py",):
+            continue
+        here = parts[0].removesuffix(".py")
+        place = ["linkwright", *parts[:-1]]
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            targets: list[str] = []
+            if isinstance(node, ast.Import):
+                targets = [alias.name for alias in node.names]
+            elif isinstance(node, ast.ImportFrom):
+                base = place[: len(place) - node.level + 1] if node.level else []
+                module = ".".join([*base, *([node.module] if node.module else [])])
+                targets = [f"{module}.{alias.name}" for alias in node.names] if module == "linkwright" else [module]
+            elif isinstance(node, ast.Call) and "import_module" in ast.dump(node.func):
+                texts = [n.value for n in ast.walk(node) if isinstance(n, ast.Constant) and isinstance(n.value, str)]
+                targets = [text for text in texts if text.startswith("linkwright.")]
+            for target in targets:
+                words = target.split(".")
+                if words[0] == "linkwright" and len(words) > 1:
+                    found.append(("/".join(parts), here, words[1]))
+    return found
+
+
+def packages() -> set[str]:
+    return {p.name.removesuffix(".py") for p in SOURCE.iterdir() if p.suffix == ".py" or (p / "__init__.py").exists()}
+
+
+def test_every_package_has_its_floor() -> None:
+    assert packages() - {"__init__"} <= LEVELS.keys()
+
+
+def test_imports_go_down_only() -> None:
+    up = {
+        f"{file} imports {target}"
+        for file, here, target in imports()
+        if target in LEVELS and target != here and LEVELS[target] >= LEVELS[here]
+    }
+    assert not up
+
+
+def test_the_side_floors_know_of_nothing_else() -> None:
+    seen: dict[str, set[str]] = {side: set() for side in SIDES}
+    for _, here, target in imports():
+        if here in SIDES and target != here and target in LEVELS:
+            seen[here].add(target)
+    assert all(seen[side] <= known for side, known in SIDES.items()), seen
+
+
+def test_nothing_below_the_command_line_prints_or_leaves() -> None:
+    for path in SOURCE.rglob("*.py"):
+        if path.relative_to(SOURCE).parts[0] in ("cli", "__main__.py"):
+            continue
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(node, ast.Call):
+                name = ast.unparse(node.func)
+                assert name not in ("print", "exit", "sys.exit", "os._exit", "eval", "exec"), f"{path.name}: {name}"
+
+
+@pytest.mark.parametrize(
+    "module",
+    sorted(
+        {
+            "linkwright." + ".".join(p.relative_to(SOURCE).with_suffix("").parts)
+            for p in SOURCE.rglob("*.py")
+            if p.name not in ("__init__.py", "__main__.py")
+        }
+    ),
+)
+def test_every_module_says_what_it_is(module: str) -> None:
+    assert importlib.import_module(module).__doc__
+    assert module in sys.modules
