@@ -221,8 +221,9 @@ def test_a_file_is_looked_for_beside_the_model(tmp_path: Path, monkeypatch: pyte
     folder = tmp_path / "models"
     folder.mkdir()
     tables = written(folder, cam(36, True), period="360 deg")
-    document = lw.Document.model_validate(model({**SLIDING, "position": "lift(180 deg*t/(1 s))"}, tables=tables))
-    lw.save(document, folder / "cam.yaml")
+    data = model({**SLIDING, "position": "lift(180 deg*t/(1 s))"}, tables=tables)
+    data["links"]["block"] |= {"mass": "1 kg", "shape": "point Q"}
+    lw.save(lw.Document.model_validate({**data, "gravity": [0, "-9.81 m/s^2"]}), folder / "cam.yaml")
     monkeypatch.chdir(tmp_path)
     job = lw.run(Path("models") / "cam.yaml")
     assert job.exit_code == 0

@@ -117,6 +117,15 @@ def test_no_study_at_all() -> None:
     assert not lw.check(lw.Document.model_validate(slider_crank(studies={})))
 
 
+@pytest.mark.parametrize("options", [{"turns": "1 motor", "samples": 2}, {"turns": "40 motor", "samples": 50}], ids=str)
+def test_the_certificate_does_not_depend_on_samples(options: dict[str, Any]) -> None:
+    """However coarse the table, work and energy are compared exactly."""
+    for data in (slider_crank(**cycle(**options)), four_bar(**cycle(**options))):
+        certificate = cycle_of(data).result.certificate
+        assert certificate is not None
+        assert certificate.sound(), certificate.residuals
+
+
 # Periodic or not.
 
 

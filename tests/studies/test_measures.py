@@ -181,6 +181,25 @@ def test_extremes_over_many_turns(turns: int) -> None:
     assert value(slider_crank(studies=studies), span="guide.s") == near(TOP - BOTTOM)
 
 
+@pytest.mark.parametrize("samples", [8, 50, 200])
+def test_a_short_move_in_a_long_rest_is_seen(samples: int) -> None:
+    """10 ms of motion in 2 s: a 3-4-5 move of 10 deg, its peaks in closed form."""
+    drive = {"turns": "crank", "on": "frame", "position": "step5(t, 0.7131 s, 0 deg, 0.7231 s, 10 deg)"}
+    data = slider_crank(drives={"motor": drive}, studies={"cycle": {"duration": "2 s", "samples": samples}})
+    found = measured(data, speed={"max": "motor.omega"}, rate={"extremes": "motor.alpha"}, mean={"mean": "motor.omega"})
+    assert found["mean"].shown() == near(5.0, 1e-6)
+    assert found["speed"].shown() == near(10 * 15 / 8 / 0.01, 1e-10)
+    assert found["rate"].shown("max") == near(10 * 10 / math.sqrt(3) / 0.01**2, 1e-9)
+    assert found["rate"].shown("min") == near(-10 * 10 / math.sqrt(3) / 0.01**2, 1e-9)
+
+
+def test_a_high_peak_does_not_hide_the_rest() -> None:
+    """Beside a peak of 1e8 the other turning points still count."""
+    found = measured(slider_crank(), m={"extremes": "B.y + 1e8 mm*exp(-((t - 0.4 s)/(0.01 s))^2)"})["m"]
+    assert found.shown("max") == near(1e8, 1e-6)
+    assert found.shown("min") == near(-R, 1e-9)
+
+
 def test_window_ends_count() -> None:
     """Where a signal only rises, its extremes are at the ends of the window or run."""
     windows = {"w": ["0.1 s", "0.4 s"], "late": ["0.9 s", "5 s"], "early": ["-1 s", "0.2 s"]}

@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
+from linkwright.graph.clusters import assemble_cluster
 from linkwright.graph.geometry import Geometry
-from linkwright.graph.motion import Motion, solve_motion
+from linkwright.graph.motion import Motion, Unknowns, solve_motion
 from linkwright.groups import Dyad, OuterPin
 from linkwright.model.fields import AssemblyRule
 from linkwright.model.findings import Finding
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Body, Jet, Pair
-from linkwright.structure import Connection, Group, Structure
+from linkwright.structure import Cluster, Connection, Group, Structure
 
 
 class _CannotStart(Exception):
@@ -30,8 +31,21 @@ class Assembly:
 
     branches: dict[Group, float] = field(default_factory=dict)
     rules: dict[Group, str] = field(default_factory=dict)  # the rule that settled each, as the file has it
+    starts: dict[Cluster, list[float]] = field(default_factory=dict)
     findings: list[Finding] = field(default_factory=list)
     start: Motion | None = None
+
+    def size(self) -> float:
+        """The mechanism's extent at the start pose (m)."""
+        assert self.start is not None
+        motion = self.start
+        points = [
+            motion.bodies[link].point(motion.point(link, name)).now
+            for link, entry in motion.geometry.mechanism.links.items()
+            for name in entry.points
+        ]
+        xs, ys = [float(p.x) for p in points], [float(p.y) for p in points]
+        return math.hypot(max(xs) - min(xs), max(ys) - min(ys)) or 1.0
 
 
 def assemble(quantities: Quantities, structure: Structure, start: Mapping[str, float]) -> Assembly:
@@ -48,11 +62,11 @@ class _Assembler:
         self.geometry = Geometry(quantities, quantities.parameters)
 
     def run(self, start: Mapping[str, float]) -> Assembly:
-        drives = {name: Jet([value]) for name, value in start.items()}
+        drives = self.drives = {name: Jet([value]) for name, value in start.items()}
         self.motion = Motion(self.structure, self.geometry, 0)
         try:
             with np.errstate(all="ignore"):
-                solve_motion(self.structure, self.geometry, drives, self.branch, self.motion)
+                solve_motion(self.structure, self.geometry, drives, self.branch, self.unknowns, self.motion)
         except _CannotStart:
             return self.assembly
         except ZeroDivisionError:
@@ -103,6 +117,26 @@ class _Assembler:
             self.note("assembly.cannot-close", ("links", group.links[0]), **data)
             raise _CannotStart
         return branch
+
+    def unknowns(self, cluster: Cluster) -> list[float]:
+        """A cluster's coordinates at the start pose: Newton from its sketch. Raises :class:`_CannotStart`."""
+        every = {n: self.geometry.position(r.sketch) for n, r in self.rules.items() if r.sketch is not None}
+        sketch = {name: place for name, place in every.items() if self.owner(name, cluster.links)}
+        self.used |= sketch.keys()
+        if not sketch:
+            self.note("assembly.no-sketch", ("assembly",), links=", ".join(cluster.links))
+            raise _CannotStart
+        found = assemble_cluster(self.motion, cluster, sketch, self.drives)
+        if found is None:
+            self.note("assembly.not-found", ("links", cluster.links[0]), links=", ".join(cluster.links))
+            raise _CannotStart
+        self.assembly.starts[cluster] = found
+        return found
+
+    def owner(self, point: str, links: Sequence[str]) -> str | None:
+        """The first of some links that carries a point."""
+        every = self.quantities.mechanism.links
+        return next((link for link in links if point in every[link].points), None)
 
     def pin_names(self, joint: str) -> set[str]:
         """A pin's name and the names of its points."""
@@ -214,6 +248,7 @@ def shortfall_at(
     branches: Mapping[Group, float],
     drives: Mapping[str, float],
     failing: Group,
+    unknowns: Unknowns,
 ) -> tuple[float, float]:
     """The distance (m) that a group must span at a pose at which it can't close, and the nearest that it can."""
     found: list[tuple[float, float]] = []
@@ -226,5 +261,5 @@ def shortfall_at(
 
     geometry = Geometry(quantities, quantities.parameters)
     with suppress(_CannotStart):
-        solve_motion(structure, geometry, {name: Jet([value]) for name, value in drives.items()}, branch)
+        solve_motion(structure, geometry, {name: Jet([value]) for name, value in drives.items()}, branch, unknowns)
     return found[0] if found else (math.nan, math.nan)

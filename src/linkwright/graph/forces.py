@@ -11,10 +11,11 @@ from dataclasses import dataclass, field
 
 from linkwright.graph.geometry import ZERO
 from linkwright.graph.motion import Motion
+from linkwright.groups.joints import Twist
 from linkwright.model.mechanism import Load
 from linkwright.notation import Body, Pair, Scalar, Wrench
 from linkwright.notation.jets import is_zero
-from linkwright.structure import FRAME, Connection, Driven, Group
+from linkwright.structure import FRAME, Cluster, Connection, Driven, Edge, Group
 
 
 @dataclass
@@ -43,19 +44,20 @@ class _Solver:
     def run(self) -> Forces:
         for step in reversed(self.motion.structure.steps):
             if isinstance(step, Driven):
-                self.drive(step)
-            else:
+                self.drive(step, self.motion.twists[step], step.drive)
+            elif isinstance(step, Group):
                 self.group(step)
+            else:
+                self.cluster(step)
         for (joint, link), wrench in self.carried.items():
             self.react(joint, link, wrench.opposite)
         self.forces.shaking = self.wrenches[FRAME]
         return self.forces
 
-    def drive(self, step: Driven) -> None:
+    def drive(self, step: Driven | Edge, twist: Twist, drive: str) -> None:
         total = self.wrenches[step.link]
-        twist = self.motion.twists[step]
         effort = -twist.work(total)
-        self.forces.efforts[step.drive] = effort if step.sign > 0 else -effort
+        self.forces.efforts[drive] = effort if step.sign > 0 else -effort
         held = total.at(twist.about)
         if twist.turn:
             held = Wrench(held.force, 0.0, held.about)
@@ -73,6 +75,20 @@ class _Solver:
         for connection, link, own in ((step.outer[0], a, inner), (step.outer[1], b, inner.opposite)):
             total = self.wrenches[link].plus(own)
             self.hand_on(connection, link, total, total)
+
+    def cluster(self, step: Cluster) -> None:
+        solved, bodies = self.motion.clusters[step], self.motion.bodies
+        actions = solved.balance({link: self.wrenches[link] for link in step.links}, bodies)
+        for connection, action in zip(step.closures, actions, strict=True):
+            for link, own in ((connection.a, action), (connection.b, action.opposite)):
+                self.react(connection.joint, link, own.opposite)
+                self.wrenches[link] = self.wrenches[link].plus(own)
+        for edge in reversed(step.edges):
+            if edge.drive is not None:
+                self.drive(edge, solved.twists[edge.link], edge.drive)
+            else:
+                total = self.wrenches[edge.link]
+                self.hand_on(edge.joint, edge.link, total, total)
 
     def hand_on(self, connection: Connection, link: str, total: Wrench, held: Wrench) -> None:
         """A link passes its whole wrench to its base; ``held`` is the part that the joint itself transmits."""

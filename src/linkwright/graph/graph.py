@@ -49,9 +49,16 @@ class Graph:
 
     @cached_property
     def inputs(self) -> tuple[str, ...]:
-        """Rows of the per-pose input: each drive's value and rates up to one past jerk, then the branches."""
+        """Rows of the per-pose input: each drive's value and rates up to one past jerk, the branches, and the
+        coordinates of the clusters, which Newton supplies."""
         rows = [f"{drive}:{k}" for drive in self.drives for k in range(MAX_ORDER + 2)]
-        return (*rows, *(f"branch:{group.label}" for group in self.branched))
+        rows += [f"branch:{group.label}" for group in self.branched]
+        return (*rows, *(f"u:{c.label}:{i}" for c in self.structure.clusters for i in range(len(c.free))))
+
+    @cached_property
+    def first_unknown(self) -> int:
+        """The first input row that Newton supplies."""
+        return len(self.drives) * (MAX_ORDER + 2) + len(self.branched)
 
     @cached_property
     def parameters(self) -> tuple[str, ...]:
@@ -75,7 +82,8 @@ class Graph:
         return self._programs[key]
 
     def _build(self, names: tuple[str, ...], rates: bool) -> Program:
-        view = self._view(max((self.order_of(name) for name in names), default=0))
+        order = max((self.order_of(name) for name in names), default=0)
+        view = self._view(max(order, 1) if rates and self.structure.clusters else order)
         rows = [ca.SX(view.row(name)) for name in names]
         if rates:
             slopes = ca.jtimes(ca.vertcat(*rows), view.x, self._flow(view))
@@ -90,7 +98,9 @@ class Graph:
         for i in range(len(self.drives)):
             rows = range(i * (MAX_ORDER + 2), (i + 1) * (MAX_ORDER + 2))
             flow += [view.x[k + 1] for k in rows[:-1]] + [ca.SX(0)]
-        return ca.vertcat(*flow, *([ca.SX(0)] * len(self.branched)))
+        flow += [ca.SX(0)] * len(self.branched)
+        solved = (view.motion.clusters[c] for c in self.structure.clusters)
+        return ca.vertcat(*flow, *(rates[0] for cluster in solved for rates in cluster.rates))
 
     def wraps(self, link: str) -> bool:
         """Whether a link's angle comes from its axis alone, so that it jumps by a turn now and then."""
@@ -99,7 +109,7 @@ class Graph:
     def order_of(self, name: str) -> int:
         """The order of derivatives that a row needs."""
         if ":" in name:
-            return 0
+            return 1 if name.startswith("rate:") else 0
         signal = self.signal(name)
         if signal.kind in ("force", "shaking") or signal.attribute in ("torque", "force", "power"):
             return 2
@@ -131,9 +141,14 @@ class _View:
         values = [ca.SX.sym(name) for name in graph.parameters]
         width = MAX_ORDER + 2
         laws = {drive: Jet(symbols[i * width : i * width + order + 1]) for i, drive in enumerate(graph.drives)}
-        branches = dict(zip(graph.branched, symbols[len(graph.drives) * width :], strict=True))
+        branches = dict(zip(graph.branched, symbols[len(graph.drives) * width : graph.first_unknown], strict=True))
+        unknowns, rest = {}, symbols[graph.first_unknown :]
+        for cluster in graph.structure.clusters:
+            unknowns[cluster], rest = rest[: len(cluster.free)], rest[len(cluster.free) :]
         geometry = Geometry(graph.quantities, dict(zip(graph.parameters, values, strict=True)))
-        motion = solve_motion(graph.structure, geometry, laws, lambda group, _: branches.get(group, 1.0))
+        motion = solve_motion(
+            graph.structure, geometry, laws, lambda group, _: branches.get(group, 1.0), unknowns.__getitem__
+        )
         return cls(graph, ca.vertcat(*symbols), ca.vertcat(*values), motion, laws)
 
     @cached_property
@@ -150,11 +165,24 @@ class _View:
 
     def _internal(self, owner: str, what: str) -> Scalar:
         if owner in ("reach", "determinant"):
+            cluster = next((s for c, s in self.motion.clusters.items() if c.label == what), None)
+            if cluster is not None:
+                return cluster.determinant()
             solved = next(s for group, (_, s) in self.motion.dyads.items() if group.label == what)
             return solved.reach if owner == "reach" else solved.determinant
+        kind, _, label = owner.partition(":")
+        if kind in ("gap", "slope", "rate"):
+            return self._of_cluster(kind, label, int(what))
         body = self.motion.bodies[owner]
         start = body.point(ZERO).now
         return {"cos": body.axis.x.d[0], "sin": body.axis.y.d[0], "x": start.x, "y": start.y}[what]
+
+    def _of_cluster(self, what: str, label: str, index: int) -> Scalar:
+        """Rows of a cluster: what closure i misses, d(closure)/d(coordinate) row by row, coordinate i's rate."""
+        solved = next(s for cluster, s in self.motion.clusters.items() if cluster.label == label)
+        if what == "slope":
+            return solved.slopes[index // len(solved.slopes)][index % len(solved.slopes)]
+        return solved.gaps[index] if what == "gap" else solved.rates[index][0]
 
     def link(self, signal: Signal) -> Scalar:
         body = self.motion.bodies[signal.owners[0]]

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+from linkwright.graph.clusters import SolvedCluster, solve_cluster
 from linkwright.graph.geometry import Geometry, unit_vector
 from linkwright.groups import REGISTRY, Dyad, InnerLine, InnerPin, OuterLine, OuterPin, Solved
 from linkwright.groups.joints import Inner, Outer, Twist
 from linkwright.notation import Body, Jet, Pair, Scalar
-from linkwright.structure import FRAME, Connection, Driven, Group, Structure
+from linkwright.structure import FRAME, Cluster, Connection, Driven, Edge, Group, Structure
 
 Branch = Callable[[Group, Dyad], Scalar]
+Unknowns = Callable[[Cluster], list[Scalar]]
 
 
 @dataclass
@@ -22,6 +24,7 @@ class Motion:
     geometry: Geometry
     order: int
     bodies: dict[str, Body] = field(default_factory=dict)
+    clusters: dict[Cluster, SolvedCluster] = field(default_factory=dict)
     dyads: dict[Group, tuple[Dyad, Solved]] = field(default_factory=dict)
     twists: dict[Driven, Twist] = field(default_factory=dict)
 
@@ -35,9 +38,11 @@ def solve_motion(
     geometry: Geometry,
     drives: dict[str, Jet],
     branch: Branch,
+    unknowns: Unknowns,
     motion: Motion | None = None,
 ) -> Motion:
-    """Run the steps: ``drives`` gives each drive's value and rates, ``branch`` each group's assembly branch.
+    """Run the steps: ``drives`` gives each drive's value and rates, ``branch`` each dyad's assembly branch,
+    ``unknowns`` each cluster's coordinates (rad or m).
 
     A ``motion`` given is filled step by step, so that ``branch`` can look at what is solved so far.
     """
@@ -47,33 +52,37 @@ def solve_motion(
     for step in structure.steps:
         if isinstance(step, Driven):
             _drive(motion, step, drives[step.drive])
-        else:
+        elif isinstance(step, Group):
             _group(motion, step, branch)
+        else:
+            solve_cluster(motion, step, drives, unknowns)
     return motion
 
 
 def _drive(motion: Motion, step: Driven, law: Jet) -> None:
+    outer, body = driven_body(motion, step, law)
+    motion.bodies[step.link] = body
+    motion.twists[step] = outer.twist(body)
+
+
+def driven_body(motion: Motion, step: Driven | Edge, law: Jet) -> tuple[Outer, Body]:
+    """A link placed by a drive on a link placed before."""
     base = motion.bodies[step.base]
     outer = outer_joint(motion, step.joint, step.link)
     q = law if step.sign > 0 else -law
     if isinstance(outer, OuterPin):
         turn = base.turn + q.rate() if q.order else base.turn
-        body = outer.place(base.axis.now.turned(_turn(q.d[0])), turn)
+        body = outer.place(base.axis.now.turned(unit_vector(q.d[0])), turn)
         known = None if base.angle is None else base.angle + q.d[0]
         body = Body(body.anchor, body.local, body.axis, body.turn, known)
     else:
         body = outer.place(q.d[0], q.rate())
-    motion.bodies[step.link] = body
-    motion.twists[step] = outer.twist(body)
-
-
-def _turn(angle: Scalar) -> Pair:
-    return unit_vector(angle)
+    return outer, body
 
 
 def _group(motion: Motion, step: Group, branch: Branch) -> None:
     first, second = (outer_joint(motion, c, link) for c, link in zip(step.outer, step.links, strict=True))
-    dyad = REGISTRY[step.signature](first, _inner_joint(motion, step), second)
+    dyad = REGISTRY[step.signature](first, inner_joint(motion, step.inner, step.links), second)
     solved = dyad.solve(branch(step, dyad), motion.order)
     motion.dyads[step] = dyad, solved
     a, b = solved.first, solved.second
@@ -109,10 +118,11 @@ def outer_joint(motion: Motion, connection: Connection, link: str) -> Outer:
     return OuterLine(base.point(base_point), base.direction(base_heading), base.turn, foot, heading, angle)
 
 
-def _inner_joint(motion: Motion, step: Group) -> Inner:
-    a, b = step.links
-    geometry, joint = motion.geometry, step.inner.joint
-    if step.inner.letter == "R":
+def inner_joint(motion: Motion, connection: Connection, links: tuple[str, str]) -> Inner:
+    """A joint as closure between two links, in this order."""
+    a, b = links
+    geometry, joint = motion.geometry, connection.joint
+    if connection.letter == "R":
         pin = motion.structure.topology.pins[joint]
         return InnerPin(geometry.point(a, pin.point(a)), geometry.point(b, pin.point(b)))
     return InnerLine(*geometry.line(joint, a), *geometry.line(joint, b))

@@ -19,7 +19,8 @@ Turn = Pair
 
 @dataclass(frozen=True)
 class Twist:
-    """The motion that a unit rate of a freedom gives its link: turning ``turn`` about ``about``, or along ``along``."""
+    """The motion that a unit rate of a freedom gives a link: turning ``turn`` (1 or 0) about ``about``, while that
+    place moves ``along`` (m per unit rate)."""
 
     turn: float
     about: Pair
@@ -27,15 +28,15 @@ class Twist:
 
     def velocity(self, point: Pair) -> Pair:
         """Velocity of the link's point now at ``point`` (m per unit rate)."""
-        if self.turn:
-            return point.minus(self.about).perp
-        return self.along
+        if not self.turn:
+            return self.along
+        turned = point.minus(self.about).perp
+        return Pair(self.along.x + turned.x, self.along.y + turned.y)
 
     def work(self, wrench: Wrench) -> Scalar:
         """Power of a wrench on this unit rate: the generalised force."""
-        if self.turn:
-            return wrench.at(self.about).moment
-        return self.along.dot(wrench.force)
+        pushed = self.along.dot(wrench.force)
+        return pushed + wrench.at(self.about).moment if self.turn else pushed
 
 
 class Outer(Protocol):

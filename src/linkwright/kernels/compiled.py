@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 
 from linkwright.graph.assembly import Assembly, assemble
 from linkwright.graph.graph import Graph
+from linkwright.kernels.follow import Follower
 from linkwright.kernels.laws import Law, drive_laws
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.model.check import check_names, check_values
@@ -18,7 +20,7 @@ from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.quantities import Quantities
 from linkwright.notation import MAX_ORDER
-from linkwright.structure import Structure, Topology, decompose
+from linkwright.structure import Cluster, Structure, Topology, decompose
 
 Array = NDArray[np.float64]
 
@@ -38,6 +40,11 @@ class Compiled:
     def __post_init__(self) -> None:
         self.graph = Graph(self.quantities, self.structure)
         self.parameters = np.array([self.quantities.parameters[name] for name in self.graph.parameters])
+        size = self.assembly.size()
+        self.followers = [
+            Follower(self.graph, cluster, self.assembly.starts[cluster], size, self.kernel)
+            for cluster in self.structure.clusters
+        ]
 
     def inputs(self, t: Array) -> Array:
         """The per-pose inputs at times ``t`` (s): (inputs, poses), in SI."""
@@ -47,7 +54,23 @@ class Compiled:
             x[i * width : (i + 1) * width] = [np.broadcast_to(d, t.shape) for d in self.laws[drive](t).d]
         for i, group in enumerate(self.graph.branched, start=width * len(self.graph.drives)):
             x[i] = self.assembly.branches[group]
+        x[self.graph.first_unknown :] = np.nan
+        for i, follower in enumerate(self.followers):
+            x[follower.rows] = follower.solve(x, t, self.parameters, partial(self.inputs_before, count=i))
         return x
+
+    def inputs_before(self, t: Array, count: int) -> Array:
+        """The inputs at times ``t`` with the coordinates of the first ``count`` clusters only."""
+        followers, self.followers = self.followers, self.followers[:count]
+        try:
+            return self.inputs(t)
+        finally:
+            self.followers = followers
+
+    def unknowns(self, time: float) -> dict[Cluster, list[float]]:
+        """The coordinates of every cluster at a time."""
+        x = self.inputs(np.array([time]))[:, 0]
+        return {follower.cluster: x[follower.rows].tolist() for follower in self.followers}
 
     def evaluate(self, names: Sequence[str], t: Array, rates: bool = False) -> Array:
         """The named rows at times ``t``: (names, poses) in SI, or (names, 2, poses) with their rates.

@@ -132,8 +132,8 @@ def _quotient(a: Any, b: Any) -> Any:
 
 
 def _power(a: Any, b: Any) -> Any:
-    if isinstance(b, int | float) and not math.isfinite(b):
-        return a * math.nan
+    if any(isinstance(value, int | float) and not math.isfinite(value) for value in (a, b)):
+        return a * b * math.nan
     if not (isinstance(a, int | float) and isinstance(b, int | float)):
         return a**b
     try:

@@ -76,28 +76,44 @@ class System:
         row, right = self._reduced({k: Fraction(v) for k, v in unknowns.items()}, [Fraction(v) for v in value])
         if not row:
             return not any(right)
-        pivot = next((name for name in row if isinstance(name, tuple)), None) or next(iter(row))
+        # Rather what isn't a parameter, and rather a first power: no unit is the root of another.
+        pivot = min(row, key=lambda name: (not isinstance(name, tuple), abs(row[name]) != 1))
         scale = row.pop(pivot)
         self.solved[pivot] = ({k: -v / scale for k, v in row.items()}, [v / scale for v in right])
         return True
 
-    def value(self, name: Unknown) -> list[Fraction] | None:
-        """The powers of an unknown, or ``None`` while it is open."""
+    def value(self, name: Unknown) -> tuple[list[Fraction], bool]:
+        """The powers of an unknown where open ones are zero, and whether it is free of open ones."""
         row, right = self._reduced({name: Fraction(-1)}, [Fraction(0)] * 3)
-        return None if row else right
+        return right, not row
 
     def _reduced(
         self, row: dict[Unknown, Fraction], right: list[Fraction]
     ) -> tuple[dict[Unknown, Fraction], list[Fraction]]:
-        while known := next((name for name in row if name in self.solved), None):
-            power = row.pop(known)
-            others, constant = self.solved[known]
-            for name, p in others.items():
-                row[name] = row.get(name, Fraction(0)) + power * p
-                if row[name] == 0:
-                    del row[name]
+        """The equation with what is solved put in: sum(row) = right over open unknowns."""
+        for name in [name for name in row if name in self.solved]:
+            self._close(name)
+            power = row.pop(name)
+            others, constant = self.solved[name]
+            for other, p in others.items():
+                row[other] = row.get(other, Fraction(0)) + power * p
             right = [r - power * c for r, c in zip(right, constant, strict=True)]
-        return row, right
+        return {name: power for name, power in row.items() if power}, right
+
+    def _close(self, name: Unknown) -> None:
+        """Bring a solved unknown's equation down to open ones, and all those on the way with it."""
+        todo = [name]
+        while todo:
+            others, constant = self.solved[todo[-1]]
+            known = [other for other in others if other in self.solved]
+            deeper = [other for other in known if not self.solved[other][0].keys().isdisjoint(self.solved)]
+            if deeper:
+                todo += deeper
+                continue
+            if known:
+                row, right = self._reduced(dict(others), [-c for c in constant])
+                self.solved[todo[-1]] = (row, [-r for r in right])
+            todo.pop()
 
 
 class Equations:
@@ -132,13 +148,12 @@ class Equations:
 
     def settled(self, unknown: Unknown) -> Dimension | None:
         """The dimension of an unknown where the equations settle it altogether."""
-        physical, angular = self.physical.value(unknown), self.angular.value(unknown)
-        return None if physical is None or angular is None else Dimension._make([*physical, angular[0]])
+        (physical, known), (angular, also) = self.physical.value(unknown), self.angular.value(unknown)
+        return Dimension._make([*physical, angular[0]]) if known and also else None
 
     def of(self, unknown: Unknown) -> Dimension:
         """What the equations say of an unknown; what nothing settles is a pure number."""
-        physical = self.physical.value(unknown) or [Fraction(0)] * 3
-        angular = self.angular.value(unknown) or [Fraction(0)]
+        (physical, _), (angular, _) = self.physical.value(unknown), self.angular.value(unknown)
         return Dimension._make([*physical, angular[0]])
 
     def dimension(self, form: Form) -> Dimension:

@@ -28,19 +28,22 @@ __all__ = [
 ]
 
 VERSION = 1
-MAX_ENTRIES = 1000
-"""The most entries that one section may hold."""
+MAX_ENTRIES, MAX_LINKS = 1000, 200
+"""The most entries that one section may hold; of links fewer, since their decomposition is searched for."""
 
 
-def _bounded(raw: Any) -> Any:
-    if not isinstance(raw, Mapping):
-        raise unexpected("mapping", raw)
-    if len(raw) > MAX_ENTRIES:
-        raise fault("file.too-many", count=len(raw), limit=MAX_ENTRIES)
-    return raw
+def _at_most(limit: int) -> BeforeValidator:
+    def check(raw: Any) -> Any:
+        if not isinstance(raw, Mapping):
+            raise unexpected("mapping", raw)
+        if len(raw) > limit:
+            raise fault("file.too-many", count=len(raw), limit=limit)
+        return raw
+
+    return BeforeValidator(check)
 
 
-_bound = BeforeValidator(_bounded)
+_bound = _at_most(MAX_ENTRIES)
 
 
 class Mechanism(Frozen):
@@ -59,7 +62,7 @@ class Mechanism(Frozen):
     parameters: Annotated[dict[Name, Parameter], _bound, freeze] = Field(
         default_factory=FrozenDict, description="named values"
     )
-    links: Annotated[dict[Name, Link], _bound, freeze] = Field(
+    links: Annotated[dict[Name, Link], _at_most(MAX_LINKS), freeze] = Field(
         description="the rigid links; the one that doesn't move is called frame"
     )
     joints: Annotated[dict[Name, Joint], _bound, freeze] = Field(

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from linkwright.model.units import is_unit
+
 
 @dataclass(frozen=True)
 class Number:
@@ -102,7 +104,7 @@ def text_of(node: Node) -> str:
 def _text(node: Node) -> tuple[str, int]:
     """The text and how tightly its outermost operation binds."""
     if isinstance(node, Number):
-        return f"{node.value:.12g}" + (f" {node.unit}" if node.unit else ""), 5
+        return (f"{node.value:.12g} {node.unit}", 4) if node.unit else (f"{node.value:.12g}", 5)
     if isinstance(node, Name):
         return node.text, 5
     if isinstance(node, Negative):
@@ -111,9 +113,18 @@ def _text(node: Node) -> tuple[str, int]:
         level = _LEVELS[node.op]
         left, right = (level, level + 1) if level < 4 else (level + 1, 3)
         space = " " if level < 3 else ""
-        return f"{_within(node.left, left)}{space}{node.op}{space}{_within(node.right, right)}", level
+        # Behind a number with a unit, a factor such as "s" would be read as part of the unit.
+        taken = level == 2 and isinstance(node.right, Name) and is_unit(node.right.text) and _ends_in_unit(node.left)
+        right_text = _within(node.right, 6 if taken else right)
+        return f"{_within(node.left, left)}{space}{node.op}{space}{right_text}", level
     args = ", ".join(text_of(arg) for arg in node.args)
     return f"{node.name}({args})" + (f".{node.attribute}" if node.attribute else ""), 5
+
+
+def _ends_in_unit(node: Node) -> bool:
+    while isinstance(node, Binary | Negative):
+        node = node.right if isinstance(node, Binary) else node.of
+    return isinstance(node, Number) and node.unit is not None
 
 
 def _within(node: Node, least: int) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from linkwright.kernels import Compiled
 from linkwright.report.data import Check, Fact
 from linkwright.results import Certificate
-from linkwright.structure import Driven, Topology
+from linkwright.structure import Driven, Group, Topology
 from linkwright.words import say
 
 PROVEN = 1e-9
@@ -57,7 +57,7 @@ def _order(compiled: Compiled) -> list[str]:
             lines.append(say("fact.order.driven", link=step.link, drive=step.drive, base=step.base))
             continue
         links = ", ".join(step.links)
-        mode = compiled.assembly.rules.get(step, "")
+        mode = compiled.assembly.rules.get(step, "") if isinstance(step, Group) else ""
         key = "fact.order.mode" if mode else "fact.order.group"
         lines.append(say(key, links=links, signature=step.signature, mode=mode))
     return lines

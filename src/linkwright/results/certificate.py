@@ -77,7 +77,10 @@ def certify(run: Run) -> Certificate:
         rank=constraints,
         loops=topology.loops,
         nearest=nearest(run),
-        branches={group.label: rules.get(group, "") for group in compiled.structure.groups},
+        branches={
+            **{group.label: rules.get(group, "") for group in compiled.structure.groups},
+            **{cluster.label: "" for cluster in compiled.structure.clusters},
+        },
         poses=run.t.size,
         kernel=compiled.kernel,
     )
@@ -172,8 +175,9 @@ def jacobian(r: Reports, pose: int) -> Array:
 
 def nearest(run: Run) -> Nearest | None:
     """The smallest normalised determinant of a group over the run, root-found between the samples."""
-    groups = run.compiled.structure.groups
-    names = [f"determinant:{group.label}" for group in groups]
+    structure = run.compiled.structure
+    groups = [*(group.label for group in structure.groups), *(cluster.label for cluster in structure.clusters)]
+    names = [f"determinant:{group}" for group in groups]
 
     def rates(t: Array) -> tuple[Array, Array]:
         # Of the magnitude, so that a passage through zero is a turning point too.
@@ -186,7 +190,7 @@ def nearest(run: Run) -> Nearest | None:
     for i, group in enumerate(groups):
         times = np.concatenate([turning[i], [run.start, run.stop]])
         values = np.abs(run.compiled.evaluate([names[i]], times)[0])
-        found.append(Nearest(group.label, float(values.min()), float(times[values.argmin()])))
+        found.append(Nearest(group, float(values.min()), float(times[values.argmin()])))
     return min(found, key=lambda near: near.determinant, default=None)
 
 

@@ -16,6 +16,9 @@ from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Mechanism
 from linkwright.structure.topology import FRAME, Connection, Topology
 
+MAX_CLUSTER = 10
+"""The largest group looked for, in links."""
+
 
 @dataclass(frozen=True)
 class Driven:
@@ -73,7 +76,62 @@ class Group:
         return (*self.outer, self.inner)
 
 
-Step = Driven | Group
+@dataclass(frozen=True)
+class Edge:
+    """How a link of a cluster is placed: by a joint on an earlier link, free, or held by a drive inside."""
+
+    link: str
+    joint: Connection
+    drive: str | None = None
+    sign: int = 1
+
+    @property
+    def base(self) -> str:
+        """The link on which it is placed."""
+        return self.joint.other(self.link)
+
+
+@dataclass(frozen=True)
+class Cluster:
+    """A group beyond the dyads: links placed one on another over a tree of joints, and the joints that close it.
+
+    Each free edge has an unknown coordinate (the link's angle on a pin, its travel on a line), each closure
+    two equations.
+    """
+
+    edges: tuple[Edge, ...]
+    closures: tuple[Connection, ...]
+
+    @property
+    def links(self) -> tuple[str, ...]:
+        return tuple(edge.link for edge in self.edges)
+
+    @property
+    def signature(self) -> str:
+        """The letters of the joints by which its links are placed (in brackets where driven), then of the closures."""
+        placed = "".join(e.joint.letter if e.drive is None else f"({e.joint.letter})" for e in self.edges)
+        return f"{placed}-{''.join(c.letter for c in self.closures)}"
+
+    @property
+    def free(self) -> tuple[Edge, ...]:
+        """The edges with an unknown coordinate."""
+        return tuple(edge for edge in self.edges if edge.drive is None)
+
+    @property
+    def label(self) -> str:
+        """The group's name in words: its links."""
+        return "-".join(self.links)
+
+    @property
+    def joints(self) -> tuple[Connection, ...]:
+        return (*(edge.joint for edge in self.edges), *self.closures)
+
+    def rule(self, branch: float) -> str:
+        """Clusters keep the mode that their sketch pose begins with."""
+        return ""
+
+
+Step = Driven | Group | Cluster
 
 
 @dataclass(frozen=True)
@@ -86,8 +144,13 @@ class Structure:
 
     @property
     def groups(self) -> tuple[Group, ...]:
-        """The Assur groups among the steps."""
+        """The dyads among the steps."""
         return tuple(step for step in self.steps if isinstance(step, Group))
+
+    @property
+    def clusters(self) -> tuple[Cluster, ...]:
+        """The groups beyond dyads among the steps."""
+        return tuple(step for step in self.steps if isinstance(step, Cluster))
 
 
 @dataclass
@@ -101,7 +164,7 @@ class _Search:
     def run(self) -> Structure:
         self.find_drives()
         if not self.findings:
-            while self.drive_one() or self.group_one():
+            while self.drive_one() or self.group_one() or self.cluster_one():
                 pass
             self.report_rest()
         return Structure(self.topology, tuple(self.steps), tuple(self.findings))
@@ -172,6 +235,76 @@ class _Search:
                     return True
         return False
 
+    def cluster_one(self) -> bool:
+        """Solve the smallest set of links that hangs on known ones with no freedom left."""
+        left = [link for link in self.topology.moving if link not in self.known]
+        for size in range(2, min(len(left), MAX_CLUSTER) + 1):
+            for chosen in combinations(left, size):
+                part = list(chosen)
+                if self.freedom(part) or self.overfull(part):
+                    continue
+                if (cluster := self.tree(part)) is not None:
+                    self.steps.append(cluster)
+                    self.known += cluster.links
+                    for edge in cluster.edges:
+                        self.joints.pop(edge.drive or "", None)
+                    return True
+        return False
+
+    def overfull(self, links: list[str]) -> list[str]:
+        """The fewest of some links that the known ones hold with more constraints than they have freedoms."""
+        sizes = range(1, min(len(links), MAX_CLUSTER) + 1)
+        subsets = (list(chosen) for size in sizes for chosen in combinations(links, size))
+        return next((subset for subset in subsets if self.freedom(subset) < 0), [])
+
+    def tree(self, part: list[str]) -> Cluster | None:
+        """A placing order of the links, drives inside first; ``None`` where the links don't hang together."""
+        edges: list[Edge] = []
+        placed: list[str] = list(self.known)
+        driven = {joint: name for name, joint in self.joints.items()}
+        within = [c for c in self.topology.connections if {c.a, c.b} <= {*part, *self.known}]
+        todo = list(part)
+        while todo:
+            options = [(c, link) for link in todo for c in within if link in (c.a, c.b) and c.other(link) in placed]
+            if not options:
+                return None
+            # A driven joint places its link for good; else outer joints keep the chains short.
+            joint, link = min(options, key=lambda o: (o[0] not in driven, placed.index(o[0].other(o[1]))))
+            drive = driven.get(joint)
+            sign = 1 if drive is None or self.topology.mechanism.drives[drive].link == link else -1
+            edges.append(Edge(link, joint, drive, sign))
+            placed.append(link)
+            todo.remove(link)
+        closures = self.closures(part, edges)
+        free = sum(edge.drive is None for edge in edges)
+        return Cluster(tuple(edges), tuple(closures)) if free == 2 * len(closures) and free else None
+
+    def closures(self, part: list[str], edges: list[Edge]) -> list[Connection]:
+        """The joints among the links and the known ones that the tree doesn't use."""
+        found = []
+        for pin in self.topology.pins.values():
+            parts = [{link} for link in pin.links if link in part]
+            if not parts:
+                continue
+            if known := {link for link in pin.links if link in self.known}:
+                parts.append(known)
+            for edge in edges:
+                if edge.joint.joint == pin.name:
+                    joined = [p for p in parts if edge.link in p or edge.base in p]
+                    parts = [p for p in parts if p not in joined] + [set().union(*joined)]
+            heads = [next(link for link in pin.links if link in p) for p in parts]
+            found += [Connection(pin.name, "R", heads[0], head) for head in heads[1:]]
+        used = {edge.joint for edge in edges}
+        for c in self.topology.connections:
+            if (
+                c.letter == "P"
+                and c not in used
+                and (c.a in part or c.b in part)
+                and {c.a, c.b} <= {*part, *self.known}
+            ):
+                found.append(c)
+        return found
+
     def report_rest(self) -> None:
         """Say why what is left can't be solved."""
         top = self.topology
@@ -181,17 +314,15 @@ class _Search:
             if drive.link in self.known:
                 self.note("structure.drive-too-many", ("drives", name), link=drive.link, on=drive.on)
         for part in self.parts(left):
+            part = self.overfull(part) or part
             names, freedom = ", ".join(part), self.freedom(part)
-            driven = [n for n in self.joints if top.mechanism.drives[n].link in part]
             if freedom > 0:
                 hint = self.drive_hint(part)
                 self.note("structure.loose", ("links", part[0]), links=names, freedom=freedom, hint=hint)
             elif freedom < 0:
                 self.note("structure.overconstrained", ("links", part[0]), links=names, excess=-freedom)
-            elif driven:
-                self.note("structure.drive-inside", ("drives", driven[0]), links=names)
             else:
-                self.note("structure.higher-group", ("links", part[0]), links=names, count=len(part))
+                self.note("structure.higher-group", ("links", part[0]), links=names, most=MAX_CLUSTER)
         if not left and not self.findings:
             self.report_redundant()
 
@@ -208,15 +339,15 @@ class _Search:
 
     def freedom(self, part: list[str]) -> int:
         """Gruebler's count of a set of links that hangs on the known ones, less its drives."""
+        inside = {*part, *self.known}
         joints = 0
         for pin in self.topology.pins.values():
             within = sum(link in part for link in pin.links)
             joints += within - (0 if any(link in self.known for link in pin.links) else 1) if within else 0
-        joints += sum(c.letter == "P" and (c.a in part or c.b in part) for c in self.topology.connections)
-        driven = sum(
-            self.topology.mechanism.drives[name].link in part or self.topology.mechanism.drives[name].on in part
-            for name in self.joints
+        joints += sum(
+            c.letter == "P" and {c.a, c.b} <= inside and (c.a in part or c.b in part) for c in self.topology.connections
         )
+        driven = sum({c.a, c.b} <= inside and (c.a in part or c.b in part) for c in self.joints.values())
         return 3 * len(part) - 2 * joints - driven
 
     def parts(self, left: list[str]) -> Iterator[list[str]]:

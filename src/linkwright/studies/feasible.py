@@ -25,8 +25,8 @@ SINGULAR = 1e-7
 
 def unassembled(run: Run) -> list[Finding]:
     """Each interval of the run in which a group can't be assembled, by the group that fails first."""
-    findings: list[Finding] = []
-    taken: list[tuple[float, float]] = []
+    findings: list[Finding] = stuck(run)
+    taken: list[tuple[float, float]] = [(f.data["start"], f.data["stop"]) for f in findings]
     for group in run.compiled.structure.groups:
         if group.modes < 2:
             continue
@@ -34,6 +34,20 @@ def unassembled(run: Run) -> list[Finding]:
             if not any(a <= start and stop <= b for a, b in taken):
                 taken.append((start, stop))
                 findings.append(_cannot_assemble(run, group, start, stop, worst))
+    return findings
+
+
+def stuck(run: Run) -> list[Finding]:
+    """Where a cluster can't be followed any further: it has met a singular pose of its own."""
+    run.compiled.evaluate(["shaking.x"], np.array([run.stop]))
+    findings = []
+    for follower in run.compiled.followers:
+        end = follower.path.end
+        if end is None or end >= run.stop:
+            continue
+        data: dict[str, Any] = {"group": follower.cluster.label, "links": ", ".join(follower.cluster.links)}
+        data |= {"time": f"{end:.6g}", "start": end, "stop": run.stop}
+        findings.append(Finding("motion.stuck", ("links", follower.cluster.links[0]), data | drive_value(run, end)))
     return findings
 
 
@@ -85,7 +99,10 @@ def drive_value(run: Run, time: float) -> dict[str, Any]:
 def _cannot_assemble(run: Run, group: Group, start: float, stop: float, worst: float) -> Finding:
     compiled = run.compiled
     values = {name: float(np.asarray(law(np.array([worst])).d[0]).flat[0]) for name, law in compiled.laws.items()}
-    distance, limit = shortfall_at(compiled.quantities, compiled.structure, compiled.assembly.branches, values, group)
+    unknowns = compiled.unknowns(worst)
+    distance, limit = shortfall_at(
+        compiled.quantities, compiled.structure, compiled.assembly.branches, values, group, unknowns.__getitem__
+    )
     data = shortfall_data(compiled.quantities, group, distance, limit)
     ends = [drive_value(run, time) for time in (start, stop)]
     data |= {"length_unit": data["unit"], "drive": ends[0]["drive"], "unit": ends[0]["unit"]}

@@ -460,10 +460,6 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "{link} and {on} are held already, by their joints or other drives; this drive would fight them.",
         "Take the drive out, or a joint.",
     ),
-    "structure.drive-inside": (
-        "The drive acts inside a closed group of links ({links}); such a group can't be solved yet.",
-        "Drive a link against one that is held already, such as the frame.",
-    ),
     "structure.loose": (
         "These links aren't held: {links} (free motions: {freedom}).",
         "Join them to links that are held, check the spelling of shared points, or add a drive. {hint}",
@@ -473,8 +469,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Take out a joint or a drive, or add the link that is missing between two pins.",
     ),
     "structure.higher-group": (
-        "These {count} links can only be placed all at once: {links}. Groups of more than two links can't be solved yet.",
-        "Drive another link, so that the rest falls apart into pairs of links.",
+        "These links can only be placed all at once, and there are more than {most} of them: {links}.",
+        "Drive another link, so that the rest falls apart into smaller groups.",
     ),
     "structure.redundant": (
         "The joint {joint} between {links} holds what other joints hold already, so its forces are undetermined.",
@@ -513,6 +509,19 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "assembly.degenerate": (
         "{links} have no definite pose at the start: their joints {joints} coincide, or their lines are parallel.",
         "Correct the points and lines of these links; or start elsewhere.",
+    ),
+    "assembly.no-sketch": (
+        "{links} can only be placed all at once, in one of several ways, and nothing says which.",
+        "Give the places of their pins in a pose near the start, under assembly: one line 'C: [x, y]' for each pin.",
+    ),
+    "assembly.not-found": (
+        "No way was found to put {links} together at the start near the places sketched under assembly.",
+        "Check the lengths, and sketch the pins as they stand at the start of the motion.",
+    ),
+    "motion.stuck": (
+        "At t = {time} s ({drive} = {value} {unit}) the group {group} reaches a singular pose of its own; it can't be "
+        "followed further.",
+        "Change the lengths, or keep the motion away from that pose.",
     ),
     "motion.cannot-assemble": (
         "{links} can't be put together between {drive} = {from} and {to} {unit}: {joints} come {distance} {length_unit} "

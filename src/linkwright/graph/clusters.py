@@ -1,0 +1,276 @@
+"""Clusters: groups beyond the dyads, solved by Newton on the same closures.
+
+A cluster's links hang on one another over a tree of joints, each free joint with one unknown coordinate; the
+joints left over close it. Its coordinates come in as numbers or symbols; rates and equilibrium follow from the
+closure just as for a dyad, with a matrix of more than two rows.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import islice, product
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from linkwright.graph.geometry import unit_vector
+from linkwright.groups.joints import Inner, OuterLine, OuterPin, Twist
+from linkwright.groups.linear import Factor
+from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
+from linkwright.notation.jets import call
+from linkwright.structure import Cluster, Connection, Edge
+
+if TYPE_CHECKING:
+    from linkwright.graph.motion import Motion, Unknowns
+
+STILL = Twist(0.0, Pair(0.0, 0.0), Pair(0.0, 0.0))
+
+
+@dataclass(frozen=True)
+class SolvedCluster:
+    """A cluster at its coordinates: what the closures miss, the factored matrix of their slopes, first rates.
+
+    ``fields[i]`` is the motion that a unit rate of coordinate i gives each link; ``twists`` the freedom of each
+    link on its own joint.
+    """
+
+    gaps: list[Scalar]
+    slopes: list[list[Scalar]]
+    factor: Factor
+    rates: list[list[Scalar]]
+    fields: list[dict[str, Twist]]
+    twists: dict[str, Twist]
+    closures: list[tuple[Connection, Inner]]
+
+    def determinant(self) -> Scalar:
+        """The determinant over the product of its columns' lengths: 0 singular, 1 best (Hadamard)."""
+        product: Scalar = 1.0
+        for i in range(len(self.slopes)):
+            column = [row[i] for row in self.slopes]
+            product = product * call("sqrt", sum((entry * entry for entry in column), 0.0))
+        return self.factor.determinant() / product
+
+    def balance(self, wrenches: dict[str, Wrench], bodies: dict[str, Body]) -> list[Wrench]:
+        """The wrench on the first link of each closure that keeps all links in equilibrium."""
+        works = [
+            sum((field[link].work(wrench) for link, wrench in wrenches.items() if link in field), 0.0)
+            for field in self.fields
+        ]
+        multipliers = [-m for m in self.factor.solve(works, transposed=True)]
+        return [
+            inner.action(bodies[c.a], bodies[c.b], (multipliers[2 * i], multipliers[2 * i + 1]))
+            for i, (c, inner) in enumerate(self.closures)
+        ]
+
+
+def solve_cluster(motion: Motion, step: Cluster, drives: dict[str, Jet], unknowns: Unknowns) -> None:
+    """Place a cluster's links at its coordinates with all rates."""
+    from linkwright.graph.motion import inner_joint
+
+    closures = [(c, inner_joint(motion, c, (c.a, c.b))) for c in step.closures]
+    starts = dict(zip(step.free, unknowns(step), strict=True))
+    rates: dict[Edge, list[Scalar]] = {edge: [] for edge in step.free}
+
+    def place(next_rate: list[Scalar]) -> None:
+        """Place all links in order with the rates known so far."""
+        for edge in step.edges:
+            if edge.drive is not None:
+                motion.bodies[edge.link] = _driven(motion, edge, drives[edge.drive])
+            else:
+                motion.bodies[edge.link] = _free(motion, edge, starts[edge], Jet([*rates[edge], *next_rate]))
+
+    place([])
+    fields, twists = _fields(motion, step)
+    gaps = [gap.d[0] for c, inner in closures for gap in inner.gap(motion.bodies[c.a], motion.bodies[c.b])]
+    slopes = _slopes(motion, closures, fields)
+    factor = Factor(slopes)
+    for k in range(1, motion.order + 1):
+        place([0.0])
+        rest = [gap.d[k] for c, inner in closures for gap in inner.gap(motion.bodies[c.a], motion.bodies[c.b])]
+        for edge, q in zip(step.free, factor.solve(rest), strict=True):
+            rates[edge].append(-q)
+    place([])
+    motion.clusters[step] = SolvedCluster(
+        gaps, slopes, factor, [rates[edge] for edge in step.free], fields, twists, closures
+    )
+
+
+def _driven(motion: Motion, edge: Edge, law: Jet) -> Body:
+    from linkwright.graph.motion import driven_body
+
+    return driven_body(motion, edge, law)[1]
+
+
+def _free(motion: Motion, edge: Edge, start: Scalar, rates: Jet) -> Body:
+    from linkwright.graph.motion import outer_joint
+
+    outer = outer_joint(motion, edge.joint, edge.link)
+    if isinstance(outer, OuterPin):
+        body = outer.place(unit_vector(start), rates)
+        return Body(body.anchor, body.local, body.axis, body.turn, start)
+    return outer.place(start, rates)
+
+
+def _fields(motion: Motion, step: Cluster) -> tuple[list[dict[str, Twist]], dict[str, Twist]]:
+    """The motion of all links per unit rate of each coordinate; the freedom of each link on its own joint.
+
+    A coordinate on a pin is the link's angle in the frame, so links pinned farther out keep theirs; links on a
+    line, or held by a drive, turn with their base.
+    """
+    from linkwright.graph.motion import outer_joint
+
+    twists = {e.link: outer_joint(motion, e.joint, e.link).twist(motion.bodies[e.link]) for e in step.edges}
+    fields: list[dict[str, Twist]] = []
+    for own in step.free:
+        field: dict[str, Twist] = {}
+        for edge in step.edges:
+            base, anchor = field.get(edge.base, STILL), motion.bodies[edge.link].anchor.now
+            turn = 0.0 if edge.joint.letter == "R" and edge.drive is None else base.turn
+            along = base.velocity(anchor)
+            if edge is own:
+                freedom = twists[edge.link]
+                turn += freedom.turn
+                along = Pair(along.x + freedom.along.x, along.y + freedom.along.y)
+            if edge is own or edge.base in field:
+                field[edge.link] = Twist(turn, anchor, along)
+        fields.append(field)
+    return fields, twists
+
+
+def _slopes(
+    motion: Motion, closures: list[tuple[Connection, Inner]], fields: list[dict[str, Twist]]
+) -> list[list[Scalar]]:
+    rows: list[list[Scalar]] = []
+    for c, inner in closures:
+        pairs = [
+            inner.slopes(motion.bodies[c.a], motion.bodies[c.b], field.get(c.a, STILL), field.get(c.b, STILL))
+            for field in fields
+        ]
+        rows += [[pair[row][0] + pair[row][1] for pair in pairs] for row in (0, 1)]
+    return rows
+
+
+def newton(motion: Motion, step: Cluster, start: list[float], drives: dict[str, Jet]) -> list[float] | None:
+    """The cluster's coordinates on plain numbers by damped Newton from a start nearby; ``None`` where it fails."""
+    here, still = list(start), motion.order
+    motion.order = 0
+    try:
+        last = _miss(motion, step, here, drives)
+        for _ in range(100):
+            solved = motion.clusters[step]
+            steps = solved.factor.solve(solved.gaps)
+            damping = 1.0
+            while damping > 1e-4:
+                there = [q - damping * s for q, s in zip(here, steps, strict=True)]
+                miss = _miss(motion, step, there, drives)
+                if miss <= last * (1 - 0.1 * damping) or miss < TINY:
+                    break
+                damping /= 2
+            here, last = there, miss
+            if last < TINY and max(map(abs, steps)) < 1e-12:
+                return here
+        return None
+    except np.linalg.LinAlgError:
+        return None
+    finally:
+        motion.order = still
+
+
+TINY = 1e-13
+"""A closure (m, rad) below this is closed."""
+
+
+def _miss(motion: Motion, step: Cluster, unknowns: list[float], drives: dict[str, Jet]) -> float:
+    solve_cluster(motion, step, drives, lambda _: unknowns)
+    return math.sqrt(sum(float(gap) ** 2 for gap in motion.clusters[step].gaps))
+
+
+def assemble_cluster(
+    motion: Motion, step: Cluster, sketch: dict[str, Pair], drives: dict[str, Jet]
+) -> list[float] | None:
+    """The coordinates at the start pose, by Newton from the sketched places of the links' points.
+
+    Coordinates that no sketched point tells are tried all round; the solution nearest to the sketch is taken.
+    ``None`` where none is found.
+    """
+    best: tuple[float, list[float]] | None = None
+    for start in _starts(motion, step, sketch, drives):
+        found = newton(motion, step, start, drives)
+        if found is not None and (away := _away(motion, step, sketch)) < (best[0] if best else math.inf):
+            best = away, found
+            if away < 1e-3 * _reach(sketch):
+                break
+    if best is not None:
+        solve_cluster(motion, step, drives, lambda _: best[1])
+    return best[1] if best else None
+
+
+TRIES = 24
+
+
+def _starts(motion: Motion, step: Cluster, sketch: dict[str, Pair], drives: dict[str, Jet]) -> Iterator[list[float]]:
+    """Starts for Newton: what the sketch tells, and for the rest every 45 degrees or some travels."""
+    options: list[list[float]] = []
+    motion.order, still = 0, motion.order
+    reach = _reach(sketch)
+    for edge in step.edges:
+        if edge.drive is not None:
+            motion.bodies[edge.link] = _driven(motion, edge, drives[edge.drive])
+            continue
+        told = _told(motion, step, edge, sketch, drives)
+        turning = edge.joint.letter == "R"
+        around = [k * math.pi / 4 for k in range(8)] if turning else [k * reach / 2 for k in (0, 1, -1, 2, -2)]
+        options.append([told] if told is not None else around)
+        motion.bodies[edge.link] = _free(motion, edge, options[-1][0], Jet(()))
+    motion.order = still
+    for start in islice(product(*options), TRIES**2):
+        yield list(start)
+
+
+def _told(motion: Motion, step: Cluster, edge: Edge, sketch: dict[str, Pair], drives: dict[str, Jet]) -> float | None:
+    """The coordinate that brings the link's points, and those of links that a drive holds on it, nearest to
+    their sketched places; ``None`` where there is none to go by."""
+    from linkwright.graph.motion import outer_joint
+
+    outer = outer_joint(motion, edge.joint, edge.link)
+    motion.bodies[edge.link] = _free(motion, edge, 0.0, Jet(()))
+    carried = [edge.link]
+    for later in step.edges:
+        if later.drive is not None and later.base in carried:
+            motion.bodies[later.link] = _driven(motion, later, drives[later.drive])
+            carried.append(later.link)
+    links = motion.geometry.mechanism.links
+    places = [
+        (motion.bodies[link].point(motion.point(link, name)).now, sketch[name])
+        for link in carried
+        for name in links[link].points
+        if name in sketch
+    ]
+    if isinstance(outer, OuterPin):
+        arms = [(here.minus(outer.base.now), goal.minus(outer.base.now)) for here, goal in places]
+        sine = sum(float(here.cross(goal)) for here, goal in arms)
+        cosine = sum(float(here.dot(goal)) for here, goal in arms)
+        return math.atan2(sine, cosine) if math.hypot(sine, cosine) > 1e-12 else None
+    assert isinstance(outer, OuterLine)
+    travels = [float(outer.direction.now.dot(goal.minus(here))) for here, goal in places]
+    return sum(travels) / len(travels) if travels else None
+
+
+def _away(motion: Motion, step: Cluster, sketch: dict[str, Pair]) -> float:
+    """How far the cluster's points are from their sketched places (m, root of the sum of squares)."""
+    links = motion.geometry.mechanism.links
+    errors = [
+        motion.bodies[link].point(motion.point(link, name)).now.minus(sketch[name])
+        for link in step.links
+        for name in links[link].points
+        if name in sketch
+    ]
+    return math.sqrt(sum(float(e.dot(e)) for e in errors))
+
+
+def _reach(sketch: dict[str, Pair]) -> float:
+    """The size of a sketch (m)."""
+    xs, ys = [float(p.x) for p in sketch.values()], [float(p.y) for p in sketch.values()]
+    return math.hypot(max(xs) - min(xs), max(ys) - min(ys)) or math.hypot(xs[0], ys[0]) or 1.0

@@ -1,0 +1,44 @@
+"""Small linear systems on numbers or symbols: one factorisation serves rates, reactions and the determinant."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from linkwright.notation import Scalar
+
+
+class Factor:
+    """A square matrix factored once. Symbols by CasADi's sparse QR (it keeps its digits where plain symbolic
+    elimination loses them), numbers by LAPACK."""
+
+    def __init__(self, rows: list[list[Scalar]]) -> None:
+        self.size = len(rows)
+        self.symbolic = any(type(entry).__module__.startswith("casadi") for row in rows for entry in row)
+        if not self.symbolic:
+            self.matrix: Any = np.array(rows, dtype=float)
+            return
+        import casadi as ca
+
+        self.matrix = ca.sparsify(ca.vertcat(*(ca.horzcat(*row) for row in rows)))
+        self.qr: Any = ca.qr_sparse(self.matrix)
+
+    def solve(self, right: list[Scalar], transposed: bool = False) -> list[Scalar]:
+        """The solution of A x = right, or of the transposed system."""
+        if not self.symbolic:
+            return [float(v) for v in np.linalg.solve(self.matrix.T if transposed else self.matrix, right)]
+        import casadi as ca
+
+        v, r, beta, prinv, pc = self.qr
+        x = ca.qr_solve(ca.densify(ca.vertcat(*right)), v, r, beta, prinv, pc, transposed)
+        return [x[i] for i in range(self.size)]
+
+    def determinant(self) -> Scalar:
+        """The determinant, up to a sign that never changes."""
+        if not self.symbolic:
+            return float(np.linalg.det(self.matrix))
+        product: Any = 1.0
+        for i in range(self.size):
+            product = product * self.qr[1][i, i]
+        return product

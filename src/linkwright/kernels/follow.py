@@ -1,0 +1,121 @@
+"""Following clusters along a motion: their coordinates at any time, on the branch that the start pose begins.
+
+A path of Newton-solved poses is laid once, from pose to pose with the exact rates as predictor and steps short
+enough that the corrector has little to do; coordinates at other times start from its cubic interpolation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.graph.graph import Graph
+from linkwright.kernels.registry import KERNELS, Kernel
+from linkwright.structure import Cluster
+
+Array = NDArray[np.float64]
+
+CLOSE = 1e-2
+"""The most that a corrector may move a coordinate (rad, or lengths over the size) on a step of the path."""
+PATIENCE = 1e-9
+"""A path that needs steps shorter than this share of the time asked for has met a singular pose."""
+
+
+@dataclass
+class Path:
+    """Solved poses of one cluster: times, coordinates and their rates; ``end`` where it can't go on."""
+
+    t: list[float] = field(default_factory=list)
+    u: list[Array] = field(default_factory=list)
+    rate: list[Array] = field(default_factory=list)
+    end: float | None = None
+
+
+class Follower:
+    """Supplies the coordinates of one cluster, from inputs in which those of earlier clusters stand already."""
+
+    def __init__(self, graph: Graph, cluster: Cluster, start: list[float], size: float, kernel: str) -> None:
+        n = len(cluster.free)
+        label = cluster.label
+        self.cluster, self.n = cluster, n
+        self.rows = [graph.inputs.index(f"u:{label}:{i}") for i in range(n)]
+        names = [f"gap:{label}:{i}" for i in range(n)] + [f"slope:{label}:{i}" for i in range(n * n)]
+        self.closure: Kernel = KERNELS[kernel](graph.program(names))
+        self.motion: Kernel = KERNELS[kernel](graph.program([f"rate:{label}:{i}" for i in range(n)]))
+        self.scale = np.array([1.0 if edge.joint.letter == "R" else size for edge in cluster.free])
+        self.start = np.array(start)
+        self.path = Path()
+
+    def solve(self, x: Array, t: Array, p: Array, at: Callable[[Array], Array]) -> Array:
+        """The coordinates at times ``t``: (coordinates, times), NaN past the path's end. ``at`` gives inputs."""
+        self.extend(float(t.max(initial=0.0)), p, at)
+        start = self.between(t)
+        return self.newton(x, start, p)
+
+    def newton(self, x: Array, start: Array, p: Array) -> Array:
+        """Newton on all poses at once."""
+        u, x = start.copy(), x.copy()
+        for _ in range(30):
+            x[self.rows] = u
+            y = self.closure.run(x, p)
+            gap, slope = y[: self.n], y[self.n :].reshape(self.n, self.n, -1)
+            known = np.isfinite(y).all(axis=0)
+            step = np.zeros_like(u)
+            try:
+                step[:, known] = np.linalg.solve(slope[:, :, known].transpose(2, 0, 1), gap[:, known].T[..., None])[
+                    ..., 0
+                ].T
+            except np.linalg.LinAlgError:
+                return np.full_like(u, np.nan)
+            u = u - step
+            if np.abs(step / self.scale[:, None]).max(initial=0.0) < 1e-14:
+                break
+        worst = np.abs(step / self.scale[:, None]).max(axis=0)
+        u[:, ~(worst < 1e-10)] = np.nan
+        return u
+
+    def extend(self, to: float, p: Array, at: Callable[[Array], Array]) -> None:
+        """Lay the path up to a time."""
+        path = self.path
+        if not path.t:
+            self.note(0.0, self.start, p, at)
+        step = max(to / 64, 1e-12)
+        while path.t[-1] < to and path.end is None:
+            now, u, rate = path.t[-1], path.u[-1], path.rate[-1]
+            there = min(now + step, to)
+            guess = u + (there - now) * rate
+            x = at(np.array([there]))
+            found = self.newton(x, guess[:, None], p)[:, 0]
+            moved = np.abs((found - guess) / self.scale).max()
+            if not moved < CLOSE:
+                step = (there - now) / 2
+                if step < PATIENCE * to:
+                    path.end = now
+                continue
+            self.note(there, found, p, at)
+            step = (there - now) * (1.5 if moved < CLOSE / 3 else 1.0)
+
+    def note(self, time: float, u: Array, p: Array, at: Callable[[Array], Array]) -> None:
+        x = at(np.array([time]))
+        x[self.rows, 0] = u
+        self.path.t.append(time)
+        self.path.u.append(u)
+        self.path.rate.append(self.motion.run(x, p)[:, 0])
+
+    def between(self, t: Array) -> Array:
+        """Cubic interpolation of the path: (coordinates, times)."""
+        times, u, rate = np.array(self.path.t), np.array(self.path.u), np.array(self.path.rate)
+        if times.size == 1:
+            return np.repeat(u.T, t.size, axis=1)
+        i = np.clip(np.searchsorted(times, t) - 1, 0, times.size - 2)
+        h = times[i + 1] - times[i]
+        s = ((t - times[i]) / h)[:, None]
+        h = h[:, None]
+        a, b, da, db = u[i], u[i + 1], rate[i] * h, rate[i + 1] * h
+        value = a + s * (da + s * (3 * (b - a) - 2 * da - db + s * (2 * (a - b) + da + db)))
+        if self.path.end is not None:
+            value[t > self.path.end] = np.nan
+        return np.asarray(value.T)
