@@ -143,9 +143,7 @@ def test_a_failed_extra_leaves_what_was_there(dev: ModuleType, machine: Machine)
     assert dev.installed() == {"base"}
 
 
-def test_an_interrupted_install_is_redone(
-    dev: ModuleType, machine: Machine, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_interrupted_install_is_redone(dev: ModuleType, machine: Machine, monkeypatch: pytest.MonkeyPatch) -> None:
     dev.main(["run"])
 
     def interrupted(*arguments: str) -> None:
@@ -215,9 +213,7 @@ def test_missing_ensurepip_is_one_line(
     assert not dev.VENV.exists()
 
 
-def test_too_old_a_python_is_one_line(
-    monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
-) -> None:
+def test_too_old_a_python_is_one_line(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> None:
     with monkeypatch.context() as patch, pytest.raises(SystemExit) as left:
         patch.setattr(sys, "version_info", (3, 9, 18, "final", 0))
         runpy.run_path(str(DEV))
@@ -235,9 +231,7 @@ def test_an_old_python_can_read_the_file_as_far_as_the_message() -> None:
 @pytest.mark.parametrize("task", ["run", "check", "test", "lint", "smoke", "bench", "all"])
 def test_exit_codes_are_passed_on(dev: ModuleType, machine: Machine, task: str, code: int) -> None:
     dev.ensure({"base", "dev", "test"})
-    machine.answers = dict.fromkeys(
-        ["linkwright", "pytest", "mypy", "tools/smoke.py", "benchmarks/run.py"], code
-    )
+    machine.answers = dict.fromkeys(["linkwright", "pytest", "mypy", "tools/smoke.py", "benchmarks/run.py"], code)
     assert dev.main([task]) == code
 
 

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from linkwright.report import ReportData, compact, page
-from linkwright.report.payload import script_json
 from linkwright.report.page import SCRIPT_WORDS
+from linkwright.report.payload import script_json
 from linkwright.words.en.report import REPORT
 
 HOSTILE = "</script><img src=x>&\"'"

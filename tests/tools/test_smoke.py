@@ -157,9 +157,7 @@ def test_whole_models_are_told_from_pieces(smoke: ModuleType, markdown: str, exp
     assert smoke.is_model(block) is expected
 
 
-def test_a_document_runs_in_one_namespace(
-    smoke: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_document_runs_in_one_namespace(smoke: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "page.md"
     path.write_text(
         "```python\na = 1\n```\n"

@@ -16,6 +16,7 @@ from linkwright.model.written import (
     check_name,
     describe,
     fault,
+    free_text,
     frozen,
     plain_number,
     short_text,
@@ -28,6 +29,7 @@ __all__ = [
     "Frozen",
     "FrozenDict",
     "LineOn",
+    "LongText",
     "Name",
     "Position",
     "Requirement",
@@ -54,6 +56,7 @@ _NOT_NUMBERS = frozenset({"nan", "inf", "infinity", ".nan", ".inf"})
 
 
 Text = Annotated[str, BeforeValidator(short_text), WithJsonSchema({"type": "string"})]
+LongText = Annotated[str, BeforeValidator(free_text), WithJsonSchema({"type": "string"})]
 
 
 class Expression(Written):

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BeforeValidator, Field
 
 from linkwright.model.actions import REDUCTIONS, Load, Measure, Table, Window
-from linkwright.model.fields import AssemblyRule, Frozen, FrozenDict, Name, Requirement, fault, frozen
+from linkwright.model.fields import AssemblyRule, Frozen, FrozenDict, LongText, Name, Requirement, Text, fault, frozen
 from linkwright.model.parts import Drive, Joint, Link, Parameter, Units, Vector, freeze
 from linkwright.model.written import unexpected
 
@@ -53,8 +53,8 @@ class Mechanism(Frozen):
     by :func:`linkwright.check`.
     """
 
-    name: str = Field("mechanism", description="the mechanism's name, the title of its report")
-    note: str | None = Field(None, description="free text")
+    name: Text = Field("mechanism", description="the mechanism's name, the title of its report")
+    note: LongText | None = Field(None, description="free text")
     units: Units = Field(Units(), description="what numbers without a unit mean")
     gravity: Vector | None = Field(
         None, description="[gx, gy], the acceleration of gravity, e.g. [0, -9.80665 m/s^2]; none unless given"

@@ -22,6 +22,7 @@ from linkwright.model.fields import (
     Frozen,
     FrozenDict,
     LineOn,
+    LongText,
     Name,
     Position,
     Shape,
@@ -72,7 +73,7 @@ class Parameter(Frozen):
     tolerance: _Tolerance | None = Field(
         None, description="deviation in manufacture: one number for plus and minus, or [lower, upper]"
     )
-    note: str | None = Field(None, description="free text")
+    note: LongText | None = Field(None, description="free text")
 
     @model_validator(mode="wrap")
     @classmethod

@@ -21,6 +21,8 @@ from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, cor
 
 from linkwright.model.findings import Term
 
+NO_TEXT = re.compile(r"[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+"""What can't stand in a text file: control characters, halves of surrogates."""
 NAME = re.compile(r"[^\W\d]\w*")
 MAX_NAME = 60
 MAX_TEXT = 2000
@@ -56,13 +58,20 @@ def describe(raw: Any) -> Any:
     return text if len(text) <= 60 else text[:57] + "..."
 
 
-def short_text(raw: Any) -> str:
-    """A text of bounded length."""
+def free_text(raw: Any, limit: int = 10 * MAX_TEXT) -> str:
+    """A text of bounded length, without control characters."""
     if not isinstance(raw, str):
         raise unexpected("text", raw)
-    if len(raw) > MAX_TEXT:
-        raise fault("file.long", limit=MAX_TEXT)
+    if len(raw) > limit:
+        raise fault("file.long", limit=limit)
+    if NO_TEXT.search(raw):
+        raise fault("file.character")
     return raw
+
+
+def short_text(raw: Any) -> str:
+    """A text as long as an expression may be."""
+    return free_text(raw, MAX_TEXT)
 
 
 def check_name(name: Any) -> str:
@@ -99,9 +108,9 @@ def frozen(raw: Any) -> Any:
         return FrozenDict({key: frozen(value) for key, value in raw.items()})
     if isinstance(raw, list | tuple):
         return tuple(frozen(value) for value in raw)
-    if raw is None or isinstance(raw, bool | str):
+    if raw is None or isinstance(raw, bool):
         return raw
-    return plain_number(raw, "plain")
+    return free_text(raw) if isinstance(raw, str) else plain_number(raw, "plain")
 
 
 def plain_number(raw: Any, wanted: str) -> int | float:
@@ -161,8 +170,8 @@ class Written:
     json_type: ClassVar[dict[str, Any]] = {"type": "string"}
 
     def __init__(self, raw: Any) -> None:
-        if isinstance(raw, str) and len(raw) > MAX_TEXT:
-            raise fault("file.long", limit=MAX_TEXT)
+        if isinstance(raw, str):
+            short_text(raw)
         self.put("raw", raw)
         self.read(raw)
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from linkwright.model.findings import Finding
+from linkwright.model.written import NO_TEXT
 
 MAX_BYTES = 1_000_000
 MAX_DEPTH = 24
@@ -22,7 +23,6 @@ _INT = re.compile(r"[-+]?[0-9]{1,15}")
 _FLOAT = re.compile(r"[-+]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?")
 _CONSTANTS = {"": None, "~": None, "null": None, "true": True, "false": False}
 _NOT_NUMBERS = {".nan": math.nan, ".inf": math.inf, "+.inf": math.inf, "-.inf": -math.inf}
-_NO_TEXT = re.compile(r"[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 # What YAML refuses or reads as something else where a value starts; ">=" stands for a folded text to it.
 _MARKS = re.compile(r"(?:^\s*-\s+|:\s+|[\[{,]\s*)([@%`*][^\s,}\]]*|[>|](?![-+0-9]*\s*$)[^,}\]]*)")
@@ -60,7 +60,7 @@ def read_text(raw: bytes) -> Source:
         line = raw.count(b"\n", 0, error.start) + 1
         source.findings.append(Finding("file.binary", data={"at": error.start}, line=line))
         return source
-    if bad := _NO_TEXT.search(text):
+    if bad := NO_TEXT.search(text):
         line = text.count("\n", 0, bad.start()) + 1
         source.findings.append(Finding("file.binary", data={"at": bad.start()}, line=line))
         return source
@@ -162,7 +162,7 @@ class _Builder:
         if getattr(event, "tag", None) is not None and str(event.tag) not in ("!", "None"):
             self.note("file.tag", line, path, tag=str(event.tag)[:60])
         if kind == "ScalarEvent":
-            if _NO_TEXT.search(event.value):
+            if NO_TEXT.search(event.value):
                 self.note("file.character", line, path)
                 return None
             return self.scalar(event.value) if _is_plain(event) else event.value
@@ -178,9 +178,9 @@ class _Builder:
                 self.note("file.key", line, path)
                 raise _Stop
             key, event = str(event.value), next(self.events)
-            if _NO_TEXT.search(key):
+            if NO_TEXT.search(key):
                 self.note("file.character", line, path)
-                key = _NO_TEXT.sub("?", key)
+                key = NO_TEXT.sub("?", key)
             self.source.lines.setdefault((*path, key), line)
             plain = event.value if _is_plain(event) else None
             entries.append(_Entry(key, self.value(event, (*path, key)), line, plain))
