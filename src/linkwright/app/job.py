@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from linkwright.kernels import Compiled, examine
-from linkwright.model.document import read_document, write_aside
+from linkwright.model.document import located, read_document, write_aside
 from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.mechanism import Document
 from linkwright.model.yaml_text import Source
@@ -34,7 +34,7 @@ class Examined:
 
     def located(self, findings: Iterable[Finding]) -> list[Finding]:
         """The same findings with their lines in the file."""
-        return [f if f.line else f.located(self.source.line(f.path)) for f in findings]
+        return located(findings, self.source)
 
     @property
     def exit_code(self) -> int:
@@ -133,18 +133,23 @@ def summary_text(data: dict[str, Any]) -> str:
     return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False)
 
 
-def check(model: str | Path | Document) -> list[Finding]:
-    """Everything that is wrong with a model file or document; an empty list where nothing is."""
-    return _examined(model).findings
+def check(model: str | Path | Document, folder: str | Path | None = None) -> list[Finding]:
+    """Everything that is wrong with a model file or document; an empty list where nothing is.
+
+    ``folder`` is where the tables of a document lie; those of a file lie beside it.
+    """
+    return _examined(model, folder).findings
 
 
-def run(model: str | Path | Document, out: str | Path | None = None) -> Job:
+def run(model: str | Path | Document, out: str | Path | None = None, folder: str | Path | None = None) -> Job:
     """Perform the studies of a model file or document; with ``out``, write its results to that folder.
+
+    ``folder`` is where the tables of a document lie; those of a file lie beside it.
 
     Raises :class:`ModelError` with all findings where the model can't be run at all; a motion that stops on its
     way is no exception but stands in ``job.cycle.failures``.
     """
-    examined = _examined(model)
+    examined = _examined(model, folder)
     raise_errors(examined.findings)
     job = perform(examined)
     raise_errors(examined.findings)
@@ -153,5 +158,7 @@ def run(model: str | Path | Document, out: str | Path | None = None) -> Job:
     return job
 
 
-def _examined(model: str | Path | Document) -> Examined:
-    return examine_document(model) if isinstance(model, Document) else examine_file(Path(model))
+def _examined(model: str | Path | Document, folder: str | Path | None) -> Examined:
+    if isinstance(model, Document):
+        return examine_document(model, Path(folder) if folder else None)
+    return examine_file(Path(model))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import json
 import secrets
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -15,6 +15,7 @@ from pydantic import ValidationError
 from linkwright.model.faults import findings_of
 from linkwright.model.findings import Finding, ModelError, Term
 from linkwright.model.mechanism import VERSION, Document
+from linkwright.model.signals import near
 from linkwright.model.yaml_text import MAX_FINDINGS, Source, read_text, write_text
 
 
@@ -64,6 +65,23 @@ def load(path: str | Path) -> Document:
     if document is None:
         raise ModelError(source.findings)
     return document
+
+
+def replaced(document: Document, parameters: Mapping[str, Any]) -> Document:
+    """The document with other values of some parameters; see :meth:`Document.replace`."""
+    data = plain(document)
+    known = data.get("parameters", {})
+    unknown = [name for name in parameters if name not in known]
+    if unknown:
+        raise ModelError(
+            Finding("name.unknown-parameter", ("parameters", name), {"name": name, "near": near(name, [*known])})
+            for name in unknown
+        )
+    for name, value in parameters.items():
+        known[name] = {**known[name], "value": value} if isinstance(known[name], dict) else value
+    made = parse_document(data)
+    assert made is not None
+    return made
 
 
 def dump(document: Document) -> str:

@@ -123,3 +123,12 @@ class Document(Mechanism):
     studies: Annotated[dict[Name, Options], _bound, freeze] = Field(
         default_factory=FrozenDict, description="what is computed, with each study's options"
     )
+
+    def replace(self, **parameters: float | str) -> Document:
+        """The same document with other values of some parameters, numbers or expressions as in a file.
+
+        Raises :class:`ModelError` for a name that is no parameter or a value that can't be read.
+        """
+        from linkwright.model.document import replaced
+
+        return replaced(self, parameters)
