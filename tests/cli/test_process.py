@@ -117,9 +117,12 @@ def test_a_reader_that_leaves_early(model: Path) -> None:
     assert b"Traceback" not in complaint
 
 
+# All is imported first: within an import Python makes other errors of an interrupt.
 INTERRUPTED = """\
 import os, signal, sys
+import ruamel.yaml, scipy.optimize.elementwise, scipy.interpolate, pint
 from pathlib import Path
+import linkwright.app, linkwright.cli.show
 from linkwright.cli import main
 replace = Path.replace
 def stopped(self, target):
@@ -133,7 +136,7 @@ main()
 
 
 @pytest.mark.skipif(os.name == "nt", reason="signals are POSIX's")
-@pytest.mark.parametrize("delay", [0.02, 0.3, 0.8, 1.3])
+@pytest.mark.parametrize("delay", [0.02, 0.2, 0.5, 1.0])
 def test_an_interrupt_leaves_nothing_half_written(tmp_path: Path, delay: float) -> None:
     """Whatever it is at: no traceback, and files in the folder are whole or not there."""
     path, out = tmp_path / "long.yaml", tmp_path / "out"

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any, Protocol, TypeVar
 
 from hypothesis import strategies as st
@@ -109,12 +110,12 @@ class Sketch:
             self.place(link, point, at)
         return name
 
-    def known_pin(self, link: str) -> str | None:
-        """A pin of a link that one more link can be put on."""
+    def known_pin(self, link: str, without: str = "") -> str | None:
+        """A pin of a link, not shared with the link ``without``, that one more link can be put on."""
         names = [
             name
             for name, members in self.pins.items()
-            if (link, name) in members and all(p == name for _, p in members)
+            if (link, name) in members and all(p == name and m != without for m, p in members)
         ]
         return self.source.pick(names) if names else None
 
@@ -140,10 +141,17 @@ class Sketch:
     def outer(self, kind: str, base: str, link: str, at: XY, angle: float) -> str:
         return self.pin(at, base, link) if kind == "R" else self.slide(base, link, at, angle)
 
+    def share(self, pin: str, link: str) -> str:
+        """Put one more link on a pin."""
+        self.place(link, pin, self.where(self.pins[pin][0][0], pin))
+        self.pins[pin].append((link, pin))
+        return pin
+
     def drive(self, kind: str, base: str) -> str:
-        """A link driven against a known one, the two named either way round."""
+        """A link driven against a known one, the two named either way round; at times on a pin that is there."""
         link, name = self.link(), f"M{len(self.drives) + 1}"
-        joint = self.outer(kind, base, link, self.anywhere(), self.angle())
+        known = self.known_pin(base) if kind == "R" and self.flag(False, False, True) else None
+        joint = self.share(known, link) if known else self.outer(kind, base, link, self.anywhere(), self.angle())
         moved, on = (link, base) if self.flag(True, True, False) else (base, link)
         if kind == "R":
             value, size = self.pose[moved][2] - self.pose[on][2], 1.0
@@ -168,18 +176,21 @@ class Sketch:
         self.kinds.append(kind)
         uniform = self.source.uniform
         at, phi, eps = self.anywhere(), self.angle(), self.aslant()
-        shared = self.known_pin(first) if kind[0] == "R" and self.flag() else None
+        shared = self.known_pin(first, second) if kind[0] == "R" and self.flag() else None
         if shared is not None:
             at = self.where(first, shared)
-            self.pins[shared].append((a, shared))
-            self.place(a, shared, at)
+            self.share(shared, a)
         r1, r2 = uniform(0.5, 2.0), uniform(0.5, 2.0)
         start = shared or (self.pin(at, first, a) if kind[0] == "R" else "")
         if kind == "RRR":
             middle = self.off(at, phi, r1)
             inner = self.pin(middle, a, b)
-            end_at = self.off(middle, phi + eps, r2)
-            end = self.pin(end_at, second, b)
+            known = self.known_pin(second, first) if self.flag(False, False, True) else None
+            if known not in (None, shared) and math.dist(at, self.where(second, known)) > 0.3:
+                end, end_at = self.share(known, b), self.where(second, known)
+            else:
+                end_at = self.off(middle, phi + eps, r2)
+                end = self.pin(end_at, second, b)
             side = (end_at[0] - at[0]) * (middle[1] - at[1]) - (end_at[1] - at[1]) * (middle[0] - at[0])
             self.choose(inner, f"{'left' if side > 0 else 'right'} of {start}-{end}", inner, middle)
         elif kind == "RRP":
@@ -345,3 +356,51 @@ def mechanisms(draw: Callable[..., Any], recipe: str | None = None) -> Plain:
     name = recipe or draw(st.sampled_from(list(RECIPES)))
     seed = draw(st.none() | st.integers(0, 10**6))
     return build(name, Drawn(draw) if seed is None else Seeded(seed))
+
+
+def driven_elsewhere(plain: Plain, source: Source) -> Plain:
+    """The same mechanism with its one drive at another joint: links may have to be placed all together then.
+
+    The pose at the start is kept; the assembly has to be stated anew (see :func:`sketched`).
+    """
+    (old,) = plain.drives.values()
+    joints: dict[tuple[str, str], list[str]] = {}
+    for members in plain.pins.values():
+        names = [link for link, _ in members]
+        for i, a in enumerate(names):
+            for b in names[i + 1 :]:
+                joints.setdefault((a, b), []).append("turns")
+    for slide in plain.slides.values():
+        joints.setdefault(slide.links, []).append("slides")
+    single = [
+        (pair, kinds[0])
+        for pair, kinds in joints.items()
+        if len(kinds) == 1 and pair[::-1] not in joints and {*pair} != {old.link, old.on}
+    ]
+    (a, b), kind = source.pick(single)
+    if source.pick((True, False)):
+        a, b = b, a
+    value = plain.start[a][2] - plain.start[b][2]
+    if kind == "slides":
+        slide = next(s for s in plain.slides.values() if {*s.links} == {a, b})
+        ends = {}
+        for link, point in zip(slide.links, slide.points, strict=True):
+            x, y, angle = plain.start[link]
+            dx, dy = turned(plain.links[link].points[point], angle)
+            ends[link] = x + dx, y + dy
+        heading = plain.start[slide.links[0]][2] + slide.angles[0]
+        value = turned((ends[a][0] - ends[b][0], ends[a][1] - ends[b][1]), -heading)[0]
+    law = Law(value, source.pick((1, -1)) * source.uniform(0.05, 0.3))
+    return replace(plain, drives={"M1": PlainDrive(kind, a, b, law)}, assembly={})
+
+
+def sketched(plain: Plain, links: Sequence[str]) -> Plain:
+    """The same with a point more on each of some links, whose place in the sketch states the assembly."""
+    marked, assembly = dict(plain.links), dict(plain.assembly)
+    for link in links:
+        x, y, angle = plain.start[link]
+        local = (0.6, 0.35)
+        dx, dy = turned(local, angle)
+        marked[link] = replace(marked[link], points=marked[link].points | {f"Z{link}": local})
+        assembly[f"Z{link}"] = x + dx, y + dy
+    return replace(plain, links=marked, assembly=assembly)

@@ -374,3 +374,41 @@ def test_bare_numbers_follow_the_declared_units(name: str, length: float, angle:
     radius, heading = point(q)
     assert radius == pytest.approx((2 * length + 1) * scale["length"], rel=1e-12)
     assert heading == pytest.approx(angle / 2 * scale["angle"], rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("3 kg", "expression.units-conflict"),
+        ("foo", "name.unknown-parameter"),
+        ("crank", "name.unknown-parameter"),
+        ("t", "expression.not-constant"),
+        ("B.x", "expression.not-constant"),
+        ("2*B.q", "signal.no-attribute"),
+        ("f(1)", "expression.unknown-function"),
+        ("c(1 s)", "expression.not-constant"),
+        ("3 N/m", "expression.units-conflict"),
+    ],
+)
+def test_values_from_elsewhere_say_what_is_wrong_with_them(text: str, code: str) -> None:
+    """Options of studies aren't the model's own: asking for their value names the fault, with units spelled."""
+    from linkwright.model.dimensions import DimensionError
+    from linkwright.model.fields import Expression
+
+    q = model(tables={"c": {"points": [["0 s", 1], ["1 s", 2]]}})
+    assert not q.findings
+    with pytest.raises(DimensionError) as caught:
+        q.value(Expression(text), u.TIME)
+    assert caught.value.key == code
+    finding = Finding(caught.value.key, (), caught.value.data)
+    assert "Dimension" not in finding.what + finding.mend
+
+
+def test_a_value_whose_unit_isn_t_declared() -> None:
+    from linkwright.model.dimensions import DimensionError
+    from linkwright.model.fields import Expression
+
+    q = model(units={"length": "mm", "angle": "deg"})
+    with pytest.raises(DimensionError) as caught:
+        q.value(Expression(3), u.MASS)
+    assert Finding(caught.value.key, (), caught.value.data).what

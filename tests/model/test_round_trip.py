@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 from linkwright.model.document import dump, load, plain, read_document, save, write_aside
 from linkwright.model.expressions import text_of
 from linkwright.model.mechanism import Document
-from linkwright.model.yaml_text import read_text, write_text
+from linkwright.model.yaml_text import read_text
+from linkwright.model.yaml_write import write_text
 from model.given import DATA, FEEDER, four_bar
 
 EXAMPLES = ["five_bar", "paper_feeder", "slider_crank_gas"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -42,7 +43,7 @@ def run(file: Path, out: Path | None, as_json: bool) -> None:
             folder = out or file.with_name(f"{file.stem}_linkwright")
             _writing(folder, job)
     if as_json:
-        click.echo(summary_text(job.summary))
+        show.plain(summary_text(job.summary))
     else:
         show.findings(examined, file)
         show.job(job, file)
@@ -71,7 +72,7 @@ def check(file: Path, as_json: bool) -> None:
 
     examined: Examined = app.examine_file(file)
     if as_json:
-        click.echo(summary_text(show.check_data(examined)))
+        show.plain(summary_text(show.check_data(examined)))
     else:
         show.findings(examined, file)
         show.structure(examined)
@@ -89,7 +90,10 @@ def schema() -> None:
 
 
 def main() -> None:
-    """Entry point: a user's mistake is a message, an interrupt says so, a fault of ours asks to be reported."""
+    """Entry point: a user's mistake is a message, an interrupt says so."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):  # a terminal that lacks a letter shows another
+            stream.reconfigure(errors="replace")
     try:
         cli(standalone_mode=False)
     except click.exceptions.Exit as done:

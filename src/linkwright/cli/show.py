@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import json
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+import click
 from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
@@ -24,6 +27,15 @@ err = Console(stderr=True, highlight=False, soft_wrap=True)
 
 _NUMBERS = ("value", "figure")
 _STYLES = {"error": "bold red", "warning": "bold yellow"}
+
+
+def plain(text: str) -> None:
+    """JSON on standard output, in letters that it knows."""
+    try:
+        text.encode(sys.stdout.encoding or "utf-8")
+    except UnicodeEncodeError:
+        text = json.dumps(json.loads(text), indent=2)
+    click.echo(text)
 
 
 @contextmanager

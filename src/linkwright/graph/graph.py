@@ -227,7 +227,7 @@ class _View:
         first = self.motion.geometry.mechanism.joints[contact.joint].links[0]
         heading = self.motion.geometry.line(contact.joint, first)[1]
         normal = self.motion.bodies[first].direction(heading).perp.now.dot(wrench.force)
-        return normal if signal.attribute == "normal" else wrench.moment / normal
+        return normal if signal.attribute == "normal" else ca.SX(wrench.moment) / normal
 
     def shaking(self, signal: Signal) -> Scalar:
         wrench: Wrench = self.forces.shaking

@@ -148,8 +148,10 @@ def read_table(quantities: Quantities, name: str, folder: Path | None) -> TableL
     if len(points) < degree + 1:
         raise ModelError([Finding("table.short", path, {"given": len(points), "wanted": degree + 1})])
     steps = np.diff(points[:, 0])
-    if not np.isfinite(points).all() or (steps <= 0).any():
-        row = int(np.argmax(steps <= 0)) + 2 if (steps <= 0).any() else 1
+    known = np.isfinite(points).all(axis=1)
+    if not known.all() or (steps <= 0).any():
+        row = int(np.argmin(known)) + 1 if not known.all() else int(np.argmax(steps <= 0)) + 2
+        row += 1 if table.file is not None else 0  # the header is a row of the file
         raise ModelError([Finding("table.order", path, {"row": row})])
     period = quantities.value(table.period, argument) if table.period else None
     if period is not None and period < points[-1, 0] - points[0, 0] - 1e-12 * abs(period):

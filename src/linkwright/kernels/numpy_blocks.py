@@ -29,7 +29,8 @@ _UNARY: dict[int, Any] = {
 _BINARY: dict[int, Any] = {
     ca.OP_ADD: np.add, ca.OP_SUB: np.subtract, ca.OP_MUL: np.multiply, ca.OP_DIV: np.divide, ca.OP_POW: np.power,
     ca.OP_CONSTPOW: np.power, ca.OP_ATAN2: np.arctan2, ca.OP_FMIN: np.fmin, ca.OP_FMAX: np.fmax,
-    ca.OP_HYPOT: np.hypot, ca.OP_LT: np.less, ca.OP_LE: np.less_equal, ca.OP_EQ: np.equal, ca.OP_NE: np.not_equal,
+    ca.OP_HYPOT: np.hypot, ca.OP_COPYSIGN: np.copysign,
+    ca.OP_LT: np.less, ca.OP_LE: np.less_equal, ca.OP_EQ: np.equal, ca.OP_NE: np.not_equal,
     ca.OP_AND: np.logical_and, ca.OP_OR: np.logical_or,
 }  # fmt: skip
 Operand = float | int

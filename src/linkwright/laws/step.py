@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
 from linkwright.notation import Jet
 
 
 def step5(x: Any, x0: Any, h0: Any, x1: Any, h1: Any) -> Any:
     """From h0 at x0 to h1 at x1 by 10 u^3 - 15 u^4 + 6 u^5, constant outside; smooth to the acceleration.
 
-    Takes numbers or jets; the result has the dimension of h0 and h1.
+    Takes numbers or jets; the result has the dimension of h0 and h1, and is NaN where x0 = x1.
     """
+    if not isinstance(x1 - x0, Jet) and np.ndim(x1 - x0) == 0 and x1 == x0:
+        return (h0 + h1) * np.nan
     u = (x - x0) / (x1 - x0)
     if isinstance(u, Jet):
         zero, one = Jet.constant(0.0, u.order), Jet.constant(1.0, u.order)

@@ -15,7 +15,8 @@ from __future__ import annotations
 from collections.abc import Callable, Container, Mapping
 
 from linkwright.model.expressions import Binary, Call, Name, Negative, Node, Number
-from linkwright.model.forms import DimensionError, Equations, Form, Unknown
+from linkwright.model.forms import DimensionError, Equations, Form
+from linkwright.model.system import Unknown
 from linkwright.model.units import BASES, PURE, Dimension, UnitError, spelled, unit
 
 __all__ = ["DimensionError", "Dimensions", "Wanted", "argument", "declared_scale", "value"]
@@ -126,7 +127,7 @@ def declared_scale(dimension: Dimension, declared: Mapping[str, str]) -> float:
     except UnitError as error:
         base = str(error)
         if base in BASES:
-            raise DimensionError("expression.undeclared-unit", base=base) from None
+            raise DimensionError("expression.undeclared-unit", base=base, count=1) from None
         raise DimensionError("expression.odd-unit", dimension=dimension) from None
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -9,12 +10,13 @@ import numpy as np
 
 from linkwright.model import units as u
 from linkwright.model.actions import column_unit
-from linkwright.model.dimensions import Dimensions, Wanted
-from linkwright.model.expressions import Name, Node, evaluate
+from linkwright.model.dimensions import DimensionError, Dimensions, Wanted
+from linkwright.model.expressions import ExpressionError, Node, evaluate
 from linkwright.model.fields import Expression
 from linkwright.model.findings import Finding, Term
 from linkwright.model.inference import Inference
 from linkwright.model.mechanism import Mechanism
+from linkwright.model.names import Names
 from linkwright.model.places import Place, position_parts
 from linkwright.model.signals import Signals
 from linkwright.model.units import Dimension, UnitError, si_text, spelled, unit, words_of
@@ -38,7 +40,7 @@ class Quantities:
         self.places: list[Place] = inference.places
         self.order = inference.order
         wrong = {finding.data["base"] for finding in self.findings}
-        self.findings += _collapsed([self._worded(finding) for finding in inference.findings], wrong)
+        self.findings += _collapsed([replace(f, data=self._spelt(f.data)) for f in inference.findings], wrong)
         self._bound: dict[tuple[str, Dimension | None], Node] = {}
         # Cells of tables are bound alike whoever asks: a bare 0 alone doesn't tell its dimension.
         self._cells: dict[int, Wanted] = {
@@ -61,13 +63,12 @@ class Quantities:
                 del declared[base]
         return declared
 
-    def _worded(self, finding: Finding) -> Finding:
-        """The finding with its dimensions spelled as units."""
-        spelt: dict[str, Any] = {
+    def _spelt(self, data: Mapping[str, Any]) -> dict[str, Any]:
+        """The data of a finding with its dimensions spelled as units."""
+        return {
             key: self.unit_of(value)[0] or Term("no-unit") if isinstance(value, Dimension) else value
-            for key, value in finding.data.items()
+            for key, value in data.items()
         }
-        return replace(finding, data=spelt)
 
     def _evaluate_parameters(self) -> None:
         for name in self.order:
@@ -78,21 +79,38 @@ class Quantities:
                 self.findings.append(Finding("parameters.value", ("parameters", name), data))
 
     def bind(self, expression: Expression, dimension: Dimension | None) -> Node:
-        """The expression's tree with every number in SI, for a place of ``dimension`` (its own where None)."""
+        """The expression's tree with every number in SI, for a place of ``dimension`` (its own where None).
+
+        Raises DimensionError, which no expression of the mechanism itself does when there are no findings.
+        """
         if id(expression) in self._cells:
             dimension = self.dimensions.resolve(self._cells[id(expression)])
         key = (expression.text, dimension)
         if key not in self._bound:
-            self._bound[key] = self.dimensions.bind(expression.node, dimension)
+            try:
+                self._bound[key] = self.dimensions.bind(expression.node, dimension)
+            except DimensionError as error:
+                raise self._explained(expression) or DimensionError(error.key, **self._spelt(error.data)) from None
         return self._bound[key]
 
     def value(self, expression: Expression, dimension: Dimension | None) -> float:
-        """The value in SI at the nominal parameters; NaN or infinite where it has none."""
-        with np.errstate(all="ignore"):
-            return float(evaluate(self.bind(expression, dimension), self._named))
+        """The value in SI at the nominal parameters; NaN or infinite where it has none.
 
-    def _named(self, name: Name) -> float:
-        return self.parameters[name.text]
+        Raises DimensionError where the expression isn't a constant of ``dimension``.
+        """
+        node = self.bind(expression, dimension)
+        try:
+            with np.errstate(all="ignore"):
+                return float(evaluate(node, lambda name: self.parameters[name.text]))
+        except (KeyError, ExpressionError):
+            raise self._explained(expression) or DimensionError("expression.not-constant", name="") from None
+
+    def _explained(self, expression: Expression) -> DimensionError | None:
+        """What is wrong with the names of an expression that should be constant."""
+        names, place = Names(self.mechanism, self.signals), Place((), expression, u.PURE)
+        for finding in (*names.unknown(place), *names.misplaced(place)):
+            return DimensionError(finding.code, **finding.data)
+        return None
 
     def unit_of(self, dimension: Dimension) -> tuple[str, float]:
         """The unit in which a quantity goes out, and its SI value: as declared, else SI."""

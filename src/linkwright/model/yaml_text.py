@@ -1,11 +1,10 @@
-"""YAML text to plain data with line numbers, and back. Nothing in it is executed and no alias expands."""
+"""YAML text to plain data with line numbers. Nothing in it is executed and no alias expands."""
 
 from __future__ import annotations
 
 import io
 import math
 import re
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -165,7 +164,7 @@ class _Builder:
             if NO_TEXT.search(event.value):
                 self.note("file.character", line, path)
                 return None
-            return self.scalar(event.value) if _is_plain(event) else event.value
+            return scalar(event.value) if _is_plain(event) else event.value
         if kind == "MappingStartEvent":
             return self.mapping(path, flow=bool(event.flow_style))
         return self.sequence(path, flow=bool(event.flow_style))
@@ -219,14 +218,16 @@ class _Builder:
             found.append(entry)
         return found
 
-    def scalar(self, text: str) -> Any:
-        if text in _CONSTANTS:
-            return _CONSTANTS[text]
-        if text.lower() in _NOT_NUMBERS:
-            return _NOT_NUMBERS[text.lower()]
-        if _INT.fullmatch(text):
-            return int(text)
-        return float(text) if _FLOAT.fullmatch(text) else text
+
+def scalar(text: str) -> Any:
+    """What a text without quotes stands for."""
+    if text in _CONSTANTS:
+        return _CONSTANTS[text]
+    if text.lower() in _NOT_NUMBERS:
+        return _NOT_NUMBERS[text.lower()]
+    if _INT.fullmatch(text):
+        return int(text)
+    return float(text) if _FLOAT.fullmatch(text) else text
 
 
 def _is_plain(event: Any) -> bool:
@@ -235,44 +236,3 @@ def _is_plain(event: Any) -> bool:
 
 def _opens(text: str) -> bool:
     return text.count("(") > text.count(")")
-
-
-WIDTH = 110
-
-
-def write_text(data: Mapping[str, Any]) -> str:
-    """Plain data as YAML, as files are written by hand: one entry of a section a line where it fits."""
-    from ruamel.yaml import YAML
-    from ruamel.yaml.comments import CommentedMap
-
-    yaml = YAML(typ="rt", pure=True)
-    yaml.width = WIDTH + 10
-    yaml.allow_unicode = True
-    stream = io.StringIO()
-    yaml.dump(CommentedMap({key: _laid_out(value, len(key), top=True) for key, value in data.items()}), stream)
-    return stream.getvalue()
-
-
-def _laid_out(value: Any, indent: int, top: bool = False) -> Any:
-    """Collections in one line where they fit; a section of mappings takes a line for each."""
-    from ruamel.yaml.comments import CommentedMap, CommentedSeq
-
-    if not isinstance(value, dict | list):
-        return value
-    many = top and isinstance(value, dict) and any(isinstance(entry, dict) for entry in value.values())
-    if indent + _length(value) <= WIDTH and not many:
-        flat: Any = CommentedMap(value) if isinstance(value, dict) else CommentedSeq(value)
-        flat.fa.set_flow_style()
-        return flat
-    if isinstance(value, dict):
-        return CommentedMap({key: _laid_out(entry, indent + len(key) + 4) for key, entry in value.items()})
-    return CommentedSeq([_laid_out(entry, indent + 4) for entry in value])
-
-
-def _length(value: Any) -> int:
-    """About how many characters a value takes in one line."""
-    if isinstance(value, dict):
-        return sum(len(key) + 4 + _length(entry) for key, entry in value.items()) + 2
-    if isinstance(value, list):
-        return sum(2 + _length(entry) for entry in value) + 2
-    return len(str(value))

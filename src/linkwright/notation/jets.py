@@ -179,7 +179,7 @@ class Jet:
         return (self * self + other * other).sqrt()
 
     def __abs__(self) -> Jet:
-        sign = np.where(np.asarray(self.d[0]) < 0, -1.0, 1.0)
+        sign = call("copysign", 1.0, self.d[0] + 0.0)  # + 0.0 makes a minus zero a plain one
         return Jet([sign * a for a in self.d])
 
     def where(self, condition: Any, other: Jet) -> Jet:

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.kernels import Compiled
 from linkwright.results.audit import Reports
 from linkwright.results.run import Run
 from linkwright.results.stationary import stationary
@@ -71,7 +70,7 @@ def certify(run: Run) -> Certificate:
         closure=closure(reports),
         equilibrium=equilibrium(reports) if loaded else None,
         power=power(reports) if loaded else None,
-        work=work(compiled, run.t) if loaded else None,
+        work=work(run) if loaded else None,
         mobility=3 * len(topology.moving) - constraints,
         gruebler=topology.gruebler,
         rank=constraints,
@@ -124,17 +123,30 @@ def power(r: Reports) -> float:
     return 0.0 if size == 0 else _worst(terms.sum(axis=0)) / size
 
 
-def work(compiled: Compiled, t: Array) -> float:
-    """Work of drives and loads, by Gauss quadrature between the times, against the change of energy."""
+def work(run: Run) -> float:
+    """Work of drives and loads against the change of energy, by Gauss quadrature on panels doubled until it stands."""
+    energy = run.compiled.evaluate(["energy.kinetic", "energy.potential"], np.array([run.start, run.stop]))
+    change, panels, last = float(energy.sum(axis=0) @ np.array([-1.0, 1.0])), min(run.grid, MAX_PANELS), np.inf
+    while True:
+        t, weight = gauss_points(run.start, run.stop, panels)
+        r = Reports(run.compiled, t)
+        terms = np.array([*r.drive_powers(), *r.powers_of(r.loads())])
+        size = float(np.abs(terms).sum(axis=0) @ weight) + float(np.abs(energy).sum())
+        rest = 0.0 if size == 0 else abs(float(terms.sum(axis=0) @ weight) - change) / size
+        if not rest < last or rest < SETTLED or panels >= MAX_PANELS:
+            return float(np.fmin(rest, last)) if rest == rest else rest
+        panels, last = panels * 2, rest
+
+
+SETTLED, MAX_PANELS = 1e-13, 1 << 13
+
+
+def gauss_points(start: float, stop: float, panels: int) -> tuple[Array, Array]:
+    """Times and weights of 8-point Gauss quadrature on equal panels."""
     nodes, weights = np.polynomial.legendre.leggauss(8)
-    h = np.diff(t)[:, None]
-    r = Reports(compiled, (t[:-1, None] + h * (nodes + 1) / 2).ravel())
-    terms = np.array([*r.drive_powers(), *r.powers_of(r.loads())])
-    energy = compiled.evaluate(["energy.kinetic", "energy.potential"], t[[0, -1]])
-    change = float(energy.sum(axis=0) @ np.array([-1.0, 1.0]))
-    weight = (h * weights / 2).ravel()
-    size = float(np.abs(terms).sum(axis=0) @ weight) + float(np.abs(energy).sum())
-    return 0.0 if size == 0 else abs(float(terms.sum(axis=0) @ weight) - change) / size
+    edges = np.linspace(start, stop, panels + 1)
+    h = np.diff(edges)[:, None]
+    return (edges[:-1, None] + h * (nodes + 1) / 2).ravel(), (h * weights / 2).ravel()
 
 
 def rank(r: Reports) -> int:

@@ -19,6 +19,8 @@ Array = NDArray[np.float64]
 MAX_TURN = 0.5
 """Largest turn (rad) between neighbours of the grid on which angles are made continuous."""
 MAX_GRID = 1 << 17
+LOOK = 1 << 14
+"""Points at which the drives' laws are looked at for short moves and rests."""
 
 
 class Run:
@@ -30,11 +32,19 @@ class Run:
 
     @cached_property
     def grid(self) -> int:
-        """Steps for searches: the samples, and more where a drive turns far between them."""
-        t = np.linspace(self.start, self.stop, 1001)
-        turns = [self.compiled.laws[name](t).d[1] for name, d in self.compiled.mechanism.drives.items() if d.turns]
-        angle = max((float(np.mean(np.abs(rate))) * (self.stop - self.start) for rate in turns), default=0.0)
-        return max(self.steps, min(int(angle / MAX_TURN) + 1, MAX_GRID))
+        """Steps for searches: the samples, and more where a drive turns far or moves and rests between them."""
+        t = np.linspace(self.start, self.stop, LOOK + 1)
+        steps = [self.steps]
+        for name, drive in self.compiled.mechanism.drives.items():
+            rate = np.abs(np.broadcast_to(self.compiled.laws[name](t).d[1], t.shape))
+            if drive.turns:
+                steps.append(min(int(float(np.mean(rate)) * (self.stop - self.start) / MAX_TURN) + 1, MAX_GRID))
+            # The shortest move or rest is to be seen at some ten points.
+            changes = np.flatnonzero(np.diff((rate > 1e-9 * rate.max()).astype(int)))
+            if changes.size:
+                shortest = int(np.diff(np.concatenate([[0], changes, [LOOK]])).min(initial=LOOK, where=True))
+                steps.append(min(10 * LOOK // max(shortest, 1), LOOK // 2))
+        return max(steps)
 
     @cached_property
     def t(self) -> Array:

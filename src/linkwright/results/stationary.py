@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-FIRST_STEPS, LATEST_FIRST, MAX_STEPS = 1 << 6, 1 << 12, 1 << 15
+FIRST_STEPS, LATEST_FIRST, MAX_STEPS = 1 << 6, 1 << 13, 1 << 15
 HUGE = 1e150
 NOISE = 1e-10
 """A rate below this share of its largest magnitude doesn't count as a sign."""

@@ -89,7 +89,7 @@ class Probe:
     def mean(self, power: int = 1) -> float:
         """The mean of a power over the intervals, by Gauss quadrature on panels doubled until it stands still."""
         nodes, weights = np.polynomial.legendre.leggauss(8)
-        panels, last = max(16, self.run.steps // 4), np.inf
+        panels, last = max(16, self.run.grid // 4), np.inf
         while True:
             total = length = 0.0
             for a, b in self.intervals:

@@ -84,5 +84,5 @@ TEXTS: dict[str, str] = {
     "cli.met": "met",
     "cli.not_met": "NOT met",
     "cli.working": "{study}: {file}",
-    "cli.interrupted": "Interrupted; nothing was written.",
+    "cli.interrupted": "Interrupted. What is written already is whole.",
 }
