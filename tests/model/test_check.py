@@ -110,6 +110,14 @@ def test_the_examples_are_sound(name: str) -> None:
             "expression.units-conflict",
             "parameters.a.tolerance",
         ),
+        (
+            {
+                "parameters": {"AB": {"value": 40, "tolerance": "1 kg"}},
+                "links": crank(com=["AB", 0], mass=1, inertia=1),
+            },
+            "expression.units-conflict",
+            "parameters.AB.tolerance",
+        ),
         ({"gravity": [0, "1/0"]}, "value.not-finite", "gravity"),
         ({"gravity": [0, "10^39*10^39"]}, "value.not-finite", "gravity"),
         # Numbers.

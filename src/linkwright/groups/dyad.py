@@ -15,19 +15,18 @@ from typing import ClassVar
 from linkwright.groups.joints import Inner, Outer, OuterLine, OuterPin, Slopes, Twist
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
 from linkwright.notation.jets import call
+from linkwright.notation.registry import Registry
 
 Coordinate = Scalar | Pair
 
 SLACK = 1e-12
 """A group short by less than this share of its size closes but for round-off."""
 
-REGISTRY: dict[str, type[Dyad]] = {}
+REGISTRY: Registry[type[Dyad]] = Registry()
 
 
 def register(cls: type[Dyad]) -> type[Dyad]:
     """Register a dyad under its signature; a second one of the same signature is an error."""
-    if cls.signature in REGISTRY:
-        raise ValueError(f"dyad {cls.signature} is registered twice")
     REGISTRY[cls.signature] = cls
     return cls
 

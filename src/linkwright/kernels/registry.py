@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.program import Program
+from linkwright.notation.registry import Registry
 
 Array = NDArray[np.float64]
 
@@ -23,12 +24,10 @@ class Kernel(Protocol):
         """All outputs (rows) at all poses (columns) from the per-pose inputs x and the parameters p, in SI."""
 
 
-KERNELS: dict[str, type[Kernel]] = {}
+KERNELS: Registry[type[Kernel]] = Registry()
 
 
 def register(cls: type[Kernel]) -> type[Kernel]:
     """Register a kernel under its name; a second one of the same name is an error."""
-    if cls.name in KERNELS:
-        raise ValueError(f"kernel {cls.name} is registered twice")
     KERNELS[cls.name] = cls
     return cls

@@ -111,7 +111,8 @@ def _rank(place: Place) -> int:
     such a thing is used. Lone names come next: they settle the power of angle, which later uses confirm; and
     what is measured comes before the bounds on it."""
     section, node = place.path[0], place.expression.node
-    if (section == "parameters" or "points" in place.path[2:3]) and _explicit(node):
+    defines = (section == "parameters" and len(place.path) == 2) or (section == "tables" and "points" in place.path)
+    if defines and _explicit(node):
         return 0
     if section == "parameters":
         return 3

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.results.audit import Reports
+from linkwright.results.quadrature import gauss_points
 from linkwright.results.run import Run
 from linkwright.results.stationary import stationary
 from linkwright.structure import FRAME
@@ -128,7 +129,7 @@ def work(run: Run) -> float:
     energy = run.compiled.evaluate(["energy.kinetic", "energy.potential"], np.array([run.start, run.stop]))
     change, panels, last = float(energy.sum(axis=0) @ np.array([-1.0, 1.0])), min(run.grid, MAX_PANELS), np.inf
     while True:
-        t, weight = gauss_points(run.start, run.stop, panels)
+        t, weight = gauss_points(np.linspace(run.start, run.stop, panels + 1))
         r = Reports(run.compiled, t)
         terms = np.array([*r.drive_powers(), *r.powers_of(r.loads())])
         size = float(np.abs(terms).sum(axis=0) @ weight) + float(np.abs(energy).sum())
@@ -139,14 +140,6 @@ def work(run: Run) -> float:
 
 
 SETTLED, MAX_PANELS = 1e-13, 1 << 13
-
-
-def gauss_points(start: float, stop: float, panels: int) -> tuple[Array, Array]:
-    """Times and weights of 8-point Gauss quadrature on equal panels."""
-    nodes, weights = np.polynomial.legendre.leggauss(8)
-    edges = np.linspace(start, stop, panels + 1)
-    h = np.diff(edges)[:, None]
-    return (edges[:-1, None] + h * (nodes + 1) / 2).ravel(), (h * weights / 2).ravel()
 
 
 def rank(r: Reports) -> int:

@@ -15,6 +15,7 @@ from linkwright.model.findings import Finding
 from linkwright.model.mechanism import REDUCTIONS, Measure
 from linkwright.model.units import Dimension, unit
 from linkwright.results import Run
+from linkwright.results.quadrature import gauss_points
 from linkwright.results.stationary import stationary
 from linkwright.studies.windows import Interval, intervals
 
@@ -88,15 +89,13 @@ class Probe:
 
     def mean(self, power: int = 1) -> float:
         """The mean of a power over the intervals, by Gauss quadrature on panels doubled until it stands still."""
-        nodes, weights = np.polynomial.legendre.leggauss(8)
         panels, last = max(16, self.run.grid // 4), np.inf
         while True:
             total = length = 0.0
             for a, b in self.intervals:
                 edges = np.union1d(np.linspace(a, b, panels + 1), [t for t in self.stationary if a < t < b])
-                h = np.diff(edges)
-                t = (edges[:-1, None] + h[:, None] * (nodes + 1) / 2).ravel()
-                total += float((self.values(t) ** power) @ (h[:, None] * weights / 2).ravel())
+                t, weight = gauss_points(edges)
+                total += float((self.values(t) ** power) @ weight)
                 length += b - a
             mean = total / length
             if abs(mean - last) <= 1e-12 * abs(mean) or panels >= 1 << 14:

@@ -11,6 +11,7 @@ from pydantic import BaseModel, ValidationError
 from linkwright.kernels import Compiled
 from linkwright.model.findings import Finding
 from linkwright.model.signals import near
+from linkwright.notation.registry import Registry
 
 
 class Study(Protocol):
@@ -26,14 +27,12 @@ class Study(Protocol):
         """The study's outcome."""
 
 
-STUDIES: dict[str, Study] = {}
+STUDIES: Registry[Study] = Registry()
 
 
 def register(cls: type) -> type:
     """Register a study under its name; a second one of the same name is an error."""
     study = cls()
-    if study.name in STUDIES:
-        raise ValueError(f"study {study.name} is registered twice")
     STUDIES[study.name] = study
     return cls
 
