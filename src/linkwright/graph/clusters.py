@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from linkwright.graph.geometry import unit_vector
+from linkwright.graph.placing import driven_body, inner_joint, outer_joint
 from linkwright.groups.joints import Inner, OuterLine, OuterPin, Twist
 from linkwright.groups.linear import Factor
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
@@ -67,8 +68,6 @@ class SolvedCluster:
 
 def solve_cluster(motion: Motion, step: Cluster, drives: dict[str, Jet], unknowns: Unknowns) -> None:
     """Place a cluster's links at its coordinates with all rates."""
-    from linkwright.graph.motion import inner_joint
-
     closures = [(c, inner_joint(motion, c, (c.a, c.b))) for c in step.closures]
     starts = dict(zip(step.free, unknowns(step), strict=True))
     rates: dict[Edge, list[Scalar]] = {edge: [] for edge in step.free}
@@ -77,7 +76,7 @@ def solve_cluster(motion: Motion, step: Cluster, drives: dict[str, Jet], unknown
         """Place all links in order with the rates known so far."""
         for edge in step.edges:
             if edge.drive is not None:
-                motion.bodies[edge.link] = _driven(motion, edge, drives[edge.drive])
+                motion.bodies[edge.link] = driven_body(motion, edge, drives[edge.drive])[1]
             else:
                 motion.bodies[edge.link] = _free(motion, edge, starts[edge], Jet([*rates[edge], *next_rate]))
 
@@ -97,15 +96,7 @@ def solve_cluster(motion: Motion, step: Cluster, drives: dict[str, Jet], unknown
     )
 
 
-def _driven(motion: Motion, edge: Edge, law: Jet) -> Body:
-    from linkwright.graph.motion import driven_body
-
-    return driven_body(motion, edge, law)[1]
-
-
 def _free(motion: Motion, edge: Edge, start: Scalar, rates: Jet) -> Body:
-    from linkwright.graph.motion import outer_joint
-
     outer = outer_joint(motion, edge.joint, edge.link)
     if isinstance(outer, OuterPin):
         body = outer.place(unit_vector(start), rates)
@@ -119,8 +110,6 @@ def _fields(motion: Motion, step: Cluster) -> tuple[list[dict[str, Twist]], dict
     A coordinate on a pin is the link's angle in the frame, so links pinned farther out keep theirs; links on a
     line, or held by a drive, turn with their base.
     """
-    from linkwright.graph.motion import outer_joint
-
     twists = {e.link: outer_joint(motion, e.joint, e.link).twist(motion.bodies[e.link]) for e in step.edges}
     fields: list[dict[str, Twist]] = []
     for own in step.free:
@@ -217,7 +206,7 @@ def _starts(motion: Motion, step: Cluster, sketch: dict[str, Pair], drives: dict
     reach = _reach(sketch)
     for edge in step.edges:
         if edge.drive is not None:
-            motion.bodies[edge.link] = _driven(motion, edge, drives[edge.drive])
+            motion.bodies[edge.link] = driven_body(motion, edge, drives[edge.drive])[1]
             continue
         told = _told(motion, step, edge, sketch, drives)
         turning = edge.joint.letter == "R"
@@ -232,14 +221,12 @@ def _starts(motion: Motion, step: Cluster, sketch: dict[str, Pair], drives: dict
 def _told(motion: Motion, step: Cluster, edge: Edge, sketch: dict[str, Pair], drives: dict[str, Jet]) -> float | None:
     """The coordinate that brings the link's points, and those of links that a drive holds on it, nearest to
     their sketched places; ``None`` where there is none to go by."""
-    from linkwright.graph.motion import outer_joint
-
     outer = outer_joint(motion, edge.joint, edge.link)
     motion.bodies[edge.link] = _free(motion, edge, 0.0, Jet(()))
     carried = [edge.link]
     for later in step.edges:
         if later.drive is not None and later.base in carried:
-            motion.bodies[later.link] = _driven(motion, later, drives[later.drive])
+            motion.bodies[later.link] = driven_body(motion, later, drives[later.drive])[1]
             carried.append(later.link)
     links = motion.geometry.mechanism.links
     places = [

@@ -6,11 +6,12 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from linkwright.graph.clusters import SolvedCluster, solve_cluster
-from linkwright.graph.geometry import Geometry, unit_vector
-from linkwright.groups import REGISTRY, Dyad, InnerLine, InnerPin, OuterLine, OuterPin, Solved
-from linkwright.groups.joints import Inner, Outer, Twist
+from linkwright.graph.geometry import Geometry
+from linkwright.graph.placing import driven_body, inner_joint, outer_joint
+from linkwright.groups import REGISTRY, Dyad, InnerLine, Solved
+from linkwright.groups.joints import Twist
 from linkwright.notation import Body, Jet, Pair, Scalar
-from linkwright.structure import FRAME, Cluster, Connection, Driven, Edge, Group, Structure
+from linkwright.structure import FRAME, Cluster, Driven, Group, Structure
 
 Branch = Callable[[Group, Dyad], Scalar]
 Unknowns = Callable[[Cluster], list[Scalar]]
@@ -65,21 +66,6 @@ def _drive(motion: Motion, step: Driven, law: Jet) -> None:
     motion.twists[step] = outer.twist(body)
 
 
-def driven_body(motion: Motion, step: Driven | Edge, law: Jet) -> tuple[Outer, Body]:
-    """A link placed by a drive on a link placed before."""
-    base = motion.bodies[step.base]
-    outer = outer_joint(motion, step.joint, step.link)
-    q = law if step.sign > 0 else -law
-    if isinstance(outer, OuterPin):
-        turn = base.turn + q.rate() if q.order else base.turn
-        body = outer.place(base.axis.now.turned(unit_vector(q.d[0])), turn)
-        known = None if base.angle is None else base.angle + q.d[0]
-        body = Body(body.anchor, body.local, body.axis, body.turn, known)
-    else:
-        body = outer.place(q.d[0], q.rate())
-    return outer, body
-
-
 def _group(motion: Motion, step: Group, branch: Branch) -> None:
     first, second = (outer_joint(motion, c, link) for c, link in zip(step.outer, step.links, strict=True))
     dyad = REGISTRY[step.signature](first, inner_joint(motion, step.inner, step.links), second)
@@ -99,30 +85,3 @@ def _same_angle(motion: Motion, step: Group, body: Body, other: Body) -> Body:
     joint = step.inner.joint
     angle = other.angle + motion.geometry.heading_angle(joint, on) - motion.geometry.heading_angle(joint, link)
     return Body(body.anchor, body.local, body.axis, body.turn, angle)
-
-
-def outer_joint(motion: Motion, connection: Connection, link: str) -> Outer:
-    """The joint by which ``link`` hangs on the known link at the other end."""
-    base_name = connection.other(link)
-    base, geometry = motion.bodies[base_name], motion.geometry
-    if connection.letter == "R":
-        pin = motion.structure.topology.pins[connection.joint]
-        at = base.point(geometry.point(base_name, pin.point(base_name)))
-        return OuterPin(at, geometry.point(link, pin.point(link)))
-    base_point, base_heading = geometry.line(connection.joint, base_name)
-    foot, heading = geometry.line(connection.joint, link)
-    angle = None
-    if base.angle is not None:
-        headings = [geometry.heading_angle(connection.joint, name) for name in (base_name, link)]
-        angle = base.angle + headings[0] - headings[1]
-    return OuterLine(base.point(base_point), base.direction(base_heading), base.turn, foot, heading, angle)
-
-
-def inner_joint(motion: Motion, connection: Connection, links: tuple[str, str]) -> Inner:
-    """A joint as closure between two links, in this order."""
-    a, b = links
-    geometry, joint = motion.geometry, connection.joint
-    if connection.letter == "R":
-        pin = motion.structure.topology.pins[joint]
-        return InnerPin(geometry.point(a, pin.point(a)), geometry.point(b, pin.point(b)))
-    return InnerLine(*geometry.line(joint, a), *geometry.line(joint, b))

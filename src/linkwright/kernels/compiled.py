@@ -46,8 +46,8 @@ class Compiled:
             for cluster in self.structure.clusters
         ]
 
-    def inputs(self, t: Array) -> Array:
-        """The per-pose inputs at times ``t`` (s): (inputs, poses), in SI."""
+    def inputs(self, t: Array, clusters: int | None = None) -> Array:
+        """The per-pose inputs at times ``t`` (s): (inputs, poses), in SI; only the first ``clusters`` in place."""
         width = MAX_ORDER + 2
         x = np.empty((len(self.graph.inputs), t.size))
         for i, drive in enumerate(self.graph.drives):
@@ -55,17 +55,9 @@ class Compiled:
         for i, group in enumerate(self.graph.branched, start=width * len(self.graph.drives)):
             x[i] = self.assembly.branches[group]
         x[self.graph.first_unknown :] = np.nan
-        for i, follower in enumerate(self.followers):
-            x[follower.rows] = follower.solve(x, t, self.parameters, partial(self.inputs_before, count=i))
+        for i, follower in enumerate(self.followers[:clusters]):
+            x[follower.rows] = follower.solve(x, t, self.parameters, partial(self.inputs, clusters=i))
         return x
-
-    def inputs_before(self, t: Array, count: int) -> Array:
-        """The inputs at times ``t`` with the coordinates of the first ``count`` clusters only."""
-        followers, self.followers = self.followers, self.followers[:count]
-        try:
-            return self.inputs(t)
-        finally:
-            self.followers = followers
 
     def unknowns(self, time: float) -> dict[Cluster, list[float]]:
         """The coordinates of every cluster at a time."""

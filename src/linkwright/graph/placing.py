@@ -1,0 +1,56 @@
+"""How links are placed on one another: a mechanism's joints as the groups want them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from linkwright.graph.geometry import unit_vector
+from linkwright.groups import InnerLine, InnerPin, OuterLine, OuterPin
+from linkwright.groups.joints import Inner, Outer
+from linkwright.notation import Body, Jet
+from linkwright.structure import Connection, Driven, Edge
+
+if TYPE_CHECKING:
+    from linkwright.graph.motion import Motion
+
+
+def driven_body(motion: Motion, step: Driven | Edge, law: Jet) -> tuple[Outer, Body]:
+    """A link placed by a drive on a link placed before."""
+    base = motion.bodies[step.base]
+    outer = outer_joint(motion, step.joint, step.link)
+    q = law if step.sign > 0 else -law
+    if isinstance(outer, OuterPin):
+        turn = base.turn + q.rate() if q.order else base.turn
+        body = outer.place(base.axis.now.turned(unit_vector(q.d[0])), turn)
+        known = None if base.angle is None else base.angle + q.d[0]
+        body = Body(body.anchor, body.local, body.axis, body.turn, known)
+    else:
+        body = outer.place(q.d[0], q.rate())
+    return outer, body
+
+
+def outer_joint(motion: Motion, connection: Connection, link: str) -> Outer:
+    """The joint by which ``link`` hangs on the known link at the other end."""
+    base_name = connection.other(link)
+    base, geometry = motion.bodies[base_name], motion.geometry
+    if connection.letter == "R":
+        pin = motion.structure.topology.pins[connection.joint]
+        at = base.point(geometry.point(base_name, pin.point(base_name)))
+        return OuterPin(at, geometry.point(link, pin.point(link)))
+    base_point, base_heading = geometry.line(connection.joint, base_name)
+    foot, heading = geometry.line(connection.joint, link)
+    angle = None
+    if base.angle is not None:
+        headings = [geometry.heading_angle(connection.joint, name) for name in (base_name, link)]
+        angle = base.angle + headings[0] - headings[1]
+    return OuterLine(base.point(base_point), base.direction(base_heading), base.turn, foot, heading, angle)
+
+
+def inner_joint(motion: Motion, connection: Connection, links: tuple[str, str]) -> Inner:
+    """A joint as closure between two links, in this order."""
+    a, b = links
+    geometry, joint = motion.geometry, connection.joint
+    if connection.letter == "R":
+        pin = motion.structure.topology.pins[joint]
+        return InnerPin(geometry.point(a, pin.point(a)), geometry.point(b, pin.point(b)))
+    return InnerLine(*geometry.line(joint, a), *geometry.line(joint, b))

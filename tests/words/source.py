@@ -1,0 +1,93 @@
+"""What the package's source says about its findings: their codes, and the data each call site gives them."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import linkwright
+
+ROOT = Path(linkwright.__file__).parent
+CODE = re.compile(r"[a-z]+\.[a-z]+(?:-[a-z]+)*")
+RAISERS = {"Finding", "fault", "DimensionError", "note", "_note"}
+
+
+def trees() -> Iterator[ast.Module]:
+    """The syntax trees of all modules but the catalogue's."""
+    for path in sorted(ROOT.rglob("*.py")):
+        if "words" not in path.relative_to(ROOT).parts:
+            yield ast.parse(path.read_text(encoding="utf-8"))
+
+
+def texts() -> set[str]:
+    """All string constants that look like a code."""
+    constants = (n.value for tree in trees() for n in ast.walk(tree) if isinstance(n, ast.Constant))
+    return {value for value in constants if isinstance(value, str) and CODE.fullmatch(value)}
+
+
+def raised() -> Iterator[tuple[str, set[str] | None]]:
+    """Each place that makes a finding: its code, and the names of its data (``None`` where not plain to see)."""
+    for tree in trees():
+        for function in ast.walk(tree):
+            if isinstance(function, ast.FunctionDef):
+                yield from _in_function(function)
+
+
+def _in_function(function: ast.FunctionDef) -> Iterator[tuple[str, set[str] | None]]:
+    for node in ast.walk(function):
+        if isinstance(node, ast.Call) and _name(node.func) in RAISERS and node.args:
+            for code in _codes(node.args[0]):
+                yield code, _data(node, function)
+        if isinstance(node, ast.Yield) and isinstance(node.value, ast.Tuple) and len(node.value.elts) == 2:
+            for code in _codes(node.value.elts[0]):
+                yield code, _keys(node.value.elts[1], function)
+
+
+def _name(function: ast.expr) -> str:
+    return function.attr if isinstance(function, ast.Attribute) else getattr(function, "id", "")
+
+
+def _codes(node: ast.expr) -> list[str]:
+    values = [node.body, node.orelse] if isinstance(node, ast.IfExp) else [node]
+    return [
+        v.value for v in values if isinstance(v, ast.Constant) and isinstance(v.value, str) and CODE.fullmatch(v.value)
+    ]
+
+
+def _data(call: ast.Call, function: ast.FunctionDef) -> set[str] | None:
+    names = {keyword.arg for keyword in call.keywords}
+    if _name(call.func) != "Finding":
+        return None if None in names else {name for name in names if name} - {"path", "line"}
+    given = next((keyword.value for keyword in call.keywords if keyword.arg == "data"), None)
+    given = call.args[2] if len(call.args) > 2 else given
+    return set() if given is None else _keys(given, function)
+
+
+def _keys(node: ast.expr, function: ast.FunctionDef) -> set[str] | None:
+    if isinstance(node, ast.Name):
+        written = [
+            n.value
+            for n in ast.walk(function)
+            if (isinstance(n, ast.Assign) and any(isinstance(t, ast.Name) and t.id == node.id for t in n.targets))
+        ]
+        return _keys(written[0], function) if len(written) == 1 and isinstance(written[0], ast.Dict) else None
+    if not isinstance(node, ast.Dict) or not all(isinstance(key, ast.Constant) for key in node.keys):
+        return None
+    return {str(key.value) for key in node.keys if isinstance(key, ast.Constant)}
+
+
+def terms() -> set[str]:
+    """The phrases of the catalogue that the source names: plainly, or by the start of their key."""
+    makers = {"Term", "unexpected", "pair", "plain_number", "ExpressionError", "least"}
+    found: set[str] = set()
+    for tree in trees():
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Call) and _name(node.func) in makers:
+                for arg in node.args:
+                    prefix = "syntax-" if _name(node.func) == "ExpressionError" else ""
+                    for part in ast.walk(arg):
+                        if isinstance(part, ast.Constant) and isinstance(part.value, str):
+                            found.add(prefix + part.value)
+    return found

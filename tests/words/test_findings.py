@@ -1,0 +1,151 @@
+"""Every finding has words, the words have the data that they ask for, and docs/findings.md lists them all.
+
+``python tests/words/test_findings.py`` writes docs/findings.md anew.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from string import Formatter
+
+import pytest
+
+from linkwright.words.en import WORDS
+from linkwright.words.en.findings import FINDINGS
+from linkwright.words.en.texts import TEXTS
+
+if __name__ != "__main__":
+    from words import source
+
+DOCUMENT = Path(__file__).parents[2] / "docs" / "findings.md"
+CODES = [key.removesuffix(".what") for key in FINDINGS if key.endswith(".what")]
+SPOKEN_FOR = {"window.outside"}
+"""Codes that have their words before anything raises them."""
+
+INTRODUCTION = """# Findings
+
+Whatever is wrong with a model comes as a list of findings, all at once: each with a code, the line, the element,
+what is wrong and how to mend it. The command line, `summary.json`, the report and Python (`linkwright.check`,
+`ModelError.findings`) show the same ones. The codes are stable; the words may change.
+
+Exit codes: 2 where the file or the command is wrong, 1 where the model is well written but can't do what is
+asked (`structure.…`, `assembly.…`, `motion.…`, a measure without a value, a requirement that isn't met).
+
+Words in *italics* stand for what the finding names.
+"""
+
+TITLES = {
+    "file": "The file",
+    "builder": "The builder",
+    "units": "Units",
+    "expression": "Expressions",
+    "parameters": "Parameters",
+    "value": "Numbers",
+    "name": "Names",
+    "signal": "Signals",
+    "model": "The model as a whole",
+    "mass": "Masses",
+    "joint": "Joints",
+    "drive": "Drives",
+    "load": "Loads",
+    "table": "Tables",
+    "window": "Windows",
+    "measure": "Measures",
+    "study": "Studies",
+    "structure": "Structure",
+    "assembly": "Assembly",
+    "motion": "Motion",
+}
+
+
+def fields(text: str) -> set[str]:
+    """The names of the data that a text asks for."""
+    return {name for _, name, _, _ in Formatter().parse(text) if name}
+
+
+def shown(text: str) -> str:
+    """A text of the catalogue with its data in italics, fit for a table's cell."""
+    data = {name: f"*{name.replace('_', ' ')}*" for name in fields(text)}
+    plain = re.sub(r"{(\w+):[^}]*}", r"{\1}", text)
+    return re.sub(r"[*|\\]", r"\\\g<0>", plain).format_map(data)
+
+
+def rendered() -> str:
+    """docs/findings.md as it should be."""
+    parts = [INTRODUCTION]
+    for group, title in TITLES.items():
+        rows = [
+            f"| `{c}` | {shown(FINDINGS[c + '.what'])} | {shown(FINDINGS[c + '.mend'])} |"
+            for c in CODES
+            if c.split(".")[0] == group
+        ]
+        parts.append(
+            f"## {title}\n\n| code | what it means | how to mend it |\n|---|---|---|\n" + "\n".join(rows) + "\n"
+        )
+    return "\n".join(parts)
+
+
+def in_source() -> set[str]:
+    """The codes that the source raises: what looks like one, begins like one, and isn't another text's key."""
+    return {text for text in source.texts() if text.split(".")[0] in TITLES and text not in TEXTS}
+
+
+def test_every_code_has_both_texts() -> None:
+    missing = {f"{code}.{part}" for code in in_source() for part in ("what", "mend")} - set(FINDINGS)
+    assert not missing
+
+
+def test_no_text_is_orphaned() -> None:
+    assert set(CODES) - in_source() == SPOKEN_FOR
+    assert {key.removesuffix(".mend") for key in FINDINGS if key.endswith(".mend")} == set(CODES)
+
+
+def test_every_group_has_a_title() -> None:
+    assert {code.split(".")[0] for code in CODES} == set(TITLES)
+
+
+def test_every_raised_code_is_known() -> None:
+    assert {code for code, _ in source.raised() if code.split(".")[0] in TITLES} <= set(CODES)
+
+
+def test_call_sites_give_the_data_that_the_texts_ask_for() -> None:
+    seen = 0
+    for code, given in source.raised():
+        if given is not None and code in CODES:
+            asked = fields(FINDINGS[f"{code}.what"]) | fields(FINDINGS[f"{code}.mend"])
+            assert asked <= given, f"{code}: {asked - given} not given"
+            seen += 1
+    assert seen > 80
+
+
+def test_phrases_are_all_there_and_all_used() -> None:
+    phrases = {key.removeprefix("term.") for key in FINDINGS if key.startswith("term.")}
+    named = source.terms()
+    made = {name for name in phrases if name.startswith("a-")} | {"mapping", "text", "list", "other"}
+    assert phrases - named <= made, phrases - named - made
+
+
+@pytest.mark.parametrize("key", sorted(FINDINGS))
+def test_texts_read_like_sentences(key: str) -> None:
+    text = FINDINGS[key]
+    if not key.startswith("term."):
+        assert text[0].isupper() or text[0] in "'{[", text
+        assert text.endswith((".", ".'", "}", "?")), text
+    assert "  " not in text
+    assert all(name.isidentifier() for name in fields(text))
+
+
+def test_the_catalogue_holds_each_key_once() -> None:
+    assert not set(FINDINGS) & set(TEXTS)
+    assert set(FINDINGS) <= set(WORDS)
+
+
+def test_the_page_lists_exactly_the_codes() -> None:
+    page = DOCUMENT.read_text(encoding="utf-8")
+    assert sorted(re.findall(r"^\| `([a-z.-]+)` \|", page, re.M)) == sorted(CODES)
+    assert page == rendered(), "run python tests/words/test_findings.py"
+
+
+if __name__ == "__main__":
+    DOCUMENT.write_text(rendered(), encoding="utf-8", newline="\n")
