@@ -23,6 +23,7 @@ from linkwright.kernels import KERNELS
 
 ROOT = Path(__file__).resolve().parent.parent
 FEEDER = ROOT / "examples" / "paper_feeder.yaml"
+PLATFORM = ROOT / "examples" / "platform.yaml"
 
 OUTPUTS = [
     *("C.x", "C.y", "E.x", "E.y", "E.vx", "E.vy", "E.ax", "E.ay"),
@@ -59,6 +60,10 @@ def measure(poses: int) -> dict[str, float]:
         "poses_200_full_ms": 1e3 * median(lambda: compiled.evaluate(every, t), 9),
         "poses_200_full_cold_ms": 1e3 * median(lambda: lw.compile(document).evaluate(every, t), 5),
     }
+    platform, turn = lw.load(PLATFORM), np.linspace(0.0, 1.0, 361)
+    plate = ["plate.angle", "plate.omega", "plate.alpha", "motor.torque", "force(leg3, plate).x"]
+    fresh = [lw.compile(platform) for _ in range(6)]  # each follows its group once
+    figures["triad_360_poses_ms"] = 1e3 * median(lambda: fresh.pop().evaluate(plate, turn), 5)
     kernel = KERNELS["numpy"](compiled.graph.program(OUTPUTS))
     x = compiled.inputs(np.linspace(0.0, 1.5, poses))
     out = np.empty((len(OUTPUTS), poses))

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import linkwright as lw
 from linkwright.studies.windows import intervals
 from studies.models import cycle_of, job_of, refused, slider_crank, value
 
@@ -129,6 +130,22 @@ def test_extremes_at_both_sides_of_a_seam() -> None:
     assert value(data, min="B.y", window="w") == pytest.approx(-R / 2, rel=1e-12)
     assert value(data, value="motor.angle", where="start", window="w") == pytest.approx(0.0, abs=1e-12)
     assert value(data, value="motor.angle", where="end", window="w") == pytest.approx(720.0)
+
+
+@pytest.mark.xfail(strict=True, reason="each interval is looked at on a grid as fine as the whole run's")
+def test_many_turns_cost_in_proportion(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Twice the turns, about twice the poses computed."""
+    poses = {100: 0, 200: 0}
+    real = lw.Compiled.evaluate
+    for turns in poses:
+
+        def counted(self: Any, names: Any, t: Any, *more: Any, turns: int = turns, **options: Any) -> Any:
+            poses[turns] += t.size
+            return real(self, names, t, *more, **options)
+
+        monkeypatch.setattr(lw.Compiled, "evaluate", counted)
+        value({**turning(turns), "windows": {"w": {"motor.angle": [90, 91]}}}, mean="B.x", window="w")
+    assert poses[200] < 2.5 * poses[100]
 
 
 def test_a_window_that_the_run_never_enters_is_a_failure() -> None:

@@ -77,8 +77,9 @@ class _Assembler:
             self.degenerate(vague[0])
             return self.assembly
         self.assembly.start = self.motion
-        for name in self.rules.keys() - self.used:
-            self.note("assembly.unused", ("assembly", name), point=name)
+        for name in self.rules:
+            if name not in self.used:
+                self.note("assembly.unused", ("assembly", name), point=name)
         return self.assembly
 
     def note(self, code: str, path: tuple[str, ...], **data: Any) -> None:

@@ -46,6 +46,7 @@ class NumpyKernel:
     def __init__(self, program: Program) -> None:
         self.program = program
         self._plan: tuple[bytes, _Plan] | None = None
+        self._block: _Block | None = None
 
     def run(self, x: Array, p: Array, out: Array | None = None) -> Array:
         """All outputs at all poses.
@@ -59,7 +60,7 @@ class NumpyKernel:
             out = np.empty((len(self.program.outputs), poses))
         plan = self._planned(np.ascontiguousarray(p))
         size = max(1, min(BLOCK, poses))
-        block = _Block(plan, size)
+        block = self._blocked(plan, size)
         with np.errstate(all="ignore"):
             for start in range(0, poses, size):
                 if start + size > poses:
@@ -72,6 +73,12 @@ class NumpyKernel:
         if self._plan is None or self._plan[0] != key:
             self._plan = key, _Plan(self.program.stages[0], p)
         return self._plan[1]
+
+    def _blocked(self, plan: _Plan, size: int) -> _Block:
+        """A block of the size; the last one is kept, for searches that ask for few poses many times."""
+        if self._block is None or self._block.plan is not plan or self._block.size != size:
+            self._block = _Block(plan, size)
+        return self._block
 
 
 class _Plan:
@@ -134,7 +141,7 @@ class _Block:
     """The rows of one block, and the calls bound to them."""
 
     def __init__(self, plan: _Plan, size: int) -> None:
-        self.plan = plan
+        self.plan, self.size = plan, size
         rows = np.empty((plan.slots + plan.inputs, size))
         self.x = rows[plan.slots :]
         self.results = [rows[o] if isinstance(o, int) else o for _, _, o in plan.outputs]
