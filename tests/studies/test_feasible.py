@@ -175,9 +175,6 @@ def test_a_gap_behind_a_gap() -> None:
             assert failure.data["stop"] * 2 * math.pi == pytest.approx(stop, abs=1e-5)
 
 
-@pytest.mark.xfail(
-    strict=True, reason="a gap that ends in another group's gap is seen only where a sample falls into it"
-)
 def test_a_narrow_gap_just_before_another() -> None:
     """The rod fails a ten-thousandth of a radian before coupler and rocker do: it is the first to fail."""
     a, b, c, d, height = 60.0, 70.0, 50.0, 100.0, 60.0

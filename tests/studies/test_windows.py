@@ -132,7 +132,6 @@ def test_extremes_at_both_sides_of_a_seam() -> None:
     assert value(data, value="motor.angle", where="end", window="w") == pytest.approx(720.0)
 
 
-@pytest.mark.xfail(strict=True, reason="each interval is looked at on a grid as fine as the whole run's")
 def test_many_turns_cost_in_proportion(monkeypatch: pytest.MonkeyPatch) -> None:
     """Twice the turns, about twice the poses computed."""
     poses = {100: 0, 200: 0}

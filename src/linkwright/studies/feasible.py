@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -30,7 +31,8 @@ def unassembled(run: Run) -> list[Finding]:
     for group in run.compiled.structure.groups:
         if group.modes < 2:
             continue
-        for start, stop, worst in _gaps(run, f"reach:{group.label}"):
+        ends = [end for gap in taken for end in gap]
+        for start, stop, worst in _gaps(run, f"reach:{group.label}", ends):
             if not any(a <= start and stop <= b for a, b in taken):
                 taken.append((start, stop))
                 findings.append(_cannot_assemble(run, group, start, stop, worst))
@@ -51,21 +53,24 @@ def stuck(run: Run) -> list[Finding]:
     return findings
 
 
-def _reach(run: Run, row: str) -> tuple[Array, Array]:
-    """A group's reach on a grid that holds its turning points: times and values."""
+def _reach(run: Run, row: str, more: Sequence[float] = ()) -> tuple[Array, Array]:
+    """A group's reach on a grid that holds its turning points and some more times: times and values."""
 
     def rates(t: Array) -> tuple[Array, Array]:
         y = run.compiled.evaluate([row], t, rates=True)
         return y[:, 0], y[:, 1]
 
     turning = stationary(rates, run.start, run.stop, run.grid)[0]
-    t = np.union1d(np.linspace(run.start, run.stop, max(run.grid, 200) + 1), turning)
+    t = np.union1d(np.linspace(run.start, run.stop, max(run.grid, 200) + 1), [*turning, *more])
     return t, run.compiled.evaluate([row], t)[0]
 
 
-def _gaps(run: Run, row: str) -> list[tuple[float, float, float]]:
-    """Intervals in which a reach is negative, with the time of its least value."""
-    t, reach = _reach(run, row)
+def _gaps(run: Run, row: str, ends: Sequence[float]) -> list[tuple[float, float, float]]:
+    """Intervals in which a reach is negative, with the time of its least value.
+
+    ``ends`` are those of the gaps of earlier groups, where this one's reach may stop while it is negative.
+    """
+    t, reach = _reach(run, row, ends)
     bad = reach < -TOUCH
     edges = np.flatnonzero(np.diff(np.concatenate([[False], bad, [False]]).astype(int)))
     gaps = []

@@ -74,8 +74,12 @@ class Probe:
 
     def finite(self) -> bool:
         """Whether the expression has a value all over the intervals."""
-        times = np.concatenate([np.linspace(a, b, self.run.grid + 1) for a, b in self.intervals])
+        times = np.concatenate([np.linspace(a, b, self.share(self.run.grid, a, b) + 1) for a, b in self.intervals])
         return bool(np.isfinite(self.values(times)).all())
+
+    def share(self, steps: int, a: float, b: float) -> int:
+        """An interval's share of a number of steps over the run, four at least."""
+        return max(4, int(np.ceil(steps * (b - a) / (self.run.stop - self.run.start))))
 
     def top(self) -> Found:
         times, values = self.candidates
@@ -93,7 +97,9 @@ class Probe:
         while True:
             total = length = 0.0
             for a, b in self.intervals:
-                edges = np.union1d(np.linspace(a, b, panels + 1), [t for t in self.stationary if a < t < b])
+                edges = np.union1d(
+                    np.linspace(a, b, self.share(panels, a, b) + 1), [t for t in self.stationary if a < t < b]
+                )
                 t, weight = gauss_points(edges)
                 total += float((self.values(t) ** power) @ weight)
                 length += b - a
