@@ -189,16 +189,27 @@ class Oracle:
         return State(t, q, v, np.linalg.solve(jacobian, gammas))
 
     def follow(self, times: Any, largest: float = 0.1) -> list[State]:
-        """The states at increasing times from 0, in steps in which no coordinate moves more than ``largest``."""
-        here, found = self.first, []
+        """The states at increasing times from 0, in steps in which no coordinate moves more than ``largest``.
+
+        Raises LinAlgError where a singular pose stops it.
+        """
+        here, found, steps = self.first, [], 0
         for t in times:
             while here.t < t:
                 rate = max(float(np.abs(here.v).max()), math.sqrt(largest * float(np.abs(here.a).max())), 1e-300)
-                step = min(t - here.t, largest / rate)
+                step, steps = min(t - here.t, largest / rate), steps + 1
+                if not rate < 1e4 or steps > 5000:
+                    raise np.linalg.LinAlgError("singular pose")
                 target = t if step == t - here.t else here.t + step
                 here = self.settle(here.q + step * here.v + 0.5 * step**2 * here.a, target)
             found.append(here)
         return found
+
+    def regularity(self, state: State) -> float:
+        """The smallest singular value of the constraint Jacobian, its rows made unit vectors: 0 in a singular pose."""
+        jacobian = self.constraints(state.q, state.v, state.t)[1]
+        unit = jacobian / np.linalg.norm(jacobian, axis=1, keepdims=True)
+        return float(np.linalg.svd(unit, compute_uv=False)[-1])
 
     # Forces.
 

@@ -1,8 +1,8 @@
 """The paper feeder integrated in time by Exudyn, the crank's rotation prescribed, against the kinetostatics.
 
 Exudyn's error, measured against the Newton-Euler equations, falls with the square of the step (Newmark, index 2):
-0.013 N at 500 steps over 0.6 s, 0.004 N at 1000, 0.001 N at 2000, of forces up to 525 N; torque 0.0006 N m of 62.
-The test takes 1000 steps and allows three times that.
+0.013 N at 500 steps over 0.6 s, 0.005 N at 1000, 0.001 N at 2000, of forces up to 525 N; torque 0.0007 N m of 62.
+The test takes 1000 steps and allows some twice that.
 """
 
 from __future__ import annotations

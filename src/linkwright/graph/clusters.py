@@ -147,7 +147,7 @@ def newton(motion: Motion, step: Cluster, start: list[float], drives: dict[str, 
     motion.order = 0
     try:
         last = _miss(motion, step, here, drives)
-        for _ in range(100):
+        for _ in range(40):
             solved = motion.clusters[step]
             steps = solved.factor.solve(solved.gaps)
             damping = 1.0
@@ -157,6 +157,8 @@ def newton(motion: Motion, step: Cluster, start: list[float], drives: dict[str, 
                 if miss <= last * (1 - 0.1 * damping) or miss < TINY:
                     break
                 damping /= 2
+            else:
+                return None  # no step helps: a place where the links come near but don't meet
             here, last = there, miss
             if last < TINY and max(map(abs, steps)) < 1e-12:
                 return here
@@ -196,7 +198,7 @@ def assemble_cluster(
     return best[1] if best else None
 
 
-TRIES = 24
+TRIES = 64
 
 
 def _starts(motion: Motion, step: Cluster, sketch: dict[str, Pair], drives: dict[str, Jet]) -> Iterator[list[float]]:
@@ -214,7 +216,7 @@ def _starts(motion: Motion, step: Cluster, sketch: dict[str, Pair], drives: dict
         options.append([told] if told is not None else around)
         motion.bodies[edge.link] = _free(motion, edge, options[-1][0], Jet(()))
     motion.order = still
-    for start in islice(product(*options), TRIES**2):
+    for start in islice(product(*options), TRIES):
         yield list(start)
 
 

@@ -15,7 +15,7 @@ class Factor:
 
     def __init__(self, rows: list[list[Scalar]]) -> None:
         self.size = len(rows)
-        self.symbolic = any(type(entry).__module__.startswith("casadi") for row in rows for entry in row)
+        self.symbolic = any(_is_symbol(entry) for row in rows for entry in row)
         if not self.symbolic:
             self.matrix: Any = np.array(rows, dtype=float)
             return
@@ -27,7 +27,11 @@ class Factor:
     def solve(self, right: list[Scalar], transposed: bool = False) -> list[Scalar]:
         """The solution of A x = right, or of the transposed system."""
         if not self.symbolic:
-            return [float(v) for v in np.linalg.solve(self.matrix.T if transposed else self.matrix, right)]
+            matrix = self.matrix.T if transposed else self.matrix
+            if any(map(_is_symbol, right)):  # a closure of fixed slopes, such as slides on the frame
+                inverse = np.linalg.inv(matrix).tolist()
+                return [sum((k * entry for k, entry in zip(row, right, strict=True)), 0.0) for row in inverse]
+            return [float(v) for v in np.linalg.solve(matrix, right)]
         import casadi as ca
 
         v, r, beta, prinv, pc = self.qr
@@ -42,3 +46,7 @@ class Factor:
         for i in range(self.size):
             product = product * self.qr[1][i, i]
         return product
+
+
+def _is_symbol(entry: Scalar) -> bool:
+    return type(entry).__module__.startswith("casadi")

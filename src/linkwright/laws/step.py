@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from linkwright.notation import Jet
+from linkwright.notation.jets import call
 
 
 def step5(x: Any, x0: Any, h0: Any, x1: Any, h1: Any) -> Any:
@@ -14,12 +15,12 @@ def step5(x: Any, x0: Any, h0: Any, x1: Any, h1: Any) -> Any:
 
     Takes numbers or jets; the result has the dimension of h0 and h1, and is NaN where x0 = x1.
     """
-    if not isinstance(x1 - x0, Jet) and np.ndim(x1 - x0) == 0 and x1 == x0:
+    if isinstance(x1 - x0, int | float) and x1 == x0:
         return (h0 + h1) * np.nan
     u = (x - x0) / (x1 - x0)
     if isinstance(u, Jet):
         zero, one = Jet.constant(0.0, u.order), Jet.constant(1.0, u.order)
         u = zero.where(u.d[0] <= 0, one.where(u.d[0] >= 1, u))
     else:
-        u = min(max(u, 0.0), 1.0)
+        u = call("fmin", call("fmax", u, 0.0), 1.0)
     return h0 + (h1 - h0) * (u * u * u * (u * (u * 6.0 - 15.0) + 10.0))

@@ -210,26 +210,25 @@ class _Search:
 
     def outers(self, link: str) -> list[Connection]:
         """The joints by which an unknown link hangs on known ones; a pin counts once, through its first known link."""
+        rank = {base: i for i, base in enumerate(self.known)}
+        hung = [c for c in self.topology.at(link) if c.other(link) in rank and self.free(c)]
         found: dict[str, Connection] = {}
-        for base in self.known:
-            for c in self.topology.connections:
-                if {c.a, c.b} == {link, base} and self.free(c):
-                    found.setdefault(c.joint, c)
+        for c in sorted(hung, key=lambda c: rank[c.other(link)]):
+            found.setdefault(c.joint, c)
         return list(found.values())
 
     def group_one(self) -> bool:
         """Solve one dyad that hangs on known links."""
-        hanging = {link: self.outers(link) for link in self.topology.moving if link not in self.known}
+        known = set(self.known)
+        hanging = {link: self.outers(link) for link in self.topology.moving if link not in known}
         pinned = {c.joint for cs in hanging.values() for c in cs}
-        for a, b in combinations([link for link, outer in hanging.items() if outer], 2):
-            for inner in self.topology.connections:
-                if {inner.a, inner.b} != {a, b} or inner.joint in pinned or not self.free(inner):
+        single = {link: outer[0] for link, outer in hanging.items() if len(outer) == 1}
+        for a in single:
+            for inner in self.topology.at(a):
+                b = inner.other(a)
+                if b not in single or inner.joint in pinned or not self.free(inner):
                     continue
-                if (
-                    len(hanging[a]) == 1
-                    and len(hanging[b]) == 1
-                    and (group := _dyad(a, hanging[a][0], inner, hanging[b][0], b))
-                ):
+                if group := _dyad(a, single[a], inner, single[b], b):
                     self.steps.append(group)
                     self.known += group.links
                     return True

@@ -52,6 +52,18 @@ class Topology:
         return tuple(found)
 
     @cached_property
+    def _at(self) -> dict[str, list[Connection]]:
+        found: dict[str, list[Connection]] = {link: [] for link in self.mechanism.links}
+        for c in self.connections:
+            found[c.a].append(c)
+            found[c.b].append(c)
+        return found
+
+    def at(self, link: str) -> list[Connection]:
+        """The connections of a link."""
+        return self._at[link]
+
+    @cached_property
     def joint_count(self) -> int:
         """Joints of one freedom: a pin of k links counts k - 1."""
         return sum(len(pin.links) - 1 for pin in self.pins.values()) + sum(1 for _ in self.mechanism.prismatic_joints())

@@ -16,6 +16,6 @@ def catalogue(language: str = LANGUAGE) -> dict[str, str]:
     return words
 
 
-def say(key: str, **data: Any) -> str:
+def say(key: str, /, **data: Any) -> str:
     """The text of ``key`` with its data filled in. An unknown key is a programming error."""
     return catalogue(LANGUAGE)[key].format(**data)
