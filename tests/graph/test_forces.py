@@ -118,3 +118,12 @@ def test_without_mass_and_loads_there_are_no_forces() -> None:
         del data["links"]["bar"][key]
     found = compiled_from(data).evaluate(["motor.torque", "force(frame, bar).x", "shaking.y"], np.zeros(2))
     assert not found.any()
+
+
+def test_a_rod_between_a_point_by_coordinates_and_one_in_polar_form() -> None:
+    """[1, 0.5] and '1 at 0.5' are two places, though written with the same figures."""
+    data = document_of(one_arm(kind="turns", link="bar", on=FRAME, law=Law(0.0, 0.0)))
+    points = {"O": [0, 0], "P": [1, 0.5], "Q": "1 at 0.5"}
+    data["links"]["bar"] = {"points": points, "mass": 2, "shape": "rod P-Q"}
+    (torque,) = compiled_from(data).evaluate(["motor.torque"], np.zeros(1))[:, 0]
+    assert torque == pytest.approx(2 * 10 * (1 + np.cos(0.5)) / 2)

@@ -16,6 +16,7 @@ from linkwright.groups import REGISTRY, Dyad, InnerLine, InnerPin, OuterLine, Ou
 from linkwright.groups.dyad import register
 from linkwright.notation import Body, Jet, Pair, Vec, Wrench
 
+SHORT_SECOND = pytest.mark.xfail(strict=True, reason="the error grows with the square of the links' ratio")
 TOLERANCE = 1e-12
 ORDER = 3
 
@@ -311,3 +312,18 @@ def test_shortfall_tells_where_the_group_cannot_close(signature: str, data: Any)
     assert (shortfall is not None) == (reach < 0)
     if shortfall is not None:
         assert shortfall[0] != shortfall[1]
+
+
+@pytest.mark.parametrize("short", [pytest.param(0, id="first"), pytest.param(1, id="second", marks=SHORT_SECOND)])
+def test_a_very_short_link_keeps_its_digits(short: int) -> None:
+    """Two pinned links, one a thousandth of the other: the unit vectors of both stay so to 1e-12."""
+    arms = (1e-3, 1.0) if short == 0 else (1.0, 1e-3)
+    for way in np.linspace(0.2, 2.9, 20):
+        still = [Vec.constant(Pair(x, 0.0), 0) for x in (0.0, math.hypot(1.0 + 1e-3 * math.cos(way), 1e-3))]
+        inner = InnerPin(Pair(arms[0], 0.0), Pair(arms[1], 0.0))
+        dyad = REGISTRY["RRR"](OuterPin(still[0], Pair(0.0, 0.0)), inner, OuterPin(still[1], Pair(0.0, 0.0)))
+        if not usable(dyad, 1.0, 0.1):
+            continue
+        a, b = _bodies(dyad, 1.0)
+        assert all(abs(math.hypot(*body.axis.now) - 1.0) < 1e-12 for body in (a, b))
+        assert max(abs(float(gap.d[0])) for gap in dyad.inner.gap(a, b)) < 1e-12

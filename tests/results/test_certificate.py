@@ -94,6 +94,30 @@ def test_nearest_sees_a_passage_through_a_singular_pose_between_samples() -> Non
     assert certificate.nearest.time == pytest.approx(1.0, abs=1e-7)
 
 
+@pytest.mark.xfail(strict=True, reason="the determinant is relative to the distance of the pins, whatever it is")
+def test_nearest_sees_the_outer_pins_of_a_lever_and_its_block_meet() -> None:
+    """A crank pin passes through the lever's pivot: the lever's angle is undefined there and jumps by 180 deg."""
+    data: dict[str, Any] = {
+        "linkwright": 1,
+        "units": UNITS,
+        "links": {
+            "frame": {"points": {"A": [0, 0], "D": [1, 0]}},
+            "crank": {"points": {"A": [0, 0], "B": [1, 0]}},
+            "block": {"points": {"B": [0, 0]}},
+            "lever": {"points": {"D": [0, 0]}},
+        },
+        "joints": {"slot": {"prismatic": ["lever", "block"], "line": ["D at 0", "B at 0"]}},
+        "assembly": {"B": "ahead of D along slot"},
+        "drives": {"motor": {"turns": "crank", "on": "frame", "speed": 1, "start": -1}},
+    }
+    compiled = compiled_from(data)
+    before, after = compiled.evaluate(["lever.angle"], np.array([1 - 1e-6, 1 + 1e-6]))[0]
+    assert abs(after - before) == pytest.approx(np.pi, abs=1e-5)
+    certificate = certify(Run(compiled, 0.0, 2.0, 101))
+    assert certificate.nearest is not None
+    assert certificate.nearest.determinant < 0.01
+
+
 def test_a_mechanism_without_groups_has_no_nearest() -> None:
     data = {
         "linkwright": 1,

@@ -164,6 +164,9 @@ class _View:
         return _ROWS[signal.kind](self, signal)
 
     def _internal(self, owner: str, what: str) -> Scalar:
+        if owner == "span":
+            span = next(dyad.span() for group, (dyad, _) in self.motion.dyads.items() if group.label == what)
+            return 1.0 if span is None else span
         if owner in ("reach", "determinant"):
             cluster = next((s for c, s in self.motion.clusters.items() if c.label == what), None)
             if cluster is not None:

@@ -84,6 +84,10 @@ class Dyad(ABC):
         """On plain numbers: where the group can't close, the distance (m) it must span and the nearest it can."""
         return None
 
+    def span(self) -> Scalar | None:
+        """A distance (m) whose vanishing makes the pose vague while the normalised determinant doesn't show it."""
+        return None
+
     def solve(self, branch: Scalar, order: int) -> Solved:
         """Position in closed form, then each rate from the closure differentiated once more (linear in it)."""
         root = self.root(branch)

@@ -45,5 +45,9 @@ class RPR(Dyad):
         arm2 = self.inner.second.minus(pin(self.second).foot).turned_back(self.inner.second_heading)
         return arm1.y - arm2.y
 
+    def span(self) -> Scalar:
+        """The distance of the outer pins: where they meet, the sliding line may point anywhere."""
+        return length(pin(self.second).base.now.minus(pin(self.first).base.now))
+
     def scale(self, a: Body, b: Body) -> Scalar:
         return length(pin(self.second).base.now.minus(pin(self.first).base.now))

@@ -54,7 +54,8 @@ def _rods(q: Quantities) -> Iterator[Finding]:
                 [q.value(expression, dimension) for expression, dimension in position_parts(link.points[point])]
                 for point in link.shape.points
             ]
-            if ends[0] == ends[1]:
+            alike = len({link.points[point].polar for point in link.shape.points}) == 1
+            if alike and ends[0] == ends[1]:
                 points = "-".join(link.shape.points)
                 yield Finding("value.rod", ("links", name, "shape"), {"points": points})
 

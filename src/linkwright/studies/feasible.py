@@ -122,7 +122,9 @@ def singular(run: Run) -> list[Finding]:
         if group.modes < 2:
             continue
         t, reach = _reach(run, f"reach:{group.label}")
-        touches = _apart(t[np.abs(reach) <= TOUCH], (run.stop - run.start) / run.grid)
+        s, span = _reach(run, f"span:{group.label}")
+        vague = s[span <= SINGULAR * span.max()]
+        touches = _apart(np.union1d(t[np.abs(reach) <= TOUCH], vague), (run.stop - run.start) / run.grid)
         findings += [_singular(run, group.label, time, 0.0) for time in touches]
     near = None if findings else nearest(run)
     if near is not None and not near.determinant > SINGULAR:
