@@ -12,7 +12,7 @@ from linkwright.model.fields import Expression, LineOn, Position
 from linkwright.model.mechanism import Load
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Pair, Scalar
-from linkwright.notation.jets import call, is_zero
+from linkwright.notation.jets import call
 
 ZERO = Pair(0.0, 0.0)
 
@@ -122,5 +122,3 @@ _SHAPES: dict[str, Any] = {
     "disc": lambda points, radius: (points[0], radius * radius / 2),
     "point": lambda points, radius: (points[0], 0.0),
 }
-
-__all__ = ["Geometry", "is_zero", "unit_vector"]

@@ -35,7 +35,7 @@ class RPR(Dyad):
         )
 
     def shortfall(self) -> tuple[float, float] | None:
-        distance = length(pin(self.second).base.now.minus(pin(self.first).base.now))
+        distance = self.span()
         across = abs(self._across())
         return (distance, across) if distance < across * (1 - SLACK) else None
 
@@ -50,4 +50,4 @@ class RPR(Dyad):
         return length(pin(self.second).base.now.minus(pin(self.first).base.now))
 
     def scale(self, a: Body, b: Body) -> Scalar:
-        return length(pin(self.second).base.now.minus(pin(self.first).base.now))
+        return self.span()

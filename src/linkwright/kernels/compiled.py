@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from linkwright.graph.assembly import Assembly, assemble
 from linkwright.graph.graph import Graph
 from linkwright.kernels.follow import Follower
-from linkwright.kernels.laws import Law, drive_laws
+from linkwright.kernels.laws import Law, drive_laws, values_at
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.model.check import check_names, check_values
 from linkwright.model.findings import Finding, raise_errors
@@ -92,8 +92,7 @@ def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled 
     findings += structure.findings
     if findings:
         return None, findings
-    start = {name: float(np.asarray(law(np.zeros(1)).d[0]).flat[0]) for name, law in laws.items()}
-    assembly = assemble(quantities, structure, start)
+    assembly = assemble(quantities, structure, values_at(laws, 0.0))
     if assembly.findings:
         return None, list(assembly.findings)
     return Compiled(mechanism, quantities, structure, assembly, laws), []

@@ -37,6 +37,11 @@ def drive_laws(quantities: Quantities, folder: Path | None) -> tuple[dict[str, L
     return laws, reader.findings
 
 
+def values_at(laws: dict[str, Law], time: float) -> dict[str, float]:
+    """Each drive's value (rad or m) at one time (s)."""
+    return {name: float(np.asarray(law(np.array([time])).d[0]).flat[0]) for name, law in laws.items()}
+
+
 class _Reader:
     def __init__(self, quantities: Quantities, folder: Path | None) -> None:
         self.quantities, self.folder = quantities, folder

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.assembly import shortfall_at, shortfall_data
+from linkwright.kernels.laws import values_at
 from linkwright.model import units as u
 from linkwright.model.findings import Finding
 from linkwright.results import Run
@@ -41,7 +42,7 @@ def unassembled(run: Run) -> list[Finding]:
 
 def stuck(run: Run) -> list[Finding]:
     """Where a cluster can't be followed any further: it has met a singular pose of its own."""
-    run.compiled.evaluate(["shaking.x"], np.array([run.stop]))
+    run.compiled.inputs(np.array([run.stop]))  # lays the paths of all clusters
     findings = []
     for follower in run.compiled.followers:
         end = follower.path.end
@@ -53,8 +54,8 @@ def stuck(run: Run) -> list[Finding]:
     return findings
 
 
-def _reach(run: Run, row: str, more: Sequence[float] = ()) -> tuple[Array, Array]:
-    """A group's reach on a grid that holds its turning points and some more times: times and values."""
+def _row(run: Run, row: str, more: Sequence[float] = ()) -> tuple[Array, Array]:
+    """Times and values of a group's reach or span, on a grid that holds its turning points and some more times."""
 
     def rates(t: Array) -> tuple[Array, Array]:
         y = run.compiled.evaluate([row], t, rates=True)
@@ -70,7 +71,7 @@ def _gaps(run: Run, row: str, ends: Sequence[float]) -> list[tuple[float, float,
 
     ``ends`` are those of the gaps of earlier groups, where this one's reach may stop while it is negative.
     """
-    t, reach = _reach(run, row, ends)
+    t, reach = _row(run, row, ends)
     bad = reach < -TOUCH
     edges = np.flatnonzero(np.diff(np.concatenate([[False], bad, [False]]).astype(int)))
     gaps = []
@@ -97,13 +98,13 @@ def drive_value(run: Run, time: float) -> dict[str, Any]:
     name = run.compiled.graph.drives[0]
     dimension = u.ANGLE if run.compiled.mechanism.drives[name].turns else u.LENGTH
     unit, size = run.compiled.quantities.unit_of(dimension)
-    value = float(np.asarray(run.compiled.laws[name](np.array([time])).d[0]).flat[0])
+    value = values_at(run.compiled.laws, time)[name]
     return {"drive": name, "value": f"{value / size:.6g}", "unit": unit}
 
 
 def _cannot_assemble(run: Run, group: Group, start: float, stop: float, worst: float) -> Finding:
     compiled = run.compiled
-    values = {name: float(np.asarray(law(np.array([worst])).d[0]).flat[0]) for name, law in compiled.laws.items()}
+    values = values_at(compiled.laws, worst)
     unknowns = compiled.unknowns(worst)
     distance, limit = shortfall_at(
         compiled.quantities, compiled.structure, compiled.assembly.branches, values, group, unknowns.__getitem__
@@ -121,8 +122,8 @@ def singular(run: Run) -> list[Finding]:
     for group in run.compiled.structure.groups:
         if group.modes < 2:
             continue
-        t, reach = _reach(run, f"reach:{group.label}")
-        s, span = _reach(run, f"span:{group.label}")
+        t, reach = _row(run, f"reach:{group.label}")
+        s, span = _row(run, f"span:{group.label}")
         vague = s[span <= SINGULAR * span.max()]
         touches = _apart(np.union1d(t[np.abs(reach) <= TOUCH], vague), (run.stop - run.start) / run.grid)
         findings += [_singular(run, group.label, time, 0.0) for time in touches]
