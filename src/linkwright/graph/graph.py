@@ -106,6 +106,11 @@ class Graph:
         """Whether a link's angle comes from its axis alone, so that it jumps by a turn now and then."""
         return self._view(0).motion.bodies[link].angle is None
 
+    def wrapped(self, name: str) -> bool:
+        """Whether a signal is an angle that jumps so."""
+        owner, _, attribute = name.partition(".")
+        return attribute == "angle" and owner in self.structure.topology.mechanism.links and self.wraps(owner)
+
     def order_of(self, name: str) -> int:
         """The order of derivatives that a row needs."""
         if ":" in name:

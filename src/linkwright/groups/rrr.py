@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from linkwright.groups.dyad import SLACK, Dyad, Root, length, pin, pointing, register
+from linkwright.groups.dyad import SLACK, Dyad, Root, length, pin, pointing, register, root_of
 from linkwright.groups.joints import InnerPin
 from linkwright.notation import Body, Pair, Scalar
-from linkwright.notation.jets import call
 
 
 @register
@@ -27,7 +26,7 @@ class RRR(Dyad):
         square = base.dot(base)
         along = 0.5 * (r1 - r2 + square) / square
         radicand = r1 / square - along * along
-        aside = branch * call("sqrt", radicand)
+        aside = branch * root_of(radicand, (r1 + r2) / square)
         to_pin = Pair(along * base.x - aside * base.y, along * base.y + aside * base.x)
         back = to_pin.minus(base)
         return Root(pointing(to_pin, arm1), pointing(back, arm2), radicand * square / (r1 + r2))

@@ -85,7 +85,8 @@ def checks(certificate: Certificate, time_text: str) -> list[Check]:
         )
     kept = [rule for rule in c.branches.values() if rule]
     if kept:
-        lines.append(_proof("branches", str(len(kept)), True, branches="; ".join(kept)))
+        text = say(f"proof.branches.{'changed' if c.changes else 'text'}", branches="; ".join(kept))
+        lines.append({"name": say("proof.branches"), "figure": str(len(kept)), "sentence": text, "ok": True})
     return [*lines, _proof("kernel", str(c.poses), True, poses=c.poses, kernel=c.kernel)]
 
 

@@ -55,7 +55,7 @@ class Run:
         """The named signals at times ``t`` (s): (names, times), SI, angles continuous over the run."""
         y = self.compiled.evaluate(names, t)
         for i, name in enumerate(names):
-            if self._wraps(name):
+            if self.compiled.graph.wrapped(name):
                 y[i] = self._continuous(name, t, y[i])
         return y
 
@@ -64,7 +64,7 @@ class Run:
         y = self.compiled.evaluate(names, t, rates=True)
         values, slopes = y[:, 0], y[:, 1]
         for i, name in enumerate(names):
-            if self._wraps(name):
+            if self.compiled.graph.wrapped(name):
                 values[i] = self._continuous(name, t, values[i])
         return values, slopes
 
@@ -104,10 +104,6 @@ class Run:
     def dimension(self, name: str) -> Dimension:
         """The dimension of a signal."""
         return self.compiled.graph.signal(name).dimension
-
-    def _wraps(self, name: str) -> bool:
-        link, _, attribute = name.partition(".")
-        return attribute == "angle" and link in self.compiled.mechanism.links and self.compiled.graph.wraps(link)
 
     def _continuous(self, name: str, t: Array, wrapped: Array) -> Array:
         """Add whole turns so that the angle runs on without jumps from its value at the start of the run."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -14,9 +14,10 @@ from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen, fault
 from linkwright.model.findings import Finding, ModelError
 from linkwright.results import Result, Run, certify
-from linkwright.studies.feasible import singular, unassembled
+from linkwright.studies.feasible import near, singular, unassembled
 from linkwright.studies.measures import MeasureResult, measure_all
 from linkwright.studies.registry import register
+from linkwright.studies.through import carried, warnings
 
 TURNS = re.compile(r"^\s*(\d+(?:\.\d+)?)\s+(\w+)\s*$")
 
@@ -28,6 +29,9 @@ class CycleOptions(Frozen):
     duration: Expression | None = Field(None, description="how long the run lasts")
     turns: str | None = Field(None, description="'2 engine': so many turns of a drive of constant speed")
     samples: int = Field(200, ge=2, le=100_000, description="number of equal steps; rows are samples + 1")
+    through: Literal["keep", "stop"] = Field(
+        "stop", description="at a change point: keep goes on smoothly through it, stop refuses the run"
+    )
 
     @model_validator(mode="after")
     def _one_length(self) -> CycleOptions:
@@ -80,14 +84,21 @@ class Cycle:
         """Follow the motion, prove it, take the measures."""
         stop, _ = span(compiled, options)
         run = Run(compiled, 0.0, stop, options.samples)
+        code = "motion.singular"
+        if options.through == "keep":
+            code = "motion.cannot-carry"
+            run, kept = carried(run)
+            if kept:
+                return CycleOutcome(Result(run, kept))
         if gaps := unassembled(run):
             return CycleOutcome(Result(run, gaps))
-        if passages := singular(run):
-            return CycleOutcome(Result(run, passages))
+        if poses := singular(run, code):
+            return CycleOutcome(Result(run, poses))
         result = Result(run, certificate=certify(run))
         measures, faults = measure_all(run)
         result.failures += faults
-        return CycleOutcome(result, measures, not_periodic(run) if options.period is not None else [])
+        notes = [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
+        return CycleOutcome(result, measures, notes)
 
 
 def span(compiled: Compiled, options: CycleOptions) -> tuple[float, list[Finding]]:

@@ -75,6 +75,8 @@ class Probe:
     def finite(self) -> bool:
         """Whether the expression has a value all over the intervals."""
         times = np.concatenate([np.linspace(a, b, self.share(self.run.grid, a, b) + 1) for a, b in self.intervals])
+        passed = [p.time for p in self.run.compiled.passages.every]  # forces may grow without bound there
+        times = np.append(times, [t for t in passed if any(a <= t <= b for a, b in self.intervals)])
         return bool(np.isfinite(self.values(times)).all())
 
     def share(self, steps: int, a: float, b: float) -> int:

@@ -530,8 +530,31 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "motion.singular": (
         "At t = {time} s ({drive} = {value} {unit}) the motion passes a change point or dead centre of {group} "
-        "(determinant {determinant}); rates and forces have no meaning there.",
-        "Change the lengths, drive another link, or keep the motion away from that pose.",
+        "(determinant {determinant}): the links can go on in two ways there, and rates and forces have no meaning.",
+        "Write through: keep in studies: cycle where the motion is meant to go on smoothly (a parallelogram stays "
+        "one). Else hold the links by a third crank or a drive, change the lengths, or keep the motion away from there.",
+    ),
+    "motion.cannot-carry": (
+        "At t = {time} s ({drive} = {value} {unit}) {group} is in a singular pose through which the motion can't be "
+        "carried: the poses around don't tell its limit.",
+        "Let the drives move smoothly, without a rest or a jump of the acceleration, through that pose; or keep away "
+        "from it by other lengths or another range of the drives.",
+    ),
+    "motion.starts-at-change-point": (
+        "The motion starts at a change point of {group} (t = {time} s, {drive} = {value} {unit}), where its two modes "
+        "are one. The rule '{rules}' is taken for the side on which it goes on.",
+        "Check in the drawing that it is the motion that is meant, or start elsewhere.",
+    ),
+    "motion.unbounded-forces": (
+        "At the change point of {group} at t = {time} s ({drive} = {value} {unit}) forces grow without bound, since "
+        "no link can turn another there: {signals}. They have no value at that instant.",
+        "Take up the load elsewhere: a third crank, a flywheel or gears carry a parallelogram through its change point.",
+    ),
+    "motion.near-change-point": (
+        "At t = {time} s ({drive} = {value} {unit}) {group} passes a change point closely (determinant "
+        "{determinant}): a small error of a length or a play decides there on which side the links go on.",
+        "Make the lengths meet exactly where a parallelogram or the like is meant (and write through: keep), or keep "
+        "farther away.",
     ),
     "motion.not-periodic": (
         "The motion isn't closed: after {period} the point {element} is {distance} {unit} from where it began.",

@@ -39,6 +39,8 @@ TEXTS: dict[str, str] = {
     "proof.nearest.text": "The smallest determinant of a group, 1 at best and 0 at a dead centre or change point: group {group} at t = {time}.",
     "proof.branches": "Assembly modes",
     "proof.branches.text": "Each group with two modes keeps its own over the whole run: {branches}.",
+    "proof.branches.changed": "Each group with two modes keeps its own, but for the change points that it is carried through: {branches}.",
+    "proof.branch.changes": "{rule} at the start, changing sides at t = {times} s",
     "proof.kernel": "Kernel",
     "proof.kernel.text": "{poses} poses by the {kernel} kernel.",
     # Plots.
