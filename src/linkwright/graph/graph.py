@@ -13,7 +13,7 @@ from typing import Any
 
 import casadi as ca
 
-from linkwright.graph.forces import Forces, solve_forces
+from linkwright.graph.forces import Forces, lever, solve_forces, unit_efforts
 from linkwright.graph.geometry import ZERO, Geometry
 from linkwright.graph.motion import Motion, solve_motion
 from linkwright.graph.program import ExpressionStage, Program
@@ -102,14 +102,18 @@ class Graph:
         solved = (view.motion.clusters[c] for c in self.structure.clusters)
         return ca.vertcat(*flow, *(rates[0] for cluster in solved for rates in cluster.rates))
 
-    def wraps(self, link: str) -> bool:
-        """Whether a link's angle comes from its axis alone, so that it jumps by a turn now and then."""
-        return self._view(0).motion.bodies[link].angle is None
+    def wraps(self, owner: str) -> bool:
+        """Whether the angle of a link or drive comes from axes alone, so that it jumps by a turn now and then."""
+        drive, bodies = self.structure.topology.mechanism.drives.get(owner), self._view(0).motion.bodies
+        if drive is None:
+            return bodies[owner].angle is None
+        return drive.output is not None and None in (bodies[drive.link].angle, bodies[drive.on].angle)
 
     def wrapped(self, name: str) -> bool:
         """Whether a signal is an angle that jumps so."""
         owner, _, attribute = name.partition(".")
-        return attribute == "angle" and owner in self.structure.topology.mechanism.links and self.wraps(owner)
+        mechanism = self.structure.topology.mechanism
+        return attribute == "angle" and (owner in mechanism.links or owner in mechanism.drives) and self.wraps(owner)
 
     def order_of(self, name: str) -> int:
         """The order of derivatives that a row needs."""
@@ -169,6 +173,8 @@ class _View:
         return _ROWS[signal.kind](self, signal)
 
     def _internal(self, owner: str, what: str) -> Scalar:
+        if owner == "lever":
+            return lever(self.motion, unit_efforts(self.motion)).determinant()
         if owner == "span":
             span = next(dyad.span() for group, (dyad, _) in self.motion.dyads.items() if group.label == what)
             return 1.0 if span is None else span
@@ -222,8 +228,24 @@ class _View:
         if signal.attribute in ("torque", "force"):
             return self.forces.efforts[name]
         if signal.attribute == "power":
-            return self.forces.efforts[name] * self.laws[name].d[1]
-        return self.laws[name].d[{**_LINK_ORDERS, **_SLIDE_ORDERS}[signal.attribute]]
+            return self.forces.efforts[name] * self.own(name, 1)
+        return self.own(name, {**_LINK_ORDERS, **_SLIDE_ORDERS}[signal.attribute])
+
+    def own(self, name: str, order: int) -> Scalar:
+        """A drive's value or a rate of it; of one with an output, as it follows from the motion."""
+        drive = self.motion.geometry.mechanism.drives[name]
+        if drive.output is None:
+            return self.laws[name].d[order]
+        if drive.slides:
+            joint = self.graph.structure.topology.acting(name)[0].joint
+            travel = self.travel(joint).d[order]
+            return travel if drive.link == self.motion.geometry.mechanism.joints[joint].links[1] else -travel
+        link, on = self.motion.bodies[drive.link], self.motion.bodies[drive.on]
+        if order:
+            return link.turn.d[order - 1] - on.turn.d[order - 1]
+        if link.angle is not None and on.angle is not None:
+            return link.angle - on.angle
+        return ca.atan2(on.axis.now.cross(link.axis.now), on.axis.now.dot(link.axis.now))
 
     def force(self, signal: Signal) -> Scalar:
         contact = self.graph.quantities.signals.contact(signal.owners)

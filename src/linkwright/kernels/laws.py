@@ -51,7 +51,8 @@ class _Reader:
     def law(self, name: str) -> Law | None:
         """A drive's law, tried at t = 0."""
         drive = self.quantities.mechanism.drives[name]
-        dimension, rate = (u.ANGLE, u.OMEGA) if drive.turns else (u.LENGTH, u.SPEED)
+        turning = self.quantities.mechanism.prescribed(name).turns
+        dimension, rate = (u.ANGLE, u.OMEGA) if turning else (u.LENGTH, u.SPEED)
         if drive.position is None:
             assert drive.start is not None
             assert drive.speed is not None

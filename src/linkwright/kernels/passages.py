@@ -2,7 +2,7 @@
 
 At a change point the closed forms lose their digits (positions by eps/s, each rate by another 1/s, with s the
 square root of the group's reach). In a band around it values are taken from poses on both sides of the band, which
-are exact, by polynomial interpolation in time (barycentric formula: Berrut and Trefethen, SIAM Review 46, 2004, 501-517).
+are exact, by polynomial interpolation in time (barycentric formula: Berrut and Trefethen, SIAM Review 46, 2004).
 What grows without bound is multiplied by the power of the time from the change point that makes it finite, and
 divided again.
 """

@@ -85,9 +85,11 @@ class Builder:
         speed: Any = None,
         start: Any = None,
         position: Any = None,
+        output: str | None = None,
     ) -> Self:
-        """A prescribed motion of the link that it ``turns`` or ``slides``, against the link ``on``."""
-        law = _given(turns=turns, slides=slides, on=on, speed=speed, start=start, position=position)
+        """A prescribed motion of the link that it ``turns`` or ``slides``, against the link ``on``; with ``output``,
+        the law is that of a prismatic joint, or of a link on the frame, which the drive is to move."""
+        law = _given(turns=turns, slides=slides, on=on, speed=speed, start=start, position=position, output=output)
         return self._put("drives", name, law)
 
     def table(

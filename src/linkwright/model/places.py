@@ -106,7 +106,7 @@ def _links(m: Mechanism) -> Iterator[Place]:
 def _actions(m: Mechanism) -> Iterator[Place]:
     for name, drive in m.drives.items():
         at: Path = ("drives", name)
-        span, rate = (u.ANGLE, u.OMEGA) if drive.turns else (u.LENGTH, u.SPEED)
+        span, rate = (u.ANGLE, u.OMEGA) if m.prescribed(name).turns else (u.LENGTH, u.SPEED)
         if drive.speed is not None:
             yield Place((*at, "speed"), drive.speed, rate)
         if drive.start is not None:

@@ -35,9 +35,9 @@ class Run:
         """Steps for searches: the samples, and more where a drive turns far or moves and rests between them."""
         t = np.linspace(self.start, self.stop, LOOK + 1)
         steps = [self.steps]
-        for name, drive in self.compiled.mechanism.drives.items():
+        for name in self.compiled.mechanism.drives:
             rate = np.abs(np.broadcast_to(self.compiled.laws[name](t).d[1], t.shape))
-            if drive.turns:
+            if self.compiled.mechanism.prescribed(name).turns:
                 steps.append(min(int(float(np.mean(rate)) * (self.stop - self.start) / MAX_TURN) + 1, MAX_GRID))
             # The shortest move or rest is to be seen at some ten points.
             changes = np.flatnonzero(np.diff((rate > 1e-9 * rate.max()).astype(int)))

@@ -16,6 +16,7 @@ from linkwright.model.findings import Finding, ModelError
 from linkwright.results import Result, Run, certify
 from linkwright.studies.feasible import near, singular, unassembled
 from linkwright.studies.measures import MeasureResult, measure_all
+from linkwright.studies.outputs import powerless
 from linkwright.studies.registry import register
 from linkwright.studies.through import carried, warnings
 
@@ -94,6 +95,8 @@ class Cycle:
             return CycleOutcome(Result(run, gaps))
         if poses := singular(run, code):
             return CycleOutcome(Result(run, poses))
+        if dead := powerless(run):
+            return CycleOutcome(Result(run, dead))
         result = Result(run, certificate=certify(run))
         measures, faults = measure_all(run)
         result.failures += faults
@@ -131,7 +134,7 @@ def _turns(compiled: Compiled, text: str) -> tuple[float, list[Finding]]:
     drive = compiled.mechanism.drives.get(match[2]) if match else None
     if match is None or drive is None:
         return wrong(f"'{text}' isn't a number and a drive, such as '2 {compiled.graph.drives[0]}'")
-    if drive.speed is None or not drive.turns:
+    if drive.speed is None or drive.output is not None or not drive.turns:
         return wrong(f"{match[2]} doesn't turn at constant speed; give duration instead")
     speed = compiled.quantities.value(drive.speed, u.OMEGA)
     if speed == 0 or float(match[1]) == 0:

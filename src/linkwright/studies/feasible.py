@@ -96,12 +96,16 @@ def _edge(run: Run, row: str, bad: float, good: float) -> float:
 
 
 def drive_value(run: Run, time: float) -> dict[str, Any]:
-    """The first drive's value at a time, in the model's unit: drive, value, unit."""
-    name = run.compiled.graph.drives[0]
-    dimension = u.ANGLE if run.compiled.mechanism.drives[name].turns else u.LENGTH
-    unit, size = run.compiled.quantities.unit_of(dimension)
+    """What the first drive prescribes at a time, in the model's unit: drive, value, unit.
+
+    One with an output goes first, and the output stands for it.
+    """
+    drives = run.compiled.mechanism.drives
+    name = next((name for name, drive in drives.items() if drive.output), run.compiled.graph.drives[0])
+    moved = run.compiled.mechanism.prescribed(name)
+    unit, size = run.compiled.quantities.unit_of(u.ANGLE if moved.turns else u.LENGTH)
     value = values_at(run.compiled.laws, time)[name]
-    return {"drive": name, "value": f"{value / size:.6g}", "unit": unit}
+    return {"drive": moved.output or name, "value": f"{value / size:.6g}", "unit": unit}
 
 
 def _cannot_assemble(run: Run, group: Group, start: float, stop: float, worst: float) -> Finding:
@@ -115,6 +119,9 @@ def _cannot_assemble(run: Run, group: Group, start: float, stop: float, worst: f
     ends = [drive_value(run, time) for time in (start, stop)]
     data |= {"length_unit": data["unit"], "drive": ends[0]["drive"], "unit": ends[0]["unit"]}
     data |= {"from": ends[0]["value"], "to": ends[1]["value"], "start": start, "stop": stop}
+    if any(drive.output for drive in compiled.mechanism.drives.values()):
+        data |= {"worst": drive_value(run, worst)["value"], "time": f"{start:.6g}", "until": f"{stop:.6g}"}
+        return Finding("motion.out-of-reach", ("links", group.links[0]), data)
     return Finding("motion.cannot-assemble", ("links", group.links[0]), data)
 
 

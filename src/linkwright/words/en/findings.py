@@ -305,6 +305,14 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "{a} and {b} are driven against each other by {other} already.",
         "Keep one of the two drives.",
     ),
+    "drive.output": (
+        "'{name}' is no output that a drive can move: neither a prismatic joint nor a link of this model.",
+        "Name a prismatic joint, or a link that is hinged on the frame. Known: {near}.",
+    ),
+    "drive.output-own": (
+        "{link} and {on} are the drive's own links; '{name}' is no output of it.",
+        "Leave output out: the law then holds for the drive itself.",
+    ),
     "drive.signal": (
         "The law of a drive can't follow '{name}', which results from the motion.",
         "Write the law in t, parameters and tables.",
@@ -460,6 +468,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "{link} and {on} are held already, by their joints or other drives; this drive would fight them.",
         "Take the drive out, or a joint.",
     ),
+    "structure.output-apart": (
+        "The motion of {output} doesn't reach {link} and {on}, so a drive between them can't move it.",
+        "Let the drive act on links that are joined to the output, or name another output.",
+    ),
     "structure.loose": (
         "These links aren't held: {links} (free motions: {freedom}).",
         "Join them to links that are held, check the spelling of shared points, or add a drive. {hint}",
@@ -527,6 +539,17 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "{links} can't be put together between {drive} = {from} and {to} {unit}: {joints} come {distance} {length_unit} "
         "apart, {by} {length_unit} {way} than the links can span ({limit} {length_unit}).",
         "Make the links {direction}, by {by} {length_unit} at least; or keep {drive} out of that range.",
+    ),
+    "motion.out-of-reach": (
+        "{drive} can't follow its law from t = {time} to {until} s: it goes to {worst} {unit} there, but the links bring "
+        "it no farther than {from} {unit} (and {to} {unit} at the end of that time). {joints} would come {distance} "
+        "{length_unit} apart, {by} {length_unit} {way} than {links} can span ({limit} {length_unit}).",
+        "Keep the law of {drive} within that; or make the links {direction}, by {by} {length_unit} at least.",
+    ),
+    "motion.dead-centre": (
+        "At t = {time} s ({drive} = {value} {unit}) {motors} stands at a dead centre against {drive}: it doesn't move "
+        "while {drive} does, so that no effort of it moves or holds {drive} there.",
+        "Keep the law of {drive} on one side of {value} {unit}, or let the drive act at another joint.",
     ),
     "motion.singular": (
         "At t = {time} s ({drive} = {value} {unit}) the motion passes a change point or dead centre of {group} "
