@@ -173,7 +173,11 @@ class _View:
         return _ROWS[signal.kind](self, signal)
 
     def _internal(self, owner: str, what: str) -> Scalar:
-        if owner == "lever":
+        if owner in self.motion.bodies and what in ("x", "y", "cos", "sin"):
+            body = self.motion.bodies[owner]
+            start = body.point(ZERO).now
+            return {"cos": body.axis.x.d[0], "sin": body.axis.y.d[0], "x": start.x, "y": start.y}[what]
+        if owner == "drives over outputs":
             return lever(self.motion, unit_efforts(self.motion)).determinant()
         if owner == "span":
             span = next(dyad.span() for group, (dyad, _) in self.motion.dyads.items() if group.label == what)
@@ -185,11 +189,7 @@ class _View:
             solved = next(s for group, (_, s) in self.motion.dyads.items() if group.label == what)
             return solved.reach if owner == "reach" else solved.determinant
         kind, _, label = owner.partition(":")
-        if kind in ("gap", "slope", "rate"):
-            return self._of_cluster(kind, label, int(what))
-        body = self.motion.bodies[owner]
-        start = body.point(ZERO).now
-        return {"cos": body.axis.x.d[0], "sin": body.axis.y.d[0], "x": start.x, "y": start.y}[what]
+        return self._of_cluster(kind, label, int(what))
 
     def _of_cluster(self, what: str, label: str, index: int) -> Scalar:
         """Rows of a cluster: what closure i misses, d(closure)/d(coordinate) row by row, coordinate i's rate."""

@@ -21,7 +21,7 @@ def powerless(run: Run) -> list[Finding]:
     outputs = [name for name, drive in run.compiled.mechanism.drives.items() if drive.output]
     if not outputs:
         return []
-    row = [f"lever:{outputs[0]}"]
+    row = ["drives over outputs:"]
 
     def rates(t: Array) -> tuple[Array, Array]:
         y = run.compiled.evaluate(row, t, rates=True)
