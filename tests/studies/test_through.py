@@ -202,6 +202,11 @@ def test_the_pull_of_the_coupler_by_moments() -> None:
     fx = (0.04 * np.cos(angle) * fy - 0.3 * g * 0.02 * np.cos(angle)) / (0.04 * np.sin(angle))
     assert at(run, "force(coupler, rocker).y", t) == pytest.approx(fy, rel=1e-9)
     assert at(run, "force(coupler, rocker).x", t) == pytest.approx(fx, rel=1e-8)
+    step = 1e-30j  # complex step: the rate of the same formula
+    z = math.radians(30) + TURN * (t + step)
+    force = -0.5 * (g - 0.04 * TURN**2 * np.sin(z)) / 2
+    rate = (np.cos(z) * (0.04 * force - 0.3 * g * 0.02) / (0.04 * np.sin(z))).imag / step.imag
+    assert run.rates(["force(coupler, rocker).x"], t)[1][0] == pytest.approx(rate, rel=1e-7)
 
 
 # Near and not met.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import copy
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
@@ -37,18 +38,17 @@ class Compiled:
     laws: dict[str, Law]
     kernel: str = "numpy"
     passages: Passages = field(default_factory=Passages)
-    graph: Graph = field(default=None)  # type: ignore[assignment]
     _kernels: dict[tuple[tuple[str, ...], bool], Kernel] = field(default_factory=dict)
     _nodes: dict[tuple[Passage, tuple[str, ...], bool], tuple[list[int], Array]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.graph = self.graph or Graph(self.quantities, self.structure)
+        self.graph = Graph(self.quantities, self.structure)
         self.parameters = np.array([self.quantities.parameters[name] for name in self.graph.parameters])
-        size = self.assembly.size()
-        self.followers = [
-            Follower(self.graph, cluster, self.assembly.starts[cluster], size, self.kernel)
-            for cluster in self.structure.clusters
-        ]
+        self.followers = self._followers()
+
+    def _followers(self) -> list[Follower]:
+        starts, size = self.assembly.starts, self.assembly.size()
+        return [Follower(self.graph, c, starts[c], size, self.kernel) for c in self.structure.clusters]
 
     def inputs(self, t: Array, clusters: int | None = None) -> Array:
         """The per-pose inputs at times ``t`` (s): (inputs, poses), in SI; only the first ``clusters`` in place."""
@@ -125,7 +125,9 @@ class Compiled:
 
     def carried(self, passages: Passages) -> Compiled:
         """The same mechanism with its branches carried through change points."""
-        return replace(self, passages=passages, _nodes={})
+        other = copy(self)
+        other.passages, other._nodes, other.followers = passages, {}, self._followers()
+        return other
 
 
 def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled | None, list[Finding]]:

@@ -28,6 +28,8 @@ class Run:
 
     def __init__(self, compiled: Compiled, start: float, stop: float, steps: int) -> None:
         self.compiled, self.start, self.stop, self.steps = compiled, start, stop, steps
+        self.looked: dict[str, tuple[Array, Array]] = {}
+        """Rows that were looked at closely: times with all turning points, and values."""
         self._angles: dict[str, tuple[Array, Array]] = {}
 
     @cached_property

@@ -63,8 +63,14 @@ def _row(run: Run, row: str, more: Sequence[float] = ()) -> tuple[Array, Array]:
         y = run.compiled.evaluate([row], t, rates=True)
         return y[:, 0], y[:, 1]
 
-    turning = stationary(rates, run.start, run.stop, run.grid)[0]
-    t = np.union1d(np.linspace(run.start, run.stop, max(run.grid, 200) + 1), [*turning, *more])
+    if row not in run.looked:
+        turning = stationary(rates, run.start, run.stop, run.grid)[0]
+        t = np.union1d(np.linspace(run.start, run.stop, max(run.grid, 200) + 1), turning)
+        run.looked[row] = t, run.compiled.evaluate([row], t)[0]
+    t, values = run.looked[row]
+    if not more:
+        return t, values
+    t = np.union1d(t, more)
     return t, run.compiled.evaluate([row], t)[0]
 
 
