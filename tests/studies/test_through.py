@@ -278,6 +278,33 @@ def test_a_lever_whose_block_meets_its_pivot_is_refused() -> None:
     assert set(codes(cycle_of(data).failures)) == {"motion.cannot-carry"}
 
 
+def test_a_rhombus_folds_upon_itself() -> None:
+    """At 0 deg the crank pin meets the rocker's pivot: coupler and rocker may turn about it as they like."""
+    data = parallelogram("90 deg", 40, 40, 1)
+    outcome = cycle_of(data)
+    (failure,) = outcome.failures
+    assert failure.code == "motion.cannot-carry"
+    assert float(failure.data["value"]) == pytest.approx(360)
+
+
+@pytest.mark.parametrize("lengths", [(40, 80, 60, 100), (40, 120, 60, 100), (37.3, 111.9, 81.1, 155.7)])
+def test_four_bars_with_one_change_point(lengths: tuple[float, ...]) -> None:
+    """a + d = b + c, or d - a = c - b reversed: one change of sides a turn, so that only two turns close."""
+    drives = {"motor": {**CRANK, "start": "77 deg"}}
+    studies = {"cycle": {"turns": "2 motor", "samples": 72, "through": "keep"}}
+    outcome = cycle_of(four_bar(*lengths, drives=drives, studies=studies))
+    assert not outcome.failures
+    run = outcome.result.run
+    t = fine(run)
+    x, y = at(run, "B.x", t) - lengths[3] / 1e3, at(run, "B.y", t)
+    ax, ay = at(run, "A.x", t), at(run, "A.y", t)
+    assert np.hypot(x, y) == pytest.approx(lengths[2] / 1e3, rel=1e-12)
+    assert np.hypot(at(run, "B.x", t) - ax, y - ay) == pytest.approx(lengths[1] / 1e3, rel=1e-12)
+    start, half, end = outcome.result["B.y"][[0, 36, 72]]
+    assert end == pytest.approx(start, abs=1e-12)
+    assert abs(half - start) > 1e-3
+
+
 # The certificate and the way the branch is carried.
 
 

@@ -83,6 +83,8 @@ def checks(certificate: Certificate, time_text: str) -> list[Check]:
         lines.append(
             _proof("nearest", f"{near.determinant:.4g}", near.determinant > FAR, group=near.group, time=time_text)
         )
+        if c.changes:
+            lines[-1]["sentence"] += " " + say("proof.nearest.apart")
     kept = [rule for rule in c.branches.values() if rule]
     if kept:
         text = say(f"proof.branches.{'changed' if c.changes else 'text'}", branches="; ".join(kept))

@@ -197,11 +197,10 @@ def jacobian(r: Reports, pose: int) -> Array:
 def nearest(run: Run) -> Nearest | None:
     """The smallest normalised determinant of a group over the run, root-found between the samples.
 
-    Groups that are carried through a change point are left out: theirs is zero there.
+    The bands about change points through which a group is carried are left out: its determinant is zero there.
     """
     structure = run.compiled.structure
     groups = [*(group.label for group in structure.groups), *(cluster.label for cluster in structure.clusters)]
-    groups = [group for group in groups if not run.compiled.passages.of(group)]
     names = [f"determinant:{group}" for group in groups]
 
     def rates(t: Array) -> tuple[Array, Array]:
@@ -214,6 +213,11 @@ def nearest(run: Run) -> Nearest | None:
     turning = stationary(rates, run.start, run.stop, run.grid) if groups else []
     for i, group in enumerate(groups):
         times = np.concatenate([turning[i], [run.start, run.stop]])
+        times = times[
+            ~np.any([np.zeros(times.size, bool), *(p.inside(times) for p in run.compiled.passages.of(group))], 0)
+        ]
+        if not times.size:
+            continue
         values = np.abs(run.compiled.evaluate([names[i]], times)[0])
         found.append(Nearest(group, float(values.min()), float(times[values.argmin()])))
     return min(found, key=lambda near: near.determinant, default=None)

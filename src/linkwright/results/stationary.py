@@ -75,7 +75,7 @@ def _roots(f: Callable[[Array], Array], brackets: list[Array]) -> list[Array]:
 
     ends = np.concatenate(brackets)
 
-    def chosen(t: Array, row: Array) -> Array:
+    def chosen(t: Array, row: NDArray[np.intp]) -> Array:
         found = f(t.ravel())[row.ravel(), np.arange(t.size)].reshape(t.shape)
         return np.asarray(np.nan_to_num(found, posinf=HUGE, neginf=-HUGE))
 
@@ -85,4 +85,7 @@ def _roots(f: Callable[[Array], Array], brackets: list[Array]) -> list[Array]:
         args=(rows,),
         tolerances={"xatol": 0.0, "xrtol": 4e-16, "fatol": 0.0, "frtol": 0.0},
     )
-    return [np.sort(result.x[rows == row]) for row in range(len(brackets))]
+    # An end whose sign is round-off may have the other one when it is looked at again: then it is the root.
+    heights = np.abs([chosen(end, rows) for end in ends.T])
+    x = np.where(np.isnan(result.x), np.where(heights[0] < heights[1], ends[:, 0], ends[:, 1]), result.x)
+    return [np.sort(x[rows == row]) for row in range(len(brackets))]

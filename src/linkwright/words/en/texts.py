@@ -37,6 +37,7 @@ TEXTS: dict[str, str] = {
     "proof.mobility.text": "The joints' constraints have rank {rank}; Gruebler's count gives {gruebler}.",
     "proof.nearest": "Distance from a singular pose",
     "proof.nearest.text": "The smallest determinant of a group, 1 at best and 0 at a dead centre or change point: group {group} at t = {time}.",
+    "proof.nearest.apart": "Away from the change points that the motion is carried through.",
     "proof.branches": "Assembly modes",
     "proof.branches.text": "Each group with two modes keeps its own over the whole run: {branches}.",
     "proof.branches.changed": "Each group with two modes keeps its own, but for the change points that it is carried through: {branches}.",
