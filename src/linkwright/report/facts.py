@@ -54,7 +54,8 @@ def _order(compiled: Compiled) -> list[str]:
     lines = []
     for step in compiled.structure.steps:
         if isinstance(step, Driven):
-            lines.append(say("fact.order.driven", link=step.link, drive=step.drive, base=step.base))
+            key = "output" if compiled.mechanism.drives[step.drive].output else "driven"
+            lines.append(say(f"fact.order.{key}", link=step.link, drive=step.drive, base=step.base))
             continue
         links = ", ".join(step.links)
         mode = compiled.assembly.rules.get(step, "") if isinstance(step, Group) else ""

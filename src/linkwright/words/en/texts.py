@@ -14,6 +14,7 @@ TEXTS: dict[str, str] = {
     "fact.mobility.text": "{mobility} by Gruebler's count (moving links: {moving}, joints: {joints}, drives: {drives}, independent loops: {loops})",
     "fact.order": "Order of solution",
     "fact.order.driven": "{link} driven by {drive} on {base}",
+    "fact.order.output": "{link} on {base} as the output of {drive}",
     "fact.order.group": "{links} as the group {signature}",
     "fact.order.mode": "{links} as the group {signature}, assembly mode {mode}",
     "fact.mass": "Mass",
