@@ -47,6 +47,7 @@ TITLES = {
     "model": "The model as a whole",
     "mass": "Masses",
     "joint": "Joints",
+    "cylinder": "Cylinders",
     "drive": "Drives",
     "load": "Loads",
     "table": "Tables",

@@ -19,6 +19,7 @@ from linkwright.model.check import check_names, check_values
 from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.quantities import Quantities
+from linkwright.model.spelled import spell_out
 from linkwright.notation import MAX_ORDER
 from linkwright.structure import Cluster, Structure, Topology, decompose
 
@@ -82,12 +83,20 @@ def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled 
 
     The result is ``None`` where an error stops it.
     """
-    names, quantities = check_names(mechanism), Quantities(mechanism)
+    spelled = spell_out(mechanism)
+    compiled, findings = _examine(spelled.mechanism, list(spelled.findings), folder)
+    return compiled, spelled.home(findings)
+
+
+def _examine(mechanism: Mechanism, faults: list[Finding], folder: Path | None) -> tuple[Compiled | None, list[Finding]]:
+    missing = "model.no-drive" if faults else ""  # a drive with a fault is one
+    names = [*faults, *(f for f in check_names(mechanism) if f.code != missing)]
+    quantities = Quantities(mechanism)
     findings = [*names, *(f for f in quantities.findings if not _said(f, names))]
     laws: dict[str, Law] = {}
     if not quantities.findings:
-        laws, faults = drive_laws(quantities, folder)
-        findings += [*check_values(quantities), *faults]
+        laws, wrong = drive_laws(quantities, folder)
+        findings += [*check_values(quantities), *wrong]
     structure = decompose(mechanism) if not names else Structure(Topology(mechanism), ())
     findings += structure.findings
     if findings:

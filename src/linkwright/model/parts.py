@@ -8,6 +8,7 @@ from typing import Annotated, Any
 from pydantic import (
     AfterValidator,
     BeforeValidator,
+    ConfigDict,
     Discriminator,
     Field,
     GetJsonSchemaHandler,
@@ -138,12 +139,38 @@ class Joint(Frozen):
         return pair
 
 
+class CylinderPart(Frozen):
+    """The mass of a cylinder's barrel or rod."""
+
+    mass: Expression = Field(description="mass")
+    com: Expression = Field(description="distance of the centre of mass from the part's own pin, towards the other")
+    inertia: Expression | None = Field(
+        None, description="moment of inertia about the centre of mass; that of a slender uniform rod where left out"
+    )
+
+
+class Cylinder(Frozen):
+    """A cylinder or linear actuator between two points: barrel, rod and their slide, whose value is the distance."""
+
+    from_: Name = Field(alias="from", description="the point at which the barrel is pinned")
+    to: Name = Field(description="the point at which the rod is pinned")
+    length: Interval | None = Field(
+        None, description="[shortest, longest] distance of the two pins; a run beyond is a finding"
+    )
+    barrel: CylinderPart | None = Field(None, description="mass of the barrel; massless where left out")
+    rod: CylinderPart | None = Field(None, description="mass of the rod; massless where left out")
+
+
 class Drive(Frozen):
-    """A prescribed relative motion of two joined links: of ``turns``/``slides`` against ``on``."""
+    """A prescribed relative motion of two joined links: of ``turns``/``slides`` against ``on``, or of a slide."""
+
+    # Said for editors here, by `faults` to the reader: either on which link, or what is extended.
+    model_config = ConfigDict(json_schema_extra={"anyOf": [{"required": ["on"]}, {"required": ["extends"]}]})
 
     turns: Name | None = Field(None, description="the link that is turned, about the pin that it shares with on")
     slides: Name | None = Field(None, description="the link that is moved along the line that it shares with on")
-    on: Name = Field(description="the link against which the motion is measured, e.g. frame")
+    extends: Name | None = Field(None, description="the cylinder or prismatic joint whose value the drive prescribes")
+    on: Name = Field("", description="the link against which the motion is measured, e.g. frame")
     speed: Expression | None = Field(None, description="constant speed, e.g. 60 rpm; with start")
     start: Expression | None = Field(None, description="value at t = 0; with speed")
     position: Expression | None = Field(
@@ -152,8 +179,11 @@ class Drive(Frozen):
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
-        if ("turns" in given) == ("slides" in given):
+        kinds = [key for key in ("turns", "slides", "extends") if key in given]
+        if len(kinds) != 1:
             yield "drive.kind", {}
+        elif ("on" in given) == ("extends" in given):
+            yield "drive.on", {}
         if ("speed" in given) == ("position" in given):
             yield "drive.law", {}
         elif ("speed" in given) != ("start" in given):

@@ -98,6 +98,8 @@ def _links(m: Mechanism) -> Iterator[Place]:
     for name, joint in m.joints.items():
         for i, line in enumerate(joint.line or ()):
             yield Place(("joints", name, "line", i), line.angle, u.ANGLE)
+    for name, cylinder in m.cylinders.items():
+        yield from (Place(("cylinders", name, "length"), edge, u.LENGTH) for edge in cylinder.length or ())
     for name, rule in m.assembly.items():
         if rule.sketch:
             yield from _position(("assembly", name), rule.sketch)

@@ -68,6 +68,9 @@ def _intervals(q: Quantities) -> Iterator[Finding]:
         else:
             for signal, edges in window.items():
                 yield from _rising(q, ("windows", name, signal), edges, resolve(crossed(name)))
+    for name, cylinder in m.cylinders.items():
+        if cylinder.length:
+            yield from _rising(q, ("cylinders", name, "length"), cylinder.length, u.LENGTH)
     for name, measure in m.measures.items():
         dimension = resolve(measured(name))
         if measure.wrap:

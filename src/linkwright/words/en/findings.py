@@ -291,7 +291,20 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "drive.kind": (
         "It isn't clear what is driven.",
-        "Give either turns or slides, with the name of a link.",
+        "Give one of turns and slides with the name of a link, or extends with that of a cylinder or slide.",
+    ),
+    "drive.on": (
+        "A drive that turns or slides a link says on which other one; one that extends a slide doesn't.",
+        "Give on with turns and slides (often on: frame), and leave it out with extends.",
+    ),
+    "cylinder.same-point": (
+        "Both ends of the cylinder are at {point}.",
+        "Name two different points, such as one on the frame and one on the link that it moves.",
+    ),
+    "motion.cylinder-length": (
+        "The cylinder {name} would have to be {by} {length_unit} {end} than it can be: {length} {length_unit} "
+        "between its pins at {time} s ({drive} {value} {unit}), where {limit} {length_unit} is the limit.",
+        "Limit the drive, move one of the cylinder's points, or take a cylinder of another stroke.",
     ),
     "drive.law": (
         "It isn't clear how the drive moves.",
@@ -574,6 +587,9 @@ _TERMS: dict[str, str] = {
     "a-point": "a point",
     "a-joint": "a joint",
     "a-slide": "a prismatic joint",
+    "a-cylinder": "a cylinder",
+    "shorter": "shorter",
+    "longer": "longer",
     "a-drive": "a drive",
     "a-parameter": "a parameter",
     "a-function": "a function",
