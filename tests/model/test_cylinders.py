@@ -141,7 +141,11 @@ def test_spelling_out_leaves_nothing_to_spell_out() -> None:
         (("length: [900, 1500]", "length: [1500, 900]"), "value.not-rising", "cylinders.lift.length"),
         (("barrel: {mass: 40, com: 300}", "barrel: {mass: -40, com: 300}"), "value.too-small", "cylinders.lift.barrel"),
         (("barrel: {mass: 40, com: 300}", "barrel: {mass: 40}"), "file.missing", "cylinders.lift.barrel"),
-        (("barrel: {mass: 40, com: 300}", "barrel: {mass: 40, com: 2 s}"), "expression.units-conflict", "cylinders.lift.barrel"),
+        (
+            ("barrel: {mass: 40, com: 300}", "barrel: {mass: 40, com: 2 s}"),
+            "expression.units-conflict",
+            "cylinders.lift.barrel",
+        ),
         (("  bucket: ", "  lift_rod: "), "name.taken", "cylinders.lift"),
     ],
 )

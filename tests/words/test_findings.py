@@ -48,6 +48,7 @@ TITLES = {
     "mass": "Masses",
     "joint": "Joints",
     "cylinder": "Cylinders",
+    "sketch": "The sketch",
     "drive": "Drives",
     "load": "Loads",
     "table": "Tables",

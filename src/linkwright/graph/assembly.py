@@ -105,7 +105,7 @@ class _Assembler:
             if len(signs) == 1:
                 branch = signs.pop()
                 name = found[0][0]
-                self.assembly.rules[group] = f"{name}: {self.rules[name].raw}"
+                self.assembly.rules[group] = f"{name}: {self.rules[name].text}"
             elif len(signs) > 1:
                 self.note("assembly.contradiction", ("assembly", found[0][0]), rules=", ".join(n for n, _ in found))
             elif not found and group.inner.joint in self.quantities.mechanism.cylinders:

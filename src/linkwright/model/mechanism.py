@@ -8,7 +8,18 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BeforeValidator, Field
 
 from linkwright.model.actions import REDUCTIONS, Load, Measure, Table, Window
-from linkwright.model.fields import AssemblyRule, Frozen, FrozenDict, LongText, Name, Requirement, Text, fault, frozen
+from linkwright.model.fields import (
+    AssemblyRule,
+    Frozen,
+    FrozenDict,
+    LongText,
+    Name,
+    Position,
+    Requirement,
+    Text,
+    fault,
+    frozen,
+)
 from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter, Units, Vector, freeze
 from linkwright.model.written import unexpected
 
@@ -62,6 +73,10 @@ class Mechanism(Frozen):
     )
     parameters: Annotated[dict[Name, Parameter], _bound, freeze] = Field(
         default_factory=FrozenDict, description="named values"
+    )
+    sketch: Annotated[dict[Name, Position], _bound, freeze] = Field(
+        default_factory=FrozenDict,
+        description="places of points in the frame at the start of the motion; links list them by name",
     )
     links: Annotated[dict[Name, Link], _at_most(MAX_LINKS), freeze] = Field(
         description="the rigid links; the one that doesn't move is called frame"

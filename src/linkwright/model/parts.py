@@ -13,6 +13,7 @@ from pydantic import (
     Field,
     GetJsonSchemaHandler,
     ModelWrapValidatorHandler,
+    PlainSerializer,
     Tag,
     model_validator,
 )
@@ -30,7 +31,7 @@ from linkwright.model.fields import (
     Text,
     pair,
 )
-from linkwright.model.written import Fault
+from linkwright.model.written import Fault, unexpected
 
 freeze = AfterValidator(FrozenDict)
 
@@ -88,12 +89,43 @@ class Parameter(Frozen):
         return {"description": cls.__doc__, "anyOf": [short, whole]}
 
 
+def _named(raw: Any) -> Any:
+    """A list of names stands for points whose places are those of the sketch."""
+    if not isinstance(raw, list | tuple) or not raw:
+        return raw
+    if bad := next((name for name in raw if not isinstance(name, str)), None):
+        raise unexpected("name", bad)
+    return dict.fromkeys(raw, "sketch")
+
+
+def _points_as_written(points: Mapping[str, Position]) -> Any:
+    by_name = points and all(place.sketched for place in points.values())
+    return [*points] if by_name else {name: place.raw for name, place in points.items()}
+
+
+class _ByName:
+    """The schema of points: also a list of names."""
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        return {"anyOf": [handler(schema), {"type": "array", "items": {"type": "string"}}]}
+
+
+Points = Annotated[
+    dict[Name, Position],
+    BeforeValidator(_named),
+    freeze,
+    PlainSerializer(_points_as_written),
+    _ByName,
+]
+
+
 class Link(Frozen):
     """A rigid link: its points in its own frame, and its mass if it has one."""
 
-    points: Annotated[dict[Name, Position], freeze] = Field(
-        description="named points, [x, y] or 'r at angle' in the link's frame; "
-        "a name that several links share is a pin between them"
+    points: Points = Field(
+        description="named points, [x, y] or 'r at angle' in the link's frame, or a list of the names of sketched "
+        "points; a name that several links share is a pin between them"
     )
     mass: Expression | None = Field(None, description="mass; with com and inertia, or with shape")
     com: Position | None = Field(None, description="centre of mass in the link's frame")

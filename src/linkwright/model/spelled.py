@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from linkwright.model.cylinders import cylinder_faults, cylinder_home, with_cylinders
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Mechanism
+from linkwright.model.sketch import sketch_faults, sketch_home, with_sketch
 
 
 @dataclass(frozen=True)
@@ -20,9 +21,11 @@ class Spelled:
 
     def home(self, findings: Iterable[Finding]) -> list[Finding]:
         """Findings with their places as the file has them."""
-        return [replace(f, path=cylinder_home(self.written, f.path) or f.path) for f in findings]
+        m = self.written
+        return [replace(f, path=cylinder_home(m, f.path) or sketch_home(m, f.path) or f.path) for f in findings]
 
 
 def spell_out(written: Mechanism) -> Spelled:
     """The mechanism that the solver sees, as far as the short forms are sound."""
-    return Spelled(written, with_cylinders(written), tuple(cylinder_faults(written)))
+    findings = (*sketch_faults(written), *cylinder_faults(written))
+    return Spelled(written, with_cylinders(with_sketch(written)), findings)

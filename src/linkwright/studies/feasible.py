@@ -148,7 +148,11 @@ def strokes(run: Run) -> list[Finding]:
             (int(np.argmax(length)), length.max() - high, high),
         ):
             if over > 1e-9 * high:
-                data: dict[str, Any] = {"name": name, "length": f"{length[at] / size:.6g}", "limit": f"{limit / size:.6g}"}
+                data: dict[str, Any] = {
+                    "name": name,
+                    "length": f"{length[at] / size:.6g}",
+                    "limit": f"{limit / size:.6g}",
+                }
                 data |= {"by": f"{over / size:.4g}", "length_unit": unit, "time": f"{t[at]:.6g}"}
                 data["end"] = Term("shorter" if limit == low else "longer")
                 path = ("cylinders", name, "length")

@@ -297,6 +297,19 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "A drive that turns or slides a link says on which other one; one that extends a slide doesn't.",
         "Give on with turns and slides (often on: frame), and leave it out with extends.",
     ),
+    "sketch.missing-point": (
+        "The link {link} takes the place of {name} from the sketch, which doesn't have it (near: {near}).",
+        "Give the point's place under sketch, or its coordinates in the link's own axes.",
+    ),
+    "sketch.unused": (
+        "No link takes the sketched point {name}.",
+        "List it among the points of a link, or take it out of the sketch.",
+    ),
+    "sketch.no-value": (
+        "The value of {name} can't be read off the sketch.",
+        "Give it as a number. The sketch tells the angle between links whose first two points are sketched, the "
+        "length of a cylinder between sketched points, and the travel of a slide on the frame.",
+    ),
     "cylinder.same-point": (
         "Both ends of the cylinder are at {point}.",
         "Name two different points, such as one on the frame and one on the link that it moves.",

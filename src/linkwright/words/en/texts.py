@@ -10,6 +10,7 @@ TEXTS: dict[str, str] = {
     "fact.slides": "Prismatic joints",
     "fact.lone": "Free points",
     "fact.lone.text": "{points} (on one link only, so no joint)",
+    "fact.parameters": "Dimensions",
     "fact.mobility": "Mobility",
     "fact.mobility.text": "{mobility} by Gruebler's count (moving links: {moving}, joints: {joints}, drives: {drives}, independent loops: {loops})",
     "fact.order": "Order of solution",
