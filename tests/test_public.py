@@ -34,6 +34,7 @@ PUBLIC = [
     "compile",
     "dump",
     "load",
+    "modes",
     "run",
     "save",
 ]

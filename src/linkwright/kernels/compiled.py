@@ -77,11 +77,18 @@ class Compiled:
         return y.reshape(len(names), 2, t.size) if rates else y
 
 
-def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled | None, list[Finding]]:
-    """Compile a mechanism as far as it goes, with all findings; ``folder`` is where its table files lie.
+@dataclass
+class Prepared:
+    """A mechanism as far as it is known before its assembly modes are settled."""
 
-    The result is ``None`` where an error stops it.
-    """
+    quantities: Quantities
+    structure: Structure
+    laws: dict[str, Law]
+    findings: list[Finding]
+
+
+def prepare(mechanism: Mechanism, folder: Path | None = None) -> Prepared:
+    """Dimensions, structure and drive laws of a mechanism, with all findings on them."""
     names, quantities = check_names(mechanism), Quantities(mechanism)
     findings = [*names, *(f for f in quantities.findings if not _said(f, names))]
     laws: dict[str, Law] = {}
@@ -89,13 +96,21 @@ def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled 
         laws, faults = drive_laws(quantities, folder)
         findings += [*check_values(quantities), *faults]
     structure = decompose(mechanism) if not names else Structure(Topology(mechanism), ())
-    findings += structure.findings
-    if findings:
-        return None, findings
-    assembly = assemble(quantities, structure, values_at(laws, 0.0))
+    return Prepared(quantities, structure, laws, [*findings, *structure.findings])
+
+
+def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled | None, list[Finding]]:
+    """Compile a mechanism as far as it goes, with all findings; ``folder`` is where its table files lie.
+
+    The result is ``None`` where an error stops it.
+    """
+    made = prepare(mechanism, folder)
+    if made.findings:
+        return None, made.findings
+    assembly = assemble(made.quantities, made.structure, values_at(made.laws, 0.0))
     if assembly.findings:
         return None, list(assembly.findings)
-    return Compiled(mechanism, quantities, structure, assembly, laws), []
+    return Compiled(mechanism, made.quantities, made.structure, assembly, made.laws), []
 
 
 def _said(finding: Finding, others: list[Finding]) -> bool:

@@ -518,6 +518,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "No way was found to put {links} together at the start near the places sketched under assembly.",
         "Check the lengths, and sketch the pins as they stand at the start of the motion.",
     ),
+    "assembly.no-mode": (
+        "The links can't be put together in any way at this pose of the drives.",
+        "Check the lengths, or look at another pose: another start of the drive, or studies.modes.at.",
+    ),
     "motion.stuck": (
         "At t = {time} s ({drive} = {value} {unit}) the group {group} reaches a singular pose of its own; it can't be "
         "followed further.",
