@@ -11,6 +11,7 @@ from linkwright.kernels import examine, prepare
 from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.mechanism import Document
 from linkwright.report.modes import told
+from linkwright.structure import decompose
 from linkwright.studies import ModesOptions, ModesOutcome, find_modes, read_studies
 from linkwright.studies.modes import own_mode
 
@@ -49,7 +50,11 @@ def modes_of_document(document: Document, folder: Path | None, options: ModesOpt
     """The modes of a document."""
     tasks, findings = read_studies({k: v for k, v in document.studies.items() if k == "modes"})
     made = prepare(document, folder)
-    job = ModesJob(Examined(document, findings=[*findings, *made.findings]))
+    findings += made.findings
+    if [finding.code for finding in findings] == ["model.no-drive"]:
+        made.structure = decompose(document)  # what can't move can be put together all the same
+        findings = [] if not made.structure.findings else findings
+    job = ModesJob(Examined(document, findings=findings))
     if job.examined.findings:
         return job
     options = options or next((task.options for task in tasks), ModesOptions())

@@ -34,8 +34,8 @@ MOST = 128
 """The most modes that are followed."""
 CLOSED = 1e-10
 """A closure (over the mechanism's size) below this is closed where Newton's method can't settle: two modes meet."""
-SAME = 1e-7
-"""Coordinates (rad, or lengths over the size) nearer than this are one mode."""
+SAME, VAGUE = 1e-7, 1e-4
+"""Coordinates (rad, or lengths over the size) nearer than this are one mode; the same of singular ones."""
 
 
 class _DeadEnd(Exception):
@@ -154,7 +154,7 @@ class Explorer:
         choice = self.choose([] if known else [tuple(u) for u in self.cluster(cluster)])
         assert isinstance(choice, tuple)
         solve_cluster(self.motion, cluster, self.drives, lambda _: list(choice))
-        self.singular = self.singular or not abs(float(self.motion.clusters[cluster].determinant())) > 1e-7
+        self.singular = self.singular or self.vague(cluster)
         return list(choice)
 
     def cluster(self, cluster: Cluster) -> list[list[float]]:
@@ -176,12 +176,19 @@ class Explorer:
                 self.found.open_groups.append(cluster.label)
             candidates += self.search(cluster)
         scale = [1.0 if edge.joint.letter == "R" else self.size for edge in cluster.free]
-        found: list[list[float]] = []
+        found: list[tuple[list[float], bool]] = []
         for start in candidates:
             there = self.polish(cluster, start)
-            if there is not None and not any(same(cluster, there, other, scale) for other in found):
-                found.append(there)
-        return sorted(found)
+            if there is None:
+                continue
+            vague = self.vague(cluster)
+            if not any(same(cluster, there, u, scale, VAGUE if vague or v else SAME) for u, v in found):
+                found.append((there, vague))
+        return sorted(u for u, _ in found)
+
+    def vague(self, cluster: Cluster) -> bool:
+        """Whether a cluster, as it is placed now, is singular: its coordinates are known to few digits only."""
+        return not abs(float(self.motion.clusters[cluster].determinant())) > 1e-6
 
     def polish(self, cluster: Cluster, start: list[float]) -> list[float] | None:
         """The solution at a start, singular ones too; ``None`` where there is none, or a slide's lines are opposed."""

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -78,6 +79,7 @@ def survey(
     drive = drive or (next(iter(values)) if len(values) == 1 else None)
     result = Survey(found, drive, places=[None] * len(found.modes))
     if drive is None:
+        _untold(found)
         return result
     system = Constraints(structure.topology, explorer.geometry, explorer.size)
     system.hold({name: value for name, value in values.items() if name != drive})
@@ -90,7 +92,14 @@ def survey(
                 _note(result, explorer, system, pose, branch)
             result.circuits.append(_circuit(curve, tracer))
         i += 1
+    _untold(found)
     return result
+
+
+def _untold(found: Found) -> None:
+    """Take away the lines of modes that the same lines state: their points are in the same places."""
+    told = Counter(mode.lines for mode in found.modes)
+    found.modes = [mode if told[mode.lines] == 1 else replace(mode, lines=()) for mode in found.modes]
 
 
 def _note(result: Survey, explorer: Explorer, system: Constraints, pose: Array, branch: int) -> None:

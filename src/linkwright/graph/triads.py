@@ -33,8 +33,10 @@ DEGREE, SAMPLES = 3, 32
 """The degree of the polynomial, and the samples from which its harmonics up to 15 are known."""
 ROUND_OFF = 1e-11
 """A harmonic below this share of the largest is round-off."""
-NEAR = 1e-4
-"""A root this near to the unit circle may be real: a double root is found to the square root of round-off."""
+LOOSE = 1e-6
+"""Equations that differ by less than this at a root, which is known to the square root of round-off, are one."""
+NEAR = 1e-2
+"""A root this near to the unit circle may be real: round-off scatters a multiple root by a root of itself."""
 
 
 @dataclass(frozen=True)
@@ -287,7 +289,13 @@ class System:
             known, harmonics = trigonometric_roots(self.polynomial)
             complete = bool(harmonics.size)
         poses = [(phi, place) for phi in known for place in self.places(phi)]
-        return Roots(poses, self.reference, harmonics, complete)
+        return Roots(poses, self.reference, harmonics, complete and not any(map(self.loose, known)))
+
+    def loose(self, phi: float) -> bool:
+        """Whether the platform can be in places without number at an angle: too few of its equations differ."""
+        rows = self.rows(np.array([phi]))[:, :, 0]
+        values = np.linalg.svd(rows, compute_uv=False) if len(rows) else np.zeros(0)
+        return int((values > LOOSE).sum()) < (1 if self.circles else 2)
 
 
 def trigonometric_roots(f: Callable[[Array], Array]) -> tuple[list[float], Array]:
@@ -303,11 +311,13 @@ def trigonometric_roots(f: Callable[[Array], Array]) -> tuple[list[float], Array
     if degree == 0:
         return [], sizes
     coefficients = np.concatenate([c[1 : degree + 1][::-1], c[:1], c[1 : degree + 1].conj()])
-    found = []
-    for z in np.roots(coefficients):
+    found, every = [], np.roots(coefficients)
+    for z in every:
         if (off := abs(abs(z) - 1.0)) < NEAR:
             phi = float(np.angle(z))
-            found += [phi] if off < 1e-9 else [phi, phi - off, phi + off]
+            found.append(phi)
+            if off > 1e-9:  # of a multiple root, scattered by round-off about their exact mean
+                found += [phi - off, phi + off, float(np.angle(every[np.abs(every - z) < 5 * off].mean()))]
     return sorted(found), sizes
 
 

@@ -141,7 +141,7 @@ def _sentences(outcome: ModesOutcome) -> Iterator[str]:
         yield say("modes.open", groups="; ".join(found.open_groups))
     if found.cut:
         yield say("modes.cut", count=count)
-    if outcome.survey.drive is None:
+    if outcome.survey.drive is None and outcome.values:
         yield say("modes.no-drive")
 
 
