@@ -66,7 +66,7 @@ def modes_of_document(document: Document, folder: Path | None, options: ModesOpt
     job.outcome = outcome
     if not outcome.modes:
         job.examined.findings.append(Finding("assembly.no-mode", ("links",)))
-    if document.assembly and (compiled := examine(document, folder)[0]) is not None:
+    if (compiled := examine(document, folder)[0]) is not None:
         outcome.own = own_mode(compiled, outcome)
     return job
 

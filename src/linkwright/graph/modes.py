@@ -30,7 +30,7 @@ Array = NDArray[np.float64]
 Choice = float | tuple[float, ...]
 Closure = Callable[[Array], tuple[Array, Array]]
 
-MOST = 128
+MOST = 64
 """The most modes that are followed."""
 CLOSED = 1e-10
 """A closure (over the mechanism's size) below this is closed where Newton's method can't settle: two modes meet."""

@@ -19,6 +19,8 @@ from linkwright.structure import FRAME, Structure
 
 Array = NDArray[np.float64]
 
+BUDGET = 6000
+"""Steps along circuits in all, some seconds: no further one is begun after these."""
 SAME = 1e-5
 """Poses nearer than this (rad, or lengths over the size) are one mode."""
 
@@ -50,6 +52,7 @@ class Survey:
     drive: str | None = None
     circuits: list[Circuit] = field(default_factory=list)
     places: list[tuple[int, int] | None] = field(default_factory=list)
+    untold: bool = False  # the circuits of some modes weren't followed: there are too many
 
     @property
     def modes(self) -> list[Mode]:
@@ -85,11 +88,16 @@ def survey(
     system.hold({name: value for name, value in values.items() if name != drive})
     tracer = Tracer(system, drive)
     i = 0
+    steps = 0
     while i < len(found.modes):
+        if steps > BUDGET:
+            result.untold = True
+            break
         if result.places[i] is None and (curve := tracer.follow(system.pose(dict(found.modes[i].bodies)))) is not None:
             result.places[i] = (len(result.circuits), 0)
             for pose, branch in curve.meets:
                 _note(result, explorer, system, pose, branch)
+            steps += len(curve.poses)
             result.circuits.append(_circuit(curve, tracer))
         i += 1
     _untold(found)

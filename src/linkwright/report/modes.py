@@ -141,6 +141,8 @@ def _sentences(outcome: ModesOutcome) -> Iterator[str]:
         yield say("modes.open", groups="; ".join(found.open_groups))
     if found.cut:
         yield say("modes.cut", count=count)
+    if outcome.survey.untold:
+        yield say("modes.untold-circuits")
     if outcome.survey.drive is None and outcome.values:
         yield say("modes.no-drive")
 

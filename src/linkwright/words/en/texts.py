@@ -47,6 +47,7 @@ TEXTS: dict[str, str] = {
     "modes.open": "Searched from many starts, without a proof that none is missing: {groups}.",
     "modes.cut": "The first {count} are listed, more weren't looked for.",
     "modes.no-drive": "There are several drives: circuits are told for one of them, the others held, when studies.modes.drive names it.",
+    "modes.untold-circuits": "There are too many to follow the circuits of all: some modes have no circuit here.",
     "modes.number": "Mode {number}",
     "modes.place": "circuit {circuit}, branch {branch}",
     "modes.own": "the one in the file",
