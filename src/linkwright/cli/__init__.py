@@ -1,4 +1,4 @@
-"""The command line: ``linkwright check | run | schema``. Slow imports wait until a command needs them."""
+"""The command line: ``linkwright check | run | modes | schema``. Slow imports wait until a command needs them."""
 
 from __future__ import annotations
 
@@ -77,6 +77,25 @@ def check(file: Path, as_json: bool) -> None:
         show.findings(examined, file)
         show.structure(examined)
     sys.exit(examined.exit_code)
+
+
+@cli.command(help=say("cli.modes"))
+@_file
+@_json
+def modes(file: Path, as_json: bool) -> None:
+    """Find a file's assembly modes."""
+    from linkwright import app
+    from linkwright.app.job import summary_text
+    from linkwright.cli import show
+
+    with show.working(file, quiet=as_json):
+        done = app.modes_of_file(file)
+    if as_json:
+        show.plain(summary_text(done.summary))
+    else:
+        show.findings(done.examined, file)
+        show.modes(done)
+    sys.exit(done.exit_code)
 
 
 @cli.command(help=say("cli.schema"))

@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Literal, NotRequired, TypedDict
 
+from linkwright.report.modes import ModesData
+
 Values = Sequence[float | None]
 
 
@@ -151,3 +153,4 @@ class ReportData(TypedDict):
     structure: Sequence[Fact]
     failures: Sequence[Failure]
     model_text: str
+    modes: NotRequired[ModesData]

@@ -48,6 +48,7 @@ def page(data: ReportData) -> str:
             sections.measures(data),
             sections.certificate(data),
             sections.plots(data),
+            sections.modes(data),
             sections.structure(data),
             sections.model(data),
             "</div>",

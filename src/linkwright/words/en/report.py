@@ -19,6 +19,7 @@ REPORT: dict[str, str] = {
     "report.mend": "Mend",
     "report.model": "Model",
     "report.model_show": "The model as given",
+    "report.modes": "Assembly modes",
     "report.motion": "Motion",
     "report.no_script": "The animated drawing and the plots need JavaScript.",
     "report.not_assembled": "Can't be assembled here",
