@@ -191,7 +191,7 @@ def measure(m: MeasureResult, second: float, time_unit: str) -> Measure:
     entry, reduction = m.measure, m.measure.reduction
     data = {
         "reduction": reduction,
-        "signal": m.measure.signal.text,
+        "signal": m.measure.subject,
         "window": entry.window,
         "where": entry.where,
     }

@@ -232,9 +232,14 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "'{name}' isn't a link with mass, so it has no centre of mass.",
         "Give the link a mass, or follow one of its points.",
     ),
+    "signal.same-link": (
+        "'{name}' has no instant centre relative to itself.",
+        "Name two different links: pole({name}, frame).x.",
+    ),
     "signal.unknown": (
         "'{name}' isn't a signal.",
-        "Write POINT.x, LINK.angle, JOINT.s, DRIVE.torque, force(LINK, LINK).x or com(LINK).x; see docs/file-format.md.",
+        "Write POINT.x, LINK.angle, JOINT.s, DRIVE.torque, force(LINK, LINK).x, com(LINK).x or pole(LINK, LINK).x; "
+        "see docs/file-format.md.",
     ),
     # Links, joints, drives, loads.
     "model.no-frame": (
@@ -415,6 +420,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "A value is taken at one instant, and only a value is.",
         "Write value and where together: {{value: crank.angle, where: max E.x}}.",
     ),
+    "measure.within": (
+        "A dwell is told by the width of its band, and only a dwell is.",
+        "Write dwell and within together: {{dwell: E.x, within: 0.5 mm}}.",
+    ),
     "measure.bad-where": (
         "'{given}' doesn't name an instant.",
         "Write where: max SIGNAL, min SIGNAL, start or end.",
@@ -587,6 +596,7 @@ _TERMS: dict[str, str] = {
     "inertia": "moment of inertia",
     "radius": "radius",
     "period": "period",
+    "within": "width of the band",
     # Why an expression can't be read.
     "syntax-empty": "it is empty",
     "syntax-long": "it is longer than {limit} characters",
