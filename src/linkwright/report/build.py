@@ -13,6 +13,7 @@ from linkwright.model.document import dump
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.model.units import LENGTH, TIME
+from linkwright.report.centrodes import centrodes
 from linkwright.report.data import Failure, Joint, Link, Measure, Plot, Pose, ReportData, Scene, Series, Trace
 from linkwright.report.facts import checks, facts
 from linkwright.results import Result
@@ -80,6 +81,7 @@ def scene(result: Result) -> Scene:
         "links": links,
         "joints": _joints(result),
         "traces": _traces(result, size),
+        "centrodes": centrodes(result, size),
     }
 
 
