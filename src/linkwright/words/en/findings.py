@@ -14,6 +14,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Can't write to {file}: {reason}.",
         "Choose another folder with --out, or make this one writable.",
     ),
+    "file.needs-package": (
+        "This needs the package {package}, which isn't installed.",
+        "Install it: pip install 'linkwright[{extra}]'.",
+    ),
     "file.too-large": (
         "The file has {size} bytes; a model file has at most {limit}.",
         "Put long tables into CSV files beside the model and name them under tables.",
