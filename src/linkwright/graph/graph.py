@@ -27,7 +27,9 @@ _LETTERS = {"": 0, "v": 1, "a": 2, "j": 3}
 _LINK_ORDERS = {"angle": 0, "omega": 1, "alpha": 2, "jerk": 3}
 _SLIDE_ORDERS = {"s": 0, "v": 1, "a": 2, "j": 3}
 INFINITE = 1e9
-"""Beyond so many times the mechanism's size an instant centre lies at infinity: its place is round-off."""
+"""Beyond so many times the mechanism's size an instant centre lies at infinity."""
+ROUND_OFF = 1e-13
+"""A turning of two links against each other below this share of their motion is none."""
 
 
 @dataclass
@@ -252,21 +254,20 @@ class _View:
         """The point where two links have one velocity: from a's anchor P, perp(v)/omega with the velocity v of P
         and the turning omega of a, both as seen from b."""
         a, b = (self.motion.bodies[link] for link in signal.owners)
-        place = a.anchor.now
+        place, size = a.anchor.now, self.graph.size
         arm = place.minus(b.anchor.now)
-        turning = b.turn.d[0]
-        speed = Pair(
-            ca.SX(a.anchor.x.d[1] - b.anchor.x.d[1] + turning * arm.y),
-            ca.SX(a.anchor.y.d[1] - b.anchor.y.d[1] - turning * arm.x),
-        )
-        omega = ca.SX(a.turn.d[0] - turning)
-        # At infinity the factor is zero, and what is divided by zero has no finite value nor rate.
-        omega = omega * ((INFINITE * self.graph.size * omega) ** 2 > speed.dot(speed))
-        step = Pair(-speed.y / omega, speed.x / omega)
+        carried = Pair(b.anchor.x.d[1] - b.turn.d[0] * arm.y, b.anchor.y.d[1] + b.turn.d[0] * arm.x)
+        own = Pair(a.anchor.x.d[1], a.anchor.y.d[1])
+        speed, omega = own.minus(carried), ca.SX(a.turn.d[0] - b.turn.d[0])
+        whole = own.dot(own) + carried.dot(carried) + size**2 * (a.turn.d[0] ** 2 + b.turn.d[0] ** 2)
+        # At infinity and at rest this is zero, and what is divided by it is neither finite nor has a finite rate.
+        turns = (size * omega) ** 2 > speed.dot(speed) / INFINITE**2 + whole * ROUND_OFF**2
+        omega, beyond = omega * turns, 1 / ca.SX(turns) - 1
+        step = Pair(beyond - speed.y / omega, beyond + speed.x / omega)
         if signal.attribute in ("x", "y"):
             return getattr(place, signal.attribute) + getattr(step, signal.attribute)
-        own = step.turned_back(a.axis.now)
-        return a.local.x + own.x if signal.attribute == "u" else a.local.y + own.y
+        inside = step.turned_back(a.axis.now)
+        return a.local.x + inside.x if signal.attribute == "u" else a.local.y + inside.y
 
     def energy(self, signal: Signal) -> Scalar:
         geometry, total = self.motion.geometry, 0.0

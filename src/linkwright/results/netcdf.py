@@ -1,4 +1,4 @@
-"""A result as a netCDF file: classic format (64-bit offset), written by SciPy, with attributes after the CF conventions."""
+"""A result as a netCDF file: classic format (64-bit offset), written by SciPy, attributes after the CF conventions."""
 
 from __future__ import annotations
 
