@@ -1,4 +1,4 @@
-"""netCDF files read back by SciPy and xarray: equal arrays, units, certificate, findings; written whole or not at all."""
+"""netCDF files read back by SciPy and xarray: equal arrays, units, certificate, findings; whole or not at all."""
 
 from __future__ import annotations
 

@@ -446,7 +446,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "measure.not-finite": (
         "The measure {name} has no finite value.",
-        "Check its expression for a division by zero or a root of a negative number; is the mechanism at a singular pose?",
+        "Check its expression for a division by zero or a root of a negative number; is the mechanism at a singular pose, "
+        "or an instant centre at infinity or without a motion?",
     ),
     "study.unknown": (
         "There is no study called '{name}'.",
