@@ -3,9 +3,10 @@
 Hoecken's linkage: R. L. Norton, Design of Machinery, table 3-1 ("Link ratios for smallest attainable errors in
 straightness and velocity for various crank-angle ranges of a Hoeken-type fourbar approximate straight-line
 linkage"): the range of the crank, L1/L2 and L3/L2 (= L4/L2, the coupler's point at 2 L3 from the crank's pin), the
-length of the line over L2, and its largest error of straightness in percent of that length. The table prints 0.00001
-to 0.096; compared to half a unit of its last digit, or 2 % of it where the ratios' own three digits count for more.
-Rows that print the error with one digit that these ratios don't resolve (20, 80, 100 deg) are compared in length only.
+length of the line over L2, and its largest error of straightness in percent of that length. The rows were carried
+over without the book at hand; the lengths, which follow from the ratios, agree in all nine to the last digit. The
+error is compared to half a unit of its last digit, or 2 % where the ratios' own three decimals count for more. It is
+left out where the figure at hand has one digit only that the ratios don't bear out (20, 80 and 100 deg).
 
 Chebyshev's lambda linkage 1 : 2 : 2.5 is the same linkage; its point has a closed form, see ``lambda_point``.
 """
