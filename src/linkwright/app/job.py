@@ -125,7 +125,7 @@ def write(job: Job, folder: Path, netcdf: bool = False) -> None:
         write_aside(folder / "report.html", page(report_data(document, job.cycle)))
         job.cycle.result.to_csv(folder / "cycle.csv")
         if netcdf:
-            job.cycle.result.to_netcdf(folder / "cycle.nc")
+            job.cycle.result.to_netcdf(folder / "cycle.nc", warnings=job.cycle.warnings)
     write_aside(folder / "summary.json", summary_text(job.summary) + "\n")
     job.folder = folder
 

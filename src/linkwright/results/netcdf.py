@@ -10,12 +10,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
+    from linkwright.model.findings import Finding
     from linkwright.results.result import Result
 
 _UNFIT = re.compile(r"""[^A-Za-z0-9_.@+\- !"#$%&\\()*,:;<=>?\[\]^`{|}~']""")
 
 
-def netcdf_bytes(result: Result, names: Sequence[str]) -> bytes:
+def netcdf_bytes(result: Result, names: Sequence[str], warnings: Sequence[Finding] = ()) -> bytes:
     """The named signals or expressions over ``time``, in SI; NaN is the missing value.
 
     A variable is named as its signal where the format allows it (``force(frame, crank).x`` is allowed, Chinese
@@ -25,7 +26,7 @@ def netcdf_bytes(result: Result, names: Sequence[str]) -> bytes:
 
     stream = io.BytesIO()
     file = netcdf_file(stream, "w", version=2)
-    for key, value in attributes(result).items():
+    for key, value in attributes(result, warnings).items():
         setattr(file, key, _stored(value))
     file.createDimension("time", result.t.size)
     _variable(file, "time", "time", "s", result.t).axis = "T"
@@ -41,7 +42,7 @@ def variable_name(name: str) -> str:
     return _UNFIT.sub(lambda match: f"_u{ord(match[0]):04x}", name.strip())
 
 
-def attributes(result: Result) -> dict[str, Any]:
+def attributes(result: Result, warnings: Sequence[Finding] = ()) -> dict[str, Any]:
     """Title, source, the certificate's figures and all findings, as numbers and texts."""
     import linkwright
 
@@ -50,7 +51,7 @@ def attributes(result: Result) -> dict[str, Any]:
         "Conventions": "CF-1.11",
         "title": compiled.mechanism.name,
         "source": f"linkwright {linkwright.__version__}",
-        "findings": "\n".join(f"{f.code}: {f.what}" for f in result.failures) or "none",
+        "findings": "\n".join(f"{f.code}: {f.what}" for f in (*result.failures, *warnings)) or "none",
     }
     if c is None:
         return data

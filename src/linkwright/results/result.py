@@ -124,11 +124,14 @@ class Result:
             write_aside(Path(path), text)
         return text
 
-    def to_netcdf(self, path: str | Path, more: Sequence[str] = ()) -> None:
-        """All signals (and ``more``) as a netCDF file over ``time``, in SI: with units, certificate and findings."""
+    def to_netcdf(self, path: str | Path, more: Sequence[str] = (), warnings: Sequence[Finding] = ()) -> None:
+        """All signals (and ``more``) as a netCDF file over ``time``, in SI: with units, certificate and findings.
+
+        ``warnings`` are findings to keep besides the failures, such as those of a cycle.
+        """
         from linkwright.results.netcdf import netcdf_bytes
 
-        write_aside(Path(path), netcdf_bytes(self, (*self.names, *more)))
+        write_aside(Path(path), netcdf_bytes(self, (*self.names, *more), warnings))
 
     def to_xarray(self, more: Sequence[str] = ()) -> Any:
         """All signals (and ``more``) as an xarray Dataset over ``time`` (s), in SI, with units as attributes.
