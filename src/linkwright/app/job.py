@@ -132,13 +132,15 @@ def perform(examined: Examined) -> Job:
     return job
 
 
-def write(job: Job, folder: Path) -> None:
-    """Write report.html, summary.json and cycle.csv, each whole or not at all."""
+def write(job: Job, folder: Path, netcdf: bool = False) -> None:
+    """Write report.html, summary.json, cycle.csv and, if asked, cycle.nc, each whole or not at all."""
     folder.mkdir(parents=True, exist_ok=True)
     document = job.examined.document
     if job.cycle is not None and document is not None:
         write_aside(folder / "report.html", page(report_data(document, job.cycle, job.modes)))
         job.cycle.result.to_csv(folder / "cycle.csv")
+        if netcdf:
+            job.cycle.result.to_netcdf(folder / "cycle.nc", warnings=job.cycle.warnings)
     write_aside(folder / "summary.json", summary_text(job.summary) + "\n")
     job.folder = folder
 

@@ -13,6 +13,7 @@ from linkwright.model.document import dump
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.model.units import LENGTH, TIME
+from linkwright.report.centrodes import centrodes
 from linkwright.report.data import Failure, Joint, Link, Measure, Plot, Pose, ReportData, Scene, Series, Trace
 from linkwright.report.facts import checks, facts
 from linkwright.report.modes import modes_data
@@ -82,6 +83,7 @@ def scene(result: Result) -> Scene:
         "links": links,
         "joints": _joints(result),
         "traces": _traces(result, size),
+        "centrodes": centrodes(result, size),
     }
 
 
@@ -193,7 +195,7 @@ def measure(m: MeasureResult, second: float, time_unit: str) -> Measure:
     entry, reduction = m.measure, m.measure.reduction
     data = {
         "reduction": reduction,
-        "signal": m.measure.signal.text,
+        "signal": m.measure.subject,
         "window": entry.window,
         "where": entry.where,
     }

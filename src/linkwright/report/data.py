@@ -68,6 +68,19 @@ class Trace(TypedDict):
     y: Values
 
 
+class Centrode(TypedDict):
+    """The paths of a link's instant centre: in the world (``x``, ``y``) and in the link's own axes (``u``, ``v``).
+
+    In the length unit, one entry per pose. The moving one rolls on the fixed one.
+    """
+
+    link: str
+    x: Values
+    y: Values
+    u: Values
+    v: Values
+
+
 class Scene(TypedDict):
     """The mechanism as ``assets/mechanism.js`` draws it. ``time``: one entry per pose, increasing."""
 
@@ -76,6 +89,7 @@ class Scene(TypedDict):
     links: Sequence[Link]
     joints: Sequence[Joint]
     traces: Sequence[Trace]
+    centrodes: NotRequired[Sequence[Centrode]]
 
 
 class Series(TypedDict):

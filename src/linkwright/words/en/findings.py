@@ -14,6 +14,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Can't write to {file}: {reason}.",
         "Choose another folder with --out, or make this one writable.",
     ),
+    "file.needs-package": (
+        "This needs the package {package}, which isn't installed.",
+        "Install it: pip install 'linkwright[{extra}]'.",
+    ),
     "file.too-large": (
         "The file has {size} bytes; a model file has at most {limit}.",
         "Put long tables into CSV files beside the model and name them under tables.",
@@ -232,9 +236,14 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "'{name}' isn't a link with mass, so it has no centre of mass.",
         "Give the link a mass, or follow one of its points.",
     ),
+    "signal.same-link": (
+        "'{name}' has no instant centre relative to itself.",
+        "Name two different links: pole({name}, frame).x.",
+    ),
     "signal.unknown": (
         "'{name}' isn't a signal.",
-        "Write POINT.x, LINK.angle, JOINT.s, DRIVE.torque, force(LINK, LINK).x or com(LINK).x; see docs/file-format.md.",
+        "Write POINT.x, LINK.angle, JOINT.s, DRIVE.torque, force(LINK, LINK).x, com(LINK).x or pole(LINK, LINK).x; "
+        "see docs/file-format.md.",
     ),
     # Links, joints, drives, loads.
     "model.no-frame": (
@@ -441,6 +450,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "A value is taken at one instant, and only a value is.",
         "Write value and where together: {{value: crank.angle, where: max E.x}}.",
     ),
+    "measure.within": (
+        "A dwell is told by the width of its band, and only a dwell is.",
+        "Write dwell and within together: {{dwell: E.x, within: 0.5 mm}}.",
+    ),
     "measure.bad-where": (
         "'{given}' doesn't name an instant.",
         "Write where: max SIGNAL, min SIGNAL, start or end.",
@@ -459,7 +472,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "measure.not-finite": (
         "The measure {name} has no finite value.",
-        "Check its expression for a division by zero or a root of a negative number; is the mechanism at a singular pose?",
+        "Check its expression for a division by zero or a root of a negative number; is the mechanism at a singular pose, "
+        "or an instant centre at infinity or without a motion?",
     ),
     "study.unknown": (
         "There is no study called '{name}'.",
@@ -630,6 +644,7 @@ _TERMS: dict[str, str] = {
     "inertia": "moment of inertia",
     "radius": "radius",
     "period": "period",
+    "within": "width of the band",
     # Why an expression can't be read.
     "syntax-empty": "it is empty",
     "syntax-long": "it is longer than {limit} characters",

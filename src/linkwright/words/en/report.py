@@ -1,6 +1,7 @@
 """The report's words in English; ``{...}`` are filled in by the page."""
 
 REPORT: dict[str, str] = {
+    "report.centrodes": "Centrodes",
     "report.certificate": "Certificate",
     "report.check": "Check",
     "report.contents": "Contents",

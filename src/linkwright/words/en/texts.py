@@ -89,6 +89,7 @@ TEXTS: dict[str, str] = {
     "cli.modes": "Find all ways to put the links of FILE together, and which of them motion joins.",
     "cli.schema": "Print the JSON Schema of model files, for editors.",
     "cli.out": "The folder to write to (default: FILE's name with _linkwright, beside it).",
+    "cli.netcdf": "Write cycle.nc (netCDF) as well: all signals in SI, with units, certificate and findings.",
     "cli.json": "Print the summary alone, as JSON.",
     "cli.written": "Written: {folder}",
     "cli.findings": "{file}: errors {errors}, warnings {warnings}",
