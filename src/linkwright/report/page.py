@@ -47,6 +47,7 @@ def page(data: ReportData) -> str:
             '<div class="results">',
             sections.measures(data),
             sections.certificate(data),
+            sections.limits(data),
             sections.plots(data),
             sections.structure(data),
             sections.model(data),

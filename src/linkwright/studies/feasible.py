@@ -33,7 +33,7 @@ def unassembled(run: Run) -> list[Finding]:
         if group.modes < 2:
             continue
         ends = [end for gap in taken for end in gap]
-        for start, stop, worst in _gaps(run, f"reach:{group.label}", ends):
+        for start, stop, worst in gaps(run, f"reach:{group.label}", ends):
             if not any(a <= start and stop <= b for a, b in taken):
                 taken.append((start, stop))
                 findings.append(_cannot_assemble(run, group, start, stop, worst))
@@ -66,7 +66,7 @@ def _row(run: Run, row: str, more: Sequence[float] = ()) -> tuple[Array, Array]:
     return t, run.compiled.evaluate([row], t)[0]
 
 
-def _gaps(run: Run, row: str, ends: Sequence[float]) -> list[tuple[float, float, float]]:
+def gaps(run: Run, row: str, ends: Sequence[float]) -> list[tuple[float, float, float]]:
     """Intervals in which a reach is negative, with the time of its least value.
 
     ``ends`` are those of the gaps of earlier groups, where this one's reach may stop while it is negative.

@@ -68,6 +68,7 @@ TEXTS: dict[str, str] = {
     "cli.help": "Planar mechanisms from one readable file: motion, forces, proofs, reports.",
     "cli.run": "Perform the studies that FILE names; write report.html, summary.json and cycle.csv.",
     "cli.check": "Say what FILE describes, and everything that is wrong with it.",
+    "cli.limits": "Say how far FILE's mechanism can go: ranges, dead centres, strokes, transmission angles.",
     "cli.schema": "Print the JSON Schema of model files, for editors.",
     "cli.out": "The folder to write to (default: FILE's name with _linkwright, beside it).",
     "cli.json": "Print the summary alone, as JSON.",
