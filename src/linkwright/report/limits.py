@@ -38,19 +38,9 @@ def _drive(outcome: LimitsOutcome, limits: DriveLimits) -> dict[str, Any]:
     ranges = []
     for found, stretch in limits.ranges:
         scale = _Scale(outcome, unit, size, found.sweep.origin)
-        ends: dict[str, Any] = {"from": scale.at(found.sweep.start), "to": scale.at(found.sweep.stop)}
-        ends |= {"from_end": _end(found.low, size), "to_end": _end(found.high, size)}
+        ends = {"low": scale.end(found.low), "high": scale.end(found.high)}
         ranges.append({**ends, "full_turn": found.full, **scale.stretch(stretch)})
     return {"unit": unit, "turns": turns, "ranges": ranges}
-
-
-def _end(end: End, size: float) -> dict[str, Any]:
-    return {
-        "at": end.value / size,
-        "kind": end.kind,
-        "group": end.group,
-        "what": end.beyond.what if end.beyond else None,
-    }
 
 
 def _loop(outcome: LimitsOutcome, loop: FourLinks) -> dict[str, Any]:
@@ -77,6 +67,11 @@ class _Scale:
     def at(self, time: float) -> float:
         """A place in the unit."""
         return _near(self.origin + time, abs(self.origin) + abs(time)) / self.size
+
+    def end(self, end: End) -> dict[str, Any]:
+        """Where a range ends, and why."""
+        at = self.at(end.value - self.origin)
+        return {"at": at, "kind": end.kind, "group": end.group, "what": end.beyond.what if end.beyond else None}
 
     def stretch(self, stretch: Stretch) -> dict[str, Any]:
         """A stretch's signals, transmission angles and change points."""
@@ -157,7 +152,7 @@ def _ranges(entry: dict[str, Any]) -> Iterator[list[str]]:
         several = len(limits["ranges"]) > 1
         for i, found in enumerate(limits["ranges"], start=1):
             name = f"{drive} ({i})" if several else drive
-            yield [name, _number(found["from"]), _number(found["to"]), limits["unit"], _why(limits, found)]
+            yield [name, _number(found["low"]["at"]), _number(found["high"]["at"]), limits["unit"], _why(limits, found)]
         if not limits["ranges"]:
             yield [drive, "", "", limits["unit"], say("limits.no_range")]
 
@@ -166,7 +161,7 @@ def _why(limits: dict[str, Any], found: dict[str, Any]) -> str:
     """What ends a range; the one gap of a turn is told once."""
     if found["full_turn"]:
         return say("limits.full_turn")
-    ends = [found["from_end"], found["to_end"]]
+    ends = [found["low"], found["high"]]
     if limits["turns"] and len(limits["ranges"]) == 1 and ends[0]["kind"] == ends[1]["kind"] == "group":
         ends = ends[1:]
     return " ".join(
