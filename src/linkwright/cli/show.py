@@ -25,6 +25,7 @@ from linkwright.studies import LimitsOutcome
 from linkwright.words import say
 
 out = Console(highlight=False, soft_wrap=True)
+wide = out if out.is_terminal else Console(highlight=False, soft_wrap=True, width=120)  # a pipe has no width
 err = Console(stderr=True, highlight=False, soft_wrap=True)
 
 _NUMBERS = ("value", "figure")
@@ -157,7 +158,7 @@ def _limits(outcome: LimitsOutcome) -> None:
         for row in grid["rows"]:
             table.add_row(*map(escape, row))
         out.print(f"[bold underline]{escape(grid['title'])}[/]")
-        out.print(table)
+        wide.print(table)
         out.print()
 
 

@@ -199,9 +199,10 @@ class _Course:
         run = self.run
         inner = self.values(self.times)
         ends = self.values(np.array([run.start, run.stop]))
-        for side in (0, 1):
-            if not np.isfinite(ends[side]) or self.dead(side):
-                ends[side] = self.limit(side, ends[side])
+        if isinstance(run, Sweep):
+            for side in (0, 1):
+                if run.dead[side]:
+                    ends[side] = self.limit(run, side)
         seams, at_seams = self.seams()
         times = np.concatenate([self.times, [run.start, run.stop], seams])
         values = np.concatenate([inner, ends, at_seams])
@@ -231,23 +232,23 @@ class _Course:
         times = np.array([[t, t - aside, t + aside] for t in run.change_points]).reshape(-1, 3)
         times = np.clip(times, run.start, run.stop)
         values = self.values(times.ravel()).reshape(-1, 3)
-        jumps = np.abs(values[:, 1:] - values[:, :1]).max(axis=1) > 1e-3 * (np.abs(values).max(axis=1) + 1e-3)
+        jumps = np.abs(values[:, 1:] - values[:, :1]).max(axis=1) > 1e-3 * np.abs(values).max(initial=1e-300)
         values[jumps, 0] = np.nan
         return times.ravel(), values.ravel()
 
-    def dead(self, side: int) -> bool:
-        return isinstance(self.run, Sweep) and self.run.dead[side]
-
-    def limit(self, side: int, value: float) -> float:
+    def limit(self, run: Sweep, side: int) -> float:
         """The value at a dead end; infinite where it grows without limit towards it."""
-        run = self.run
         length = run.stop - run.start
         near, nearer = (run.start + s * length if side == 0 else run.stop - s * length for s in (NEAR, NEARER))
         values = self.values(np.array([near, nearer, (run.start + run.stop) / 2]))
         usual = max(abs(values[0]), abs(values[2]), 1e-9 * abs(values[1]))
         if abs(values[1]) > GROWS * usual:
             return float(np.copysign(np.inf, values[1]))
-        return float(value if np.isfinite(value) else values[1])
+        names = run.signals_of([self.node])
+        time = np.array([(run.start, run.stop)[side]])
+        rows = {name: (row, np.zeros(1)) for name, row in zip(names, run.settled(names, side), strict=True)}
+        value = float(run.combine(self.node, time, rows).d[0][0])
+        return value if np.isfinite(value) else float(values[1])
 
     def reversals(self, values: Array) -> tuple[Reversal, ...]:
         """Where the signal turns round; once for the two ends of a full turn."""

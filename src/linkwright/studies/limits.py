@@ -240,9 +240,9 @@ def _signals(compiled: Compiled, options: LimitsOptions) -> Iterator[Finding]:
         yield from (Finding("study.not-in-sweep", path, {"name": name}) for name in dict.fromkeys(dynamic))
         if not dynamic:
             try:
-                quantities.bind(expression, None)
+                quantities.dimensions.bind(expression.node, None)
             except DimensionError as error:
-                yield Finding(error.key, path, error.data)
+                yield Finding(error.key, path, quantities.spelt(error.data))
 
 
 def _names(compiled: Compiled, expression: Expression) -> Iterator[str | None]:

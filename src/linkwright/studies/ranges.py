@@ -129,6 +129,7 @@ class _Search:
                 sides = self.end(run, start, before), self.end(run, stop, after)
                 dead = sides[0].dead, sides[1].dead
                 sweep = Sweep(self.compiled, self.drive, start, stop, self.samples, dead)
+                sweep.failing = _dyad(before), _dyad(after)
                 kept.append(Range(*sides, not any(dead) and self.closes(start, stop), sweep))
         return kept
 
@@ -162,8 +163,8 @@ class _Search:
         if gap is None:
             return End(value, "window")
         beyond = None
-        if isinstance(gap.group, Group) and gap.kind == "group":
-            beyond = self.cannot(gap.group, gap)
+        if (group := _dyad(gap)) is not None:
+            beyond = self.cannot(group, gap)
         return End(value, gap.kind, gap.group.label, beyond)
 
     def cannot(self, group: Group, gap: _Gap) -> Finding:
@@ -177,6 +178,11 @@ class _Search:
         ends = [f"{(self.origin + time) / size:.6g}" for time in (gap.start, gap.stop)]
         data |= {"length_unit": data["unit"], "drive": self.drive, "unit": unit, "from": ends[0], "to": ends[1]}
         return Finding("motion.cannot-assemble", ("links", group.links[0]), data)
+
+
+def _dyad(gap: _Gap | None) -> Group | None:
+    """The dyad whose two modes meet at a gap's edge."""
+    return gap.group if gap is not None and gap.kind == "group" and isinstance(gap.group, Group) else None
 
 
 def _blocks(found: list[_Gap], tiny: float) -> list[list[_Gap]]:

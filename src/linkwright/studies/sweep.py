@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -12,6 +13,7 @@ from linkwright.kernels import Compiled
 from linkwright.kernels.follow import Follower
 from linkwright.kernels.laws import Law, constant_speed, values_at
 from linkwright.results import Run
+from linkwright.structure import Group
 
 Array = NDArray[np.float64]
 
@@ -66,8 +68,11 @@ class Sweep(Run):
     """A stretch of a sweep. Its times are the drive's value less that at the start of the motion (rad or m).
 
     ``dead`` says of each end whether the mechanism stops there: towards such an end rates grow like 1/sqrt, so equal
-    shares of the sweep are taken in the cosine of an angle, over which everything is smooth.
+    shares of the sweep are taken in the cosine of an angle, over which everything is smooth. ``failing`` is the dyad
+    that stops it, if it is one.
     """
+
+    failing: tuple[Group | None, Group | None] = (None, None)
 
     def __init__(
         self, compiled: Compiled, drive: str, start: float, stop: float, steps: int, dead: tuple[bool, bool]
@@ -93,6 +98,20 @@ class Sweep(Run):
         """The shares between which a search looks: a little past an end that isn't dead."""
         low, high = (0.0 if dead else EDGE for dead in self.dead)
         return -low, 1.0 + high
+
+    def settled(self, names: Sequence[str], side: int) -> Array:
+        """Signals at the low (0) or high (1) end. Where a dyad's two modes meet their mean is taken: one of them is
+        off by the root of the round-off, the other by as much the other way."""
+        time = np.array([(self.start, self.stop)[side]])
+        values, group = self.evaluate(names, time), self.failing[side]
+        if group is None or self.compiled.followers:
+            return values
+        assembly = self.compiled.assembly
+        branches = {**assembly.branches, group: -assembly.branches[group]}
+        other = replace(self.compiled, assembly=replace(assembly, branches=branches)).evaluate(names, time)
+        turning = [self._wraps(name) for name in names]
+        other[turning] += 2 * np.pi * np.round((values - other)[turning] / (2 * np.pi))
+        return np.asarray((values + other) / 2)
 
     def _track(self, name: str) -> tuple[Array, Array]:
         """Angles are those of the motion's start where the sweep holds it, not those of the sweep's own start."""
