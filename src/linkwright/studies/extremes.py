@@ -14,7 +14,7 @@ from linkwright.results import Run
 from linkwright.results.run import BLIND
 from linkwright.results.stationary import stationary
 from linkwright.studies.feasible import SINGULAR, TOUCH
-from linkwright.studies.sweep import Sweep
+from linkwright.studies.sweep import NEAR, Sweep
 
 Array = NDArray[np.float64]
 Signals = Mapping[str, tuple[Node, Dimension]]
@@ -22,9 +22,12 @@ Signals = Mapping[str, tuple[Node, Dimension]]
 
 SAME = 1e-9
 """Places closer than this share of the run are one."""
-NEAR, NEARER = 1e-6, 1e-10
-"""Shares of the run inside a dead end at which is seen whether a signal grows without limit there."""
+CAP = 1e4
+"""Values and rates are looked at up to so many times their usual size."""
+NEARER = 1e-10
+"""The share of the run inside a dead end at which a signal that grows without limit is over that at ``NEAR`` ..."""
 GROWS = 50.0
+"""... by this factor: 1/sqrt(t) grows by 100."""
 
 
 @dataclass(frozen=True)
@@ -103,15 +106,29 @@ def turning(run: Run, rates: Callable[[Array], tuple[Array, Array]]) -> list[Arr
         values, slopes = rates(t)
         return values, np.where(run.clear(t), slopes * slope, np.nan)
 
+    def capped(share: Array) -> tuple[Array, Array]:
+        """What grows without limit towards an end would make all else look like round-off."""
+        values, slopes = scaled(share)
+        return np.clip(values, -caps[0], caps[0]), np.clip(slopes, -caps[1], caps[1])
+
     with np.errstate(all="ignore"):
-        found = stationary(scaled, low, high, run.grid)
+        caps = [CAP * _usual(rows) for rows in scaled(np.linspace(0.0, 1.0, 258)[1:-1])]
+        found = stationary(capped, low, high, run.grid)
     tiny = SAME * (run.stop - run.start)
     kept = []
     for shares in found:
         t = run.place(shares)[0]
         inside = t[(t >= run.start - tiny) & (t <= run.stop + tiny) & run.clear(t, 3 * BLIND)]
+        if isinstance(run, Sweep):
+            inside = inside[run.regular(inside)]
         kept.append(np.unique(np.clip(inside, run.start, run.stop)))
     return kept
+
+
+def _usual(rows: Array) -> Array:
+    """The usual magnitude of each row: (rows, 1)."""
+    known = [np.abs(row[np.isfinite(row) & (row != 0)]) for row in rows]
+    return np.array([[float(np.median(row)) if row.size else np.inf] for row in known])
 
 
 def touches(run: Run) -> list[Touch]:
@@ -212,7 +229,7 @@ class _Course:
             nowhere = Extreme(float("nan"), run.start)
             return Course(name, dimension, nowhere, nowhere, ())
         low, high = (int(pick(values)) for pick in (np.argmin, np.argmax))
-        reversals = self.reversals(inner)
+        reversals = self.reversals(inner) if dimension.time == 0 else ()  # a rate has no dead centres
         turns = round(float(ends[1] - ends[0]) / (2 * np.pi)) if self.full and np.isfinite(ends).all() else 0
         turns = turns if dimension.angle == 1 and dimension.physical == Dimension() else 0
         return Course(
@@ -244,6 +261,9 @@ class _Course:
         usual = max(abs(values[0]), abs(values[2]), 1e-9 * abs(values[1]))
         if abs(values[1]) > GROWS * usual:
             return float(np.copysign(np.inf, values[1]))
+        stop = run.stops[side]
+        if stop is not None and stop.pole:
+            return float(values[0])
         names = run.signals_of([self.node])
         time = np.array([(run.start, run.stop)[side]])
         rows = {name: (row, np.zeros(1)) for name, row in zip(names, run.settled(names, side), strict=True)}

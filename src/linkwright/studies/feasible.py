@@ -57,12 +57,13 @@ def stuck(run: Run) -> list[Finding]:
 def _row(run: Run, row: str, more: Sequence[float] = ()) -> tuple[Array, Array]:
     """Times and values of a group's reach or span, on a grid that holds its turning points and some more times."""
 
-    def rates(t: Array) -> tuple[Array, Array]:
+    def rates(share: Array) -> tuple[Array, Array]:
+        t, slope = run.place(share)
         y = run.compiled.evaluate([row], t, rates=True)
-        return y[:, 0], y[:, 1]
+        return y[:, 0], y[:, 1] * slope
 
-    turning = stationary(rates, run.start, run.stop, run.grid)[0]
-    t = np.union1d(np.linspace(run.start, run.stop, max(run.grid, 200) + 1), [*turning, *more])
+    shares = np.union1d(np.linspace(0.0, 1.0, max(run.grid, 200) + 1), stationary(rates, 0.0, 1.0, run.grid)[0])
+    t = np.union1d(run.place(shares)[0], [*more])
     return t, run.compiled.evaluate([row], t)[0]
 
 

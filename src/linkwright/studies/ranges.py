@@ -17,13 +17,15 @@ from linkwright.results import Run
 from linkwright.results.stationary import crossings
 from linkwright.structure import Cluster, Group
 from linkwright.studies.feasible import gaps
-from linkwright.studies.sweep import Sweep, cluster_ends, sweeping
+from linkwright.studies.sweep import Stop, Sweep, cluster_ends, sweeping
 
 Array = NDArray[np.float64]
 Interval = tuple[float, float]
 
 OUTWARD = 4.0
 """A sliding drive is followed this many times the mechanism's size from its start, each way."""
+LOOKS = 4
+"""How often ranges are looked through again for what was missed at the first look."""
 SAME = 1e-7
 """Places closer than this share of the stretch looked at are one: a cluster's end is known no better."""
 
@@ -115,6 +117,18 @@ class _Search:
         """The ranges between two times of the sweep."""
         run = Run(self.compiled, low, high, self.samples)
         found = self.gaps(run)
+        for _ in range(LOOKS):
+            kept = self.rest(run, found)
+            # Near a dead end other groups move fast: looked at again where the steps are finer there.
+            more = [gap for r in kept if any(r.sweep.dead) for gap in self.gaps(r.sweep)]
+            if not more:
+                break
+            found += more
+        return kept
+
+    def rest(self, run: Run, found: list[_Gap]) -> list[Range]:
+        """What some gaps leave of a run."""
+        low, high = run.start, run.stop
         tiny = SAME * (high - low)
         starts: list[tuple[float, _Gap | None]] = [(low, None)]
         ends: list[tuple[float, _Gap | None]] = []
@@ -127,10 +141,9 @@ class _Search:
         for (start, before), (stop, after) in zip(starts, ends, strict=True):
             if stop - start > tiny:
                 sides = self.end(run, start, before), self.end(run, stop, after)
-                dead = sides[0].dead, sides[1].dead
-                sweep = Sweep(self.compiled, self.drive, start, stop, self.samples, dead)
-                sweep.failing = _dyad(before), _dyad(after)
-                kept.append(Range(*sides, not any(dead) and self.closes(start, stop), sweep))
+                stops = tuple(None if gap is None else Stop(_dyad(gap), gap.kind == "pole") for gap in (before, after))
+                sweep = Sweep(self.compiled, self.drive, start, stop, self.samples, stops)
+                kept.append(Range(*sides, not any(stops) and self.closes(start, stop), sweep))
         return kept
 
     def gaps(self, run: Run) -> list[_Gap]:
@@ -154,7 +167,8 @@ class _Search:
     def poles(self, run: Run, group: Group) -> list[float]:
         """Where the two lines of a dyad of one mode become parallel, so that its slide runs away."""
         row = [f"determinant:{group.label}"]
-        at = crossings(lambda t: self.compiled.evaluate(row, t)[0], run.start, run.stop, run.grid)
+        shares = crossings(lambda share: self.compiled.evaluate(row, run.place(share)[0])[0], 0.0, 1.0, run.grid)
+        at = run.place(shares)[0]
         known = np.abs(self.compiled.evaluate(row, at)[0]) < 1e-9 if at.size else np.empty(0, bool)
         return [float(t) for t in at[known]]
 
@@ -172,7 +186,10 @@ class _Search:
         compiled, quantities = self.compiled, self.compiled.quantities
         unknowns = compiled.unknowns(gap.worst)
         values, branches = values_at(compiled.laws, gap.worst), compiled.assembly.branches
-        distance, limit = shortfall_at(quantities, compiled.structure, branches, values, group, unknowns.__getitem__)
+        with np.errstate(all="ignore"):
+            distance, limit = shortfall_at(
+                quantities, compiled.structure, branches, values, group, unknowns.__getitem__
+            )
         data: dict[str, Any] = shortfall_data(quantities, group, distance, limit)
         unit, size = quantities.unit_of(u.ANGLE if compiled.mechanism.drives[self.drive].turns else u.LENGTH)
         ends = [f"{(self.origin + time) / size:.6g}" for time in (gap.start, gap.stop)]

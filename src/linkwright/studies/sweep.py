@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,8 @@ from linkwright.structure import Group
 
 Array = NDArray[np.float64]
 
+NEAR = 1e-6
+"""The share of a sweep at its end in which a slide that runs away leaves few digits."""
 EDGE = 0.02
 """How far a search looks past an end at which the motion may go on, so that a root right there is found."""
 
@@ -64,21 +66,26 @@ def cluster_ends(compiled: Compiled, low: float, high: float) -> list[tuple[floa
     return [follower.ends() for follower in compiled.followers if isinstance(follower, _BothWays)]
 
 
+class Stop(NamedTuple):
+    """Why a mechanism stops at an end of a sweep: the dyad whose two modes meet there, or a slide that runs away."""
+
+    dyad: Group | None = None
+    pole: bool = False
+
+
 class Sweep(Run):
     """A stretch of a sweep. Its times are the drive's value less that at the start of the motion (rad or m).
 
-    ``dead`` says of each end whether the mechanism stops there: towards such an end rates grow like 1/sqrt, so equal
-    shares of the sweep are taken in the cosine of an angle, over which everything is smooth. ``failing`` is the dyad
-    that stops it, if it is one.
+    ``stops`` says why the mechanism stops at the low and high end, where it does. Towards such an end rates grow like
+    1/sqrt, so equal shares of the sweep are taken in the cosine of an angle, over which everything is smooth.
     """
 
-    failing: tuple[Group | None, Group | None] = (None, None)
-
     def __init__(
-        self, compiled: Compiled, drive: str, start: float, stop: float, steps: int, dead: tuple[bool, bool]
+        self, compiled: Compiled, drive: str, start: float, stop: float, steps: int, stops: tuple[Stop | None, ...]
     ) -> None:
         super().__init__(compiled, start, stop, steps)
-        self.drive, self.dead = drive, dead
+        self.drive, self.stops = drive, stops
+        self.dead = tuple(end is not None for end in stops)
         self.origin = values_at(compiled.laws, 0.0)[drive]
 
     def place(self, share: Array) -> tuple[Array, Array]:
@@ -99,15 +106,22 @@ class Sweep(Run):
         low, high = (0.0 if dead else EDGE for dead in self.dead)
         return -low, 1.0 + high
 
+    def regular(self, t: Array) -> NDArray[np.bool_]:
+        """Which times are away from ends at which a slide runs away: what hangs on it has few digits left there."""
+        tiny, kept = NEAR * (self.stop - self.start), np.full(t.shape, True)
+        for edge, end in zip((self.start, self.stop), self.stops, strict=True):
+            if end is not None and end.pole:
+                kept &= np.abs(t - edge) > tiny
+        return kept
+
     def settled(self, names: Sequence[str], side: int) -> Array:
         """Signals at the low (0) or high (1) end. Where a dyad's two modes meet their mean is taken: one of them is
         off by the root of the round-off, the other by as much the other way."""
         time = np.array([(self.start, self.stop)[side]])
-        values, group = self.evaluate(names, time), self.failing[side]
-        if group is None or self.compiled.followers:
+        values, end, assembly = self.evaluate(names, time), self.stops[side], self.compiled.assembly
+        if end is None or end.dyad is None or self.compiled.followers:
             return values
-        assembly = self.compiled.assembly
-        branches = {**assembly.branches, group: -assembly.branches[group]}
+        branches = {**assembly.branches, end.dyad: -assembly.branches[end.dyad]}
         other = replace(self.compiled, assembly=replace(assembly, branches=branches)).evaluate(names, time)
         turning = [self._wraps(name) for name in names]
         other[turning] += 2 * np.pi * np.round((values - other)[turning] / (2 * np.pi))
