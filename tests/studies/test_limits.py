@@ -457,6 +457,54 @@ def test_the_transmission_angle_of_sliding_groups(offset: float) -> None:
     np.testing.assert_allclose(sine, np.abs(rows[1]), atol=1e-9)
 
 
+def on_rail(bodies: dict[str, Any], joints: dict[str, Any]) -> dict[str, Any]:
+    """A crank of 50 mm about O; a bar on a level rail 100 mm up, pushed by 20 N."""
+    return {
+        "units": UNITS,
+        "links": {
+            "frame": {"points": {"O": [0, 0], "H": [0, 100]}},
+            "crank": {"points": {"O": [0, 0], "E": [50, 0]}},
+            "block": {"points": {"E": [0, 0]}},
+            "bar": {"points": {"P": [0, 0]}},
+            **bodies,
+        },
+        "joints": {"rail": {"prismatic": ["frame", "bar"], "line": ["H at 0 deg", "P at 0 deg"]}, **joints},
+        "drives": {"motor": {"turns": "crank", "on": "frame", "speed": "10 deg/s", "start": "60 deg"}},
+        "loads": {"work": {"on": "bar", "at": "P", "along": "rail", "force": -20}},
+        "studies": {"cycle": {"duration": "5 s", "samples": 40}},
+    }
+
+
+@pytest.mark.parametrize(
+    ("signature", "data"),
+    [
+        # A block on the crank itself, pinned to the bar.
+        (
+            "PRP",
+            on_rail(
+                {"block": {"points": {"P": [0, 0]}}},
+                {"slot": {"prismatic": ["crank", "block"], "line": ["E at 0 deg", "P at 0 deg"]}},
+            ),
+        ),
+        # A block on the crank's pin, in a slot of the bar at 70 deg.
+        (
+            "RPP",
+            on_rail({}, {"slot": {"prismatic": ["bar", "block"], "line": ["P at 70 deg", "E at 0 deg"]}}),
+        ),
+    ],
+)
+def test_the_transmission_angle_of_groups_with_one_mode(signature: str, data: Any) -> None:
+    """The bar moves along x: the share of the block's force in x is the sine."""
+    result = job_of(data).cycle.result  # type: ignore[union-attr]
+    (group,) = result.run.compiled.structure.groups
+    assert group.signature == signature
+    fx, fy = result["force(block, bar).x"], result["force(block, bar).y"]
+    rows = result.run.compiled.evaluate([f"determinant:{group.label}"], result.t)
+    np.testing.assert_allclose(np.abs(fx) / np.hypot(fx, fy), np.abs(rows[0]), atol=1e-12)
+    (angle,) = only(limits_of(data, ranges={"motor": [60, 110]}))[1].transmission
+    assert angle.angle == pytest.approx(np.arcsin(np.abs(rows[0]).min()), abs=1e-6)
+
+
 # Beside a cycle; options.
 
 

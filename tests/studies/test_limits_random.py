@@ -6,11 +6,14 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
+import pytest
 from hypothesis import assume, given, settings
 
 from helpers.compiled import compiled_of
-from helpers.plain import Plain
-from helpers.random_mechanisms import mechanisms
+from helpers.plain import Plain, document_of
+from helpers.random_mechanisms import Seeded, build, driven_elsewhere, mechanisms, sketched
+from linkwright.model.mechanism import Document
+from linkwright.structure import decompose
 from linkwright.studies.limits import Limits, LimitsOptions, Stretch
 from linkwright.studies.ranges import Range
 
@@ -53,7 +56,7 @@ def ends(found: Range) -> None:
             assert abs(run.compiled.evaluate([f"reach:{end.group}"], np.array([end.value - run.origin]))[0, 0]) < 1e-12
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(mechanisms())
 def test_of_random_mechanisms(plain: Plain) -> None:
     compiled = compiled_of(plain)
@@ -65,3 +68,16 @@ def test_of_random_mechanisms(plain: Plain) -> None:
             holds(found, stretch, shares)
             ends(found)
         assert any(found.sweep.start <= 0 <= found.sweep.stop for found, _ in limits.ranges)
+
+
+@pytest.mark.parametrize(("chain", "seed"), [("four_bar", 0), ("slider_crank", 3), ("elliptic_trammel", 9)])
+def test_of_mechanisms_with_a_drive_inside_a_loop(chain: str, seed: int) -> None:
+    """Both ways from the start; in the last one slides run away, which takes no longer than all else."""
+    source = Seeded(seed)
+    plain = driven_elsewhere(build(chain, source), source)
+    (cluster,) = decompose(Document.model_validate(document_of(plain))).clusters
+    outcome = STUDY.run(compiled_of(sketched(plain, cluster.links)), LimitsOptions())
+    ((found, stretch),) = outcome.drives[0].ranges
+    assert found.sweep.start < 0 < found.sweep.stop
+    assert {found.low.kind, found.high.kind} <= ({"pole"} if chain == "elliptic_trammel" else {"cluster", "window"})
+    holds(found, stretch, np.random.default_rng(1).uniform(0.01, 0.99, 100))

@@ -26,6 +26,8 @@ CAP = 1e4
 """Values and rates are looked at up to so many times their usual size."""
 NEARER = 1e-10
 """The share of the run inside a dead end at which a signal that grows without limit is over that at ``NEAR`` ..."""
+RUNS = 1e3
+"""A signal that is so many times its usual size at ``NEAR`` runs away with a slide."""
 GROWS = 50.0
 """... by this factor: 1/sqrt(t) grows by 100."""
 
@@ -256,19 +258,18 @@ class _Course:
     def limit(self, run: Sweep, side: int) -> float:
         """The value at a dead end; infinite where it grows without limit towards it."""
         length = run.stop - run.start
-        near, nearer = (run.start + s * length if side == 0 else run.stop - s * length for s in (NEAR, NEARER))
-        values = self.values(np.array([near, nearer, (run.start + run.stop) / 2]))
-        usual = max(abs(values[0]), abs(values[2]), 1e-9 * abs(values[1]))
-        if abs(values[1]) > GROWS * usual:
-            return float(np.copysign(np.inf, values[1]))
-        stop = run.stops[side]
+        inside = np.array([NEAR, NEARER, *np.linspace(0.1, 0.9, 9)]) * length
+        near, nearer, *rest = self.values(run.start + inside if side == 0 else run.stop - inside).tolist()
+        usual, stop = max(map(abs, rest)), run.stops[side]
+        if abs(nearer) > GROWS * max(abs(near), usual):
+            return float(np.copysign(np.inf, nearer))
         if stop is not None and stop.pole:
-            return float(values[0])
+            return float(np.copysign(np.inf, near)) if abs(near) > RUNS * usual else near
         names = run.signals_of([self.node])
         time = np.array([(run.start, run.stop)[side]])
         rows = {name: (row, np.zeros(1)) for name, row in zip(names, run.settled(names, side), strict=True)}
         value = float(run.combine(self.node, time, rows).d[0][0])
-        return value if np.isfinite(value) else float(values[1])
+        return value if np.isfinite(value) else nearer
 
     def reversals(self, values: Array) -> tuple[Reversal, ...]:
         """Where the signal turns round; once for the two ends of a full turn."""

@@ -150,11 +150,13 @@ class _Search:
         """What fails in a run: clusters past their ends, dyads out of reach, slides that run away."""
         found = []
         ends = cluster_ends(self.compiled, run.start, run.stop)
-        for cluster, (low, high) in zip(self.compiled.structure.clusters, ends, strict=True):
+        for cluster, ((low, away_below), (high, away_above)) in zip(
+            self.compiled.structure.clusters, ends, strict=True
+        ):
             if low > run.start:
-                found.append(_Gap(run.start, low, "cluster", cluster))
+                found.append(_Gap(run.start, low, "pole" if away_below else "cluster", cluster))
             if high < run.stop:
-                found.append(_Gap(high, run.stop, "cluster", cluster))
+                found.append(_Gap(high, run.stop, "pole" if away_above else "cluster", cluster))
         for group in self.compiled.structure.groups:
             if group.modes > 1:
                 edges = [edge for gap in found for edge in (gap.start, gap.stop)]
@@ -218,4 +220,4 @@ def _edge(block: list[_Gap], edge: str, tiny: float) -> _Gap:
     outer = min if edge == "start" else max
     last = outer(getattr(gap, edge) for gap in block)
     near = [gap for gap in block if abs(getattr(gap, edge) - last) <= tiny]
-    return min(near, key=lambda gap: gap.kind == "cluster")
+    return min(near, key=lambda gap: isinstance(gap.group, Cluster))

@@ -19,6 +19,8 @@ Array = NDArray[np.float64]
 
 NEAR = 1e-6
 """The share of a sweep at its end in which a slide that runs away leaves few digits."""
+FAR = 1e4
+"""A slide that is out so many times the mechanism's size where its path ends has run away."""
 EDGE = 0.02
 """How far a search looks past an end at which the motion may go on, so that a root right there is found."""
 
@@ -39,10 +41,18 @@ class _BothWays(Follower):
             found[:, below] = self.down.inputs(-t[below], clusters=self.place + 1)[self.rows]
         return found
 
-    def ends(self) -> tuple[float, float]:
-        """How far the cluster could be followed down and up so far; infinite where it could all the way."""
-        low, high = self.down.followers[self.place].path.end, self.path.end
-        return (-np.inf if low is None else -low, np.inf if high is None else high)
+    def ends(self) -> tuple[tuple[float, bool], ...]:
+        """How far the cluster could be followed down and up so far, infinite where it could all the way; and whether
+        a slide ran away there."""
+        paths = self.down.followers[self.place].path, self.path
+        return tuple(
+            (sign * np.inf, False) if path.end is None else (sign * path.end, self.out(path.u[-1]) > FAR)
+            for sign, path in zip((-1.0, 1.0), paths, strict=True)
+        )
+
+    def out(self, u: Array) -> float:
+        """How far the slides are out, over the mechanism's size."""
+        return float(np.abs(u * self.slides / self.scale).max())
 
 
 def sweeping(compiled: Compiled, drive: str) -> Compiled:
@@ -59,8 +69,8 @@ def sweeping(compiled: Compiled, drive: str) -> Compiled:
     return up
 
 
-def cluster_ends(compiled: Compiled, low: float, high: float) -> list[tuple[float, float]]:
-    """How far down and up each cluster of a sweep can be followed between two times."""
+def cluster_ends(compiled: Compiled, low: float, high: float) -> list[tuple[tuple[float, bool], ...]]:
+    """How far down and up each cluster of a sweep can be followed between two times; see ``_BothWays.ends``."""
     for end in (low, high):
         compiled.inputs(np.array([end]))
     return [follower.ends() for follower in compiled.followers if isinstance(follower, _BothWays)]

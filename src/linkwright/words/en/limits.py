@@ -34,7 +34,7 @@ LIMITS: dict[str, str] = {
     "limits.end.window": "At {at} it goes on: no more was looked at.",
     "limits.end.group": "At {at} {group} is stretched or folded.",
     "limits.end.cluster": "At {at} {group} meets a singular pose.",
-    "limits.end.pole": "At {at} the lines of {group} are parallel and its slide runs away.",
+    "limits.end.pole": "At {at} a slide of {group} runs away.",
     "limits.whole_turns": "{turns} turn(s)",
     "limits.everywhere": "everywhere",
     "limits.none": "none",
