@@ -1,4 +1,4 @@
-"""The command line: ``linkwright check | run | modes | schema``. Slow imports wait until a command needs them."""
+"""The command line. Slow imports wait until a command needs them."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def run(file: Path, out: Path | None, netcdf: bool, as_json: bool) -> None:
     from linkwright.cli import show
 
     examined = app.examine_file(file)
-    with show.working(file, quiet=as_json):
+    with show.working(file, "run", quiet=as_json):
         job = app.perform(examined)
         if examined.document is not None and job.outcomes:
             folder = out or file.with_name(f"{file.stem}_linkwright")
@@ -89,7 +89,7 @@ def modes(file: Path, as_json: bool) -> None:
     from linkwright.app.job import summary_text
     from linkwright.cli import show
 
-    with show.working(file, quiet=as_json):
+    with show.working(file, "modes", quiet=as_json):
         done = app.modes_of_file(file)
     if as_json:
         show.plain(summary_text(done.summary))
@@ -97,6 +97,26 @@ def modes(file: Path, as_json: bool) -> None:
         show.findings(done.examined, file)
         show.modes(done)
     sys.exit(done.exit_code)
+
+
+@cli.command(help=say("cli.limits"))
+@_file
+@_json
+def limits(file: Path, as_json: bool) -> None:
+    """Perform the limits study alone."""
+    from linkwright import app
+    from linkwright.app.job import summary_text
+    from linkwright.cli import show
+
+    examined = app.examine_file(file, only="limits")
+    with show.working(file, "limits", quiet=as_json):
+        job = app.perform(examined)
+    if as_json:
+        show.plain(summary_text(job.summary))
+    else:
+        show.findings(examined, file)
+        show.job(job, file)
+    sys.exit(job.exit_code)
 
 
 @cli.command(help=say("cli.schema"))

@@ -127,6 +127,15 @@ class Measure(TypedDict):
     verdict: bool | None
 
 
+class Grid(TypedDict):
+    """A table of text: its heads and rows of equal length."""
+
+    name: str
+    title: str
+    heads: Sequence[str]
+    rows: Sequence[Sequence[str]]
+
+
 class Check(TypedDict):
     """One line of the certificate: its figure and what it means, in a sentence."""
 
@@ -164,6 +173,7 @@ class ReportData(TypedDict):
     plots: Sequence[Plot]
     measures: Sequence[Measure]
     certificate: Sequence[Check]
+    limits: NotRequired[Sequence[Grid]]
     structure: Sequence[Fact]
     failures: Sequence[Failure]
     model_text: str

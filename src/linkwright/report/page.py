@@ -48,6 +48,7 @@ def page(data: ReportData) -> str:
             '<div class="results">',
             sections.measures(data),
             sections.certificate(data),
+            sections.limits(data),
             sections.plots(data),
             sections.modes(data),
             sections.structure(data),

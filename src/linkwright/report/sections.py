@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from html import escape
 
-from linkwright.report.data import Check, Measure, Plot, ReportData
+from linkwright.report.data import Check, Grid, Measure, Plot, ReportData
 from linkwright.report.modes import section
 
 GROUPS = ("motion", "force")
@@ -34,7 +34,7 @@ def header(data: ReportData) -> str:
 
 def _contents(data: ReportData) -> str:
     parts = [("mechanism", True), ("measures", bool(data["measures"]))]
-    parts += [("certificate", bool(data["certificate"]))]
+    parts += [("certificate", bool(data["certificate"])), ("limits", bool(data.get("limits")))]
     parts += [(group, any(plot["group"] == group for plot in data["plots"])) for group in GROUPS]
     parts += [("modes", "modes" in data), ("structure", bool(data["structure"])), ("model", bool(data["model_text"]))]
     words = data["words"]
@@ -104,6 +104,27 @@ def _check(check: Check, data: ReportData) -> Sequence[str]:
     word = data["words"]["report.holds" if check["ok"] else "report.violated"]
     figure = f'<span class="figure">{escape(check["figure"])}</span>'
     return (f"<b>{escape(check['name'])}</b>", figure, escape(check["sentence"]), _mark(check["ok"], word))
+
+
+def limits(data: ReportData) -> str:
+    """The tables of the limits study."""
+    grids = "".join(_grid(grid) for grid in data.get("limits", []))
+    title = escape(data["words"]["report.limits"]) if grids else ""
+    return grids and f'<section id="limits"><h2>{title}</h2>{grids}</section>'
+
+
+def _grid(grid: Grid) -> str:
+    heads = "".join(f'<th scope="col">{escape(head)}</th>' for head in grid["heads"])
+    rows = "".join(
+        "<tr>"
+        + "".join(
+            f'<td data-head="{escape(head)}">{_lines(cell)}</td>' for head, cell in zip(grid["heads"], row, strict=True)
+        )
+        + "</tr>"
+        for row in grid["rows"]
+    )
+    title = f"<h3>{escape(grid['title'])}</h3>"
+    return f'{title}<table class="limits"><thead><tr>{heads}</tr></thead><tbody>{rows}</tbody></table>'
 
 
 def structure(data: ReportData) -> str:

@@ -33,7 +33,7 @@ def unassembled(run: Run) -> list[Finding]:
         if group.modes < 2:
             continue
         ends = [end for gap in taken for end in gap]
-        for start, stop, worst in _gaps(run, f"reach:{group.label}", ends):
+        for start, stop, worst in gaps(run, f"reach:{group.label}", ends):
             if not any(a <= start and stop <= b for a, b in taken):
                 taken.append((start, stop))
                 findings.append(_cannot_assemble(run, group, start, stop, worst))
@@ -57,16 +57,17 @@ def stuck(run: Run) -> list[Finding]:
 def _row(run: Run, row: str, more: Sequence[float] = ()) -> tuple[Array, Array]:
     """Times and values of a row, on a grid that holds its turning points and some more times."""
 
-    def rates(t: Array) -> tuple[Array, Array]:
+    def rates(share: Array) -> tuple[Array, Array]:
+        t, slope = run.place(share)
         y = run.compiled.evaluate([row], t, rates=True)
-        return y[:, 0], y[:, 1]
+        return y[:, 0], y[:, 1] * slope
 
-    turning = stationary(rates, run.start, run.stop, run.grid)[0]
-    t = np.union1d(np.linspace(run.start, run.stop, max(run.grid, 200) + 1), [*turning, *more])
+    shares = np.union1d(np.linspace(0.0, 1.0, max(run.grid, 200) + 1), stationary(rates, 0.0, 1.0, run.grid)[0])
+    t = np.union1d(run.place(shares)[0], [*more])
     return t, run.compiled.evaluate([row], t)[0]
 
 
-def _gaps(run: Run, row: str, ends: Sequence[float]) -> list[tuple[float, float, float]]:
+def gaps(run: Run, row: str, ends: Sequence[float]) -> list[tuple[float, float, float]]:
     """Intervals in which a reach is negative, with the time of its least value.
 
     ``ends`` are those of the gaps of earlier groups, where this one's reach may stop while it is negative.

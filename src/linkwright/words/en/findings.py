@@ -483,6 +483,14 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The option {key} of the study {study} is wrong: {reason}.",
         "Correct it; docs/file-format.md lists the options of each study.",
     ),
+    "study.not-in-sweep": (
+        "'{name}' has no meaning in the limits study: one drive moves through its values at unit speed, without forces.",
+        "Take positions, angles, travels and their rates; forces and times belong into the measures of a cycle.",
+    ),
+    "study.wide-range": (
+        "The range of {drive} is wider than {limit} {unit}.",
+        "Give a smaller range.",
+    ),
     "study.none": (
         "The file asks for no study.",
         "Add one, for example studies: {{cycle: {{period: 1.5 s, samples: 200}}}}.",

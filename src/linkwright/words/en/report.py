@@ -11,6 +11,7 @@ REPORT: dict[str, str] = {
     "report.figure": "Figure",
     "report.force": "Forces",
     "report.holds": "holds",
+    "report.limits": "Limits",
     "report.link_names": "Link names",
     "report.made_with": "Made with linkwright {version}",
     "report.meaning": "What it says",

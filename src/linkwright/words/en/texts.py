@@ -87,6 +87,7 @@ TEXTS: dict[str, str] = {
     "cli.run": "Perform the studies that FILE names; write report.html, summary.json and cycle.csv.",
     "cli.check": "Say what FILE describes, and everything that is wrong with it.",
     "cli.modes": "Find all ways to put the links of FILE together, and which of them motion joins.",
+    "cli.limits": "Say how far FILE's mechanism can go: ranges, dead centres, strokes, transmission angles.",
     "cli.schema": "Print the JSON Schema of model files, for editors.",
     "cli.out": "The folder to write to (default: FILE's name with _linkwright, beside it).",
     "cli.netcdf": "Write cycle.nc (netCDF) as well: all signals in SI, with units, certificate and findings.",
