@@ -83,6 +83,19 @@ def test_an_antiparallelogram_stays_one() -> None:
     assert at(run, "rocker.omega", t) == pytest.approx(rate, rel=1e-10)
 
 
+def test_instant_centres_are_told_in_the_band_or_blank() -> None:
+    """Kennedy: that of crank and rocker is on the ground line, at w_c x = w_r (x - d); of parallel cranks, none."""
+    data = parallelogram()
+    data["assembly"] = {"B": "right of A-O4"}
+    run = cycle_of(data).result.run
+    t = fine(run)
+    crank, rocker = at(run, "crank.omega", t), at(run, "rocker.omega", t)
+    assert at(run, "pole(crank, rocker).y", t) == pytest.approx(0, abs=1e-9)
+    assert at(run, "pole(crank, rocker).x", t) == pytest.approx(-0.1 * rocker / (crank - rocker), rel=1e-8)
+    run = cycle_of(parallelogram()).result.run
+    assert not np.isfinite(at(run, "pole(crank, rocker).x", fine(run))).any()
+
+
 def test_a_slider_crank_with_a_rod_as_long_as_its_crank() -> None:
     """C.x = 2 r cos(angle), through C = A at 90 and 270 deg."""
     data = slider_crank(50, 50, 0)

@@ -15,8 +15,8 @@ from linkwright.model.mechanism import Document
 from linkwright.model.yaml_text import Source
 from linkwright.report.build import report_data
 from linkwright.report.page import page
-from linkwright.report.summary import summary
-from linkwright.studies import CycleOutcome, Task, read_studies
+from linkwright.report.parts import PARTS, drawn, summary
+from linkwright.studies import CycleOutcome, LimitsOutcome, ModesOutcome, Task, read_studies
 
 CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite")
 """Codes that begin so mean a model that can't do what is asked (exit code 1); all others a wrong file (2)."""
@@ -45,8 +45,8 @@ class Examined:
         return 1 if all(finding.code.startswith(CANNOT) for finding in errors) else 2
 
 
-def examine_file(path: Path) -> Examined:
-    """Read and compile a model file; findings carry the lines of the file."""
+def read_file(path: Path) -> Examined:
+    """Read a model file, without looking into what it describes."""
     try:
         raw = path.read_bytes() if path.stat().st_size < 1 << 26 else b" " * (1 << 21)
     except OSError as error:
@@ -55,15 +55,24 @@ def examine_file(path: Path) -> Examined:
     document, source = read_document(raw)
     if document is None:
         return Examined(findings=source.findings)
-    examined = examine_document(document, path.parent)
-    examined.source = source
+    return Examined(document, source=source)
+
+
+def examine_file(path: Path, only: str | None = None) -> Examined:
+    """Read and compile a model file; findings carry the lines of the file. ``only``: see :func:`examine_document`."""
+    read = read_file(path)
+    if read.document is None:
+        return read
+    examined = examine_document(read.document, path.parent, only)
+    examined.source = read.source
     examined.findings = examined.located(examined.findings)
     return examined
 
 
-def examine_document(document: Document, folder: Path | None = None) -> Examined:
-    """Compile a document and read its studies."""
-    tasks, findings = read_studies(document.studies)
+def examine_document(document: Document, folder: Path | None = None, only: str | None = None) -> Examined:
+    """Compile a document and read its studies; with ``only``, that study alone, whether the file asks for it or not."""
+    tasks, findings = read_studies(document.studies if only is None else {only: {}, **document.studies})
+    tasks = [task for task in tasks if only in (None, task.study.name)]
     compiled, faults = examine(document, folder)
     findings += faults
     if compiled is not None:
@@ -85,9 +94,19 @@ class Job:
         return self.outcomes.get("cycle")
 
     @property
+    def modes(self) -> ModesOutcome | None:
+        """The assembly modes, where the file asks for them."""
+        return self.outcomes.get("modes")
+
+    @property
+    def limits(self) -> LimitsOutcome | None:
+        """The outcome of the limits study, where the file asks for it."""
+        return self.outcomes.get("limits")
+
+    @property
     def found(self) -> list[Finding]:
         """What the studies found: why a run isn't whole, and warnings."""
-        return [] if self.cycle is None else [*self.cycle.failures, *self.cycle.warnings]
+        return [finding for outcome in self.outcomes.values() for finding in (*outcome.failures, *outcome.warnings)]
 
     @property
     def exit_code(self) -> int:
@@ -100,7 +119,7 @@ class Job:
         document = self.examined.document
         if document is None:
             return {"done": False, "findings": [finding.as_dict() for finding in self.examined.findings]}
-        return summary(document, self.cycle, self.examined.located([*self.examined.findings, *self.found]))
+        return summary(document, self.outcomes, self.examined.located([*self.examined.findings, *self.found]))
 
 
 def perform(examined: Examined) -> Job:
@@ -117,13 +136,18 @@ def perform(examined: Examined) -> Job:
     return job
 
 
-def write(job: Job, folder: Path) -> None:
-    """Write report.html, summary.json and cycle.csv, each whole or not at all."""
+def write(job: Job, folder: Path, netcdf: bool = False) -> None:
+    """Write report.html, summary.json, the studies' own files (cycle.csv) and, if asked, cycle.nc, each whole or not
+    at all."""
     folder.mkdir(parents=True, exist_ok=True)
     document = job.examined.document
-    if job.cycle is not None and document is not None:
-        write_aside(folder / "report.html", page(report_data(document, job.cycle)))
-        job.cycle.result.to_csv(folder / "cycle.csv")
+    if document is not None and drawn(job.outcomes) is not None:
+        write_aside(folder / "report.html", page(report_data(document, job.outcomes)))
+    for study, outcome in job.outcomes.items():
+        for name, text in PARTS[study].files.items():
+            write_aside(folder / name, text(outcome))
+    if netcdf and job.cycle is not None:
+        job.cycle.result.to_netcdf(folder / "cycle.nc", warnings=job.cycle.warnings)
     write_aside(folder / "summary.json", summary_text(job.summary) + "\n")
     job.folder = folder
 

@@ -14,15 +14,19 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from linkwright.app import Examined, Job
+from linkwright.app import Examined, Job, ModesJob
 from linkwright.model.findings import Finding
 from linkwright.model.units import TIME
-from linkwright.report.build import measure
 from linkwright.report.data import MeasureValue
 from linkwright.report.facts import checks, facts
+from linkwright.report.limits import limits_entry, limits_tables
+from linkwright.report.modes import circuit_text, mode_text, modes_data
+from linkwright.report.parts import measure
+from linkwright.studies import LimitsOutcome
 from linkwright.words import say
 
 out = Console(highlight=False, soft_wrap=True)
+wide = out if out.is_terminal else Console(highlight=False, soft_wrap=True, width=120)  # a pipe has no width
 err = Console(stderr=True, highlight=False, soft_wrap=True)
 
 _NUMBERS = ("value", "figure")
@@ -39,12 +43,12 @@ def plain(text: str) -> None:
 
 
 @contextmanager
-def working(file: Path, quiet: bool) -> Iterator[None]:
+def working(file: Path, study: str, quiet: bool) -> Iterator[None]:
     """A spinner while a command works, on a terminal only."""
     if quiet or not err.is_terminal:
         yield
         return
-    with err.status(say("cli.working", study="run", file=escape(str(file)))):
+    with err.status(say("cli.working", study=study, file=escape(str(file)))):
         yield
 
 
@@ -94,10 +98,28 @@ def job(done: Job, file: Path) -> None:
     if done.cycle is not None:
         _measures(done)
         _certificate(done)
-        for item in done.examined.located(done.found):
-            finding(item, file)
+    if done.limits is not None:
+        _limits(done.limits)
+    for item in done.examined.located(done.found):
+        finding(item, file)
     if done.folder is not None:
         out.print(escape(say("cli.written", folder=done.folder)))
+
+
+def modes(done: ModesJob) -> None:
+    """Assembly modes, the circuits on which they lie, the lines that select them."""
+    if done.outcome is None:
+        return
+    data = modes_data(done.outcome)
+    table = _table("mode", "where_on", "assembly")
+    for entry in data["modes"]:
+        lines = entry["assembly"] or [say("modes.untold")]
+        table.add_row(str(entry["number"]), escape(mode_text(entry)), escape("\n".join(lines)))
+    for sentence in (*data["sentences"], *(circuit_text(entry, data) for entry in data["circuits"])):
+        out.print(escape(sentence))
+    if data["modes"]:
+        out.print()
+        out.print(table)
 
 
 def _table(*columns: str) -> Table:
@@ -143,6 +165,18 @@ def _certificate(done: Job) -> None:
         table.add_row(escape(check["name"]), check["figure"], f"{mark} {escape(check['sentence'])}")
     out.print(table)
     out.print()
+
+
+def _limits(outcome: LimitsOutcome) -> None:
+    for grid in limits_tables(limits_entry(outcome)["limits"]):
+        table = Table(box=None, header_style="bold", padding=(0, 2, 0, 0))
+        for head in grid["heads"]:
+            table.add_column(escape(head), overflow="fold")
+        for row in grid["rows"]:
+            table.add_row(*map(escape, row))
+        out.print(f"[bold underline]{escape(grid['title'])}[/]")
+        wide.print(table)
+        out.print()
 
 
 def cannot_write(folder: Path, error: OSError) -> None:

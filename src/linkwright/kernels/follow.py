@@ -46,6 +46,7 @@ class Follower:
         self.closure: Kernel = KERNELS[kernel](graph.program(names))
         self.motion: Kernel = KERNELS[kernel](graph.program([f"rate:{label}:{i}" for i in range(n)]))
         self.scale = np.array([1.0 if edge.joint.letter == "R" else size for edge in cluster.free])
+        self.slides = np.array([0.0 if edge.joint.letter == "R" else 1.0 for edge in cluster.free])
         self.start = np.array(start)
         self.path = Path()
 
@@ -54,6 +55,12 @@ class Follower:
         self.extend(float(t.max(initial=0.0)), p, at)
         start = self.between(t)
         return self.newton(x, start, p)
+
+    def moved(self, step: Array, u: Array) -> Array:
+        """The largest step of a pose's coordinates: (poses,), in rad, and of slides over the size or where it is more
+        over how far they are out, so that one that runs away doesn't do so in ever smaller steps."""
+        size = np.maximum(self.scale[:, None], np.abs(u) * self.slides[:, None])
+        return np.asarray(np.abs(step / size).max(axis=0))
 
     def newton(self, x: Array, start: Array, p: Array) -> Array:
         """Newton on all poses at once."""
@@ -71,9 +78,9 @@ class Follower:
             except np.linalg.LinAlgError:
                 return np.full_like(u, np.nan)
             u = u - step
-            if np.abs(step / self.scale[:, None]).max(initial=0.0) < 1e-14:
+            worst = self.moved(step, u)
+            if worst.max(initial=0.0) < 1e-14:
                 break
-        worst = np.abs(step / self.scale[:, None]).max(axis=0)
         u[:, ~(worst < 1e-10)] = np.nan
         return u
 
@@ -89,7 +96,7 @@ class Follower:
             guess = u + (there - now) * rate
             x = at(np.array([there]))
             found = self.newton(x, guess[:, None], p)[:, 0]
-            moved = np.abs((found - guess) / self.scale).max()
+            moved = self.moved((found - guess)[:, None], u[:, None])[0]
             if not moved < CLOSE:
                 step = (there - now) / 2
                 if step < PATIENCE * to:

@@ -22,6 +22,7 @@ SIDE = 8
 """Poses on each side of a band."""
 GAP = 0.25
 """Half the band's width over the distance of the farthest pose."""
+PROOF = np.array([-0.9, -0.6, 0.6, 0.9])
 AT = 1e-9
 """What grows without bound has no value this near (over the same distance)."""
 
@@ -53,6 +54,11 @@ class Passage:
     def nodes(self) -> Array:
         """The times of the poses (s)."""
         return self.time + self.width * self.places
+
+    @property
+    def proof(self) -> Array:
+        """Times in the band at which the closed forms still are good enough to prove the interpolation (s)."""
+        return self.time + GAP * self.width * PROOF
 
     def inside(self, t: Array) -> Array:
         """Which times lie in the band."""

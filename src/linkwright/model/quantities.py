@@ -40,7 +40,7 @@ class Quantities:
         self.places: list[Place] = inference.places
         self.order = inference.order
         wrong = {finding.data["base"] for finding in self.findings}
-        self.findings += _collapsed([replace(f, data=self._spelt(f.data)) for f in inference.findings], wrong)
+        self.findings += _collapsed([replace(f, data=self.spelt(f.data)) for f in inference.findings], wrong)
         self._bound: dict[tuple[str, Dimension | None], Node] = {}
         # Cells of tables are bound alike whoever asks: a bare 0 alone doesn't tell its dimension.
         self._cells: dict[int, Wanted] = {
@@ -63,7 +63,7 @@ class Quantities:
                 del declared[base]
         return declared
 
-    def _spelt(self, data: Mapping[str, Any]) -> dict[str, Any]:
+    def spelt(self, data: Mapping[str, Any]) -> dict[str, Any]:
         """The data of a finding with its dimensions spelled as units."""
         return {
             key: self.unit_of(value)[0] or Term("no-unit") if isinstance(value, Dimension) else value
@@ -90,7 +90,7 @@ class Quantities:
             try:
                 self._bound[key] = self.dimensions.bind(expression.node, dimension)
             except DimensionError as error:
-                raise self._explained(expression) or DimensionError(error.key, **self._spelt(error.data)) from None
+                raise self._explained(expression) or DimensionError(error.key, **self.spelt(error.data)) from None
         return self._bound[key]
 
     def value(self, expression: Expression, dimension: Dimension | None) -> float:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Literal
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,12 +12,14 @@ import linkwright
 from linkwright.model.document import dump
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
-from linkwright.model.units import LENGTH, TIME
-from linkwright.report.data import Failure, Joint, Link, Measure, Plot, Pose, ReportData, Scene, Series, Trace
-from linkwright.report.facts import checks, facts
+from linkwright.model.units import ANGLE, LENGTH, TIME
+from linkwright.report.centrodes import centrodes
+from linkwright.report.data import Failure, Joint, Link, Plot, Pose, ReportData, Scene, Series, Time, Trace
+from linkwright.report.facts import facts
+from linkwright.report.parts import PARTS, drawn
 from linkwright.results import Result
 from linkwright.structure import FRAME
-from linkwright.studies import CycleOutcome, MeasureResult
+from linkwright.studies.sweep import Sweep
 from linkwright.words import LANGUAGE, catalogue, say
 
 Array = NDArray[np.float64]
@@ -27,29 +29,46 @@ MAX_STEPS = 800
 """Poses in a report: enough for any screen, few enough for a page that opens at once."""
 
 
-def report_data(document: Document, outcome: CycleOutcome) -> ReportData:
-    """Everything that the report of a run shows, in the file's units."""
-    result = outcome.result.thinned(MAX_STEPS)
-    quantities = result.run.compiled.quantities
-    time_unit, second = quantities.unit_of(TIME)
-    nearest = result.certificate.nearest if result.certificate else None
-    nearest_text = f"{nearest.time / second:.6g} {time_unit}" if nearest else ""
+_RATES = (("position", ""), ("velocity", "v"), ("acceleration", "a"))
+
+
+def report_data(document: Document, outcomes: Mapping[str, Any]) -> ReportData:
+    """Everything that the report of some outcomes shows, in the file's units. One of them has something to draw."""
+    whole = drawn(outcomes)
+    assert whole is not None
+    result = whole.thinned(MAX_STEPS)
+    findings = [finding for outcome in outcomes.values() for finding in (*outcome.failures, *outcome.warnings)]
     words = {key: text for key, text in catalogue().items() if key.startswith("report.")}
-    return {
+    data: ReportData = {
         "title": document.name,
         "subtitle": document.note or "",
         "version": linkwright.__version__,
         "language": LANGUAGE,
         "words": words,
-        "time": {"values": (result.t / second).tolist(), "unit": time_unit, "label": say("plot.time")},
+        "time": axis(result),
         "scene": scene(result),
         "plots": plots(result),
-        "measures": [measure(m, second, time_unit) for m in outcome.measures],
-        "certificate": checks(result.certificate, nearest_text) if result.certificate else [],
+        "measures": [],
+        "certificate": [],
+        "limits": [],
         "structure": facts(result.run.compiled),
-        "failures": [_failure(f) for f in (*outcome.failures, *outcome.warnings)],
+        "failures": [_failure(finding) for finding in findings],
         "model_text": dump(document),
     }
+    for name, part in PARTS.items():
+        if name in outcomes:
+            data |= part.page(outcomes[name])  # type: ignore[typeddict-item]
+    return data
+
+
+def axis(result: Result) -> Time:
+    """What the drawing and the plots run over: the time, or in a sweep the drive's value."""
+    run, quantities = result.run, result.run.compiled.quantities
+    if isinstance(run, Sweep):
+        unit, size = quantities.unit_of(ANGLE if run.compiled.mechanism.prescribed(run.drive).turns else LENGTH)
+        return {"values": ((run.origin + result.t) / size).tolist(), "unit": unit, "label": run.drive}
+    unit, size = quantities.unit_of(TIME)
+    return {"values": (result.t / size).tolist(), "unit": unit, "label": say("plot.time")}
 
 
 def _failure(finding: Finding) -> Failure:
@@ -60,7 +79,6 @@ def scene(result: Result) -> Scene:
     """The mechanism for the drawing: links, joints, and the paths of points that move."""
     compiled = result.run.compiled
     unit, size = compiled.quantities.unit_of(LENGTH)
-    _, second = compiled.quantities.unit_of(TIME)
     geometry = compiled.assembly.start.geometry if compiled.assembly.start else None
     assert geometry is not None
     moving = compiled.structure.topology.moving
@@ -76,10 +94,11 @@ def scene(result: Result) -> Scene:
         links.append({"name": name, "fixed": name == FRAME, "points": points, "pose": pose})
     return {
         "length_unit": unit,
-        "time": (result.t / second).tolist(),
+        "time": axis(result)["values"],
         "links": links,
         "joints": _joints(result),
         "traces": _traces(result, size),
+        "centrodes": centrodes(result, size),
     }
 
 
@@ -134,19 +153,26 @@ def _listed(values: Array) -> list[float | None]:
 
 
 def plots(result: Result) -> list[Plot]:
-    """Motion and force plots, those in which something happens."""
-    compiled = result.run.compiled
-    m, signals = compiled.mechanism, compiled.quantities.signals
-    links = compiled.structure.topology.moving
+    """Motion and force plots, those in which something happens; of a sweep, whose speed means nothing, places only."""
+    compiled, sweep = result.run.compiled, isinstance(result.run, Sweep)
+    m, links = compiled.mechanism, compiled.structure.topology.moving
     found: list[Plot | None] = []
     for point in _moving_points(result):
-        for title, axes in (("position", ""), ("velocity", "v"), ("acceleration", "a")):
+        for title, axes in _RATES[: 1 if sweep else None]:
             names = [f"{point}.{axes}{axis}" for axis in "xy"]
             found.append(_plot(result, say(f"plot.{title}", name=point), "motion", names))
-    for attribute in ("angle", "omega", "alpha"):
+    for attribute in ("angle", "omega", "alpha")[: 1 if sweep else None]:
         names = [f"{link}.{attribute}" for link in links]
         found.append(_plot(result, say(f"plot.{attribute}"), "motion", names))
     found += [_plot(result, say("plot.slide", name=n), "motion", [f"{n}.s"]) for n, _ in m.prismatic_joints()]
+    if not sweep:
+        found += _force_plots(result)
+    return [plot for plot in found if plot is not None]
+
+
+def _force_plots(result: Result) -> list[Plot | None]:
+    m, signals = result.run.compiled.mechanism, result.run.compiled.quantities.signals
+    found: list[Plot | None] = []
     seen: set[str] = set()
     for contact in signals.contacts:
         key = contact.joint if contact.on != contact.joint else f"{contact.joint}/{contact.link}"
@@ -168,7 +194,7 @@ def plots(result: Result) -> list[Plot]:
     found.append(_plot(result, say("plot.power"), "force", [f"{n}.power" for n in m.drives]))
     found.append(_plot(result, say("plot.shaking"), "force", ["shaking.x", "shaking.y"]))
     found.append(_plot(result, say("plot.shaking_moment"), "force", ["shaking.moment"]))
-    return [plot for plot in found if plot is not None]
+    return found
 
 
 def _plot(result: Result, title: str, group: Literal["motion", "force"], names: Sequence[str]) -> Plot | None:
@@ -184,30 +210,3 @@ def _largest(values: Array) -> float:
     """The largest magnitude, round-off beside whole numbers counted as zero."""
     top = float(np.nanmax(np.abs(values), initial=0.0))
     return top if top > 1e-12 else 0.0
-
-
-def measure(m: MeasureResult, second: float, time_unit: str) -> Measure:
-    """A line of the table of measures."""
-    entry, reduction = m.measure, m.measure.reduction
-    data = {
-        "reduction": reduction,
-        "signal": m.measure.signal.text,
-        "window": entry.window,
-        "where": entry.where,
-    }
-    key = "measure.text.where" if entry.where else "measure.text.window" if entry.window else "measure.text"
-    return {
-        "name": m.name,
-        "text": say(key, **data),
-        "values": [
-            {
-                "label": say(f"measure.{f.label}") if f.label else "",
-                "value": f.value / m.size,
-                "at": "" if f.time is None else say("measure.at", time=f"{f.time / second:.6g} {time_unit}"),
-            }
-            for f in m.found
-        ],
-        "unit": m.unit,
-        "requirement": m.requirement,
-        "verdict": m.verdict,
-    }

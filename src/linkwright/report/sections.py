@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from html import escape
 
-from linkwright.report.data import Check, Measure, Plot, ReportData
+from linkwright.report.data import Check, Grid, Measure, Plot, ReportData
+from linkwright.report.modes import section
 
 GROUPS = ("motion", "force")
 
@@ -33,9 +34,9 @@ def header(data: ReportData) -> str:
 
 def _contents(data: ReportData) -> str:
     parts = [("mechanism", True), ("measures", bool(data["measures"]))]
-    parts += [("certificate", bool(data["certificate"]))]
+    parts += [("certificate", bool(data["certificate"])), ("limits", bool(data.get("limits")))]
     parts += [(group, any(plot["group"] == group for plot in data["plots"])) for group in GROUPS]
-    parts += [("structure", bool(data["structure"])), ("model", bool(data["model_text"]))]
+    parts += [("modes", "modes" in data), ("structure", bool(data["structure"])), ("model", bool(data["model_text"]))]
     words = data["words"]
     links = (f'<a href="#{name}">{escape(words[f"report.{name}"])}</a>' for name, here in parts if here)
     return f'<nav aria-label="{escape(words["report.contents"])}">{"".join(links)}</nav>'
@@ -105,6 +106,27 @@ def _check(check: Check, data: ReportData) -> Sequence[str]:
     return (f"<b>{escape(check['name'])}</b>", figure, escape(check["sentence"]), _mark(check["ok"], word))
 
 
+def limits(data: ReportData) -> str:
+    """The tables of the limits study."""
+    grids = "".join(_grid(grid) for grid in data.get("limits", []))
+    title = escape(data["words"]["report.limits"]) if grids else ""
+    return grids and f'<section id="limits"><h2>{title}</h2>{grids}</section>'
+
+
+def _grid(grid: Grid) -> str:
+    heads = "".join(f'<th scope="col">{escape(head)}</th>' for head in grid["heads"])
+    rows = "".join(
+        "<tr>"
+        + "".join(
+            f'<td data-head="{escape(head)}">{_lines(cell)}</td>' for head, cell in zip(grid["heads"], row, strict=True)
+        )
+        + "</tr>"
+        for row in grid["rows"]
+    )
+    title = f"<h3>{escape(grid['title'])}</h3>"
+    return f'{title}<table class="limits"><thead><tr>{heads}</tr></thead><tbody>{rows}</tbody></table>'
+
+
 def structure(data: ReportData) -> str:
     """Mobility, loops, groups: one sentence each."""
     if not data["structure"]:
@@ -114,6 +136,11 @@ def structure(data: ReportData) -> str:
     )
     title = escape(data["words"]["report.structure"])
     return f'<section id="structure"><h2>{title}</h2><dl>{rows}</dl></section>'
+
+
+def modes(data: ReportData) -> str:
+    """Assembly modes and circuits, where the file asks for them."""
+    return section(data["modes"], data["words"]) if "modes" in data else ""
 
 
 def plots(data: ReportData) -> str:

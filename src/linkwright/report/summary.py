@@ -1,36 +1,29 @@
-"""The summary of a run as plain data: what ``summary.json`` holds."""
+"""A cycle as plain data: its part of ``summary.json``."""
 
 from __future__ import annotations
 
 from typing import Any
 
-import linkwright
-from linkwright.model.findings import Finding
-from linkwright.model.mechanism import Document
 from linkwright.model.units import TIME
 from linkwright.results import Certificate, Result
 from linkwright.studies import CycleOutcome, MeasureResult
 
 
-def summary(document: Document, outcome: CycleOutcome | None, findings: list[Finding]) -> dict[str, Any]:
-    """Name, verdict, measures (in the file's units), certificate, and all findings of the file and its run."""
-    data: dict[str, Any] = {"linkwright": linkwright.__version__, "name": document.name, "done": False}
-    if outcome is not None:
-        quantities = outcome.result.run.compiled.quantities
-        time_unit, second = quantities.unit_of(TIME)
-        run = outcome.result.run
-        data["done"] = outcome.done
-        data["run"] = {
+def cycle_entry(outcome: CycleOutcome) -> dict[str, Any]:
+    """The run, its measures (in the file's units) and its certificate."""
+    run = outcome.result.run
+    time_unit, second = run.compiled.quantities.unit_of(TIME)
+    return {
+        "run": {
             "start": run.start / second,
             "stop": run.stop / second,
             "unit": time_unit,
             "rows": run.t.size,
             "kernel": run.compiled.kernel,
-        }
-        data["measures"] = {m.name: measure_entry(m, second, time_unit) for m in outcome.measures}
-        data["certificate"] = certificate_entry(outcome.result, second, time_unit)
-    data["findings"] = [finding.as_dict() for finding in findings]
-    return data
+        },
+        "measures": {m.name: measure_entry(m, second, time_unit) for m in outcome.measures},
+        "certificate": certificate_entry(outcome.result, second, time_unit),
+    }
 
 
 def measure_entry(m: MeasureResult, second: float, time_unit: str) -> dict[str, Any]:

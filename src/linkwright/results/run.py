@@ -19,6 +19,8 @@ Array = NDArray[np.float64]
 MAX_TURN = 0.5
 """Largest turn (rad) between neighbours of the grid on which angles are made continuous."""
 MAX_GRID = 1 << 17
+BLIND = 1e-6
+"""The share of the run around a change point in which rates have lost their digits."""
 LOOK = 1 << 14
 """Points at which the drives' laws are looked at for short moves and rests."""
 
@@ -28,8 +30,9 @@ class Run:
 
     def __init__(self, compiled: Compiled, start: float, stop: float, steps: int) -> None:
         self.compiled, self.start, self.stop, self.steps = compiled, start, stop, steps
-        self.looked: dict[str, tuple[Array, Array]] = {}
+        self.rows: dict[str, tuple[Array, Array]] = {}
         """Rows that were looked at closely: times with all turning points, and values."""
+        self.change_points: tuple[float, ...] = ()
         self._angles: dict[str, tuple[Array, Array]] = {}
 
     @cached_property
@@ -118,17 +121,29 @@ class Run:
         turns = np.round((near - wrapped) / (2 * np.pi))
         return wrapped + 2 * np.pi * turns
 
+    def place(self, share: Array) -> tuple[Array, Array]:
+        """The times at some shares (0..1) of the run, and their slopes: what searches take equal steps of."""
+        return self.start + share * (self.stop - self.start), np.full_like(share, self.stop - self.start)
+
+    def clear(self, t: Array, width: float = BLIND) -> NDArray[np.bool_]:
+        """Which times are away from the known change points, so that rates have a meaning there."""
+        away = np.full(t.shape, True)
+        for time in self.change_points:
+            away &= np.abs(t - time) > width * (self.stop - self.start)
+        return away
+
     def _track(self, name: str) -> tuple[Array, Array]:
         """The continuous angle on a grid fine enough that no step turns further than :data:`MAX_TURN`."""
         count = max(self.steps, 64)
         names = [name, name.replace(".angle", ".omega")]
         while True:
-            grid = np.linspace(self.start, self.stop, count + 1)
+            share = np.linspace(0.0, 1.0, count + 1)
+            grid, slope = self.place(share)
             angle, omega = self.compiled.evaluate(names, grid)
-            known = np.isfinite(angle) & np.isfinite(omega)
-            grid, angle, omega = grid[known], angle[known], omega[known]
+            known = np.isfinite(angle) & np.isfinite(omega) & self.clear(grid)
+            share, grid, angle, omega = share[known], grid[known], angle[known], (omega * slope)[known]
             # The rates say how far it turned; the angles only have to agree with that but for whole turns.
-            turned = np.diff(grid) * (omega[1:] + omega[:-1]) / 2
+            turned = np.diff(share) * (omega[1:] + omega[:-1]) / 2
             rest = np.mod(np.diff(angle) - turned + np.pi, 2 * np.pi) - np.pi
             if count >= MAX_GRID or np.abs(turned).max(initial=0.0) < MAX_TURN:
                 return grid, np.concatenate([angle[:1], angle[:1] + np.cumsum(turned + rest)])

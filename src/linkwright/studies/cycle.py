@@ -14,7 +14,7 @@ from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen, fault
 from linkwright.model.findings import Finding, ModelError
 from linkwright.results import Result, Run, certify
-from linkwright.studies.feasible import near, singular, unassembled
+from linkwright.studies.feasible import near, singular, strokes, unassembled
 from linkwright.studies.measures import MeasureResult, measure_all
 from linkwright.studies.outputs import powerless
 from linkwright.studies.registry import register
@@ -99,7 +99,7 @@ class Cycle:
             return CycleOutcome(Result(run, dead))
         result = Result(run, certificate=certify(run))
         measures, faults = measure_all(run)
-        result.failures += faults
+        result.failures += [*faults, *strokes(run)]
         notes = [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
         return CycleOutcome(result, measures, notes)
 

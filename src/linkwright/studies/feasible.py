@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from linkwright.graph.assembly import shortfall_at, shortfall_data
 from linkwright.kernels.laws import values_at
 from linkwright.model import units as u
-from linkwright.model.findings import Finding
+from linkwright.model.findings import Finding, Term
 from linkwright.results import Run
 from linkwright.results.certificate import nearest
 from linkwright.results.stationary import stationary
@@ -35,7 +35,7 @@ def unassembled(run: Run) -> list[Finding]:
         if group.modes < 2:
             continue
         ends = [end for gap in taken for end in gap]
-        for start, stop, worst in _gaps(run, f"reach:{group.label}", ends):
+        for start, stop, worst in gaps(run, f"reach:{group.label}", ends):
             if not any(a <= start and stop <= b for a, b in taken):
                 taken.append((start, stop))
                 findings.append(_cannot_assemble(run, group, start, stop, worst))
@@ -57,24 +57,25 @@ def stuck(run: Run) -> list[Finding]:
 
 
 def _row(run: Run, row: str, more: Sequence[float] = ()) -> tuple[Array, Array]:
-    """Times and values of a group's reach or span, on a grid that holds its turning points and some more times."""
+    """Times and values of a row, on a grid that holds its turning points and some more times."""
 
-    def rates(t: Array) -> tuple[Array, Array]:
+    def rates(share: Array) -> tuple[Array, Array]:
+        t, slope = run.place(share)
         y = run.compiled.evaluate([row], t, rates=True)
-        return y[:, 0], y[:, 1]
+        return y[:, 0], y[:, 1] * slope
 
-    if row not in run.looked:
-        turning = stationary(rates, run.start, run.stop, run.grid)[0]
-        t = np.union1d(np.linspace(run.start, run.stop, max(run.grid, 200) + 1), turning)
-        run.looked[row] = t, run.compiled.evaluate([row], t)[0]
-    t, values = run.looked[row]
-    if not more:
+    if row not in run.rows:
+        shares = np.union1d(np.linspace(0.0, 1.0, max(run.grid, 200) + 1), stationary(rates, 0.0, 1.0, run.grid)[0])
+        t = run.place(shares)[0]
+        run.rows[row] = t, run.compiled.evaluate([row], t)[0]
+    t, values = run.rows[row]
+    if not len(more):
         return t, values
-    t = np.union1d(t, more)
+    t = np.union1d(t, [*more])
     return t, run.compiled.evaluate([row], t)[0]
 
 
-def _gaps(run: Run, row: str, ends: Sequence[float]) -> list[tuple[float, float, float]]:
+def gaps(run: Run, row: str, ends: Sequence[float]) -> list[tuple[float, float, float]]:
     """Intervals in which a reach is negative, with the time of its least value.
 
     ``ends`` are those of the gaps of earlier groups, where this one's reach may stop while it is negative.
@@ -159,6 +160,33 @@ def near(run: Run) -> list[Finding]:
             inner = [time for time in times if run.start < time < run.stop]
             found += [_near(run, group.label, time) for time in inner if not _passed(run, group.label, time)]
     return found
+
+
+def strokes(run: Run) -> list[Finding]:
+    """A finding for each cylinder that is shorter or longer in the run than it can be, at its worst."""
+    findings = []
+    quantities = run.compiled.quantities
+    unit, size = quantities.unit_of(u.LENGTH)
+    for name, cylinder in run.compiled.mechanism.cylinders.items():
+        if cylinder.length is None:
+            continue
+        low, high = (quantities.value(edge, u.LENGTH) for edge in cylinder.length)
+        t, length = _row(run, f"{name}.s")
+        for at, over, limit in (
+            (int(np.argmin(length)), low - length.min(), low),
+            (int(np.argmax(length)), length.max() - high, high),
+        ):
+            if over > 1e-9 * high:
+                data: dict[str, Any] = {
+                    "name": name,
+                    "length": f"{length[at] / size:.6g}",
+                    "limit": f"{limit / size:.6g}",
+                }
+                data |= {"by": f"{over / size:.4g}", "length_unit": unit, "time": f"{t[at]:.6g}"}
+                data["end"] = Term("shorter" if limit == low else "longer")
+                path = ("cylinders", name, "length")
+                findings.append(Finding("motion.cylinder-length", path, data | drive_value(run, float(t[at]))))
+    return findings
 
 
 def _passed(run: Run, group: str, time: float) -> bool:

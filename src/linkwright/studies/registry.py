@@ -46,7 +46,10 @@ class Task:
 
 
 def read_studies(raw: Mapping[str, Mapping[str, Any]]) -> tuple[list[Task], list[Finding]]:
-    """The studies that a file names, and what is wrong with their options."""
+    """The studies that a file names, and what is wrong with their options.
+
+    Options may look at those of the other studies: these are the context of their validation.
+    """
     tasks, findings = [], []
     for name, entry in raw.items():
         study = STUDIES.get(name)
@@ -54,7 +57,7 @@ def read_studies(raw: Mapping[str, Mapping[str, Any]]) -> tuple[list[Task], list
             findings.append(Finding("study.unknown", ("studies", name), {"name": name, "near": near(name, [*STUDIES])}))
             continue
         try:
-            tasks.append(Task(study, study.options.model_validate(entry)))
+            tasks.append(Task(study, study.options.model_validate(entry, context=raw)))
         except ValidationError as error:
             findings += [_wrong_option(name, fault) for fault in error.errors(include_url=False)]
     return tasks, findings

@@ -27,10 +27,9 @@ SAME = 1e-6
 """Change points of several groups nearer than this share of that way are one."""
 BEGIN = 1e-9
 """A change point no later than this share of it after the start is at the start."""
-PROOF = np.array([-0.9, -0.6, 0.6, 0.9])
-"""Where in a band the closed forms still are good enough to prove the interpolation, over its half width."""
 MOTION = (1e-11, 1e-10, 1e-9, 1e-7)
-"""How far the two may differ there in positions, velocities, accelerations, jerks, over their size near by."""
+"""How far interpolation and closed forms may differ in positions, velocities, accelerations, jerks, over their size
+near by, where both are good."""
 FORCE = 1e-8
 
 
@@ -162,7 +161,7 @@ def _settled(compiled: Compiled, passage: Passage, names: list[str]) -> dict[str
 
 def _proven(compiled: Compiled, passage: Passage, names: list[str], most: int) -> dict[str, int] | None:
     """The powers of the signals that grow without bound; ``None`` where some aren't told by the poses around."""
-    t = passage.time + GAP * passage.width * PROOF
+    t = passage.proof
     wrapped = [i for i, name in enumerate(names) if compiled.graph.wrapped(name)]
     values, exact = compiled.closed(names, passage.nodes), compiled.closed(names, t)
     values[wrapped] = np.unwrap(values[wrapped])

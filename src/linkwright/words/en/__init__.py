@@ -1,7 +1,8 @@
 """English words, by key. Chinese and others follow as packages beside this one."""
 
 from linkwright.words.en.findings import FINDINGS
+from linkwright.words.en.limits import LIMITS
 from linkwright.words.en.report import REPORT
 from linkwright.words.en.texts import TEXTS
 
-WORDS: dict[str, str] = {**FINDINGS, **REPORT, **TEXTS}
+WORDS: dict[str, str] = {**FINDINGS, **LIMITS, **REPORT, **TEXTS}

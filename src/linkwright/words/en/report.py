@@ -1,6 +1,7 @@
 """The report's words in English; ``{...}`` are filled in by the page."""
 
 REPORT: dict[str, str] = {
+    "report.centrodes": "Centrodes",
     "report.certificate": "Certificate",
     "report.check": "Check",
     "report.contents": "Contents",
@@ -10,6 +11,7 @@ REPORT: dict[str, str] = {
     "report.figure": "Figure",
     "report.force": "Forces",
     "report.holds": "holds",
+    "report.limits": "Limits",
     "report.link_names": "Link names",
     "report.made_with": "Made with linkwright {version}",
     "report.meaning": "What it says",
@@ -19,6 +21,7 @@ REPORT: dict[str, str] = {
     "report.mend": "Mend",
     "report.model": "Model",
     "report.model_show": "The model as given",
+    "report.modes": "Assembly modes",
     "report.motion": "Motion",
     "report.no_script": "The animated drawing and the plots need JavaScript.",
     "report.not_assembled": "Can't be assembled here",

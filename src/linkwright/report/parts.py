@@ -1,0 +1,109 @@
+"""How the outcome of each study is written: its entries in the summary, its sections of the page, its files."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import linkwright
+from linkwright.model.findings import Finding
+from linkwright.model.mechanism import Document
+from linkwright.model.units import TIME
+from linkwright.report.data import Measure
+from linkwright.report.facts import checks
+from linkwright.report.limits import limits_entry, limits_tables
+from linkwright.report.modes import modes_data, told
+from linkwright.report.summary import cycle_entry
+from linkwright.results import Result
+from linkwright.studies import CycleOutcome, LimitsOutcome, MeasureResult
+from linkwright.words import say
+
+
+@dataclass(frozen=True)
+class Part:
+    """How one study is written.
+
+    ``summary`` gives its entries in summary.json, ``page`` its keys of the report's data, ``result`` what the report
+    draws (where no study before it has one), ``files`` the text of further files by name.
+    """
+
+    summary: Callable[[Any], dict[str, Any]]
+    page: Callable[[Any], dict[str, Any]]
+    result: Callable[[Any], Result | None]
+    files: Mapping[str, Callable[[Any], str]] = field(default_factory=dict)
+
+
+def _cycle_page(outcome: CycleOutcome) -> dict[str, Any]:
+    result = outcome.result
+    time_unit, second = result.run.compiled.quantities.unit_of(TIME)
+    nearest = result.certificate.nearest if result.certificate else None
+    nearest_text = f"{nearest.time / second:.6g} {time_unit}" if nearest else ""
+    return {
+        "measures": [measure(m, second, time_unit) for m in outcome.measures],
+        "certificate": checks(result.certificate, nearest_text) if result.certificate else [],
+    }
+
+
+def _limits_page(outcome: LimitsOutcome) -> dict[str, Any]:
+    return {"limits": limits_tables(limits_entry(outcome)["limits"])}
+
+
+def measure(m: MeasureResult, second: float, time_unit: str) -> Measure:
+    """A line of the table of measures."""
+    entry, reduction = m.measure, m.measure.reduction
+    data = {
+        "reduction": reduction,
+        "signal": m.measure.subject,
+        "window": entry.window,
+        "where": entry.where,
+    }
+    key = "measure.text.where" if entry.where else "measure.text.window" if entry.window else "measure.text"
+    return {
+        "name": m.name,
+        "text": say(key, **data),
+        "values": [
+            {
+                "label": say(f"measure.{f.label}") if f.label else "",
+                "value": f.value / m.size,
+                "at": "" if f.time is None else say("measure.at", time=f"{f.time / second:.6g} {time_unit}"),
+            }
+            for f in m.found
+        ],
+        "unit": m.unit,
+        "requirement": m.requirement,
+        "verdict": m.verdict,
+    }
+
+
+PARTS: dict[str, Part] = {
+    "cycle": Part(
+        summary=cycle_entry,
+        page=_cycle_page,
+        result=lambda outcome: outcome.result,
+        files={"cycle.csv": lambda outcome: outcome.result.to_csv()},
+    ),
+    "limits": Part(summary=limits_entry, page=_limits_page, result=lambda outcome: outcome.result),
+    "modes": Part(
+        summary=lambda outcome: {"modes": told(outcome)},
+        page=lambda outcome: {"modes": modes_data(outcome)},
+        result=lambda outcome: None,
+    ),
+}
+"""By study, in the order in which they stand in summary and report."""
+
+
+def drawn(outcomes: Mapping[str, Any]) -> Result | None:
+    """What the report of some outcomes draws."""
+    results = (part.result(outcomes[name]) for name, part in PARTS.items() if name in outcomes)
+    return next((result for result in results if result is not None), None)
+
+
+def summary(document: Document, outcomes: Mapping[str, Any], findings: list[Finding]) -> dict[str, Any]:
+    """What ``summary.json`` holds: name, verdict, the entries of each study, all findings of the file and its run."""
+    done = bool(outcomes) and all(outcome.done for outcome in outcomes.values())
+    data: dict[str, Any] = {"linkwright": linkwright.__version__, "name": document.name, "done": done}
+    for name, part in PARTS.items():
+        if name in outcomes:
+            data |= part.summary(outcomes[name])
+    return data | {"findings": [finding.as_dict() for finding in findings]}

@@ -1,0 +1,258 @@
+"""The limits study: how far each drive and each output can go, where they turn round, how well forces get through."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from typing import Annotated
+
+from pydantic import Field, PrivateAttr, ValidationError, ValidationInfo, model_validator
+
+from linkwright.kernels import Compiled
+from linkwright.kernels.laws import values_at
+from linkwright.model import units as u
+from linkwright.model.dimensions import DimensionError
+from linkwright.model.expressions import Call, Name, is_signal, nodes, parse, signal_text
+from linkwright.model.fields import Expression, Frozen, FrozenDict
+from linkwright.model.fields import Name as NameField
+from linkwright.model.findings import Finding, Term
+from linkwright.model.names import Names
+from linkwright.model.parts import Interval, freeze
+from linkwright.model.places import Place, Scope
+from linkwright.model.quantities import LARGEST
+from linkwright.model.signals import near
+from linkwright.results import Result, Run
+from linkwright.structure import FRAME
+from linkwright.studies.cycle import CycleOptions, span
+from linkwright.studies.extremes import Course, Signals, Touch, Transmission, courses, touches, transmission
+from linkwright.studies.feasible import unassembled
+from linkwright.studies.four_links import FourLinks, four_links
+from linkwright.studies.ranges import Range, ranges
+from linkwright.studies.registry import register
+
+WIDEST = {True: 200 * 3.141592653589793, False: 1000.0}
+"""The widest range of a drive that is looked at: a hundred turns, or so many times the mechanism's size."""
+
+
+class LimitsOptions(Frozen):
+    """Which drives are moved alone, over which values, and which signals are looked at."""
+
+    drives: tuple[NameField, ...] | None = Field(None, description="the drives to look at; all of them by default")
+    ranges: Annotated[dict[NameField, Interval], freeze] = Field(
+        default_factory=FrozenDict,
+        description="[low, high] of a drive's value; else one turn, or as far as a slide gets from its start",
+    )
+    signals: tuple[Expression, ...] = Field(
+        (), max_length=200, description="expressions of positions and rates whose extremes are wanted as well"
+    )
+    samples: int = Field(360, ge=16, le=20_000, description="steps of the grid between which limits are bracketed")
+    _cycle: CycleOptions | None = PrivateAttr(None)
+
+    @model_validator(mode="after")
+    def _beside(self, info: ValidationInfo) -> LimitsOptions:
+        """The motion of the file's cycle is looked at too."""
+        beside = (info.context or {}).get("cycle")
+        if beside is not None:
+            try:
+                self._cycle = CycleOptions.model_validate(beside)
+            except ValidationError:
+                self._cycle = None  # told by the cycle itself
+        return self
+
+    @property
+    def cycle(self) -> CycleOptions | None:
+        """The options of the file's cycle, where it asks for one."""
+        return self._cycle
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """What a run comes to: its signals, dyads and change points."""
+
+    run: Run
+    courses: list[Course]
+    transmission: list[Transmission]
+    touches: list[Touch]
+
+
+@dataclass(frozen=True)
+class DriveLimits:
+    """One drive moved alone from the start pose: its ranges, and what happens over each."""
+
+    drive: str
+    ranges: list[tuple[Range, Stretch]]
+
+
+@dataclass
+class LimitsOutcome:
+    """What the limits study gives; times of sweeps are drive values less ``Sweep.origin`` (rad or m)."""
+
+    compiled: Compiled
+    samples: int
+    drives: list[DriveLimits] = field(default_factory=list)
+    motion: Stretch | None = None
+    loops: list[FourLinks] = field(default_factory=list)
+    warnings: list[Finding] = field(default_factory=list)
+    failures: list[Finding] = field(default_factory=list)
+
+    @property
+    def done(self) -> bool:
+        """Whether nothing went wrong. A range that ends is a result, no failure."""
+        return not self.failures
+
+    @property
+    def result(self) -> Result | None:
+        """The first sweep as arrays over the drive's value, for a drawing."""
+        stretches = [stretch for drive in self.drives for _, stretch in drive.ranges]
+        return Result(stretches[0].run) if stretches else None
+
+
+@register
+class Limits:
+    """Ranges, dead centres, strokes, transmission angles, types of four-bars."""
+
+    name = "limits"
+    options = LimitsOptions
+
+    def check(self, compiled: Compiled, options: LimitsOptions) -> list[Finding]:
+        """What is wrong with drives, ranges and signals."""
+        return [*_drives(compiled, options), *_ranges(compiled, options), *_signals(compiled, options)]
+
+    def run(self, compiled: Compiled, options: LimitsOptions) -> LimitsOutcome:
+        """Move each drive alone, then follow the file's motion."""
+        outcome = LimitsOutcome(compiled, options.samples, loops=four_links(compiled))
+        signals = _wanted(compiled, options)
+        for drive in options.drives if options.drives is not None else compiled.graph.drives:
+            window = options.ranges.get(drive)
+            edges = None if window is None else (_value(compiled, drive, window[0]), _value(compiled, drive, window[1]))
+            found = ranges(compiled, drive, edges, options.samples)
+            forward = _forward(compiled, drive)
+            outcome.drives.append(DriveLimits(drive, [(r, _swept(r, signals, forward)) for r in found]))
+        if options.cycle is not None:
+            _follow(outcome, options.cycle, signals)
+        return outcome
+
+
+def _swept(found: Range, signals: Signals, forward: bool) -> Stretch:
+    run = found.sweep
+    meeting = _touched(run)
+    flat = [(touch.group, touch.time) for touch in meeting]
+    flat += [
+        (end.group, end.value - run.origin)
+        for end in (found.low, found.high)
+        if end.group is not None and end.kind != "cluster"
+    ]
+    return Stretch(run, courses(run, signals, found.full, forward), transmission(run, flat), meeting)
+
+
+def _touched(run: Run) -> list[Touch]:
+    """The change points of a run, which is told of them."""
+    found = touches(run)
+    run.change_points = tuple(touch.time for touch in found)
+    return found
+
+
+def _follow(outcome: LimitsOutcome, cycle: CycleOptions, signals: Signals) -> None:
+    """The same over the file's motion, where it can be followed."""
+    stop, findings = span(outcome.compiled, cycle)
+    if findings:
+        return
+    run = Run(outcome.compiled, 0.0, stop, max(cycle.samples, outcome.samples))
+    if gaps := unassembled(run):
+        outcome.warnings += [replace(gap, severity="warning") for gap in gaps]
+        return
+    meeting = _touched(run)
+    flat = [(touch.group, touch.time) for touch in meeting]
+    outcome.motion = Stretch(run, courses(run, signals), transmission(run, flat), meeting)
+
+
+def outputs(compiled: Compiled) -> list[str]:
+    """The angles of all links hinged on the frame and the travels of all slides, but those that a drive holds."""
+    m, topology = compiled.mechanism, compiled.structure.topology
+    moved = {name: m.prescribed(name) for name in m.drives}
+    driven = {topology.driven(name)[0].joint: {drive.link, drive.on} for name, drive in moved.items()}
+    found = []
+    for pin in topology.pins.values():
+        if FRAME in pin.links:
+            held = driven.get(pin.name, set())
+            found += [f"{link}.angle" for link in pin.links if link != FRAME and {link, FRAME} != held]
+    found += [f"{name}.s" for name, _ in m.prismatic_joints() if name not in driven]
+    return list(dict.fromkeys(found))
+
+
+def _wanted(compiled: Compiled, options: LimitsOptions) -> Signals:
+    quantities = compiled.quantities
+    texts = dict.fromkeys([*outputs(compiled), *(signal.text for signal in options.signals)])
+    return {
+        text: (quantities.bind(Expression(text), None), quantities.dimensions.dimension(parse(text))) for text in texts
+    }
+
+
+def _value(compiled: Compiled, drive: str, edge: Expression) -> float:
+    return compiled.quantities.value(edge, u.ANGLE if compiled.mechanism.prescribed(drive).turns else u.LENGTH)
+
+
+def _forward(compiled: Compiled, drive: str) -> bool:
+    """Whether the drive's value rises over the first while of its motion."""
+    early = values_at(compiled.laws, 1e-3)[drive] - values_at(compiled.laws, 0.0)[drive]
+    return early >= 0
+
+
+def _drives(compiled: Compiled, options: LimitsOptions) -> Iterator[Finding]:
+    known = list(compiled.mechanism.drives)
+    for key, names in (("drives", options.drives or ()), ("ranges", options.ranges)):
+        for name in names:
+            if name not in known:
+                data = {"kind": Term("a-drive"), "name": name, "near": near(name, known)}
+                yield Finding("name.unknown", ("studies", "limits", key), data)
+
+
+def _ranges(compiled: Compiled, options: LimitsOptions) -> Iterator[Finding]:
+    for name, edges in options.ranges.items():
+        path = ("studies", "limits", "ranges", name)
+        if name not in compiled.mechanism.drives:
+            continue
+        drive = compiled.mechanism.prescribed(name)
+        try:
+            low, high = (_value(compiled, name, edge) for edge in edges)
+        except DimensionError as error:
+            yield Finding(error.key, path, error.data)
+            continue
+        widest = WIDEST[drive.turns is not None] * (1.0 if drive.turns else compiled.assembly.size())
+        if not (abs(low) < LARGEST and abs(high) < LARGEST):
+            yield Finding("value.not-finite", path, {"text": f"{edges[0].text}, {edges[1].text}"[:60]})
+        elif not low < high:
+            yield Finding("value.not-rising", path, {"low": edges[0].text[:40], "high": edges[1].text[:40]})
+        elif high - low > widest:
+            unit, size = compiled.quantities.unit_of(u.ANGLE if drive.turns else u.LENGTH)
+            yield Finding("study.wide-range", path, {"drive": name, "limit": f"{widest / size:.4g}", "unit": unit})
+
+
+def _signals(compiled: Compiled, options: LimitsOptions) -> Iterator[Finding]:
+    quantities = compiled.quantities
+    names = Names(compiled.mechanism, quantities.signals)
+    for i, expression in enumerate(options.signals):
+        path = ("studies", "limits", "signals", i)
+        place = Place(path, expression, u.PURE, Scope.SIGNALS)
+        wrong = [*names.unknown(place), *names.misplaced(place)]
+        yield from wrong
+        if wrong:
+            continue
+        dynamic = [name for name in _names(compiled, expression) if name is not None]
+        yield from (Finding("study.not-in-sweep", path, {"name": name}) for name in dict.fromkeys(dynamic))
+        if not dynamic:
+            try:
+                quantities.dimensions.bind(expression.node, None)
+            except DimensionError as error:
+                yield Finding(error.key, path, quantities.spelt(error.data))
+
+
+def _names(compiled: Compiled, expression: Expression) -> Iterator[str | None]:
+    """The names in an expression that mean nothing where a drive moves at unit speed without forces."""
+    for part in nodes(expression.node):
+        if isinstance(part, Name | Call) and is_signal(part):
+            signal = compiled.quantities.signals.find(part)
+            dynamic = signal.kind in ("force", "shaking", "energy") or signal.attribute in ("torque", "force", "power")
+            yield signal_text(part) if dynamic else None
+        elif isinstance(part, Name) and part.text == "t":
+            yield part.text

@@ -1,0 +1,135 @@
+"""What is written of a file that asks for its limits, alone or beside a cycle."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import linkwright as lw
+from app.models import SOUND, STUCK
+from linkwright.cli import cli
+from linkwright.report.build import report_data
+from linkwright.report.limits import limits_entry, limits_tables
+
+ALONE = SOUND.split("studies:", maxsplit=1)[0] + "studies:\n  limits: {signals: [P.x], samples: 90}\n"
+BOTH = SOUND + "  limits: {}\n"
+
+
+@pytest.fixture
+def write(tmp_path: Path) -> Any:
+    def at(text: str) -> Path:
+        path = tmp_path / "model.yaml"
+        path.write_text(text, "utf-8")
+        return path
+
+    return at
+
+
+def test_limits_alone_are_written_with_a_report(write: Any, tmp_path: Path) -> None:
+    job = lw.run(write(ALONE), out=tmp_path / "out")
+    assert job.exit_code == 0
+    assert job.cycle is None
+    assert {path.name for path in (tmp_path / "out").iterdir()} == {"report.html", "summary.json"}
+    data = json.loads((tmp_path / "out" / "summary.json").read_text("utf-8"))
+    assert data["done"] is True
+    assert not {"run", "measures", "certificate"} & set(data)
+    assert data["limits"]["samples"] == 90
+    (found,) = data["limits"]["drives"]["motor"]["ranges"]
+    assert found["full_turn"] is True
+    assert found["low"] == {"at": 40.0, "kind": "window", "group": None, "what": None}
+    swing = found["signals"]["rocker.angle"]
+    assert swing["unit"] == "deg"
+    assert swing["span"] == pytest.approx(73.7818196)
+    assert swing["strokes"]["rising"] + swing["strokes"]["falling"] == pytest.approx(360)
+    assert [c["kind"] for c in swing["dead_centres"]] == ["max", "min"]
+    assert found["signals"]["P.x"]["unit"] == "mm"
+    assert found["transmission"]["coupler-rocker"]["at"] == pytest.approx(360.0)
+    assert data["limits"]["motion"] is None
+    (loop,) = data["limits"]["four_links"]
+    assert (loop["kind"], loop["turning"], loop["margin"]) == ("crank-rocker", ["crank"], pytest.approx(-20))
+
+
+def test_the_report_of_limits_alone_runs_over_the_drives_value(write: Any) -> None:
+    job = lw.run(write(ALONE))
+    data = report_data(lw.load(write(ALONE)), job.outcomes)
+    assert (data["time"]["unit"], data["time"]["label"]) == ("deg", "motor")
+    assert data["time"]["values"][0] == pytest.approx(40)
+    assert data["time"]["values"][-1] == pytest.approx(400)
+    assert data["scene"]["time"] == data["time"]["values"]
+    assert {plot["unit"] for plot in data["plots"]} == {"mm", "deg"}  # no rates, no forces
+    assert {plot["group"] for plot in data["plots"]} == {"motion"}
+    assert [grid["name"] for grid in data["limits"]] == [
+        "ranges", "signals", "dead_centres", "transmission", "four_links",
+    ]  # fmt: skip
+
+
+def test_limits_beside_a_cycle(write: Any, tmp_path: Path) -> None:
+    job = lw.run(write(BOTH), out=tmp_path / "out")
+    assert (tmp_path / "out" / "cycle.csv").exists()
+    data = json.loads((tmp_path / "out" / "summary.json").read_text("utf-8"))
+    assert data["measures"]["swing"]["value"] == pytest.approx(
+        data["limits"]["motion"]["signals"]["rocker.angle"]["span"]
+    )
+    assert data["limits"]["motion"]["unit"] == "s"
+    page = (tmp_path / "out" / "report.html").read_text("utf-8")
+    assert '<section id="limits">' in page
+    assert '<a href="#limits">' in page
+    assert "Turns fully." in page
+    assert job.limits is not None
+    for grid in limits_tables(limits_entry(job.limits)["limits"]):
+        assert all(len(row) == len(grid["heads"]) for row in grid["rows"])
+        assert grid["title"] in page
+
+
+def test_the_gap_stands_in_the_page(write: Any, tmp_path: Path) -> None:
+    lw.run(write(STUCK.split("studies:")[0] + "studies: {limits: {}}"), out=tmp_path / "out")
+    page = (tmp_path / "out" / "report.html").read_text("utf-8")
+    section = re.search(r'<section id="limits">(.*?)</section>', page, re.S)
+    assert section
+    assert "can&#x27;t be put together between motor" in section[1]
+    assert "triple-rocker" in section[1]
+
+
+# The command.
+
+
+def run(*words: str) -> tuple[int, str, str]:
+    from click.testing import CliRunner
+
+    result = CliRunner().invoke(cli, list(words))
+    return result.exit_code, result.stdout, result.stderr
+
+
+@pytest.mark.parametrize("text", [SOUND, ALONE, BOTH, SOUND.split("studies:", maxsplit=1)[0]])
+def test_the_command_needs_no_study_in_the_file(write: Any, text: str) -> None:
+    path = write(text)
+    code, out, err = run("limits", str(path))
+    assert (code, err) == (0, "")
+    for word in ("motor", "Turns fully.", "73.78182", "26.38433", "crank-rocker", "1.355573"):
+        assert word in out
+    assert ("the motion" in out) == ("cycle" in text)
+    assert [p.name for p in path.parent.iterdir()] == ["model.yaml"]
+
+
+def test_the_command_as_json(write: Any) -> None:
+    code, out, err = run("limits", str(write(BOTH)), "--json")
+    data = json.loads(out)
+    assert (code, err) == (0, "")
+    assert set(data) == {"linkwright", "name", "done", "limits", "findings"}
+
+
+def test_the_command_on_a_wrong_file(write: Any) -> None:
+    code, out, err = run("limits", str(write(ALONE.replace("P.x", "Q.x"))))
+    assert (code, out) == (2, "")
+    assert "model.yaml:20: error studies.limits.signals.0: Nothing in this mechanism is called 'Q'." in err
+
+
+def test_a_motion_that_stops_is_told_and_is_no_error_of_the_limits(write: Any) -> None:
+    code, out, err = run("limits", str(write(STUCK)))
+    assert code == 0
+    assert "can't be put together between motor = 93.8226 and 266.177 deg" in out
+    assert "warning" in err
