@@ -202,7 +202,9 @@ class Drive(Frozen):
     turns: Name | None = Field(None, description="the link that is turned, about the pin that it shares with on")
     slides: Name | None = Field(None, description="the link that is moved along the line that it shares with on")
     extends: Name | None = Field(None, description="the cylinder or prismatic joint whose value the drive prescribes")
-    on: Name = Field("", description="the link against which the motion is measured, e.g. frame")
+    on_: Name | None = Field(
+        None, alias="on", description="the link against which the motion is measured, e.g. frame; not with extends"
+    )
     speed: Expression | None = Field(None, description="constant speed, e.g. 60 rpm; with start")
     start: Expression | None = Field(None, description="value at t = 0; with speed")
     position: Expression | None = Field(
@@ -220,6 +222,11 @@ class Drive(Frozen):
             yield "drive.law", {}
         elif ("speed" in given) != ("start" in given):
             yield "drive.start", {}
+
+    @property
+    def on(self) -> str:
+        """The link against which the motion is measured."""
+        return self.on_ or ""
 
     @property
     def link(self) -> str:
