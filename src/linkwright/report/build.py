@@ -16,7 +16,7 @@ from linkwright.model.units import ANGLE, LENGTH, TIME
 from linkwright.report.centrodes import centrodes
 from linkwright.report.data import Failure, Joint, Link, Plot, Pose, ReportData, Scene, Series, Time, Trace
 from linkwright.report.facts import facts
-from linkwright.report.parts import PARTS, drawn
+from linkwright.report.parts import PARTS, drawn, found
 from linkwright.results import Result
 from linkwright.structure import FRAME
 from linkwright.studies.sweep import Sweep
@@ -37,7 +37,6 @@ def report_data(document: Document, outcomes: Mapping[str, Any]) -> ReportData:
     whole = drawn(outcomes)
     assert whole is not None
     result = whole.thinned(MAX_STEPS)
-    findings = [finding for outcome in outcomes.values() for finding in (*outcome.failures, *outcome.warnings)]
     words = {key: text for key, text in catalogue().items() if key.startswith("report.")}
     data: ReportData = {
         "title": document.name,
@@ -52,7 +51,7 @@ def report_data(document: Document, outcomes: Mapping[str, Any]) -> ReportData:
         "certificate": [],
         "limits": [],
         "structure": facts(result.run.compiled),
-        "failures": [_failure(finding) for finding in findings],
+        "failures": [_failure(finding) for finding in found(outcomes)],
         "model_text": dump(document),
     }
     for name, part in PARTS.items():

@@ -98,6 +98,10 @@ class Sweep(Run):
         self.dead = tuple(end is not None for end in stops)
         self.origin = values_at(compiled.laws, 0.0)[drive]
 
+    def on(self, steps: int) -> Sweep:
+        """The same stretch on other steps."""
+        return Sweep(self.compiled, self.drive, self.start, self.stop, steps, self.stops)
+
     def place(self, share: Array) -> tuple[Array, Array]:
         length = self.stop - self.start
         if not any(self.dead):
