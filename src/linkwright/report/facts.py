@@ -41,7 +41,7 @@ def facts(compiled: Compiled) -> list[Fact]:
         loops=topology.loops,
     )
     lines += [_fact("mobility", mobility), _fact("order", "; ".join(_order(compiled)))]
-    masses = [link for link in topology.moving if m.links[link].mass is not None]
+    masses = [link for link in topology.moving if m.has_mass(link)]
     without = [link for link in topology.moving if link not in masses]
     said = say("fact.mass.none", links=", ".join(without)) if without else say("fact.mass.all")
     if masses:

@@ -17,7 +17,7 @@ from linkwright.model.units import Dimension, unit
 from linkwright.results import Run
 from linkwright.results.quadrature import gauss_points
 from linkwright.results.stationary import stationary
-from linkwright.studies.windows import Interval, intervals
+from linkwright.results.windows import Interval, intervals
 
 Array = NDArray[np.float64]
 
@@ -67,10 +67,19 @@ class Probe:
 
     @cached_property
     def candidates(self) -> tuple[Array, Array]:
-        """Times and values among which the extremes are: stationary points and window ends."""
-        inside = [t for t in self.stationary if any(a < t < b for a, b in self.intervals)]
-        times = np.array(sorted([*inside, *(edge for interval in self.intervals for edge in interval)]))
+        """Times and values among which the extremes are: stationary points, window ends, both sides of jumps."""
+        sides = self.run.jumps
+        inside = [t for t in (*self.stationary, *sides.ravel()) if any(a < t < b for a, b in self.intervals)]
+        # Of a jump, a stationary point or an end of the window only has a side, the inner one.
+        for before, after in sides:
+            inside = [t for t in inside if not before < t < after]
+        ends = [edge for a, b in self.intervals for edge in (self._inner(a, 1), self._inner(b, 0))]
+        times = np.array(sorted([*inside, *ends]))
         return times, self.values(times)
+
+    def _inner(self, edge: float, side: int) -> float:
+        """An end of an interval, moved off a jump there to the interval's side (0 before, 1 after)."""
+        return next((float(pair[side]) for pair in self.run.jumps if pair[0] <= edge <= pair[1]), edge)
 
     def finite(self) -> bool:
         """Whether the expression has a value all over the intervals."""
@@ -97,8 +106,9 @@ class Probe:
         while True:
             total = length = 0.0
             for a, b in self.intervals:
+                turning = np.concatenate([self.stationary, self.run.breaks])
                 edges = np.union1d(
-                    np.linspace(a, b, self.share(panels, a, b) + 1), [t for t in self.stationary if a < t < b]
+                    np.linspace(a, b, self.share(panels, a, b) + 1), turning[(a < turning) & (turning < b)]
                 )
                 t, weight = gauss_points(edges)
                 total += float((self.values(t) ** power) @ weight)
