@@ -49,6 +49,7 @@ TITLES = {
     "joint": "Joints",
     "drive": "Drives",
     "load": "Loads",
+    "spring": "Springs",
     "table": "Tables",
     "window": "Windows",
     "measure": "Measures",

@@ -56,7 +56,7 @@ def _bodies(q: Quantities) -> Iterator[Finding]:
             given = getattr(spring, key)
             if isinstance(given, Expression) and key != "preload" and not (key == "free" and spring.torsional):
                 over = key in ("gas", "exponent")
-                yield from least(("springs", name, key), key, given, dimension, over)
+                yield from least(("springs", name, key), "number", given, dimension, over)
         if spring.gas is not None and spring.progression is not None and q.value(spring.progression, u.PURE) <= 1:
             yield Finding("spring.progression", ("springs", name, "progression"), {})
     for name, table in q.mechanism.tables.items():

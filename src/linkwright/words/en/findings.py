@@ -636,12 +636,7 @@ _TERMS: dict[str, str] = {
     # Quantities.
     "mass": "mass",
     "inertia": "moment of inertia",
-    "stiffness": "stiffness",
-    "damping": "damping",
-    "free": "free length",
-    "gas": "push",
-    "progression": "progression",
-    "exponent": "exponent",
+    "number": "number",
     "radius": "radius",
     "period": "period",
     # Why an expression can't be read.
