@@ -72,12 +72,11 @@ def elastic(view: View, name: str) -> tuple[Scalar, Scalar]:
         push, n = number(view, spring, "gas"), number(view, spring, "exponent", 1.0)
         short, long = (view.motion.geometry.number(edge, u.LENGTH) for edge in spring.length)
         h = column(long - short, number(view, spring, "progression"), n)
-        ratio = h / (h - (long - x))
-        # The energy as an integral of h/z over the gas column z: (r^(n-1) - 1)/(n-1), which is log(r) at n = 1.
-        stored = h * ca.log(ratio)
+        grown = ca.log(h / (h - (long - x)))  # NaN where it is pushed in past its gas
+        stored = h * grown
         if not (isinstance(n, float) and n == 1):
-            stored = ca.if_else(ca.fabs(n - 1) < 1e-9, stored, h / (n - 1) * (ratio ** (n - 1) - 1))
-        return -push * ratio**n, push * stored
+            stored = ca.if_else(ca.fabs(n - 1) < 1e-9, stored, h / (n - 1) * (ca.exp((n - 1) * grown) - 1))
+        return -push * ca.exp(n * grown), push * stored
     k, preload = number(view, spring, "stiffness"), number(view, spring, "preload")
     if spring.stiffness is None:
         return 0.0, 0.0
