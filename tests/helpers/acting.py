@@ -173,9 +173,7 @@ def _step(u: float) -> float:
 
 def apart(oracle: Oracle, states: list[State], ends: Any) -> float:
     """The smallest length of the springs between points."""
-    lengths = [
-        float(np.linalg.norm(oracle.point(s.q, *a) - oracle.point(s.q, *b))) for s in states for a, b in ends
-    ]
+    lengths = [float(np.linalg.norm(oracle.point(s.q, *a) - oracle.point(s.q, *b))) for s in states for a, b in ends]
     return min(lengths, default=1.0)
 
 

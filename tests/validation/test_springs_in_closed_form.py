@@ -20,7 +20,10 @@ def block(law: str, **sections: Any) -> dict[str, Any]:
     return {
         "linkwright": 1,
         "units": UNITS,
-        "links": {"frame": {"points": {"O": [0, 0]}}, "block": {"points": {"P": [0, 0]}, "mass": 2, "shape": "point P"}},
+        "links": {
+            "frame": {"points": {"O": [0, 0]}},
+            "block": {"points": {"P": [0, 0]}, "mass": 2, "shape": "point P"},
+        },
         "joints": {"rail": {"prismatic": ["frame", "block"], "line": ["O at 0", "P at 0"]}},
         "drives": {"push": {"slides": "block", "on": "frame", "position": law}},
     } | sections
@@ -41,7 +44,7 @@ def lever(**sections: Any) -> dict[str, Any]:
 
 
 def test_a_mass_on_a_spring_and_damper_driven_harmonically() -> None:
-    """F = (k - m w^2) X sin wt + c w X cos wt: S. S. Rao, Mechanical Vibrations, ch. 3; at w^2 = k/m the damper alone."""
+    """F = (k - m w^2) X sin wt + c w X cos wt: S. S. Rao, Mechanical Vibrations, ch. 3; at resonance c alone."""
     k, c, x = 50.0, 7.0, 0.2
     for w in (3.0, 5.0, 11.0):
         springs = {"s": {"from": "O", "to": "P", "stiffness": k, "free": 1.0, "damping": c}}
@@ -186,7 +189,7 @@ def test_a_force_only_on_the_way_out_works_once_a_turn() -> None:
     assert certificate.sound(1e-12), certificate.residuals
     measures, _ = measure_all(run)
     assert measures[0].found[0].value == pytest.approx(300 * 0.2 / (2 * np.pi / 10), rel=1e-12)
-    # At the inner dead centre it is pushed out by its inertia, right after it by 300 N more; at the outer one held back.
+    # The largest right after the inner dead centre, the smallest right after the outer one.
     inertia = 1.5 * 0.1 * 10**2
     low, high = (found.value for found in measures[1].found)
     assert (low, high) == pytest.approx((-inertia * 1.2, 300 + inertia * 0.8), rel=1e-9)

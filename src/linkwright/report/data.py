@@ -66,6 +66,15 @@ class Trace(TypedDict):
     y: Values
 
 
+class Spring(TypedDict):
+    """A spring between a point of each of two links; ``look``: a coil, or barrel and rod of a gas spring or damper."""
+
+    name: str
+    links: Sequence[str]
+    points: Sequence[str]
+    look: Literal["coil", "strut"]
+
+
 class Scene(TypedDict):
     """The mechanism as ``assets/mechanism.js`` draws it. ``time``: one entry per pose, increasing."""
 
@@ -74,6 +83,7 @@ class Scene(TypedDict):
     links: Sequence[Link]
     joints: Sequence[Joint]
     traces: Sequence[Trace]
+    springs: NotRequired[Sequence[Spring]]
 
 
 class Series(TypedDict):
