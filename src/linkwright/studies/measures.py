@@ -73,13 +73,9 @@ class Probe:
         # Of a jump, a stationary point or an end of the window only has a side, the inner one.
         for before, after in sides:
             inside = [t for t in inside if not before < t < after]
-        ends = [edge for a, b in self.intervals for edge in (self._inner(a, 1), self._inner(b, 0))]
+        ends = [edge for a, b in self.intervals for edge in (_inner(self.run, a, 1), _inner(self.run, b, 0))]
         times = np.array(sorted([*inside, *ends]))
         return times, self.values(times)
-
-    def _inner(self, edge: float, side: int) -> float:
-        """An end of an interval, moved off a jump there to the interval's side (0 before, 1 after)."""
-        return next((float(pair[side]) for pair in self.run.jumps if pair[0] <= edge <= pair[1]), edge)
 
     def finite(self) -> bool:
         """Whether the expression has a value all over the intervals."""
@@ -117,6 +113,11 @@ class Probe:
             if abs(mean - last) <= 1e-12 * abs(mean) or panels >= 1 << 14:
                 return mean
             panels, last = panels * 2, mean
+
+
+def _inner(run: Run, edge: float, side: int) -> float:
+    """An end of an interval, moved off a jump there to the interval's side (0 before, 1 after)."""
+    return next((float(pair[side]) for pair in run.jumps if pair[0] <= edge <= pair[1]), edge)
 
 
 def _plain(found: Found) -> tuple[Found, ...]:
@@ -203,7 +204,7 @@ class _Measurer:
             time = (probe.top() if match[1] == "max" else probe.bottom()).time
             assert time is not None
         else:
-            time = spans[0][0] if match[3] else spans[-1][1]
+            time = _inner(self.run, spans[0][0], 1) if match[3] else _inner(self.run, spans[-1][1], 0)
         value = float(self.run.jets(self.trees[name], np.array([time])).d[0][0])
         return (Found("", value, time),)
 
