@@ -18,6 +18,7 @@ from linkwright.model import units as u
 from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, is_signal, nodes, parse, signal_text
 from linkwright.model.mechanism import Load
 from linkwright.model.signals import Signal
+from linkwright.model.trees import children
 from linkwright.notation import Pair, Scalar, Wrench
 from linkwright.structure import FRAME
 
@@ -68,10 +69,13 @@ class Actions:
         found: dict[Lookup, None] = {}
 
         def note(node: Node) -> int:
-            calls = [part for part in nodes(node) if isinstance(part, Call) and is_table(part)]
-            levels = [note(call.args[0]) for call in calls]
-            found.update(dict.fromkeys(Lookup(c.name, c.args[0], level=k) for c, k in zip(calls, levels, strict=True)))
-            return 1 + max(levels, default=-1)
+            """Note all tables in a tree; how deep they stand within one another."""
+            levels = [note(child) for child in children(node)]
+            level = max(levels, default=0)
+            if isinstance(node, Call) and is_table(node):
+                found[Lookup(node.name, node.args[0], level=level)] = None
+                level += 1
+            return level
 
         for law in self.laws:
             note(law)

@@ -475,7 +475,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "measure.table": (
         "The table '{name}' can't be used in a measure.",
-        "Tables are for the laws of drives; write the measure in signals, t and parameters.",
+        "Tables are for drives, loads and springs; write the measure in signals, t and parameters.",
     ),
     "measure.nothing": (
         "The measure {name} has no value: nothing of the run lies in its window.",
