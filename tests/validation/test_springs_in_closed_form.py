@@ -78,6 +78,7 @@ def test_a_zero_free_length_spring_balances_a_lever_at_all_angles() -> None:
     torque, potential, elastic = compiled.evaluate(["motor.torque", "energy.potential", "energy.elastic"], t)
     assert np.abs(torque).max() < 1e-13 * 3 * 9.81 * 0.4
     assert np.ptp(potential + elastic) < 1e-13 * np.ptp(potential)
+    assert certify(Run(compiled, 0.0, 6.0, 40)).sound(1e-9)
 
 
 def test_a_counterweight_balances_a_lever_and_its_bearing() -> None:
@@ -88,6 +89,7 @@ def test_a_counterweight_balances_a_lever_and_its_bearing() -> None:
     torque, x, y, fx, fy = compiled.evaluate(names, t)
     assert np.abs([torque, x, y, fx]).max() < 1e-13
     assert fy == pytest.approx(7 * 9.81, rel=1e-14)
+    assert certify(Run(compiled, 0.0, 6.0, 40)).sound(1e-9)
 
 
 def test_counterweights_add_by_parallel_axes() -> None:

@@ -123,7 +123,7 @@ def own_wrench(motion: Motion, link: str, body: Body) -> Wrench:
     geometry = motion.geometry
     wrench = Wrench.zero(body.anchor.now)
     mass, centre, inertia = geometry.mass(link)
-    if not is_zero(mass):
+    if not (is_zero(mass) and is_zero(inertia)):
         at, g = body.point(centre), geometry.gravity()
         force = Pair(mass * (g.x - at.x.d[2]), mass * (g.y - at.y.d[2]))
         wrench = wrench.plus(Wrench(force, -inertia * body.turn.d[1], at.now))

@@ -122,8 +122,16 @@ def equilibrium(r: Reports) -> float:
 def power(r: Reports) -> float:
     """The worst rest of the power balance at a pose, over the largest sum of its terms' sizes."""
     terms = np.array([*r.drive_powers(), *r.powers_of([*r.loads(), *r.springs(), *r.inertia_and_gravity()])])
-    size = _worst(np.abs(terms).sum(axis=0))
+    size = max(_worst(np.abs(terms).sum(axis=0)), slight(r))
     return 0.0 if size == 0 else _worst(terms.sum(axis=0)) / size
+
+
+def slight(r: Reports) -> float:
+    """A millionth of the largest force times the largest speed: powers (W) below it may be all round-off."""
+    forces = [_worst(np.hypot(*force)) for _, force, _, _ in (*r.reactions(), *r.loads(), *r.springs())]
+    links = r.topology.moving
+    speeds = [_worst(r.vector(f"{r.home(n)}.v")) + _worst(r.rows[f"{n}.omega"]) * r.size() for n in links]
+    return 1e-6 * max(forces, default=0.0) * max(speeds, default=0.0)
 
 
 def work(run: Run) -> float:
@@ -136,6 +144,7 @@ def work(run: Run) -> float:
         r = Reports(run.compiled, t)
         terms = np.array([*r.drive_powers(), *r.powers_of([*r.loads(), *r.springs(damping=True)])])
         size = float(np.abs(terms).sum(axis=0) @ weight) + float(np.abs(energy).sum())
+        size = max(size, slight(r) * (run.stop - run.start))
         rest = 0.0 if size == 0 else abs(float(terms.sum(axis=0) @ weight) - change) / size
         if not rest < last or rest < SETTLED or panels >= MAX_PANELS:
             return float(np.fmin(rest, last)) if rest == rest else rest
