@@ -226,3 +226,14 @@ def test_a_wrong_branch_for_an_instant_is_caught(monkeypatch: pytest.MonkeyPatch
         there = other.evaluate([row], run.t)[0]
         lie(monkeypatch, row, lambda y, there=there: np.where(np.arange(y.size) == 15, there[15], y))
     assert certify(run).closure > 0.01
+
+
+def test_powers_that_are_all_round_off_are_no_misfit() -> None:
+    """A crank of no length moves nothing: forces of kilonewtons, powers of 1e-12 W."""
+    data = slider_crank(r=0, rod=0.14)
+    data["links"]["rod"] |= {"mass": 0.6, "shape": "rod B-C"}
+    data["joints"]["bore"]["line"] = ["F at -0.6381805223434866", "C at 1.5707963267948966"]
+    data["drives"]["motor"] |= {"speed": 314.1592653589793, "start": 0}
+    data["loads"] = {"push": {"on": "piston", "at": "C", "along": "bore", "force": "-20 kN*sin(50 rad/s*t)"}}
+    certificate = certify(Run(compiled_from(data), 0.0, 0.04, 40))
+    assert certificate.sound(1e-9), certificate.residuals

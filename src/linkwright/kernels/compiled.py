@@ -14,8 +14,10 @@ from linkwright.graph.assembly import Assembly, assemble
 from linkwright.graph.graph import Graph
 from linkwright.graph.redundant import redundant
 from linkwright.kernels.follow import Follower
-from linkwright.kernels.laws import Law, drive_laws, values_at
+from linkwright.kernels.laws import Law, action_tables, drive_laws, values_at
 from linkwright.kernels.registry import KERNELS, Kernel
+from linkwright.kernels.supply import Supply
+from linkwright.laws import TableLaw
 from linkwright.model.check import check_names, check_values
 from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.mechanism import Mechanism
@@ -36,6 +38,7 @@ class Compiled:
     structure: Structure
     assembly: Assembly
     laws: dict[str, Law]
+    tables: dict[str, TableLaw] = field(default_factory=dict)  # those that loads and springs ask
     kernel: str = "numpy"
     _kernels: dict[tuple[tuple[str, ...], bool], Kernel] = field(default_factory=dict)
 
@@ -47,9 +50,11 @@ class Compiled:
             Follower(self.graph, cluster, self.assembly.starts[cluster], size, self.kernel)
             for cluster in self.structure.clusters
         ]
+        self.supply = Supply(self.graph, self.tables, self.kernel)
 
-    def inputs(self, t: Array, clusters: int | None = None) -> Array:
-        """The per-pose inputs at times ``t`` (s): (inputs, poses), in SI; only the first ``clusters`` in place."""
+    def inputs(self, t: Array, clusters: int | None = None, actions: bool = True) -> Array:
+        """The per-pose inputs at times ``t`` (s): (inputs, poses), in SI; only the first ``clusters`` in place, those
+        of loads and springs only where ``actions``."""
         width = MAX_ORDER + 2
         x = np.empty((len(self.graph.inputs), t.size))
         for i, drive in enumerate(self.graph.drives):
@@ -59,6 +64,8 @@ class Compiled:
         x[self.graph.first_unknown :] = np.nan
         for i, follower in enumerate(self.followers[:clusters]):
             x[follower.rows] = follower.solve(x, t, self.parameters, partial(self.inputs, clusters=i))
+        if clusters is None and actions:
+            self.supply.fill(x, t, self.parameters, partial(self.inputs, actions=False))
         return x
 
     def unknowns(self, time: float) -> dict[Cluster, list[float]]:
@@ -75,7 +82,9 @@ class Compiled:
         key = (tuple(names), rates)
         if key not in self._kernels:
             self._kernels[key] = KERNELS[self.kernel](self.graph.program(*key))
-        y = self._kernels[key].run(self.inputs(t), self.parameters)
+        program = self.graph.program(*key)
+        actions = any(row >= self.supply.first for row in program.stages[0].used)
+        y = self._kernels[key].run(self.inputs(t, actions=actions), self.parameters)
         return y.reshape(len(names), 2, t.size) if rates else y
 
 
@@ -87,6 +96,7 @@ class Prepared:
     quantities: Quantities
     structure: Structure
     laws: dict[str, Law]
+    tables: dict[str, TableLaw]
     findings: list[Finding]
 
     @property
@@ -103,15 +113,17 @@ def prepare(mechanism: Mechanism, folder: Path | None = None) -> Prepared:
     quantities = Quantities(spelled.mechanism)
     findings = [*names, *(f for f in quantities.findings if not _said(f, names))]
     laws: dict[str, Law] = {}
+    tables: dict[str, TableLaw] = {}
     if not quantities.findings:
         laws, wrong = drive_laws(quantities, folder)
-        findings += [*check_values(quantities), *wrong]
+        tables, unread = action_tables(quantities, folder)
+        findings += [*check_values(quantities), *wrong, *(fault for fault in unread if fault not in wrong)]
     structure = decompose(spelled.mechanism) if not names else Structure(Topology(spelled.mechanism), ())
     if not findings:
         findings = redundant(quantities, structure, values_at(laws, 0.0))
     else:
         findings += structure.findings
-    return Prepared(spelled, quantities, structure, laws, spelled.home(findings))
+    return Prepared(spelled, quantities, structure, laws, tables, spelled.home(findings))
 
 
 def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled | None, list[Finding]]:
@@ -125,7 +137,7 @@ def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled 
     assembly = assemble(made.quantities, made.structure, values_at(made.laws, 0.0))
     if assembly.findings:
         return None, made.spelled.home(assembly.findings)
-    return Compiled(made.mechanism, made.quantities, made.structure, assembly, made.laws), []
+    return Compiled(made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables), []
 
 
 def _said(finding: Finding, others: list[Finding]) -> bool:

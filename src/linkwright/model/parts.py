@@ -205,8 +205,11 @@ class Drive(Frozen):
     on_: Name | None = Field(
         None, alias="on", description="the link against which the motion is measured, e.g. frame; not with extends"
     )
-    speed: Expression | None = Field(None, description="constant speed, e.g. 60 rpm; with start")
+    speed: Expression | None = Field(
+        None, description="constant speed, e.g. 60 rpm, or with acceleration the speed at t = 0; with start"
+    )
     start: Expression | None = Field(None, description="value at t = 0; with speed")
+    acceleration: Expression | None = Field(None, description="constant acceleration; speed is then that at t = 0")
     position: Expression | None = Field(
         None, description="value as an expression in t, e.g. 20 deg*sin(180 deg*t/(1 s)); may call tables"
     )
@@ -222,6 +225,8 @@ class Drive(Frozen):
             yield "drive.law", {}
         elif ("speed" in given) != ("start" in given):
             yield "drive.start", {}
+        if "acceleration" in given and "speed" not in given:
+            yield "drive.acceleration", {}
 
     @property
     def on(self) -> str:

@@ -65,7 +65,7 @@ def certify(run: Run) -> Certificate:
     compiled, topology = run.compiled, run.compiled.structure.topology
     reports = Reports(compiled, run.t)
     constraints = rank(reports)
-    loaded = bool(reports.masses or compiled.mechanism.loads)
+    loaded = bool(reports.masses or compiled.mechanism.loads or compiled.mechanism.springs)
     rules = compiled.assembly.rules
     return Certificate(
         closure=closure(reports),
@@ -109,30 +109,42 @@ def equilibrium(r: Reports) -> float:
     origin, shaking = np.zeros((2, r.count)), r.vector("shaking.")
     held = (FRAME, -shaking, origin, -r.rows["shaking.moment"])
     largest = 1e-300
-    for link, force, place, moment in (*r.reactions(), *r.efforts(), *r.loads(), *r.inertia_and_gravity(), held):
+    applied = [*r.loads(), *r.springs(), *r.inertia_and_gravity()]
+    for link, force, place, moment in (*r.reactions(), *r.efforts(), *applied, held):
         forces[link] += force
         moments[link] += _cross(place, force) + moment
         largest = max(largest, _worst(np.hypot(*force)), _worst(moment) / r.size())
     rests = [max(_worst(forces[link]), _worst(moments[link]) / r.size()) for link in r.mechanism.links]
+    rests += [_worst(misfit) / (1.0 if sort == "force" else r.size()) for sort, misfit in r.spring_misfits()]
     return float(np.max(rests)) / largest
 
 
 def power(r: Reports) -> float:
     """The worst rest of the power balance at a pose, over the largest sum of its terms' sizes."""
-    terms = np.array([*r.drive_powers(), *r.powers_of([*r.loads(), *r.inertia_and_gravity()])])
-    size = _worst(np.abs(terms).sum(axis=0))
+    terms = np.array([*r.drive_powers(), *r.powers_of([*r.loads(), *r.springs(), *r.inertia_and_gravity()])])
+    size = max(_worst(np.abs(terms).sum(axis=0)), slight(r))
     return 0.0 if size == 0 else _worst(terms.sum(axis=0)) / size
+
+
+def slight(r: Reports) -> float:
+    """A millionth of the largest force times the largest speed: powers (W) below it may be all round-off."""
+    forces = [_worst(np.hypot(*force)) for _, force, _, _ in (*r.reactions(), *r.loads(), *r.springs())]
+    links = r.topology.moving
+    speeds = [_worst(r.vector(f"{r.home(n)}.v")) + _worst(r.rows[f"{n}.omega"]) * r.size() for n in links]
+    return 1e-6 * max(forces, default=0.0) * max(speeds, default=0.0)
 
 
 def work(run: Run) -> float:
     """Work of drives and loads against the change of energy, by Gauss quadrature on panels doubled until it stands."""
-    energy = run.compiled.evaluate(["energy.kinetic", "energy.potential"], np.array([run.start, run.stop]))
+    names = [f"energy.{kind}" for kind in run.compiled.quantities.signals.energies]
+    energy = run.compiled.evaluate(names, np.array([run.start, run.stop]))
     change, panels, last = float(energy.sum(axis=0) @ np.array([-1.0, 1.0])), min(run.grid, MAX_PANELS), np.inf
     while True:
-        t, weight = gauss_points(np.linspace(run.start, run.stop, panels + 1))
+        t, weight = gauss_points(np.union1d(np.linspace(run.start, run.stop, panels + 1), run.breaks))
         r = Reports(run.compiled, t)
-        terms = np.array([*r.drive_powers(), *r.powers_of(r.loads())])
+        terms = np.array([*r.drive_powers(), *r.powers_of([*r.loads(), *r.springs(damping=True)])])
         size = float(np.abs(terms).sum(axis=0) @ weight) + float(np.abs(energy).sum())
+        size = max(size, slight(r) * (run.stop - run.start))
         rest = 0.0 if size == 0 else abs(float(terms.sum(axis=0) @ weight) - change) / size
         if not rest < last or rest < SETTLED or panels >= MAX_PANELS:
             return float(np.fmin(rest, last)) if rest == rest else rest

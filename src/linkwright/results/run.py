@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -13,6 +13,7 @@ from linkwright.kernels import Compiled
 from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, nodes
 from linkwright.model.units import Dimension
 from linkwright.notation import Jet
+from linkwright.results import breaks
 
 Array = NDArray[np.float64]
 
@@ -54,6 +55,16 @@ class Run:
         """The sampled times (s), both ends included."""
         return np.linspace(self.start, self.stop, self.steps + 1)
 
+    @cached_property
+    def jumps(self) -> Array:
+        """The times (s) right before and right after each jump of a load: (jumps, 2)."""
+        return breaks.jumps(self)
+
+    @cached_property
+    def breaks(self) -> Array:
+        """The times (s) at which a force may have a jump or a kink, ascending."""
+        return breaks.breaks(self)
+
     def evaluate(self, names: Sequence[str], t: Array) -> Array:
         """The named signals at times ``t`` (s): (names, times), SI, angles continuous over the run."""
         y = self.compiled.evaluate(names, t)
@@ -79,21 +90,7 @@ class Run:
 
     def combine(self, node: Node, t: Array, rows: dict[str, tuple[Array, Array]]) -> Jet:
         """An expression from rows of signals and rates already at hand."""
-        parameters = self.compiled.quantities.parameters
-
-        def named(name: Name) -> Any:
-            if is_signal(name):
-                return Jet(rows[name.text])
-            return Jet([t, np.ones_like(t)]) if name.text == "t" else parameters[name.text]
-
-        try:
-            with np.errstate(all="ignore"):
-                value = evaluate(node, named, lambda call: Jet(rows[self.canonical(call)]))
-        except ZeroDivisionError:
-            value = np.nan
-        if not isinstance(value, Jet):
-            value = Jet.constant(value, 1)
-        return Jet([np.broadcast_to(np.asarray(d, dtype=float), t.shape) for d in value.d])
+        return combined(self.compiled, node, t, rows, 1)
 
     def canonical(self, node: Name | Call) -> str:
         """The canonical name of a signal."""
@@ -150,3 +147,31 @@ class Run:
             if count >= MAX_GRID or np.abs(turned).max(initial=0.0) < MAX_TURN:
                 return grid, np.concatenate([angle[:1], angle[:1] + np.cumsum(turned + rest)])
             count *= 2
+
+
+def combined(compiled: Compiled, node: Node, t: Array, rows: Mapping[str, Sequence[Array]], order: int) -> Jet:
+    """An expression (bound to SI) at times ``t`` to an order of derivatives, from the signals' ``rows``."""
+    parameters = compiled.quantities.parameters
+    time = Jet([t, np.ones_like(t)]).cut(order)
+
+    def named(name: Name) -> Any:
+        if is_signal(name):
+            return Jet([*rows[name.text]])
+        return time if name.text == "t" else parameters[name.text]
+
+    def called(call: Call) -> Jet:
+        if is_signal(call):
+            return Jet([*rows[compiled.quantities.signals.find(call).text]])
+        argument = evaluate(call.args[0], named, called)
+        return compiled.tables[call.name].or_nan(
+            argument if isinstance(argument, Jet) else Jet.constant(argument, order)
+        )
+
+    try:
+        with np.errstate(all="ignore"):
+            value = evaluate(node, named, called)
+    except ZeroDivisionError:
+        value = np.nan
+    if not isinstance(value, Jet):
+        value = Jet.constant(value, order)
+    return Jet([np.broadcast_to(np.asarray(d, dtype=float), t.shape) for d in value.d])

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from linkwright.kernels import Compiled
 from linkwright.kernels.follow import Follower
-from linkwright.kernels.laws import Law, constant_speed, values_at
+from linkwright.kernels.laws import Law, constant_acceleration, values_at
 from linkwright.results import Run
 from linkwright.structure import Group
 
@@ -60,7 +60,7 @@ def sweeping(compiled: Compiled, drive: str) -> Compiled:
     values = values_at(compiled.laws, 0.0)
 
     def laws(speed: float) -> dict[str, Law]:
-        return {name: constant_speed(value, speed * (name == drive)) for name, value in values.items()}
+        return {name: constant_acceleration(value, speed * (name == drive)) for name, value in values.items()}
 
     up = replace(compiled, laws=laws(1.0))
     if up.followers:
