@@ -1,4 +1,4 @@
-"""The command line: ``linkwright check | run | schema``. Slow imports wait until a command needs them."""
+"""The command line: ``linkwright check | new | run | schema``. Slow imports wait until a command needs them."""
 
 from __future__ import annotations
 
@@ -77,6 +77,26 @@ def check(file: Path, as_json: bool) -> None:
         show.findings(examined, file)
         show.structure(examined)
     sys.exit(examined.exit_code)
+
+
+@cli.command(help=say("cli.new"))
+@click.argument("name", required=False)
+@click.option("--list", "as_list", is_flag=True, help=say("cli.list"))
+@click.option("--out", type=click.Path(path_type=Path), help=say("cli.new_out"))
+@click.option("--force", is_flag=True, help=say("cli.force"))
+def new(name: str | None, as_list: bool, out: Path | None, force: bool) -> None:
+    """Start a model file from the gallery."""
+    from linkwright.app.start import new as start
+    from linkwright.cli import show
+
+    if name is None or as_list:
+        show.gallery()
+        return
+    file = out or Path(f"{name}.yaml")
+    if findings := start(name, file, force):
+        show.refusals(findings)
+        sys.exit(2)
+    show.written(file)
 
 
 @cli.command(help=say("cli.schema"))
