@@ -64,7 +64,7 @@ def test_time_that_is_not_used_up() -> None:
     [
         (Finding("file.nothing", line=1), "catalogue"),
         (Finding("structure.loose", data={"links": "a", "freedom": 1, "hint": ""}), "neither line nor element"),
-        (Finding("file.expected", ("a",), {"wanted": None, "given": "x"}), "says"),
+        (Finding("file.expected", ("a",), {"wanted": None, "given": "nan"}), "says"),
     ],
 )
 def test_gaps(finding: Finding, gap: str) -> None:

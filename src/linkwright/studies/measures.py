@@ -13,6 +13,7 @@ from linkwright.model.check import WHERE
 from linkwright.model.expressions import Node, parse
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import REDUCTIONS, Measure
+from linkwright.model.places import measured
 from linkwright.model.units import Dimension, unit
 from linkwright.results import Run
 from linkwright.results.quadrature import gauss_points
@@ -135,7 +136,7 @@ class _Measurer:
         self.mechanism = quantities.mechanism
         self.trees: dict[str, Node] = {}
         for name, measure in self.mechanism.measures.items():
-            self.trees[name] = quantities.bind(measure.signal, None)
+            self.trees[name] = quantities.bind(measure.signal, quantities.dimensions.resolve(measured(name)))
             if measure.where and (match := WHERE.match(measure.where)) and match[2]:
                 self.trees[f"{name} where"] = quantities.dimensions.bind(parse(match[2]), None)
 
@@ -160,7 +161,7 @@ class _Measurer:
 
     def one(self, name: str, measure: Measure, turning: dict[str, Array]) -> MeasureResult:
         quantities = self.run.compiled.quantities
-        dimension = quantities.dimensions.dimension(measure.signal.node)
+        dimension = quantities.dimensions.resolve(measured(name))
         text, size = quantities.unit_of(dimension) if measure.unit is None else (measure.unit, unit(measure.unit)[0])
         spans = intervals(self.run, measure.window)
         found: tuple[Found, ...] = ()
