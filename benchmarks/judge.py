@@ -17,6 +17,7 @@ from sketches import FRAME, Drive, Sketch
 from linkwright.kernels import Compiled
 
 Array = NDArray[np.float64]
+Indices = NDArray[np.intp]
 
 CLOSURE = 1e-10
 """The most that a joint may miss, over the mechanism's size; a drive's value, in rad or over the size."""
@@ -136,7 +137,8 @@ class Judge:
         if drive.kind == "R":
             _, _, c, s = p.now[drive.link]
             _, _, c0, s0 = p.now[drive.on]
-            return float(np.abs(np.sin(np.arctan2(s, c) - np.arctan2(s0, c0) - goal)).max())
+            turned = np.arctan2(s, c) - np.arctan2(s0, c0)
+            return float(np.abs(2 * np.sin((turned - goal) / 2)).max())
         gap = self.at(p, drive.joint, drive.link) - self.at(p, drive.joint, drive.on)
         # The travel counts along the line of the joint's first link.
         line = self.along(p, drive.joint, self.sketch.joints[drive.joint].links[0])
@@ -164,53 +166,48 @@ class Judge:
         """Twice the area of each pinned dyad's triangle, with the sign of its orientation."""
         for group in self.needed.structure.groups:
             if group.signature == "RRR":
-                (first, second), inner = (c.joint for c in group.outer), group.inner.joint
-                a, b = self.at(p, first, group.links[0]), self.at(p, second, group.links[1])
-                yield inner, cross(b - a, self.at(p, inner, group.links[0]) - a)
+                joints = [c.joint for c in (*group.outer, group.inner)]
+                a, b, inner = (self.at(p, joint, self.sketch.joints[joint].links[0]) for joint in joints)
+                yield joints[2], cross(b - a, inner - a)
 
     def matrices(self, p: Poses) -> Array:
         """The matrix of all joints and drives over (vx, vy, omega size) of all links: (times, rows, 3 links)."""
-        index = {link: 3 * i for i, link in enumerate(self.links)}
-        count, rows = p.t.size, []
-
-        def velocity(link: str, joint: str) -> Array:
-            row = np.zeros((2, count, 3 * len(index)))
-            if link != FRAME:
-                arm = (self.at(p, joint, link) - p.now[link][:2]) / self.size
-                row[0, :, index[link]], row[1, :, index[link] + 1] = 1.0, 1.0
-                row[0, :, index[link] + 2], row[1, :, index[link] + 2] = -arm[1], arm[0]
-            return row
-
-        def turning(link: str) -> Array:
-            row = np.zeros((count, 3 * len(index)))
-            if link != FRAME:
-                row[:, index[link] + 2] = 1.0
-            return row
-
+        rows: list[Array] = []
         for name, joint in self.sketch.joints.items():
             first = joint.links[0]
             for link in joint.links[1:]:
                 if joint.kind == "R":
-                    rows += [*(velocity(link, name) - velocity(first, name))]
+                    rows += [*(self.velocity(p, link, name) - self.velocity(p, first, name))]
                 else:
-                    line = self.along(p, name, first)
-                    slip = velocity(link, name) - self.carried(p, velocity, turning, name, first, link)
-                    rows += [line[0][:, None] * slip[1] - line[1][:, None] * slip[0], turning(link) - turning(first)]
+                    line, slip = self.along(p, name, first), self.slip(p, name, first, link)
+                    rows += [cross(line[:, :, None], slip), self.turning(p, link) - self.turning(p, first)]
         for drive in self.sketch.drives.values():
             if drive.kind == "R":
-                rows.append(turning(drive.link) - turning(drive.on))
+                rows.append(self.turning(p, drive.link) - self.turning(p, drive.on))
             else:
-                line = self.along(p, drive.joint, drive.on)
-                slip = velocity(drive.link, drive.joint)
-                slip = slip - self.carried(p, velocity, turning, drive.joint, drive.on, drive.link)
-                rows.append(line[0][:, None] * slip[0] + line[1][:, None] * slip[1])
+                slip = self.slip(p, drive.joint, drive.on, drive.link)
+                rows.append((self.along(p, drive.joint, drive.on)[:, :, None] * slip).sum(axis=0))
         return np.stack(rows, axis=1)
 
-    def carried(self, p: Poses, velocity, turning, joint: str, base: str, link: str) -> Array:  # type: ignore[no-untyped-def]
-        """The velocity of the place of ``link``'s point as carried by ``base``."""
-        gap = (self.at(p, joint, link) - self.at(p, joint, base)) / self.size
-        turn = turning(base)
-        return np.asarray(velocity(base, joint) + np.array([-gap[1][:, None] * turn, gap[0][:, None] * turn]))
+    def turning(self, p: Poses, link: str) -> Array:
+        """A link's turning: (times, 3 links)."""
+        row = np.zeros((p.t.size, 3 * len(self.links)))
+        if link != FRAME:
+            row[:, 3 * self.links.index(link) + 2] = 1.0
+        return row
+
+    def velocity(self, p: Poses, link: str, joint: str, of: str = "") -> Array:
+        """The velocity of a link where it has a joint, or where another link ``of`` has it: (2, times, 3 links)."""
+        row = np.zeros((2, p.t.size, 3 * len(self.links)))
+        if link != FRAME:
+            i, arm = 3 * self.links.index(link), (self.at(p, joint, of or link) - p.now[link][:2]) / self.size
+            row[0, :, i], row[1, :, i + 1] = 1.0, 1.0
+            row[0, :, i + 2], row[1, :, i + 2] = -arm[1], arm[0]
+        return row
+
+    def slip(self, p: Poses, joint: str, base: str, link: str) -> Array:
+        """The velocity of a link's point against the base that carries it: (2, times, 3 links)."""
+        return np.asarray(self.velocity(p, link, joint) - self.velocity(p, base, joint, of=link))
 
     def jumps(self, p: Poses) -> Iterator[str]:
         """Places where poses don't go on as their rates say, however near they are looked at."""
@@ -234,7 +231,7 @@ class Judge:
             )
         yield f"jump at {left.t[a[0]]:.9g} s"
 
-    def far(self, left: Poses, right: Poses, a: Array, b: Array) -> Array:
+    def far(self, left: Poses, right: Poses, a: Indices, b: Indices) -> NDArray[np.bool_]:
         """Which intervals' ends the rates don't join."""
         h = right.t[b] - left.t[a]
         worst = np.zeros(a.size)
@@ -245,7 +242,7 @@ class Judge:
             miss[:2] /= self.size
             with np.errstate(invalid="ignore"):
                 worst = np.maximum(worst, np.abs(miss).max(axis=0))
-        return ~(worst < NEAR)
+        return np.asarray(~(worst < NEAR))
 
 
 def cross(a: Array, b: Array) -> Array:

@@ -110,7 +110,7 @@ def verdicts(seeds: Iterable[int], jobs: int) -> Iterator[Verdict]:
         return
     quiet = (signal.SIGINT, signal.SIG_IGN)  # the parent takes the interrupt
     with multiprocessing.Pool(jobs, signal.signal, quiet) as pool:
-        yield from pool.imap_unordered(judged, seeds, chunksize=8)
+        yield from pool.imap_unordered(judged, seeds, chunksize=2)
 
 
 def table(found: list[Verdict]) -> str:

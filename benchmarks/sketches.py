@@ -28,6 +28,11 @@ GROUPS: dict[str, tuple[tuple[str, str], ...]] = {
     "class IV": (("1", "m"), ("m", "a"), ("a", "n"), ("m", "b"), ("b", "n"), ("n", "2")),
 }  # fmt: skip
 """Assur groups of class II, III and IV by their joints."""
+LOADS: tuple[list[dict[str, Any]], ...] = (
+    [],
+    [{"force": [9, -4]}],
+    [{"force": [2, 3]}, {"torque": 1, "force": [0, 5]}],
+)
 
 
 def turned(v: XY, angle: float) -> XY:
@@ -143,7 +148,8 @@ class Sketch:
         free = [n for n, j in self.joints.items() if n not in taken and len(j.links) == 2]
         if free:
             joint = self.random.choice(free)
-            self.drive(name, joint, *self.joints[joint].links, turns=0.1)
+            link, on = self.joints[joint].links
+            self.drive(name, joint, link, on, turns=0.1)
             self.kinds.append("moved drive")
 
     # What it is.
@@ -189,10 +195,9 @@ class Sketch:
             if self.random.random() < 0.7:
                 com = [uniform(-1, 1), uniform(-1, 1)]
                 data["links"][link] |= {"mass": uniform(0.2, 3), "com": com, "inertia": uniform(0.01, 0.5)}
-        forces = pick(([], [{"force": [9, -4]}], [{"force": [2, 3]}, {"torque": 1, "force": [0, 5]}]))
         data["loads"] = {
             f"F{i}": {"on": pick(list(self.pose)[1:]), "at": [uniform(-1, 1), uniform(-1, 1)], **force}
-            for i, force in enumerate(forces)
+            for i, force in enumerate(pick(LOADS))
         }
         return data | {"gravity": pick(([0, 0], [0, -9.81]))}
 
