@@ -13,7 +13,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from linkwright.app import Job, check, run
+    from linkwright.app import Job, check, modes, run
     from linkwright.kernels import Compiled
     from linkwright.kernels import compile_mechanism as compile
     from linkwright.model.builder import Builder
@@ -39,6 +39,7 @@ _PLACES = {
     "compile": ("linkwright.kernels", "compile_mechanism"),
     "dump": ("linkwright.model.document", "dump"),
     "load": ("linkwright.model.document", "load"),
+    "modes": ("linkwright.app", "modes"),
     "run": ("linkwright.app", "run"),
     "save": ("linkwright.model.document", "save"),
 }
@@ -58,6 +59,7 @@ __all__ = [
     "compile",
     "dump",
     "load",
+    "modes",
     "run",
     "save",
 ]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 from typing import Any
 
@@ -207,6 +208,19 @@ def test_run_writes_beside_the_file(model: Any) -> None:
     assert str(folder) in result.stdout
     assert "swing" in result.stdout
     assert result.stderr == ""
+
+
+def test_netcdf_is_written_where_asked(model: Any, tmp_path: Path) -> None:
+    from scipy.io import netcdf_file
+
+    assert call("run", model(SOUND), "--netcdf", "--out", tmp_path / "out").exit_code == 0
+    assert names(tmp_path / "out") == ["cycle.csv", "cycle.nc", "report.html", "summary.json"]
+    with netcdf_file(tmp_path / "out" / "cycle.nc", mmap=False) as file:
+        assert (file.title, file.findings) == (b"Four-bar", b"none")
+        assert file.variables["A.x"][0] == pytest.approx(0.04 * math.cos(math.radians(40)))
+    assert call("run", model(WARNED), "--netcdf", "--out", tmp_path / "out").exit_code == 0
+    with netcdf_file(tmp_path / "out" / "cycle.nc", mmap=False) as file:
+        assert file.findings.startswith(b"motion.not-periodic: ")
 
 
 def test_run_prints_measures_requirements_and_proofs(model: Any) -> None:

@@ -155,7 +155,8 @@ def test_motion_and_forces_agree_with_the_full_equations(name: str) -> None:
     """To 1e-9 of the largest of each kind; the oracle starts from our start pose and follows by itself."""
     data = CASES[name]()
     compiled = compiled_from(data)
-    assert any(isinstance(step, Cluster) for step in compiled.structure.steps)
+    beyond = any(isinstance(step, Cluster) for step in compiled.structure.steps)
+    assert beyond == (name not in ("cylinder", "loader", "coupler_drive"))  # those are dyads of held links
     rows = ("x", "y", "cos", "sin")
     moving = compiled.structure.topology.moving
     x0 = compiled.evaluate([f"{link}:{row}" for link in moving for row in rows], np.zeros(1))[:, 0].reshape(-1, 4)

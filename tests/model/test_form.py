@@ -81,7 +81,7 @@ def test_the_example_has_none() -> None:
         ("joints", {"j": {"prismatic": ["a", "b"], "line": ["A at 0"]}}, "file.expected", "joints.j.line"),
         ("assembly", {"C": "left"}, "file.expected", "assembly.C"),
         ("assembly", {"C": [1, 2, 3]}, "file.expected", "assembly.C"),
-        ("drives", {"m": {"turns": "crank", "position": 1}}, "file.missing", "drives.m"),
+        ("drives", {"m": {"turns": "crank", "position": 1}}, "drive.on", "drives.m"),
         ("drives", {"m": {"on": "frame", "speed": 1, "start": 0}}, "drive.kind", "drives.m"),
         ("drives", {"m": {"turns": "crank", "on": "frame"}}, "drive.law", "drives.m"),
         ("drives", {"m": {"turns": "crank", "on": "frame", "speed": 1}}, "drive.start", "drives.m"),
@@ -138,7 +138,7 @@ def test_the_example_has_none() -> None:
         ("name", "a\0b", "file.character", "name"),
         ("note", "x" * 20_001, "file.long", "note"),
         ("parameters", {"a": "\x1f1"}, "file.character", "parameters.a"),
-        ("cylinders", {}, "file.unknown-key", "cylinders"),
+        ("pistons", {}, "file.unknown-key", "pistons"),
     ],
 )
 def test_faults(section: str, entry: Any, code: str, element: str) -> None:

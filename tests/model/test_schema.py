@@ -100,7 +100,7 @@ def test_it_takes_what_the_reader_takes(sections: dict[str, Any]) -> None:
     "sections",
     [
         {"linkwright": 2},
-        {"cylinders": {}},
+        {"pistons": {}},
         {"links": {"frame": {"point": {}}}},
         {"links": {"1st": {"points": {}}}},
         {"links": {"a b": {"points": {}}}},

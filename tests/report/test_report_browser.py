@@ -263,6 +263,41 @@ def test_toggles_hide_paths_and_names(show: Any, report: ReportData) -> None:
     assert not label.is_visible()
 
 
+def test_centrodes_are_switched_on_and_roll(show: Any, report: ReportData, feeder: Any) -> None:
+    """The coupler's centre is where crank and rocker lines meet; there both centrodes touch."""
+    p, a, d = feeder.points, 0j, feeder.points["D"]
+    crank, rocker = p["B"] - a, p["C"] - d
+    pole = a + crank * ((d - a).conj() * rocker).imag / (crank.conj() * rocker).imag
+    local = (pole - p["B"]) * np.exp(-1j * feeder.coupler)
+    pole, local = (np.where(np.abs(pole) < 1500, each, np.nan) for each in (pole, local))
+    rows = {"x": pole.real, "y": pole.imag, "u": local.real, "v": local.imag}
+    listed = {key: [None if v != v else v for v in row.tolist()] for key, row in rows.items()}
+    report["scene"]["centrodes"] = [{"link": "coupler", **listed}]  # type: ignore[typeddict-item]
+    index = int(np.nanargmin(np.abs(pole - 400)))
+    view = show(report)
+    view.slider.fill(str(index))
+    group = view.page.locator("#drawing .lw-centrode")
+    assert not group.locator(".lw-fixed").is_visible()
+    before = abs(view.pin("D") - view.pin("A"))
+    view.page.get_by_role("group", name="Centrodes").get_by_label("coupler", exact=True).check()
+    assert group.locator(".lw-fixed").is_visible()
+    left, right = view.pin("A"), view.pin("D")
+    assert abs(right - left) < before  # more is in sight
+    scale = (right - left) / p["D"][index]
+    box = group.locator("circle").bounding_box()
+    dot = complex(box["x"] + box["width"] / 2, -box["y"] - box["height"] / 2)
+    assert abs(dot - (left + scale * pole[index])) < 0.5
+    # The moving one is drawn in the link's axes: its point of this pose, carried by its transform, is the centre too.
+    x, y = view.page.evaluate(
+        """([u, v]) => { const path = document.querySelector("#drawing .lw-moving");
+        const at = new DOMPoint(u, v).matrixTransform(path.getScreenCTM()); return [at.x, at.y]; }""",
+        [abs(scale) * local[index].real, -abs(scale) * local[index].imag],
+    )
+    assert abs(complex(x, -y) - dot) < 0.7
+    assert view.page.locator("#still .lw-centrode").count() == 0
+    assert view.complaints == []
+
+
 def test_prints_with_still_drawing_and_all_plots(show: Any, report: ReportData, tmp_path: Path) -> None:
     view = show(report, color_scheme="dark")
     view.page.emulate_media(media="print")

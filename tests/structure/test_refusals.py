@@ -10,7 +10,7 @@ import pytest
 from helpers.examples import UNITS, four_bar, slider_crank
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
-from linkwright.structure import decompose
+from linkwright.structure import Group, decompose
 
 
 def findings_of(data: dict[str, Any]) -> tuple[Finding, ...]:
@@ -143,13 +143,28 @@ def test_a_drive_that_could_act_at_two_joints() -> None:
 COUPLER_DRIVE = {"motor": {"turns": "coupler", "on": "crank", "speed": 1, "start": 0}}
 
 
-@pytest.mark.parametrize("make", [cylinder, triad, lambda: four_bar(drives=COUPLER_DRIVE)])
-def test_a_group_beyond_dyads_is_taken_whole(make: Any) -> None:
+def test_a_group_beyond_dyads_is_taken_whole() -> None:
     """The links that can only be placed together form one step; see tests/graph/test_clusters.py."""
-    data = make()
-    structure = decompose(Document.model_validate(data))
+    structure = decompose(Document.model_validate(triad()))
     assert not structure.findings
     assert len(structure.clusters) == 1
+
+
+@pytest.mark.parametrize(
+    ("make", "sides"),
+    [
+        (cylinder, {("barrel", "rod"), ("boom",)}),
+        (lambda: four_bar(drives=COUPLER_DRIVE), {("crank", "coupler"), ("rocker",)}),
+    ],
+)
+def test_links_that_a_drive_holds_on_each_other_are_one_side_of_a_dyad(make: Any, sides: set[tuple[str, ...]]) -> None:
+    """A drive between two unknown links leaves a closed form, with the links of a side in the order of its chain."""
+    structure = decompose(Document.model_validate(make()))
+    assert not structure.findings
+    (group,) = structure.steps
+    assert isinstance(group, Group)
+    assert group.signature == "RRR"
+    assert set(group.sides) == sides
 
 
 def test_a_group_of_too_many_links_is_named(monkeypatch: pytest.MonkeyPatch) -> None:

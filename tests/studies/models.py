@@ -63,6 +63,28 @@ def four_bar(a: float = 40, b: float = 120, c: float = 80, d: float = 100, **sec
     }
 
 
+def trammel(**sections: Any) -> dict[str, Any]:
+    """A bar of 100 mm (A-B) between two rails at right angles; K, 20 mm from A, draws an ellipse. One turn in 1 s."""
+    rails = (("x", "foot", "A", 0), ("y", "head", "B", 90))
+    return {
+        "units": UNITS,
+        "links": {
+            "frame": {"points": {"O": [0, 0]}},
+            "foot": {"points": {"A": [0, 0]}},
+            "head": {"points": {"B": [0, 0]}},
+            "bar": {"points": {"A": [0, 0], "B": [100, 0], "K": [20, 0]}},
+        },
+        "joints": {
+            rail: {"prismatic": ["frame", link], "line": [f"O at {angle} deg", f"{point} at {angle} deg"]}
+            for rail, link, point, angle in rails
+        },
+        "assembly": {"A": [50, 0], "B": [0, 87]},
+        "drives": {"motor": {"turns": "bar", "on": "foot", "speed": "60 rpm", "start": "120 deg"}},
+        "studies": {"cycle": {**TURN, "samples": 60}},
+        **sections,
+    }
+
+
 def slider_x(angle: Any, r: float = 50, l: float = 160, e: float = 20) -> Any:  # noqa: E741
     """The slider's x of :func:`slider_crank` at a crank angle (rad)."""
     return r * np.cos(angle) + np.sqrt(l**2 - (r * np.sin(angle) - e) ** 2)

@@ -90,8 +90,9 @@ def test_mean_over_a_window() -> None:
     assert value(data, rms="B.x", window="quarter") == near(R / math.sqrt(2))
 
 
-def test_a_test_above_covers_each_reduction() -> None:
-    assert set(RULES) == {"span", "max", "min", "extremes", "mean", "rms"}
+def test_a_test_covers_each_reduction() -> None:
+    """Those of a path and dwells have their own files, test_paths.py and test_dwells.py."""
+    assert set(RULES) == {"span", "max", "min", "extremes", "mean", "rms", "path", "straightness", "dwell"}
 
 
 # Extremes are root-found.
@@ -346,6 +347,23 @@ def test_a_measure_without_a_finite_value_fails_the_run(signal: str) -> None:
     assert job.exit_code == 1
 
 
+@pytest.mark.parametrize(
+    "signal", ["pole(slider, frame).x", "pole(rod, frame).x", "abs(pole(rod, frame).y)", "pole(rod, frame).u"]
+)
+def test_an_instant_centre_at_infinity_is_no_figure(signal: str) -> None:
+    """The slider's is there all the time; the rod's for two instants of a turn, where its turning reverses."""
+    job = job_of(slider_crank(measures={"m": {"extremes": signal}}))
+    assert [f.code for f in job.cycle.failures] == ["measure.not-finite"]
+
+
+def test_an_instant_centre_in_a_window_without_infinity() -> None:
+    """It lies on the crank's line, above or below the slider: x is that of C."""
+    windows = {"w": {"motor.angle": ["20 deg", "50 deg"]}}
+    found = measured(slider_crank(windows=windows), m={"extremes": "pole(rod, frame).y", "window": "w"})["m"]
+    wanted = [float(slider_x(math.radians(a))) * math.tan(math.radians(a)) for a in (20, 50)]
+    assert [found.shown("min"), found.shown("max")] == [near(y) for y in wanted]
+
+
 def test_a_step_of_no_width_in_a_measure_is_no_crash() -> None:
     assert job_of(slider_crank(measures={"m": {"max": "step5(t, 1 s, 0 mm, 1 s, 5 mm)"}})).exit_code in (1, 2)
 
@@ -370,6 +388,25 @@ def test_a_step_of_no_width_in_a_measure_is_no_crash() -> None:
         {"value": "B.x"},
         {"largest": "B.x"},
         {},
+        {"path": "Q"},
+        {"path": "B.x"},
+        {"path": "crank"},
+        {"path": "B", "straightness": "B"},
+        {"path": "B", "unit": "s"},
+        {"straightness": "Q"},
+        {"straightness": "B", "unit": "N"},
+        {"dwell": "B.x"},
+        {"within": "1 mm"},
+        {"max": "B.x", "within": "1 mm"},
+        {"dwell": "B.x", "within": "1 deg"},
+        {"dwell": "B.x", "within": "0 mm"},
+        {"dwell": "B.x", "within": "-1 mm"},
+        {"dwell": "B.x", "within": "B.y"},
+        {"dwell": "B.x", "within": "1 mm", "unit": "mm"},
+        {"max": "pole(rod).x"},
+        {"max": "pole(rod, rod).x"},
+        {"max": "pole(rod, B).x"},
+        {"max": "pole(rod, frame).vx"},
     ],
     ids=str,
 )

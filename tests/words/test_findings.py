@@ -48,6 +48,8 @@ TITLES = {
     "model": "The model as a whole",
     "mass": "Masses",
     "joint": "Joints",
+    "cylinder": "Cylinders",
+    "sketch": "The sketch",
     "drive": "Drives",
     "load": "Loads",
     "table": "Tables",

@@ -1,5 +1,17 @@
 """What the commands do, for Python too: examine a model file, perform its studies, write the results."""
 
+from linkwright.app.assembly_modes import ModesJob, modes, modes_of_file
 from linkwright.app.job import Examined, Job, check, examine_file, perform, run, write
 
-__all__ = ["Examined", "Job", "check", "examine_file", "perform", "run", "write"]
+__all__ = [
+    "Examined",
+    "Job",
+    "ModesJob",
+    "check",
+    "examine_file",
+    "modes",
+    "modes_of_file",
+    "perform",
+    "run",
+    "write",
+]

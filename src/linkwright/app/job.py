@@ -14,9 +14,10 @@ from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.mechanism import Document
 from linkwright.model.yaml_text import Source
 from linkwright.report.build import report_data
+from linkwright.report.modes import told
 from linkwright.report.page import page
 from linkwright.report.summary import summary
-from linkwright.studies import CycleOutcome, Task, read_studies
+from linkwright.studies import CycleOutcome, ModesOutcome, Task, read_studies
 
 CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite")
 """Codes that begin so mean a model that can't do what is asked (exit code 1); all others a wrong file (2)."""
@@ -45,8 +46,8 @@ class Examined:
         return 1 if all(finding.code.startswith(CANNOT) for finding in errors) else 2
 
 
-def examine_file(path: Path) -> Examined:
-    """Read and compile a model file; findings carry the lines of the file."""
+def read_file(path: Path) -> Examined:
+    """Read a model file, without looking into what it describes."""
     try:
         raw = path.read_bytes() if path.stat().st_size < 1 << 26 else b" " * (1 << 21)
     except OSError as error:
@@ -55,8 +56,16 @@ def examine_file(path: Path) -> Examined:
     document, source = read_document(raw)
     if document is None:
         return Examined(findings=source.findings)
-    examined = examine_document(document, path.parent)
-    examined.source = source
+    return Examined(document, source=source)
+
+
+def examine_file(path: Path) -> Examined:
+    """Read and compile a model file; findings carry the lines of the file."""
+    read = read_file(path)
+    if read.document is None:
+        return read
+    examined = examine_document(read.document, path.parent)
+    examined.source = read.source
     examined.findings = examined.located(examined.findings)
     return examined
 
@@ -85,6 +94,11 @@ class Job:
         return self.outcomes.get("cycle")
 
     @property
+    def modes(self) -> ModesOutcome | None:
+        """The assembly modes, where the file asks for them."""
+        return self.outcomes.get("modes")
+
+    @property
     def found(self) -> list[Finding]:
         """What the studies found: why a run isn't whole, and warnings."""
         return [] if self.cycle is None else [*self.cycle.failures, *self.cycle.warnings]
@@ -100,7 +114,8 @@ class Job:
         document = self.examined.document
         if document is None:
             return {"done": False, "findings": [finding.as_dict() for finding in self.examined.findings]}
-        return summary(document, self.cycle, self.examined.located([*self.examined.findings, *self.found]))
+        data = summary(document, self.cycle, self.examined.located([*self.examined.findings, *self.found]))
+        return data if self.modes is None else data | {"modes": told(self.modes)}
 
 
 def perform(examined: Examined) -> Job:
@@ -117,13 +132,15 @@ def perform(examined: Examined) -> Job:
     return job
 
 
-def write(job: Job, folder: Path) -> None:
-    """Write report.html, summary.json and cycle.csv, each whole or not at all."""
+def write(job: Job, folder: Path, netcdf: bool = False) -> None:
+    """Write report.html, summary.json, cycle.csv and, if asked, cycle.nc, each whole or not at all."""
     folder.mkdir(parents=True, exist_ok=True)
     document = job.examined.document
     if job.cycle is not None and document is not None:
-        write_aside(folder / "report.html", page(report_data(document, job.cycle)))
+        write_aside(folder / "report.html", page(report_data(document, job.cycle, job.modes)))
         job.cycle.result.to_csv(folder / "cycle.csv")
+        if netcdf:
+            job.cycle.result.to_netcdf(folder / "cycle.nc", warnings=job.cycle.warnings)
     write_aside(folder / "summary.json", summary_text(job.summary) + "\n")
     job.folder = folder
 

@@ -1,4 +1,4 @@
-"""The command line: ``linkwright check | new | run | schema``. Slow imports wait until a command needs them."""
+"""The command line: ``linkwright check | modes | new | run | schema``. Slow imports wait until a command needs them."""
 
 from __future__ import annotations
 
@@ -29,8 +29,9 @@ _json = click.option("--json", "as_json", is_flag=True, help=say("cli.json"))
 @cli.command(help=say("cli.run"))
 @_file
 @click.option("--out", type=click.Path(path_type=Path), help=say("cli.out"))
+@click.option("--netcdf", is_flag=True, help=say("cli.netcdf"))
 @_json
-def run(file: Path, out: Path | None, as_json: bool) -> None:
+def run(file: Path, out: Path | None, netcdf: bool, as_json: bool) -> None:
     """Perform a file's studies."""
     from linkwright import app
     from linkwright.app.job import summary_text
@@ -41,7 +42,7 @@ def run(file: Path, out: Path | None, as_json: bool) -> None:
         job = app.perform(examined)
         if examined.document is not None and job.outcomes:
             folder = out or file.with_name(f"{file.stem}_linkwright")
-            _writing(folder, job)
+            _writing(folder, job, netcdf)
     if as_json:
         show.plain(summary_text(job.summary))
     else:
@@ -50,12 +51,12 @@ def run(file: Path, out: Path | None, as_json: bool) -> None:
     sys.exit(job.exit_code)
 
 
-def _writing(folder: Path, job: Job) -> None:
+def _writing(folder: Path, job: Job, netcdf: bool) -> None:
     from linkwright import app
     from linkwright.cli import show
 
     try:
-        app.write(job, folder)
+        app.write(job, folder, netcdf)
     except OSError as error:
         show.cannot_write(folder, error)
         sys.exit(2)
@@ -77,6 +78,25 @@ def check(file: Path, as_json: bool) -> None:
         show.findings(examined, file)
         show.structure(examined)
     sys.exit(examined.exit_code)
+
+
+@cli.command(help=say("cli.modes"))
+@_file
+@_json
+def modes(file: Path, as_json: bool) -> None:
+    """Find a file's assembly modes."""
+    from linkwright import app
+    from linkwright.app.job import summary_text
+    from linkwright.cli import show
+
+    with show.working(file, quiet=as_json):
+        done = app.modes_of_file(file)
+    if as_json:
+        show.plain(summary_text(done.summary))
+    else:
+        show.findings(done.examined, file)
+        show.modes(done)
+    sys.exit(done.exit_code)
 
 
 @cli.command(help=say("cli.new"))

@@ -14,12 +14,13 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from linkwright.app import Examined, Job
+from linkwright.app import Examined, Job, ModesJob
 from linkwright.model.findings import Finding
 from linkwright.model.units import TIME
 from linkwright.report.build import measure
 from linkwright.report.data import MeasureValue
 from linkwright.report.facts import checks, facts
+from linkwright.report.modes import circuit_text, mode_text, modes_data
 from linkwright.words import say
 
 out = Console(highlight=False, soft_wrap=True)
@@ -98,6 +99,22 @@ def job(done: Job, file: Path) -> None:
             finding(item, file)
     if done.folder is not None:
         written(done.folder)
+
+
+def modes(done: ModesJob) -> None:
+    """Assembly modes, the circuits on which they lie, the lines that select them."""
+    if done.outcome is None:
+        return
+    data = modes_data(done.outcome)
+    table = _table("mode", "where_on", "assembly")
+    for entry in data["modes"]:
+        lines = entry["assembly"] or [say("modes.untold")]
+        table.add_row(str(entry["number"]), escape(mode_text(entry)), escape("\n".join(lines)))
+    for sentence in (*data["sentences"], *(circuit_text(entry, data) for entry in data["circuits"])):
+        out.print(escape(sentence))
+    if data["modes"]:
+        out.print()
+        out.print(table)
 
 
 def _table(*columns: str) -> Table:

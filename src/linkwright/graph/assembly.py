@@ -14,10 +14,11 @@ from linkwright.graph.clusters import assemble_cluster
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, Unknowns, solve_motion
 from linkwright.groups import Dyad, OuterPin
+from linkwright.model.cylinders import links_of
 from linkwright.model.fields import AssemblyRule
 from linkwright.model.findings import Finding
 from linkwright.model.quantities import Quantities
-from linkwright.notation import Body, Jet, Pair
+from linkwright.notation import Jet, Pair
 from linkwright.structure import Cluster, Connection, Group, Structure
 
 
@@ -77,8 +78,10 @@ class _Assembler:
             self.degenerate(vague[0])
             return self.assembly
         self.assembly.start = self.motion
-        for name in self.rules:
-            if name not in self.used:
+        moving = self.structure.topology.moving
+        for name, rule in self.rules.items():
+            spare = rule.sketch is not None and self.owner(name, moving)  # a group of one mode needs no sketch
+            if name not in self.used and not spare:
                 self.note("assembly.unused", ("assembly", name), point=name)
         return self.assembly
 
@@ -102,9 +105,13 @@ class _Assembler:
             if len(signs) == 1:
                 branch = signs.pop()
                 name = found[0][0]
-                self.assembly.rules[group] = f"{name}: {self.rules[name].raw}"
+                self.assembly.rules[group] = f"{name}: {self.rules[name].text}"
             elif len(signs) > 1:
                 self.note("assembly.contradiction", ("assembly", found[0][0]), rules=", ".join(n for n, _ in found))
+            elif not found and group.inner.joint in self.quantities.mechanism.cylinders:
+                # A cylinder's rod comes out of its barrel at the front.
+                branch = 1.0 if group.sides[0][-1] == links_of(group.inner.joint)[0] else -1.0
+                self.assembly.rules[group] = group.rule(branch)
             elif not found:
                 self.note(
                     "assembly.missing",
@@ -149,7 +156,7 @@ class _Assembler:
         if rule.sketch is not None:
             return self.sketched(name, rule, group, dyad)
         if rule.word in ("open", "crossed"):
-            four = all(c.letter == "R" for c in group.joints) and name in self.pin_names(group.inner.joint)
+            four = group.signature == "RRR" and name in self.pin_names(group.inner.joint)
             return self.four_bar(name, rule, group, dyad) if four else 0.0
         joints = {"first": group.outer[0], "second": group.outer[1], "inner": group.inner}
         names = {role: self.pin_names(c.joint) for role, c in joints.items()}
@@ -197,7 +204,8 @@ class _Assembler:
         """The mode in which the named point of one of the group's links comes nearest to its sketched place."""
         links = self.quantities.mechanism.links
         link = next((link for link in group.links if name in links[link].points), None)
-        if link is None or any(name in links[base].points for base in self.motion.bodies):
+        known = [base for base in self.motion.bodies if base not in group.links]
+        if link is None or any(name in links[base].points for base in known):
             return 0.0
         if dyad.shortfall() is not None:
             return 1.0
@@ -205,9 +213,8 @@ class _Assembler:
         goal, local = self.geometry.position(rule.sketch), self.geometry.point(link, name)
         away = []
         for sign in (1.0, -1.0):
-            solved = dyad.solve(sign, 0)
-            body: Body = solved.first if link == group.links[0] else solved.second
-            error = body.point(local).now.minus(goal)
+            dyad.solve(sign, 0)  # puts the group's links into the motion
+            error = self.motion.bodies[link].point(local).now.minus(goal)
             away.append(math.hypot(error.x, error.y))
         if abs(away[0] - away[1]) < 1e-6 * max(away):
             self.note("assembly.ambiguous", ("assembly", name), point=name, options=self.options(group))

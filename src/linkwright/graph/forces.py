@@ -8,9 +8,11 @@ body that it hangs on is the sum of its wrenches.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import reduce
 
 from linkwright.graph.geometry import ZERO
 from linkwright.graph.motion import Motion
+from linkwright.graph.placing import outer_joint
 from linkwright.groups.joints import Twist
 from linkwright.model.mechanism import Load
 from linkwright.notation import Body, Pair, Scalar, Wrench
@@ -44,7 +46,7 @@ class _Solver:
     def run(self) -> Forces:
         for step in reversed(self.motion.structure.steps):
             if isinstance(step, Driven):
-                self.drive(step, self.motion.twists[step], step.drive)
+                self.drive(step, self.motion.twists[step])
             elif isinstance(step, Group):
                 self.group(step)
             else:
@@ -54,10 +56,11 @@ class _Solver:
         self.forces.shaking = self.wrenches[FRAME]
         return self.forces
 
-    def drive(self, step: Driven | Edge, twist: Twist, drive: str) -> None:
+    def drive(self, step: Driven | Edge, twist: Twist) -> None:
+        assert step.drive is not None
         total = self.wrenches[step.link]
         effort = -twist.work(total)
-        self.forces.efforts[drive] = effort if step.sign > 0 else -effort
+        self.forces.efforts[step.drive] = effort if step.sign > 0 else -effort
         held = total.at(twist.about)
         if twist.turn:
             held = Wrench(held.force, 0.0, held.about)
@@ -67,14 +70,16 @@ class _Solver:
         self.hand_on(step.joint, step.link, total, held)
 
     def group(self, step: Group) -> None:
-        a, b = step.links
         dyad, solved = self.motion.dyads[step]
-        inner = dyad.balance(solved, self.wrenches[a], self.wrenches[b])
-        self.react(step.inner.joint, a, inner.opposite)
-        self.react(step.inner.joint, b, inner)
-        for connection, link, own in ((step.outer[0], a, inner), (step.outer[1], b, inner.opposite)):
-            total = self.wrenches[link].plus(own)
-            self.hand_on(connection, link, total, total)
+        loads = [reduce(Wrench.plus, (self.wrenches[link] for link in side)) for side in step.sides]
+        inner = dyad.balance(solved, *loads)
+        for side, chain, outer, own in zip(step.sides, step.chains, step.outer, (inner, inner.opposite), strict=True):
+            self.react(step.inner.joint, side[-1], own.opposite)
+            self.wrenches[side[-1]] = self.wrenches[side[-1]].plus(own)
+            for edge in reversed(chain):
+                self.drive(edge, outer_joint(self.motion, edge.joint, edge.link).twist(self.motion.bodies[edge.link]))
+            total = self.wrenches[side[0]]
+            self.hand_on(outer, side[0], total, total)
 
     def cluster(self, step: Cluster) -> None:
         solved, bodies = self.motion.clusters[step], self.motion.bodies
@@ -85,7 +90,7 @@ class _Solver:
                 self.wrenches[link] = self.wrenches[link].plus(own)
         for edge in reversed(step.edges):
             if edge.drive is not None:
-                self.drive(edge, solved.twists[edge.link], edge.drive)
+                self.drive(edge, solved.twists[edge.link])
             else:
                 total = self.wrenches[edge.link]
                 self.hand_on(edge.joint, edge.link, total, total)

@@ -20,12 +20,16 @@ from linkwright.graph.program import ExpressionStage, Program
 from linkwright.model.expressions import Call, Name, parse
 from linkwright.model.quantities import Quantities
 from linkwright.model.signals import Signal
-from linkwright.notation import MAX_ORDER, Jet, Scalar, Vec, Wrench
+from linkwright.notation import MAX_ORDER, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.structure import FRAME, Structure
 
 _LETTERS = {"": 0, "v": 1, "a": 2, "j": 3}
 _LINK_ORDERS = {"angle": 0, "omega": 1, "alpha": 2, "jerk": 3}
 _SLIDE_ORDERS = {"s": 0, "v": 1, "a": 2, "j": 3}
+INFINITE = 1e9
+"""Beyond so many times the mechanism's size an instant centre lies at infinity."""
+ROUND_OFF = 1e-13
+"""A turning of two links against each other below this share of their motion is none."""
 
 
 @dataclass
@@ -102,6 +106,16 @@ class Graph:
         solved = (view.motion.clusters[c] for c in self.structure.clusters)
         return ca.vertcat(*flow, *(rates[0] for cluster in solved for rates in cluster.rates))
 
+    @cached_property
+    def size(self) -> float:
+        """The largest distance (m) of two points of one link, at the parameters' nominal values."""
+        geometry = Geometry(self.quantities, self.quantities.parameters)
+        sizes = []
+        for link, entry in geometry.mechanism.links.items():
+            points = [complex(*geometry.point(link, name)) for name in entry.points]
+            sizes += [abs(a - b) for a in points for b in points]
+        return max(sizes) or 1.0
+
     def wraps(self, link: str) -> bool:
         """Whether a link's angle comes from its axis alone, so that it jumps by a turn now and then."""
         return self._view(0).motion.bodies[link].angle is None
@@ -113,7 +127,7 @@ class Graph:
         signal = self.signal(name)
         if signal.kind in ("force", "shaking") or signal.attribute in ("torque", "force", "power"):
             return 2
-        if signal.kind == "energy":
+        if signal.kind in ("energy", "pole"):
             return 1
         orders = {"link": _LINK_ORDERS, "drive": {**_LINK_ORDERS, **_SLIDE_ORDERS}, "slide": _SLIDE_ORDERS}
         known = orders.get(signal.kind)
@@ -236,6 +250,25 @@ class _View:
         wrench: Wrench = self.forces.shaking
         return wrench.moment if signal.attribute == "moment" else getattr(wrench.force, signal.attribute)
 
+    def pole(self, signal: Signal) -> Scalar:
+        """The point where two links have one velocity: from a's anchor P, perp(v)/omega with the velocity v of P
+        and the turning omega of a, both as seen from b."""
+        a, b = (self.motion.bodies[link] for link in signal.owners)
+        place, size = a.anchor.now, self.graph.size
+        arm = place.minus(b.anchor.now)
+        carried = Pair(b.anchor.x.d[1] - b.turn.d[0] * arm.y, b.anchor.y.d[1] + b.turn.d[0] * arm.x)
+        own = Pair(a.anchor.x.d[1], a.anchor.y.d[1])
+        speed, omega = own.minus(carried), ca.SX(a.turn.d[0] - b.turn.d[0])
+        whole = own.dot(own) + carried.dot(carried) + size**2 * (a.turn.d[0] ** 2 + b.turn.d[0] ** 2)
+        # At infinity and at rest this is zero, and what is divided by it is neither finite nor has a finite rate.
+        turns = (size * omega) ** 2 > speed.dot(speed) / INFINITE**2 + whole * ROUND_OFF**2
+        omega, beyond = omega * turns, 1 / ca.SX(turns) - 1
+        step = Pair(beyond - speed.y / omega, beyond + speed.x / omega)
+        if signal.attribute in ("x", "y"):
+            return getattr(place, signal.attribute) + getattr(step, signal.attribute)
+        inside = step.turned_back(a.axis.now)
+        return a.local.x + inside.x if signal.attribute == "u" else a.local.y + inside.y
+
     def energy(self, signal: Signal) -> Scalar:
         geometry, total = self.motion.geometry, 0.0
         for link, body in self.motion.bodies.items():
@@ -257,6 +290,5 @@ def _component(at: Vec, signal: Signal) -> Scalar:
     return jet.d[_LETTERS[signal.attribute[:-1]]]
 
 
-_ROWS: dict[str, Callable[[_View, Signal], Scalar]] = {
-    kind: getattr(_View, kind) for kind in ("link", "point", "com", "slide", "drive", "force", "shaking", "energy")
-}
+_KINDS = ("link", "point", "com", "slide", "drive", "force", "shaking", "pole", "energy")
+_ROWS: dict[str, Callable[[_View, Signal], Scalar]] = {kind: getattr(_View, kind) for kind in _KINDS}

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 
 from linkwright.graph.clusters import SolvedCluster, solve_cluster
 from linkwright.graph.geometry import Geometry
-from linkwright.graph.placing import driven_body, inner_joint, outer_joint
+from linkwright.graph.placing import carried, driven_body, inner_joint, outer_joint
 from linkwright.groups import REGISTRY, Dyad, InnerLine, Solved
 from linkwright.groups.joints import Twist
 from linkwright.notation import Body, Jet, Pair, Scalar
@@ -54,7 +55,7 @@ def solve_motion(
         if isinstance(step, Driven):
             _drive(motion, step, drives[step.drive])
         elif isinstance(step, Group):
-            _group(motion, step, branch)
+            _group(motion, step, drives, branch)
         else:
             solve_cluster(motion, step, drives, unknowns)
     return motion
@@ -66,22 +67,27 @@ def _drive(motion: Motion, step: Driven, law: Jet) -> None:
     motion.twists[step] = outer.twist(body)
 
 
-def _group(motion: Motion, step: Group, branch: Branch) -> None:
-    first, second = (outer_joint(motion, c, link) for c, link in zip(step.outer, step.links, strict=True))
-    dyad = REGISTRY[step.signature](first, inner_joint(motion, step.inner, step.links), second)
+def _group(motion: Motion, step: Group, drives: dict[str, Jet], branch: Branch) -> None:
+    first, second = (outer_joint(motion, c, link) for c, link in zip(step.outer, step.ends, strict=True))
+    meeting = step.sides[0][-1], step.sides[1][-1]
+    joint = inner_joint(motion, step.inner, meeting)
+    sides = list(zip(step.ends, step.chains, strict=True))
+    carry_a, carry_b = (partial(carried, motion, end, chain, drives) for end, chain in sides)
+    frozen = joint.seen_from(carry_a(Body.fixed(0)), carry_b(Body.fixed(0))) if any(step.chains) else joint
+    dyad = REGISTRY[step.signature](first, joint, second, (carry_a, carry_b), frozen)
     solved = dyad.solve(branch(step, dyad), motion.order)
     motion.dyads[step] = dyad, solved
     a, b = solved.first, solved.second
-    if isinstance(dyad.inner, InnerLine):
-        a, b = _same_angle(motion, step, a, b), _same_angle(motion, step, b, a)
-    motion.bodies[step.links[0]], motion.bodies[step.links[1]] = a, b
+    if isinstance(joint, InnerLine):
+        a, b = _same_angle(motion, step, meeting, a, b), _same_angle(motion, step, meeting[::-1], b, a)
+    motion.bodies[meeting[0]], motion.bodies[meeting[1]] = a, b
 
 
-def _same_angle(motion: Motion, step: Group, body: Body, other: Body) -> Body:
+def _same_angle(motion: Motion, step: Group, links: tuple[str, ...], body: Body, other: Body) -> Body:
     """The body with its angle known exactly where the link that it slides on has a known angle."""
     if body.angle is not None or other.angle is None:
         return body
-    link, on = step.links if body is motion.dyads[step][1].first else step.links[::-1]
+    link, on = links
     joint = step.inner.joint
     angle = other.angle + motion.geometry.heading_angle(joint, on) - motion.geometry.heading_angle(joint, link)
     return Body(body.anchor, body.local, body.axis, body.turn, angle)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from linkwright.graph.geometry import unit_vector
 from linkwright.groups import InnerLine, InnerPin, OuterLine, OuterPin
 from linkwright.groups.joints import Inner, Outer
 from linkwright.notation import Body, Jet
-from linkwright.structure import Connection, Driven, Edge
+from linkwright.structure import Chain, Connection, Driven, Edge
 
 if TYPE_CHECKING:
     from linkwright.graph.motion import Motion
@@ -27,6 +28,15 @@ def driven_body(motion: Motion, step: Driven | Edge, law: Jet) -> tuple[Outer, B
     else:
         body = outer.place(q.d[0], q.rate())
     return outer, body
+
+
+def carried(motion: Motion, end: str, chain: Chain, drives: Mapping[str, Jet], body: Body) -> Body:
+    """Put a link where ``body`` says, and on it the links that drives hold there; the last of them."""
+    motion.bodies[end] = body
+    for edge in chain:
+        assert edge.drive is not None
+        body = motion.bodies[edge.link] = driven_body(motion, edge, drives[edge.drive])[1]
+    return body
 
 
 def outer_joint(motion: Motion, connection: Connection, link: str) -> Outer:

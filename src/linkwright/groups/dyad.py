@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -18,6 +19,7 @@ from linkwright.notation.jets import call
 from linkwright.notation.registry import Registry
 
 Coordinate = Scalar | Pair
+Carry = Callable[[Body], Body]
 
 SLACK = 1e-12
 """A group short by less than this share of its size closes but for round-off."""
@@ -45,7 +47,7 @@ class Root:
 
 @dataclass(frozen=True)
 class Solved:
-    """A solved dyad: its two links' motion and the normalised determinant of its closure."""
+    """A solved dyad: the motion of its two links at the inner joint, the normalised determinant of its closure."""
 
     first: Body
     second: Body
@@ -55,8 +57,16 @@ class Solved:
     reach: Scalar
 
 
+def _itself(body: Body) -> Body:
+    return body
+
+
 class Dyad(ABC):
     """One kind of dyad on its joints.
+
+    Each of its two sides is a link, or several that drives hold on each other: then the coordinate places the link
+    at the outer joint, ``carry`` gives the one at the inner joint with all rates, and ``frozen`` is the inner joint
+    as it lies on the links at the outer joints in the present pose, which is all that the position needs.
 
     ``signature`` is outer, inner, outer joint; ``rules`` the ways in which a file states branch +1, and those for
     -1, by the names of the ``first`` and ``second`` outer joints and the ``inner`` one; none where there is one
@@ -69,8 +79,16 @@ class Dyad(ABC):
     second: Outer
     inner: Inner
 
-    def __init__(self, first: Outer, inner: Inner, second: Outer) -> None:
-        self.first, self.inner, self.second = first, inner, second
+    def __init__(
+        self,
+        first: Outer,
+        inner: Inner,
+        second: Outer,
+        carry: tuple[Carry, Carry] = (_itself, _itself),
+        frozen: Inner | None = None,
+    ) -> None:
+        self.first, self.joint, self.second, self.carry = first, inner, second, carry
+        self.inner = frozen or inner
 
     @abstractmethod
     def root(self, branch: Scalar) -> Root:
@@ -94,18 +112,24 @@ class Dyad(ABC):
         rates: tuple[list[Scalar], list[Scalar]] = ([], [])
         a, b = self.place(root.first, rates[0]), self.place(root.second, rates[1], second=True)
         twists = self.first.twist(a), self.second.twist(b)
-        slopes = self.inner.slopes(a, b, *twists)
+        slopes = self.joint.slopes(*self.carried(a, b), *twists)
         determinant = _determinant(slopes)
         inverse = 1.0 / determinant
         for k in range(1, order + 1):
             a = self.place(root.first, [*rates[0], 0.0])
             b = self.place(root.second, [*rates[1], 0.0], second=True)
-            rest = [gap.d[k] for gap in self.inner.gap(a, b)]
+            rest = [gap.d[k] for gap in self.joint.gap(*self.carried(a, b))]
             q1, q2 = _solve(slopes, inverse, rest)
             rates[0].append(-q1)
             rates[1].append(-q2)
         a, b = self.place(root.first, rates[0]), self.place(root.second, rates[1], second=True)
-        return Solved(a, b, determinant / self.scale(a, b), slopes, twists, root.reach)
+        best = self.scale(a, b)
+        a, b = self.carried(a, b)
+        return Solved(a, b, determinant / best, slopes, twists, root.reach)
+
+    def carried(self, a: Body, b: Body) -> tuple[Body, Body]:
+        """The links at the inner joint, from those at the outer joints."""
+        return self.carry[0](a), self.carry[1](b)
 
     def place(self, start: Coordinate, rates: list[Scalar], second: bool = False) -> Body:
         """One of the links at its coordinate with the rates known so far."""
@@ -122,7 +146,7 @@ class Dyad(ABC):
         transposed = ((j11, j21), (j12, j22))
         works = [solved.twists[0].work(on_first), solved.twists[1].work(on_second)]
         m1, m2 = _solve(transposed, 1.0 / _determinant(transposed), works)
-        return self.inner.action(solved.first, solved.second, (-m1, -m2))
+        return self.joint.action(solved.first, solved.second, (-m1, -m2))
 
     def newton(self, start: tuple[Coordinate, Coordinate], tolerance: float = 1e-14) -> tuple[Body, Body]:
         """The twin of :meth:`root` on plain numbers: Newton on the same closure from a start nearby."""

@@ -104,6 +104,10 @@ class InnerPin:
     second: Pair
     letter: str = "R"
 
+    def seen_from(self, a: Body, b: Body) -> InnerPin:
+        """The same joint by coordinates in the frames in which the two links lie as ``a`` and ``b`` say."""
+        return InnerPin(a.point(self.first).now, b.point(self.second).now)
+
     def gap(self, a: Body, b: Body) -> tuple[Jet, Jet]:
         """Closure: the two pin positions coincide (m)."""
         difference = a.point(self.first).minus(b.point(self.second))
@@ -129,6 +133,12 @@ class InnerLine:
     second: Pair
     second_heading: Pair
     letter: str = "P"
+
+    def seen_from(self, a: Body, b: Body) -> InnerLine:
+        """The same joint by coordinates in the frames in which the two links lie as ``a`` and ``b`` say."""
+        ends = (a, self.first, self.first_heading), (b, self.second, self.second_heading)
+        (p, u), (q, v) = ((body.point(point).now, body.direction(heading).now) for body, point, heading in ends)
+        return InnerLine(p, u, q, v)
 
     def gap(self, a: Body, b: Body) -> tuple[Jet, Jet]:
         """Closure: equal headings (rad; the sine of the difference at order 0) and no distance across (m)."""

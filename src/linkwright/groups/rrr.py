@@ -23,14 +23,18 @@ class RRR(Dyad):
         first, second = pin(self.first), pin(self.second)
         arm1, arm2 = self.inner.first.minus(first.foot), self.inner.second.minus(second.foot)
         r1, r2 = arm1.dot(arm1), arm2.dot(arm2)
+        l1, l2 = length(arm1), length(arm2)
         base = second.base.now.minus(first.base.now)
         square = base.dot(base)
-        along = 0.5 * (r1 - r2 + square) / square
-        radicand = r1 / square - along * along
-        aside = branch * call("sqrt", radicand)
-        to_pin = Pair(along * base.x - aside * base.y, along * base.y + aside * base.x)
-        back = to_pin.minus(base)
-        return Root(pointing(to_pin, arm1), pointing(back, arm2), radicand * square / (r1 + r2))
+        d = length(base)
+        # Heron's product and each arm from its own pin: a short arm keeps its digits beside a long one.
+        along1 = 0.5 * (r1 + (d - l2) * (d + l2)) / square
+        along2 = 0.5 * (r2 + (d - l1) * (d + l1)) / square
+        heron = (l1 + l2 + d) * (l1 + l2 - d) * (d - l1 + l2) * (d + l1 - l2)
+        aside = branch * 0.5 * call("sqrt", heron) / square
+        to_pin = Pair(along1 * base.x - aside * base.y, along1 * base.y + aside * base.x)
+        back = Pair(-along2 * base.x - aside * base.y, -along2 * base.y + aside * base.x)
+        return Root(pointing(to_pin, arm1), pointing(back, arm2), 0.25 * heron / (square * (r1 + r2)))
 
     def shortfall(self) -> tuple[float, float] | None:
         first, second = pin(self.first), pin(self.second)

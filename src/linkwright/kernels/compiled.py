@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from linkwright.graph.assembly import Assembly, assemble
 from linkwright.graph.graph import Graph
+from linkwright.graph.redundant import redundant
 from linkwright.kernels.follow import Follower
 from linkwright.kernels.laws import Law, drive_laws, values_at
 from linkwright.kernels.registry import KERNELS, Kernel
@@ -19,6 +20,7 @@ from linkwright.model.check import check_names, check_values
 from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.quantities import Quantities
+from linkwright.model.spelled import Spelled, spell_out
 from linkwright.notation import MAX_ORDER
 from linkwright.structure import Cluster, Structure, Topology, decompose
 
@@ -77,25 +79,53 @@ class Compiled:
         return y.reshape(len(names), 2, t.size) if rates else y
 
 
+@dataclass
+class Prepared:
+    """A mechanism as far as it is known before its assembly modes are settled, its short forms spelled out."""
+
+    spelled: Spelled
+    quantities: Quantities
+    structure: Structure
+    laws: dict[str, Law]
+    findings: list[Finding]
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism that is solved."""
+        return self.spelled.mechanism
+
+
+def prepare(mechanism: Mechanism, folder: Path | None = None) -> Prepared:
+    """Dimensions, structure and drive laws of a mechanism, with all findings on them."""
+    spelled = spell_out(mechanism)
+    missing = "model.no-drive" if spelled.findings else ""  # a drive with a fault is one
+    names = [*spelled.findings, *(f for f in check_names(spelled.mechanism) if f.code != missing)]
+    quantities = Quantities(spelled.mechanism)
+    findings = [*names, *(f for f in quantities.findings if not _said(f, names))]
+    laws: dict[str, Law] = {}
+    if not quantities.findings:
+        laws, wrong = drive_laws(quantities, folder)
+        findings += [*check_values(quantities), *wrong]
+    structure = decompose(spelled.mechanism) if not names else Structure(Topology(spelled.mechanism), ())
+    if not findings:
+        findings = redundant(quantities, structure, values_at(laws, 0.0))
+    else:
+        findings += structure.findings
+    return Prepared(spelled, quantities, structure, laws, spelled.home(findings))
+
+
 def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled | None, list[Finding]]:
     """Compile a mechanism as far as it goes, with all findings; ``folder`` is where its table files lie.
 
     The result is ``None`` where an error stops it.
     """
-    names, quantities = check_names(mechanism), Quantities(mechanism)
-    findings = [*names, *(f for f in quantities.findings if not _said(f, names))]
-    laws: dict[str, Law] = {}
-    if not quantities.findings:
-        laws, faults = drive_laws(quantities, folder)
-        findings += [*check_values(quantities), *faults]
-    structure = decompose(mechanism) if not names else Structure(Topology(mechanism), ())
-    findings += structure.findings
-    if findings:
-        return None, findings
-    assembly = assemble(quantities, structure, values_at(laws, 0.0))
+    made = prepare(mechanism, folder)
+    if made.findings:
+        return None, made.findings
+    assembly = assemble(made.quantities, made.structure, values_at(made.laws, 0.0))
     if assembly.findings:
-        return None, list(assembly.findings)
-    return Compiled(mechanism, quantities, structure, assembly, laws), []
+        return None, made.spelled.home(assembly.findings)
+    return Compiled(made.mechanism, made.quantities, made.structure, assembly, made.laws), []
 
 
 def _said(finding: Finding, others: list[Finding]) -> bool:

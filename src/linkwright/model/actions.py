@@ -157,7 +157,7 @@ Window = Annotated[
 WHERE = re.compile(r"^\s*(?:(max|min)\s+(\S.*)|(start)|(end))\s*$", re.S)
 """How a place of a value is written: ``max E.x``, ``min E.x``, ``start``, ``end``."""
 
-REDUCTIONS = ("span", "max", "min", "extremes", "mean", "rms", "value")
+REDUCTIONS = ("span", "max", "min", "extremes", "mean", "rms", "value", "path", "straightness", "dwell")
 
 
 def _where(raw: Any) -> str:
@@ -180,7 +180,7 @@ def _unit(raw: Any) -> str:
 
 
 class Measure(Frozen):
-    """A named scalar of a run: one reduction of a signal expression."""
+    """A named scalar of a run: one reduction of a signal expression, or of a point's path."""
 
     span: Expression | None = Field(None, description="largest less smallest value of this signal expression")
     max: Expression | None = Field(None, description="largest value")
@@ -194,6 +194,14 @@ class Measure(Frozen):
         description="the instant of a value: 'max E.x', 'min E.x', 'start' or 'end'",
         examples=["max E.x", "min E.x", "start", "end"],
     )
+    path: Name | None = Field(None, description="the length of this point's path")
+    straightness: Name | None = Field(
+        None, description="the distance of the two closest parallel lines that hold this point's path"
+    )
+    dwell: Expression | None = Field(
+        None, description="the longest time in which this signal expression stays in a band; with within"
+    )
+    within: Expression | None = Field(None, description="the whole width of the band of a dwell")
     window: Name | None = Field(None, description="the window (of windows) to which the measure is confined")
     wrap: Interval | None = Field(None, description="[low, high]: whole turns are added until it lies there")
     unit: Annotated[str, BeforeValidator(_unit)] | None = Field(
@@ -210,6 +218,8 @@ class Measure(Frozen):
             )
         elif ("value" in given) != ("where" in given):
             yield "measure.where", {}
+        elif ("dwell" in given) != ("within" in given):
+            yield "measure.within", {}
 
     @property
     def reduction(self) -> str:
@@ -217,7 +227,20 @@ class Measure(Frozen):
         return next(name for name in REDUCTIONS if getattr(self, name) is not None)
 
     @property
+    def point(self) -> str | None:
+        """The point whose path is looked at."""
+        return self.path or self.straightness
+
+    @property
     def signal(self) -> Expression:
-        """The expression that is reduced."""
+        """The expression that is reduced: for a path the point's speed, for a straightness its x."""
+        if self.point is not None:
+            return Expression(f"hypot({self.path}.vx, {self.path}.vy)" if self.path else f"{self.point}.x")
         expression: Expression = getattr(self, self.reduction)
         return expression
+
+    @property
+    def subject(self) -> str:
+        """What is reduced, for the reader."""
+        within = f" within {self.within.text}" if self.within else ""
+        return self.point or f"{self.signal.text}{within}"

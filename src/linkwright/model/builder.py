@@ -71,6 +71,20 @@ class Builder:
         """A pin between points of different names: of each of two links its name and its point."""
         return self._put("joints", name, {"revolute": [first[0], second[0]], "at": [first[1], second[1]]})
 
+    def cylinder(
+        self,
+        name: str,
+        start: str,
+        end: str,
+        *,
+        length: Any = None,
+        barrel: Mapping[str, Any] | None = None,
+        rod: Mapping[str, Any] | None = None,
+    ) -> Self:
+        """A cylinder from the point ``start`` (barrel) to the point ``end`` (rod); ``barrel`` and ``rod`` say
+        their ``mass``, ``com`` and ``inertia``."""
+        return self._put("cylinders", name, _given(**{"from": start}, to=end, length=length, barrel=barrel, rod=rod))
+
     def assembly(self, point: str, rule: Any) -> Self:
         """On which side a group is put together: ``("C", "left of B-D")``."""
         return self._put("assembly", point, rule)
@@ -81,13 +95,16 @@ class Builder:
         *,
         turns: str | None = None,
         slides: str | None = None,
-        on: str = "frame",
+        extends: str | None = None,
+        on: str | None = None,
         speed: Any = None,
         start: Any = None,
         position: Any = None,
     ) -> Self:
-        """A prescribed motion of the link that it ``turns`` or ``slides``, against the link ``on``."""
-        law = _given(turns=turns, slides=slides, on=on, speed=speed, start=start, position=position)
+        """A prescribed motion of the link that it ``turns`` or ``slides``, against the link ``on`` (the frame unless
+        given), or of the cylinder or slide that it ``extends``."""
+        on = on or (None if extends else "frame")
+        law = _given(turns=turns, slides=slides, extends=extends, on=on, speed=speed, start=start, position=position)
         return self._put("drives", name, law)
 
     def table(

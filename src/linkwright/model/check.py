@@ -137,7 +137,10 @@ def _assembly(m: Mechanism) -> Iterator[Finding]:
 
 
 def _measures(m: Mechanism) -> Iterator[Finding]:
+    points = homes(m)
     for name, measure in m.measures.items():
+        if measure.point is not None and measure.point not in points:
+            yield _unknown("point", ("measures", name, measure.reduction), measure.point, points)
         if measure.window and measure.window not in m.windows:
             yield _unknown("window", ("measures", name, "window"), measure.window, m.windows)
     for name in m.require:

@@ -105,13 +105,13 @@ def save(document: Document, path: str | Path) -> None:
     write_aside(Path(path), dump(document))
 
 
-def write_aside(path: Path, text: str) -> None:
-    """Write ``text`` to ``path`` whole or not at all. A link is followed; a file's permissions stay."""
+def write_aside(path: Path, content: str | bytes) -> None:
+    """Write to ``path`` whole or not at all, text as UTF-8. A link is followed; a file's permissions stay."""
     path = path.resolve()
     aside = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
     try:
-        with aside.open("x", encoding="utf-8", newline="\n") as stream:
-            stream.write(text)
+        with aside.open("xb") as stream:
+            stream.write(content.encode() if isinstance(content, str) else content)
         if path.exists():
             aside.chmod(path.stat().st_mode & 0o777)
         aside.replace(path)

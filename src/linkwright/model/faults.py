@@ -18,6 +18,7 @@ _CLASSES: dict[str, type[Frozen]] = {
     "parameters": p.Parameter,
     "links": p.Link,
     "joints": p.Joint,
+    "cylinders": p.Cylinder,
     "drives": p.Drive,
     "tables": a.Table,
     "loads": a.Load,

@@ -105,21 +105,26 @@ def pair(wanted: str) -> Callable[[Any], Any]:
 
 
 class Position(Written):
-    """Coordinates in a link's frame: ``[x, y]``, or polar ``r at angle``."""
+    """Coordinates in a link's frame: ``[x, y]``, polar ``r at angle``, or those of the ``sketch``."""
 
-    __slots__ = ("first", "polar", "second")
+    __slots__ = ("first", "polar", "second", "sketched")
     json_type = {
         "anyOf": [
             {"type": "array", "items": {"type": ["number", "string"]}, "minItems": 2, "maxItems": 2},
-            {"type": "string", "pattern": " at "},
+            {"type": "string", "pattern": " at |^sketch$"},
         ]
     }
     first: Expression
     second: Expression
     polar: bool
+    sketched: bool
 
     def read(self, raw: Any) -> None:
-        if isinstance(raw, str) and len(parts := raw.split(" at ")) == 2:
+        self.put("sketched", raw == "sketch")
+        if self.sketched:
+            self.put("polar", False)
+            parts: list[Any] = [0, 0]
+        elif isinstance(raw, str) and len(parts := raw.split(" at ")) == 2:
             self.put("polar", True)
         elif isinstance(raw, list | tuple) and len(raw) == 2:
             parts = list(raw)
@@ -128,7 +133,7 @@ class Position(Written):
             raise unexpected("position", raw)
         self.put("first", Expression(parts[0]))
         self.put("second", Expression(parts[1]))
-        if not self.polar:
+        if not self.polar and not self.sketched:
             self.put("raw", (self.first.raw, self.second.raw))
 
 
@@ -203,6 +208,11 @@ class AssemblyRule(Written):
         sliding = words[0] in ("ahead", "behind")
         along = words[2] if sliding else None
         self._put(words[0], tuple(words[1:2] if sliding else words[1:]), along, None)
+
+    @property
+    def text(self) -> str:
+        """As a file has it."""
+        return str(self.raw) if self.sketch is None else f"[{self.sketch.first.text}, {self.sketch.second.text}]"
 
     def _put(self, word: str, reference: tuple[str, ...], along: str | None, sketch: Position | None) -> None:
         self.put("word", word)

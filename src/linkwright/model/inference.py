@@ -11,7 +11,7 @@ from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, Number, no
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.names import Names
-from linkwright.model.places import Path, Place, Scope, measured, places
+from linkwright.model.places import Path, Place, Scope, figure, places
 from linkwright.model.signals import Signals
 from linkwright.model.units import PURE, Dimension, unit, words_of
 
@@ -95,7 +95,7 @@ class Inference:
         for name, measure in self.mechanism.measures.items():
             if measure.unit is None or name not in fine:
                 continue
-            given, wanted = unit(measure.unit)[1], self.dimensions.resolve(measured(name))
+            given, wanted = unit(measure.unit)[1], self.dimensions.resolve(figure(name, measure))
             angle = wanted.angle in (given.angle, 0) or wanted.physical not in _TURNING
             if given.physical != wanted.physical or not angle:
                 data = {"unit": measure.unit, "wanted": wanted}

@@ -8,12 +8,24 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BeforeValidator, Field
 
 from linkwright.model.actions import REDUCTIONS, Load, Measure, Table, Window
-from linkwright.model.fields import AssemblyRule, Frozen, FrozenDict, LongText, Name, Requirement, Text, fault, frozen
-from linkwright.model.parts import Drive, Joint, Link, Parameter, Units, Vector, freeze
+from linkwright.model.fields import (
+    AssemblyRule,
+    Frozen,
+    FrozenDict,
+    LongText,
+    Name,
+    Position,
+    Requirement,
+    Text,
+    fault,
+    frozen,
+)
+from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter, Units, Vector, freeze
 from linkwright.model.written import unexpected
 
 __all__ = [
     "REDUCTIONS",
+    "Cylinder",
     "Document",
     "Drive",
     "Joint",
@@ -62,6 +74,10 @@ class Mechanism(Frozen):
     parameters: Annotated[dict[Name, Parameter], _bound, freeze] = Field(
         default_factory=FrozenDict, description="named values"
     )
+    sketch: Annotated[dict[Name, Position], _bound, freeze] = Field(
+        default_factory=FrozenDict,
+        description="places of points in the frame at the start of the motion; links list them by name",
+    )
     links: Annotated[dict[Name, Link], _at_most(MAX_LINKS), freeze] = Field(
         description="the rigid links; the one that doesn't move is called frame"
     )
@@ -69,6 +85,10 @@ class Mechanism(Frozen):
         default_factory=FrozenDict,
         description="prismatic joints, and pins between points of different names; "
         "points of the same name are pinned without being listed here",
+    )
+    cylinders: Annotated[dict[Name, Cylinder], _bound, freeze] = Field(
+        default_factory=FrozenDict,
+        description="cylinders and linear actuators: barrel, rod and their slide in one line",
     )
     assembly: Annotated[dict[Name, AssemblyRule], _bound, freeze] = Field(
         default_factory=FrozenDict,

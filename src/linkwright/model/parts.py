@@ -8,10 +8,12 @@ from typing import Annotated, Any
 from pydantic import (
     AfterValidator,
     BeforeValidator,
+    ConfigDict,
     Discriminator,
     Field,
     GetJsonSchemaHandler,
     ModelWrapValidatorHandler,
+    PlainSerializer,
     Tag,
     model_validator,
 )
@@ -29,7 +31,7 @@ from linkwright.model.fields import (
     Text,
     pair,
 )
-from linkwright.model.written import Fault
+from linkwright.model.written import Fault, unexpected
 
 freeze = AfterValidator(FrozenDict)
 
@@ -87,12 +89,43 @@ class Parameter(Frozen):
         return {"description": cls.__doc__, "anyOf": [short, whole]}
 
 
+def _named(raw: Any) -> Any:
+    """A list of names stands for points whose places are those of the sketch."""
+    if not isinstance(raw, list | tuple) or not raw:
+        return raw
+    if bad := next((name for name in raw if not isinstance(name, str)), None):
+        raise unexpected("name", bad)
+    return dict.fromkeys(raw, "sketch")
+
+
+def _points_as_written(points: Mapping[str, Position]) -> Any:
+    by_name = points and all(place.sketched for place in points.values())
+    return [*points] if by_name else {name: place.raw for name, place in points.items()}
+
+
+class _ByName:
+    """The schema of points: also a list of names."""
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        return {"anyOf": [handler(schema), {"type": "array", "items": {"type": "string"}}]}
+
+
+Points = Annotated[
+    dict[Name, Position],
+    BeforeValidator(_named),
+    freeze,
+    PlainSerializer(_points_as_written),
+    _ByName,
+]
+
+
 class Link(Frozen):
     """A rigid link: its points in its own frame, and its mass if it has one."""
 
-    points: Annotated[dict[Name, Position], freeze] = Field(
-        description="named points, [x, y] or 'r at angle' in the link's frame; "
-        "a name that several links share is a pin between them"
+    points: Points = Field(
+        description="named points, [x, y] or 'r at angle' in the link's frame, or a list of the names of sketched "
+        "points; a name that several links share is a pin between them"
     )
     mass: Expression | None = Field(None, description="mass; with com and inertia, or with shape")
     com: Position | None = Field(None, description="centre of mass in the link's frame")
@@ -138,12 +171,38 @@ class Joint(Frozen):
         return pair
 
 
+class CylinderPart(Frozen):
+    """The mass of a cylinder's barrel or rod."""
+
+    mass: Expression = Field(description="mass")
+    com: Expression = Field(description="distance of the centre of mass from the part's own pin, towards the other")
+    inertia: Expression | None = Field(
+        None, description="moment of inertia about the centre of mass; that of a slender uniform rod where left out"
+    )
+
+
+class Cylinder(Frozen):
+    """A cylinder or linear actuator between two points: barrel, rod and their slide, whose value is the distance."""
+
+    from_: Name = Field(alias="from", description="the point at which the barrel is pinned")
+    to: Name = Field(description="the point at which the rod is pinned")
+    length: Interval | None = Field(
+        None, description="[shortest, longest] distance of the two pins; a run beyond is a finding"
+    )
+    barrel: CylinderPart | None = Field(None, description="mass of the barrel; massless where left out")
+    rod: CylinderPart | None = Field(None, description="mass of the rod; massless where left out")
+
+
 class Drive(Frozen):
-    """A prescribed relative motion of two joined links: of ``turns``/``slides`` against ``on``."""
+    """A prescribed relative motion of two joined links: of ``turns``/``slides`` against ``on``, or of a slide."""
+
+    # Said for editors here, by `faults` to the reader: either on which link, or what is extended.
+    model_config = ConfigDict(json_schema_extra={"anyOf": [{"required": ["on"]}, {"required": ["extends"]}]})
 
     turns: Name | None = Field(None, description="the link that is turned, about the pin that it shares with on")
     slides: Name | None = Field(None, description="the link that is moved along the line that it shares with on")
-    on: Name = Field(description="the link against which the motion is measured, e.g. frame")
+    extends: Name | None = Field(None, description="the cylinder or prismatic joint whose value the drive prescribes")
+    on: Name = Field("", description="the link against which the motion is measured, e.g. frame")
     speed: Expression | None = Field(None, description="constant speed, e.g. 60 rpm; with start")
     start: Expression | None = Field(None, description="value at t = 0; with speed")
     position: Expression | None = Field(
@@ -152,8 +211,11 @@ class Drive(Frozen):
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
-        if ("turns" in given) == ("slides" in given):
+        kinds = [key for key in ("turns", "slides", "extends") if key in given]
+        if len(kinds) != 1:
             yield "drive.kind", {}
+        elif ("on" in given) == ("extends" in given):
+            yield "drive.on", {}
         if ("speed" in given) == ("position" in given):
             yield "drive.law", {}
         elif ("speed" in given) != ("start" in given):

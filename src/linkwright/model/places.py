@@ -11,6 +11,7 @@ from linkwright.model.actions import WHERE, Measure
 from linkwright.model.dimensions import Wanted, argument, value
 from linkwright.model.fields import Expression, Position
 from linkwright.model.mechanism import Mechanism
+from linkwright.model.pins import homes
 from linkwright.model.units import Dimension
 
 Path = tuple[str | int, ...]
@@ -38,6 +39,15 @@ class Place:
 def measured(name: str) -> Wanted:
     """The unknown dimension of a measure, which its bounds share."""
     return (f"measure {name}", 0)
+
+
+FIGURES = {"path": u.LENGTH, "straightness": u.LENGTH, "dwell": u.TIME}
+"""What a reduction gives where that isn't of the kind of its signal."""
+
+
+def figure(name: str, measure: Measure) -> Wanted:
+    """What a measure's figure is, and so its bounds, its wrap and its unit."""
+    return FIGURES.get(measure.reduction) or measured(name)
 
 
 def crossed(name: str) -> Wanted:
@@ -76,10 +86,10 @@ def places(m: Mechanism) -> Iterator[Place]:
                 yield Place(at, Expression(signal), crossed(name), Scope.SIGNALS)
                 yield from (Place(at, edge, crossed(name)) for edge in edges)
     for name, measure in m.measures.items():
-        yield from _measure(name, measure)
+        yield from _measure(m, name, measure)
         if name in m.require:
             bounds = m.require[name].bounds
-            yield from (Place(("require", name), bound, measured(name)) for bound in bounds)
+            yield from (Place(("require", name), bound, figure(name, measure)) for bound in bounds)
 
 
 def _links(m: Mechanism) -> Iterator[Place]:
@@ -98,6 +108,8 @@ def _links(m: Mechanism) -> Iterator[Place]:
     for name, joint in m.joints.items():
         for i, line in enumerate(joint.line or ()):
             yield Place(("joints", name, "line", i), line.angle, u.ANGLE)
+    for name, cylinder in m.cylinders.items():
+        yield from (Place(("cylinders", name, "length"), edge, u.LENGTH) for edge in cylinder.length or ())
     for name, rule in m.assembly.items():
         if rule.sketch:
             yield from _position(("assembly", name), rule.sketch)
@@ -136,9 +148,17 @@ def _tables(m: Mechanism) -> Iterator[Place]:
             yield Place(("tables", name, "period"), table.period, argument(name))
 
 
-def _measure(name: str, measure: Measure) -> Iterator[Place]:
+def _measure(m: Mechanism, name: str, measure: Measure) -> Iterator[Place]:
     at: Path = ("measures", name)
-    yield Place((*at, measure.reduction), measure.signal, measured(name), Scope.SIGNALS)
-    yield from (Place((*at, "wrap"), edge, measured(name)) for edge in measure.wrap or ())
+    if measure.point is None:
+        banded: Wanted = (f"dwell {name}", 0)
+        wanted = measured(name) if measure.within is None else banded
+        yield Place((*at, measure.reduction), measure.signal, wanted, Scope.SIGNALS)
+        if measure.within is not None:
+            yield Place((*at, "within"), measure.within, banded)
+    elif measure.point in homes(m):
+        wanted = u.SPEED if measure.path else u.LENGTH
+        yield Place((*at, measure.reduction), measure.signal, wanted, Scope.SIGNALS)
+    yield from (Place((*at, "wrap"), edge, figure(name, measure)) for edge in measure.wrap or ())
     if measure.where and (match := WHERE.match(measure.where)) and match[2]:
         yield Place((*at, "where"), Expression(match[2]), instant(name), Scope.SIGNALS)

@@ -10,6 +10,7 @@ from functools import cached_property
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import Call, Name, signal_text
+from linkwright.model.findings import Term
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.pins import homes, pins
 from linkwright.model.units import Dimension
@@ -26,6 +27,7 @@ TURNING_DRIVE = {**LINK, "torque": u.TORQUE, "power": u.POWER}
 SLIDING_DRIVE = {**SLIDE, "force": u.FORCE, "power": u.POWER}
 SHAKING = {"x": u.FORCE, "y": u.FORCE, "moment": u.TORQUE}
 ENERGY = {"kinetic": u.ENERGY, "potential": u.ENERGY}
+POLE = dict.fromkeys(("x", "y", "u", "v"), u.LENGTH)
 
 
 @dataclass(frozen=True)
@@ -40,7 +42,7 @@ class Signal:
     @property
     def text(self) -> str:
         """The canonical name, as expressions spell it."""
-        if self.kind in ("force", "com"):
+        if self.kind in ("force", "com", "pole"):
             return f"{self.kind}({', '.join(self.owners)}).{self.attribute}"
         return f"{self.owners[0]}.{self.attribute}"
 
@@ -130,7 +132,18 @@ class Signals:
             if names[0] not in self.mechanism.links or self.mechanism.links[names[0]].mass is None:
                 raise DimensionError("signal.no-mass", name=names[0])
             return "com", (names[0],), POINT
+        if node.name == "pole" and len(names) == 2:
+            return "pole", self._two_links(names), POLE
         raise DimensionError("signal.unknown", name=signal_text(node))
+
+    def _two_links(self, names: Sequence[str]) -> tuple[str, ...]:
+        for name in names:
+            if name not in self.mechanism.links:
+                known = near(name, list(self.mechanism.links))
+                raise DimensionError("name.unknown", kind=Term("a-link"), name=name, near=known)
+        if names[0] == names[1]:
+            raise DimensionError("signal.same-link", name=names[0])
+        return tuple(names)
 
     def _called(self, node: Call) -> Signal:
         kind, owners, attributes = self.element(node)
@@ -144,7 +157,7 @@ class Signals:
         return Signal(kind, owners, attribute, attributes[attribute])
 
     def all(self) -> list[Signal]:
-        """Every signal of the mechanism, motion first, then forces."""
+        """Every signal of the mechanism, motion first, then forces; poles, one for any two links, only by name."""
         m = self.mechanism
         found = [Signal("point", (p,), a, d) for p in self.homes for a, d in POINT.items()]
         found += [Signal("link", (link,), a, d) for link in m.links if link != "frame" for a, d in LINK.items()]

@@ -8,7 +8,7 @@ from typing import Any
 from linkwright.model import units as u
 from linkwright.model.fields import Expression
 from linkwright.model.findings import Finding, Term
-from linkwright.model.places import Place, Scope, crossed, measured, position_parts
+from linkwright.model.places import Place, Scope, crossed, figure, position_parts
 from linkwright.model.quantities import LARGEST, Quantities
 from linkwright.model.units import Dimension
 
@@ -45,6 +45,10 @@ def _bodies(q: Quantities) -> Iterator[Finding]:
     for name, table in q.mechanism.tables.items():
         if table.period is not None:
             yield from least(("tables", name, "period"), "period", table.period, u.PURE, True)
+    for name, measure in q.mechanism.measures.items():
+        if measure.within is not None:
+            dimension = q.dimensions.dimension(measure.signal.node)
+            yield from least(("measures", name, "within"), "within", measure.within, dimension, True)
 
 
 def _rods(q: Quantities) -> Iterator[Finding]:
@@ -68,8 +72,11 @@ def _intervals(q: Quantities) -> Iterator[Finding]:
         else:
             for signal, edges in window.items():
                 yield from _rising(q, ("windows", name, signal), edges, resolve(crossed(name)))
+    for name, cylinder in m.cylinders.items():
+        if cylinder.length:
+            yield from _rising(q, ("cylinders", name, "length"), cylinder.length, u.LENGTH)
     for name, measure in m.measures.items():
-        dimension = resolve(measured(name))
+        dimension = resolve(figure(name, measure))
         if measure.wrap:
             yield from _rising(q, ("measures", name, "wrap"), measure.wrap, dimension)
         if name in m.require and len(m.require[name].bounds) == 2:

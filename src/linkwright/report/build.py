@@ -13,11 +13,13 @@ from linkwright.model.document import dump
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.model.units import LENGTH, TIME
+from linkwright.report.centrodes import centrodes
 from linkwright.report.data import Failure, Joint, Link, Measure, Plot, Pose, ReportData, Scene, Series, Trace
 from linkwright.report.facts import checks, facts
+from linkwright.report.modes import modes_data
 from linkwright.results import Result
 from linkwright.structure import FRAME
-from linkwright.studies import CycleOutcome, MeasureResult
+from linkwright.studies import CycleOutcome, MeasureResult, ModesOutcome
 from linkwright.words import LANGUAGE, catalogue, say
 
 Array = NDArray[np.float64]
@@ -27,7 +29,7 @@ MAX_STEPS = 800
 """Poses in a report: enough for any screen, few enough for a page that opens at once."""
 
 
-def report_data(document: Document, outcome: CycleOutcome) -> ReportData:
+def report_data(document: Document, outcome: CycleOutcome, modes: ModesOutcome | None = None) -> ReportData:
     """Everything that the report of a run shows, in the file's units."""
     result = outcome.result.thinned(MAX_STEPS)
     quantities = result.run.compiled.quantities
@@ -35,7 +37,7 @@ def report_data(document: Document, outcome: CycleOutcome) -> ReportData:
     nearest = result.certificate.nearest if result.certificate else None
     nearest_text = f"{nearest.time / second:.6g} {time_unit}" if nearest else ""
     words = {key: text for key, text in catalogue().items() if key.startswith("report.")}
-    return {
+    data: ReportData = {
         "title": document.name,
         "subtitle": document.note or "",
         "version": linkwright.__version__,
@@ -50,6 +52,7 @@ def report_data(document: Document, outcome: CycleOutcome) -> ReportData:
         "failures": [_failure(f) for f in (*outcome.failures, *outcome.warnings)],
         "model_text": dump(document),
     }
+    return data if modes is None else {**data, "modes": modes_data(modes)}
 
 
 def _failure(finding: Finding) -> Failure:
@@ -80,6 +83,7 @@ def scene(result: Result) -> Scene:
         "links": links,
         "joints": _joints(result),
         "traces": _traces(result, size),
+        "centrodes": centrodes(result, size),
     }
 
 
@@ -191,7 +195,7 @@ def measure(m: MeasureResult, second: float, time_unit: str) -> Measure:
     entry, reduction = m.measure, m.measure.reduction
     data = {
         "reduction": reduction,
-        "signal": m.measure.signal.text,
+        "signal": m.measure.subject,
         "window": entry.window,
         "where": entry.where,
     }

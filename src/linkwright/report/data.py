@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Literal, NotRequired, TypedDict
 
+from linkwright.report.modes import ModesData
+
 Values = Sequence[float | None]
 
 
@@ -66,6 +68,19 @@ class Trace(TypedDict):
     y: Values
 
 
+class Centrode(TypedDict):
+    """The paths of a link's instant centre: in the world (``x``, ``y``) and in the link's own axes (``u``, ``v``).
+
+    In the length unit, one entry per pose. The moving one rolls on the fixed one.
+    """
+
+    link: str
+    x: Values
+    y: Values
+    u: Values
+    v: Values
+
+
 class Scene(TypedDict):
     """The mechanism as ``assets/mechanism.js`` draws it. ``time``: one entry per pose, increasing."""
 
@@ -74,6 +89,7 @@ class Scene(TypedDict):
     links: Sequence[Link]
     joints: Sequence[Joint]
     traces: Sequence[Trace]
+    centrodes: NotRequired[Sequence[Centrode]]
 
 
 class Series(TypedDict):
@@ -151,3 +167,4 @@ class ReportData(TypedDict):
     structure: Sequence[Fact]
     failures: Sequence[Failure]
     model_text: str
+    modes: NotRequired[ModesData]

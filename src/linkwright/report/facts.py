@@ -32,6 +32,8 @@ def facts(compiled: Compiled) -> list[Fact]:
     lone = [point for point in compiled.quantities.signals.homes if point not in pinned]
     if lone:
         lines.append(_fact("lone", say("fact.lone.text", points=", ".join(lone))))
+    if m.sketch:
+        lines.append(_fact("parameters", ", ".join(_parameters(compiled))))
     mobility = say(
         "fact.mobility.text",
         mobility=topology.gruebler,
@@ -48,6 +50,13 @@ def facts(compiled: Compiled) -> list[Fact]:
         lines.append(_fact("mass", say("fact.mass.text", links=", ".join(masses), without=said)))
     gravity = ", ".join(g.text for g in m.gravity) if m.gravity else say("fact.gravity.none")
     return [*lines, _fact("gravity", gravity)]
+
+
+def _parameters(compiled: Compiled) -> list[str]:
+    """Names and values, in the units in which results go out."""
+    quantities = compiled.quantities
+    units = {name: quantities.unit_of(quantities.dimensions.of(name)) for name in quantities.parameters}
+    return [f"{n} = {value / units[n][1]:.10g} {units[n][0]}".strip() for n, value in quantities.parameters.items()]
 
 
 def _order(compiled: Compiled) -> list[str]:

@@ -14,6 +14,7 @@ from linkwright.report.payload import script_json
 POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:"
 
 SCRIPT_WORDS = (
+    "report.centrodes",
     "report.drawing",
     "report.link_names",
     "report.not_assembled",
@@ -48,6 +49,7 @@ def page(data: ReportData) -> str:
             sections.measures(data),
             sections.certificate(data),
             sections.plots(data),
+            sections.modes(data),
             sections.structure(data),
             sections.model(data),
             "</div>",

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from html import escape
 
 from linkwright.report.data import Check, Measure, Plot, ReportData
+from linkwright.report.modes import section
 
 GROUPS = ("motion", "force")
 
@@ -35,7 +36,7 @@ def _contents(data: ReportData) -> str:
     parts = [("mechanism", True), ("measures", bool(data["measures"]))]
     parts += [("certificate", bool(data["certificate"]))]
     parts += [(group, any(plot["group"] == group for plot in data["plots"])) for group in GROUPS]
-    parts += [("structure", bool(data["structure"])), ("model", bool(data["model_text"]))]
+    parts += [("modes", "modes" in data), ("structure", bool(data["structure"])), ("model", bool(data["model_text"]))]
     words = data["words"]
     links = (f'<a href="#{name}">{escape(words[f"report.{name}"])}</a>' for name, here in parts if here)
     return f'<nav aria-label="{escape(words["report.contents"])}">{"".join(links)}</nav>'
@@ -114,6 +115,11 @@ def structure(data: ReportData) -> str:
     )
     title = escape(data["words"]["report.structure"])
     return f'<section id="structure"><h2>{title}</h2><dl>{rows}</dl></section>'
+
+
+def modes(data: ReportData) -> str:
+    """Assembly modes and circuits, where the file asks for them."""
+    return section(data["modes"], data["words"]) if "modes" in data else ""
 
 
 def plots(data: ReportData) -> str:

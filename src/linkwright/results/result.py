@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -99,13 +99,20 @@ class Result:
             _, _, attributes = signals.element(node)
         return {attribute: self[f"{name}.{attribute}"] for attribute in attributes}
 
-    def to_csv(self, path: str | Path | None = None) -> str:
-        """All signals as a table in the model's units, one row a time; blank where nothing is known."""
+    def si(self, text: str) -> tuple[Array, str]:
+        """A signal or expression in SI with its SI unit ("" for a plain number)."""
+        return self[text], si_unit(self.dimension(text))
+
+    def to_csv(self, path: str | Path | None = None, more: Sequence[str] = ()) -> str:
+        """All signals as a table in the model's units, one row a time; blank where nothing is known.
+
+        ``more`` names further signals (those of poles) or expressions.
+        """
         stream = io.StringIO()
         writer = csv.writer(stream, lineterminator="\n")
         time_unit, second = self.run.compiled.quantities.unit_of(Dimension(time=1))
         columns, header = [self.t / second], [f"t [{time_unit}]"]
-        for name in self.names:
+        for name in (*self.names, *more):
             values, unit = self.shown(name)
             columns.append(values)
             header.append(f"{name} [{unit}]" if unit else name)
@@ -117,16 +124,30 @@ class Result:
             write_aside(Path(path), text)
         return text
 
-    def to_xarray(self) -> Any:
-        """All signals as an xarray Dataset over ``time`` (s), in SI, with units as attributes."""
-        import xarray
+    def to_netcdf(self, path: str | Path, more: Sequence[str] = (), warnings: Sequence[Finding] = ()) -> None:
+        """All signals (and ``more``) as a netCDF file over ``time``, in SI: with units, certificate and findings.
 
-        units = self.run.compiled.quantities
+        ``warnings`` are findings to keep besides the failures, such as those of a cycle.
+        """
+        from linkwright.results.netcdf import netcdf_bytes
+
+        write_aside(Path(path), netcdf_bytes(self, (*self.names, *more), warnings))
+
+    def to_xarray(self, more: Sequence[str] = ()) -> Any:
+        """All signals (and ``more``) as an xarray Dataset over ``time`` (s), in SI, with units as attributes.
+
+        Raises :class:`ModelError` where xarray isn't installed.
+        """
+        try:
+            import xarray
+        except ImportError:
+            data = {"package": "xarray", "extra": "xarray"}
+            raise ModelError([Finding("file.needs-package", (), data)]) from None
         variables = {}
-        for name in self.names:
-            unit = si_unit(self.dimension(name))
-            variables[name] = ("time", self._values[name], {"units": unit})
-        attributes = {"title": units.mechanism.name, "source": "linkwright"}
+        for name in (*self.names, *more):
+            values, unit = self.si(name)
+            variables[name] = ("time", values, {"units": unit})
+        attributes = {"title": self.run.compiled.mechanism.name, "source": "linkwright"}
         return xarray.Dataset(variables, {"time": ("time", self.t, {"units": "s"})}, attributes)
 
 

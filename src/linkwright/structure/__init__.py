@@ -1,6 +1,6 @@
 """Structure: joints, mobility and the decomposition into Assur groups."""
 
-from linkwright.structure.decomposition import Cluster, Driven, Edge, Group, Structure, decompose
+from linkwright.structure.decomposition import Chain, Cluster, Driven, Edge, Group, Structure, decompose
 from linkwright.structure.topology import FRAME, Connection, Topology
 
-__all__ = ["FRAME", "Cluster", "Connection", "Driven", "Edge", "Group", "Structure", "Topology", "decompose"]
+__all__ = ["FRAME", "Chain", "Cluster", "Connection", "Driven", "Edge", "Group", "Structure", "Topology", "decompose"]

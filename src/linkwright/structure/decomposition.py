@@ -40,18 +40,55 @@ class Driven:
 
 
 @dataclass(frozen=True)
+class Edge:
+    """How a link of a group is placed: by a joint on an earlier link, free, or held by a drive inside."""
+
+    link: str
+    joint: Connection
+    drive: str | None = None
+    sign: int = 1
+
+    @property
+    def base(self) -> str:
+        """The link on which it is placed."""
+        return self.joint.other(self.link)
+
+
+Chain = tuple[Edge, ...]
+
+
+@dataclass(frozen=True)
 class Group:
-    """A dyad: its links, and the joints in the order of its signature."""
+    """A dyad: the two links at its outer joints, and the joints in the order of its signature.
+
+    A drive between two unknown links holds them on each other, so that they are one body whose shape follows the
+    drive: ``chains`` leads on each side from the link at the outer joint to the one at the inner joint, empty where
+    that is the same link.
+    """
 
     signature: str
-    links: tuple[str, str]
+    ends: tuple[str, str]
     outer: tuple[Connection, Connection]
     inner: Connection
+    chains: tuple[Chain, Chain] = ((), ())
 
     @property
     def bases(self) -> tuple[str, str]:
-        """The known links on which the two links hang."""
-        return self.outer[0].other(self.links[0]), self.outer[1].other(self.links[1])
+        """The known links on which the two sides hang."""
+        return self.outer[0].other(self.ends[0]), self.outer[1].other(self.ends[1])
+
+    @property
+    def links(self) -> tuple[str, ...]:
+        """All its links, the first side's before the second's."""
+        return tuple(link for side in self.sides for link in side)
+
+    @property
+    def sides(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """The links of each side, from the outer joint to the inner one."""
+        first, second = (
+            (end, *(edge.link for edge in chain)) for end, chain in zip(self.ends, self.chains, strict=True)
+        )
+        return first, second
 
     @property
     def modes(self) -> int:
@@ -73,22 +110,7 @@ class Group:
 
     @property
     def joints(self) -> tuple[Connection, ...]:
-        return (*self.outer, self.inner)
-
-
-@dataclass(frozen=True)
-class Edge:
-    """How a link of a cluster is placed: by a joint on an earlier link, free, or held by a drive inside."""
-
-    link: str
-    joint: Connection
-    drive: str | None = None
-    sign: int = 1
-
-    @property
-    def base(self) -> str:
-        """The link on which it is placed."""
-        return self.joint.other(self.link)
+        return (*self.outer, self.inner, *(edge.joint for chain in self.chains for edge in chain))
 
 
 @dataclass(frozen=True)
@@ -218,21 +240,48 @@ class _Search:
         return list(found.values())
 
     def group_one(self) -> bool:
-        """Solve one dyad that hangs on known links."""
+        """Solve one dyad that hangs on known links; links that a drive holds on each other count as one."""
         known = set(self.known)
-        hanging = {link: self.outers(link) for link in self.topology.moving if link not in known}
+        held = {link: body for body in self.held_bodies() for link in body}
+        hanging = {link: self.outers(link) for link in held}
         pinned = {c.joint for cs in hanging.values() for c in cs}
-        single = {link: outer[0] for link, outer in hanging.items() if len(outer) == 1}
+        outers = {link: {c.joint: (at, c) for at in body for c in hanging[at]} for link, body in held.items()}
+        single = {link: next(iter(outer.values())) for link, outer in outers.items() if len(outer) == 1}
         for a in single:
             for inner in self.topology.at(a):
                 b = inner.other(a)
-                if b not in single or inner.joint in pinned or not self.free(inner):
+                if b not in single or b in held[a] or inner.joint in pinned or not self.free(inner):
                     continue
-                if group := _dyad(a, single[a], inner, single[b], b):
+                sides = [(*single[link], self.chain(single[link][0], link)) for link in (a, b)]
+                if group := _dyad(sides[0], inner, sides[1]):
                     self.steps.append(group)
-                    self.known += group.links
+                    self.known += [link for link in group.links if link not in known]
+                    for edge in (*group.chains[0], *group.chains[1]):
+                        self.joints.pop(edge.drive or "", None)
                     return True
         return False
+
+    def held_bodies(self) -> list[list[str]]:
+        """The unknown links as bodies: those that drives hold on each other together."""
+        bodies = {link: [link] for link in self.topology.moving if link not in self.known}
+        for joint in self.joints.values():
+            if joint.a in bodies and joint.b in bodies and bodies[joint.a] is not bodies[joint.b]:
+                merged = [*bodies[joint.a], *bodies[joint.b]]
+                bodies |= dict.fromkeys(merged, merged)
+        return list({id(body): body for body in bodies.values()}.values())
+
+    def chain(self, start: str, end: str) -> Chain:
+        """How drives hold one link of a body on another, link by link."""
+        ways: dict[str, Chain] = {start: ()}
+        front = [start]
+        while end not in ways:
+            link = front.pop(0)
+            for name, joint in self.joints.items():
+                if link in (joint.a, joint.b) and (other := joint.other(link)) not in ways:
+                    sign = 1 if self.topology.mechanism.drives[name].link == other else -1
+                    ways[other] = (*ways[link], Edge(other, joint, name, sign))
+                    front.append(other)
+        return ways[end]
 
     def cluster_one(self) -> bool:
         """Solve the smallest set of links that hangs on known ones with no freedom left."""
@@ -372,11 +421,15 @@ class _Search:
         return ""
 
 
-def _dyad(a: str, outer_a: Connection, inner: Connection, outer_b: Connection, b: str) -> Group | None:
-    for first, second in (((a, outer_a), (b, outer_b)), ((b, outer_b), (a, outer_a))):
+_Side = tuple[str, Connection, Chain]
+"""One side of a dyad: the link at the outer joint, that joint, the way to the link at the inner joint."""
+
+
+def _dyad(a: _Side, inner: Connection, b: _Side) -> Group | None:
+    for first, second in ((a, b), (b, a)):
         signature = first[1].letter + inner.letter + second[1].letter
         if signature in REGISTRY:
-            return Group(signature, (first[0], second[0]), (first[1], second[1]), inner)
+            return Group(signature, (first[0], second[0]), (first[1], second[1]), inner, (first[2], second[2]))
     return None
 
 

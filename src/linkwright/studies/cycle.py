@@ -14,7 +14,7 @@ from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen, fault
 from linkwright.model.findings import Finding, ModelError
 from linkwright.results import Result, Run, certify
-from linkwright.studies.feasible import singular, unassembled
+from linkwright.studies.feasible import singular, strokes, unassembled
 from linkwright.studies.measures import MeasureResult, measure_all
 from linkwright.studies.registry import register
 
@@ -86,7 +86,7 @@ class Cycle:
             return CycleOutcome(Result(run, passages))
         result = Result(run, certificate=certify(run))
         measures, faults = measure_all(run)
-        result.failures += faults
+        result.failures += [*faults, *strokes(run)]
         return CycleOutcome(result, measures, not_periodic(run) if options.period is not None else [])
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from linkwright.graph.assembly import shortfall_at, shortfall_data
 from linkwright.kernels.laws import values_at
 from linkwright.model import units as u
-from linkwright.model.findings import Finding
+from linkwright.model.findings import Finding, Term
 from linkwright.results import Run
 from linkwright.results.certificate import nearest
 from linkwright.results.stationary import stationary
@@ -55,7 +55,7 @@ def stuck(run: Run) -> list[Finding]:
 
 
 def _row(run: Run, row: str, more: Sequence[float] = ()) -> tuple[Array, Array]:
-    """Times and values of a group's reach or span, on a grid that holds its turning points and some more times."""
+    """Times and values of a row, on a grid that holds its turning points and some more times."""
 
     def rates(t: Array) -> tuple[Array, Array]:
         y = run.compiled.evaluate([row], t, rates=True)
@@ -130,6 +130,33 @@ def singular(run: Run) -> list[Finding]:
     near = None if findings else nearest(run)
     if near is not None and not near.determinant > SINGULAR:
         findings.append(_singular(run, near.group, near.time, near.determinant))
+    return findings
+
+
+def strokes(run: Run) -> list[Finding]:
+    """A finding for each cylinder that is shorter or longer in the run than it can be, at its worst."""
+    findings = []
+    quantities = run.compiled.quantities
+    unit, size = quantities.unit_of(u.LENGTH)
+    for name, cylinder in run.compiled.mechanism.cylinders.items():
+        if cylinder.length is None:
+            continue
+        low, high = (quantities.value(edge, u.LENGTH) for edge in cylinder.length)
+        t, length = _row(run, f"{name}.s")
+        for at, over, limit in (
+            (int(np.argmin(length)), low - length.min(), low),
+            (int(np.argmax(length)), length.max() - high, high),
+        ):
+            if over > 1e-9 * high:
+                data: dict[str, Any] = {
+                    "name": name,
+                    "length": f"{length[at] / size:.6g}",
+                    "limit": f"{limit / size:.6g}",
+                }
+                data |= {"by": f"{over / size:.4g}", "length_unit": unit, "time": f"{t[at]:.6g}"}
+                data["end"] = Term("shorter" if limit == low else "longer")
+                path = ("cylinders", name, "length")
+                findings.append(Finding("motion.cylinder-length", path, data | drive_value(run, float(t[at]))))
     return findings
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,11 +13,13 @@ from linkwright.model.check import WHERE
 from linkwright.model.expressions import Node, parse
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import REDUCTIONS, Measure
-from linkwright.model.places import measured
+from linkwright.model.places import FIGURES, figure, measured
 from linkwright.model.units import Dimension, unit
 from linkwright.results import Run
 from linkwright.results.quadrature import gauss_points
-from linkwright.results.stationary import stationary
+from linkwright.results.stationary import crossings, stationary
+from linkwright.studies.dwells import Course
+from linkwright.studies.paths import straightness
 from linkwright.studies.windows import Interval, intervals
 
 Array = NDArray[np.float64]
@@ -75,8 +77,25 @@ class Probe:
 
     def finite(self) -> bool:
         """Whether the expression has a value all over the intervals."""
-        times = np.concatenate([np.linspace(a, b, self.share(self.run.grid, a, b) + 1) for a, b in self.intervals])
-        return bool(np.isfinite(self.values(times)).all())
+        times = [np.linspace(a, b, self.share(self.run.grid, a, b) + 1) for a, b in self.intervals]
+        times += [t[(t >= a) & (t <= b)] for t in self.far() for a, b in self.intervals]
+        return bool(np.isfinite(self.values(np.concatenate(times))).all())
+
+    def far(self) -> list[Array]:
+        """Where the instant centres in the expression may pass through infinity, as they do between two poses."""
+        run = self.run
+        signals = [run.compiled.graph.signal(name) for name in run.signals_of([self.node])]
+        pairs = {frozenset(signal.owners): signal.owners for signal in signals if signal.kind == "pole"}
+
+        def turning(t: Array, links: tuple[str, ...]) -> Array:
+            a, b = run.compiled.evaluate([f"{link}.omega" for link in links], t)
+            return np.asarray(a - b)
+
+        return [crossings(partial(turning, links=ab), run.start, run.stop, run.grid) for ab in pairs.values()]
+
+    def length(self) -> float:
+        """How long the intervals are together (s)."""
+        return sum(b - a for a, b in self.intervals)
 
     def share(self, steps: int, a: float, b: float) -> int:
         """An interval's share of a number of steps over the run, four at least."""
@@ -96,18 +115,40 @@ class Probe:
         """The mean of a power over the intervals, by Gauss quadrature on panels doubled until it stands still."""
         panels, last = max(16, self.run.grid // 4), np.inf
         while True:
-            total = length = 0.0
+            total = 0.0
             for a, b in self.intervals:
                 edges = np.union1d(
                     np.linspace(a, b, self.share(panels, a, b) + 1), [t for t in self.stationary if a < t < b]
                 )
                 t, weight = gauss_points(edges)
                 total += float((self.values(t) ** power) @ weight)
-                length += b - a
-            mean = total / length
+            mean = total / self.length()
             if abs(mean - last) <= 1e-12 * abs(mean) or panels >= 1 << 14:
                 return mean
             panels, last = panels * 2, mean
+
+    def straightness(self, point: str) -> float:
+        """The width of the narrowest strip that holds a point's path."""
+
+        def plane(*names: str) -> Callable[[Array], NDArray[np.complex128]]:
+            def along(t: Array) -> NDArray[np.complex128]:
+                x, y = self.run.evaluate([f"{point}.{name}" for name in names], t)
+                return np.asarray(x + 1j * y)
+
+            return along
+
+        return straightness(plane("x", "y"), plane("vx", "vy"), self.intervals, max(self.run.grid, 100))
+
+    def dwell(self, measure: Measure) -> Found:
+        """The longest stretch in the measure's band, and where it begins."""
+        quantities, found = self.run.compiled.quantities, []
+        assert measure.within is not None
+        width = quantities.value(measure.within, quantities.dimensions.dimension(measure.signal.node))
+        for a, b in self.intervals:
+            turning = np.array([a, *(t for t in self.stationary if a < t < b), b])
+            found.append(Course(self.values, turning).longest(width))
+        start, stop = max(found, key=lambda stretch: stretch[1] - stretch[0])
+        return Found("", stop - start, start)
 
 
 def _plain(found: Found) -> tuple[Found, ...]:
@@ -115,13 +156,16 @@ def _plain(found: Found) -> tuple[Found, ...]:
 
 
 # One rule per reduction of the file format; "value" has its place from `where` and is taken apart from these.
-RULES: dict[str, Callable[[Probe], tuple[Found, ...]]] = {
-    "span": lambda p: (Found("", p.top().value - p.bottom().value, None),),
-    "max": lambda p: _plain(p.top()),
-    "min": lambda p: _plain(p.bottom()),
-    "extremes": lambda p: (p.bottom(), p.top()),
-    "mean": lambda p: (Found("", p.mean(), None),),
-    "rms": lambda p: (Found("", float(np.sqrt(p.mean(2))), None),),
+RULES: dict[str, Callable[[Probe, Measure], tuple[Found, ...]]] = {
+    "span": lambda p, _: (Found("", p.top().value - p.bottom().value, None),),
+    "max": lambda p, _: _plain(p.top()),
+    "min": lambda p, _: _plain(p.bottom()),
+    "extremes": lambda p, _: (p.bottom(), p.top()),
+    "mean": lambda p, _: (Found("", p.mean(), None),),
+    "rms": lambda p, _: (Found("", float(np.sqrt(p.mean(2))), None),),
+    "path": lambda p, _: (Found("", p.mean() * p.length(), None),),
+    "straightness": lambda p, m: (Found("", p.straightness(str(m.point)), None),),
+    "dwell": lambda p, m: (p.dwell(m),),
 }
 assert {*RULES, "value"} == set(REDUCTIONS)
 
@@ -136,7 +180,8 @@ class _Measurer:
         self.mechanism = quantities.mechanism
         self.trees: dict[str, Node] = {}
         for name, measure in self.mechanism.measures.items():
-            self.trees[name] = quantities.bind(measure.signal, quantities.dimensions.resolve(measured(name)))
+            kind = None if measure.reduction in FIGURES else quantities.dimensions.resolve(measured(name))
+            self.trees[name] = quantities.bind(measure.signal, kind)
             if measure.where and (match := WHERE.match(measure.where)) and match[2]:
                 self.trees[f"{name} where"] = quantities.dimensions.bind(parse(match[2]), None)
 
@@ -161,7 +206,7 @@ class _Measurer:
 
     def one(self, name: str, measure: Measure, turning: dict[str, Array]) -> MeasureResult:
         quantities = self.run.compiled.quantities
-        dimension = quantities.dimensions.resolve(measured(name))
+        dimension = quantities.dimensions.resolve(figure(name, measure))
         text, size = quantities.unit_of(dimension) if measure.unit is None else (measure.unit, unit(measure.unit)[0])
         spans = intervals(self.run, measure.window)
         found: tuple[Found, ...] = ()
@@ -171,7 +216,7 @@ class _Measurer:
             found = self.placed(name, measure, spans, turning)
         else:
             probe = Probe(self.run, self.trees[name], spans, turning[name])
-            found = RULES[measure.reduction](probe) if probe.finite() else (NOTHING,)
+            found = RULES[measure.reduction](probe, measure) if probe.finite() else (NOTHING,)
         if not all(np.isfinite(f.value) for f in found):
             self.findings.append(Finding("measure.not-finite", ("measures", name), {"name": name}))
             found = ()

@@ -188,10 +188,15 @@ function survey(scene) {
     trace.x.forEach((x, k) => x != null && trace.y[k] != null && include([x, trace.y[k]]));
   }
   if (box.x0 > box.x1) [box.x0, box.x1, box.y0, box.y1] = [-1, 1, -1, 1];
+  const narrow = { ...box };
+  const centrodes = scene.centrodes ?? [];
+  for (const { x, y } of centrodes) x.forEach((each, k) => each != null && include([each, y[k]]));
+  const wide = { ...box };
+  Object.assign(box, narrow);
   const size = Math.max(box.x1 - box.x0, box.y1 - box.y0) || 1;
   const moving = scene.links.filter((link) => !link.fixed);
   const colour = new Map(moving.map((link, i) => [link, i % PALETTE]));
-  return { scene, times, links, guides, box, size, gaps, colour, pins: pinsOf(scene) };
+  return { scene, times, links, guides, box, wide, size, gaps, colour, centrodes, pins: pinsOf(scene) };
 }
 
 /** Sample and fraction at a time: {k, f, nearest}. */
@@ -257,6 +262,12 @@ function cylinderShapes(guideOrBlock, { low, high, guide }, k, parent) {
   }
 }
 
+/** The transform that puts what is drawn in a link's axes to its pose. */
+function matrix(pose, toScreen) {
+  const turn = [pose.c, -pose.s, pose.s, pose.c].map((value) => value.toFixed(6)).join(" ");
+  return `matrix(${turn} ${toScreen([pose.x, pose.y]).map(round).join(" ")})`;
+}
+
 /** Shapes of all moving links, in layers under `parent`; returns a function that moves them to a sample. */
 function bodies(facts, k, r, parent) {
   const layers = ["slots", "bodies", "blocks"].map((name) => make("g", { class: `lw-${name}` }, parent));
@@ -297,10 +308,7 @@ function bodies(facts, k, r, parent) {
       const pose = poseOf(link, facts.times, sample, f);
       for (const group of groups) {
         group.style.display = pose ? "" : "none";
-        if (!pose) continue;
-        const [x, y] = toScreen([pose.x, pose.y]);
-        const turn = [pose.c, -pose.s, pose.s, pose.c].map((value) => value.toFixed(6)).join(" ");
-        group.setAttribute("transform", `matrix(${turn} ${round(x)} ${round(y)})`);
+        if (pose) group.setAttribute("transform", matrix(pose, toScreen));
       }
     }
   };
@@ -428,12 +436,13 @@ function labels(facts, view, r, parent) {
   };
 }
 
-function tracePath(trace, toScreen) {
+/** A line through points, interrupted where there is none. */
+function linePath(xs, ys, toScreen) {
   let d = "";
   let pen = false;
-  trace.x.forEach((x, i) => {
-    const here = x != null && trace.y[i] != null;
-    if (here) d += `${pen ? "L" : "M"}${toScreen([x, trace.y[i]]).map(round).join(" ")}`;
+  xs.forEach((x, i) => {
+    const here = x != null && ys[i] != null;
+    if (here) d += `${pen ? "L" : "M"}${toScreen([x, ys[i]]).map(round).join(" ")}`;
     pen = here;
   });
   return d;
@@ -441,9 +450,34 @@ function tracePath(trace, toScreen) {
 
 const traceColour = (facts, i) => `lw-c${(facts.colour.size + i) % PALETTE}`;
 
+/** The fixed and the moving centrode of each link, and its instant centre; returns a function that moves them. */
+function centrodes(facts, view, svg) {
+  const parts = facts.centrodes.map((centrode) => {
+    const link = facts.links.get(centrode.link);
+    const group = make("g", { class: `lw-centrode lw-c${facts.colour.get(link)}` }, svg);
+    make("path", { class: "lw-fixed", d: linePath(centrode.x, centrode.y, view.toScreen) }, group);
+    const local = ([u, v]) => [view.k * u, -view.k * v];
+    const moving = make("path", { class: "lw-moving", d: linePath(centrode.u, centrode.v, local) }, group);
+    return { link, centrode, group, moving, dot: make("circle", { r: 3.4 }, group) };
+  });
+  const move = (sample, f) => {
+    for (const { link, centrode, moving, dot } of parts) {
+      const pose = poseOf(link, facts.times, sample, f);
+      moving.style.display = pose ? "" : "none";
+      if (pose) moving.setAttribute("transform", matrix(pose, view.toScreen));
+      const [x, y] = [centrode.x, centrode.y].map((values) => between(values, facts.times, sample, f));
+      dot.style.display = x == null || y == null ? "none" : "";
+      if (x == null || y == null) continue;
+      const [cx, cy] = view.toScreen([x, y]);
+      dot.setAttribute("cx", round(cx));
+      dot.setAttribute("cy", round(cy));
+    }
+  };
+  return { move, parts };
+}
+
 /** Scale and origin that fit all the motion in a drawing `width` wide and at most `most` high. */
-function fit(facts, width, most) {
-  const { x0, x1, y0, y1 } = facts.box;
+function fit(facts, width, most, { x0, x1, y0, y1 } = facts.box) {
   const [wide, high] = [Math.max(x1 - x0, facts.size * 1e-3), Math.max(y1 - y0, facts.size * 1e-3)];
   const [roomX, roomY] = [Math.max(width - 2 * PAD.x, 50), most - PAD.top - PAD.bottom];
   const k = Math.min(roomX / wide, roomY / high);
@@ -456,8 +490,8 @@ function fit(facts, width, most) {
 }
 
 /** Fill `svg`; returns {show(sample, f)} which moves the drawing. `ghosts`: samples drawn faintly. */
-function draw(svg, facts, width, most, say, ghosts = []) {
-  const view = fit(facts, width, most);
+function draw(svg, facts, width, most, say, { ghosts = [], box } = {}) {
+  const view = fit(facts, width, most, box);
   const r = clamp(width / 90, 4.5, 7);
   svg.replaceChildren();
   svg.setAttribute("viewBox", `0 0 ${view.width} ${view.height}`);
@@ -467,9 +501,10 @@ function draw(svg, facts, width, most, say, ghosts = []) {
   }
   const traces = facts.scene.traces.map((trace, i) => {
     const group = make("g", { class: `lw-trace ${traceColour(facts, i)}` }, svg);
-    make("path", { d: tracePath(trace, view.toScreen) }, group);
+    make("path", { d: linePath(trace.x, trace.y, view.toScreen) }, group);
     return { trace, group, dot: make("circle", { r: 3.4 }, group) };
   });
+  const rolling = centrodes(facts, view, svg);
   const move = bodies(facts, view.k, r, make("g", {}, svg));
   const pins = facts.pins.map((pin) => {
     const joined = pin.joints.length > 0;
@@ -490,6 +525,7 @@ function draw(svg, facts, width, most, say, ghosts = []) {
 
   const show = (sample, f = 0) => {
     move(view.toScreen, sample, f);
+    rolling.move(sample, f);
     name(sample, f);
     for (const { circle, places } of pins) {
       const at = places.find(({ link }) => link.fixed) ?? places[0];
@@ -511,7 +547,7 @@ function draw(svg, facts, width, most, say, ghosts = []) {
     }
     note.style.display = facts.gaps[sample] || (f && facts.gaps[sample + 1]) ? "" : "none";
   };
-  return { show, traces };
+  return { show, traces, centrodes: rolling.parts };
 }
 
 // ---------------------------------------------------------------- looks
@@ -554,6 +590,9 @@ ${COLOURS}
 .lw-ghost *{fill:none;stroke-width:1}
 .lw-trace path{stroke:var(--c);stroke-width:1.8;fill:none;stroke-linejoin:round}
 .lw-trace circle{fill:var(--c);stroke:var(--lw-paper);stroke-width:1}
+.lw-centrode path{stroke:var(--c);stroke-width:1.5;fill:none;stroke-linejoin:round}
+.lw-centrode path.lw-moving{stroke-dasharray:5 3}
+.lw-centrode circle{fill:none;stroke:var(--c);stroke-width:2}
 .lw-pin{fill:var(--lw-paper);stroke:var(--lw-ink);stroke-width:1.7}
 .lw-point{fill:var(--c)}
 .lw-drawing .lw-label{fill:var(--lw-ink);font-weight:600;paint-order:stroke;stroke:var(--lw-paper);stroke-width:3px;stroke-linejoin:round}
@@ -618,10 +657,10 @@ function controls(root, facts, { say, time, real }) {
     if (factor === 1 && SECONDS[time.unit]) option.textContent += ` (${say("real_time")})`;
     option.selected = factor === usual;
   }
-  const check = (parent) => {
+  const check = (parent, checked = true) => {
     const label = html("label", {}, parent);
     const box = html("input", { type: "checkbox" }, label);
-    box.checked = true;
+    box.checked = checked;
     return { label, box };
   };
   const [points, links] = ["point_names", "link_names"].map((key) => {
@@ -629,16 +668,25 @@ function controls(root, facts, { say, time, real }) {
     label.append(say(key));
     return box;
   });
-  const paths = html("span", { class: "lw-paths", role: "group", "aria-label": say("paths") }, options);
-  if (facts.scene.traces.length) html("span", {}, paths, say("paths"));
-  const traces = facts.scene.traces.map((trace, i) => {
-    const { label, box } = check(paths);
-    html("span", { class: `lw-swatch ${traceColour(facts, i)}` }, label);
-    label.append(trace.name);
-    return box;
-  });
+  const choices = (key, entries, checked) => {
+    const group = html("span", { class: "lw-paths", role: "group", "aria-label": say(key) }, options);
+    if (entries.length) html("span", {}, group, say(key));
+    return entries.map(({ name, colour }) => {
+      const { label, box } = check(group, checked);
+      html("span", { class: `lw-swatch ${colour}` }, label);
+      label.append(name);
+      return box;
+    });
+  };
+  const named = facts.scene.traces.map(({ name }, i) => ({ name, colour: traceColour(facts, i) }));
+  const traces = choices("paths", named, true);
+  const rolling = facts.centrodes.map(({ link }) => ({
+    name: link,
+    colour: `lw-c${facts.colour.get(facts.links.get(link))}`,
+  }));
+  const centrodes = choices("centrodes", rolling, false);
   if (last < 1) for (const part of [bar, speedLabel]) part.classList.add("lw-hidden");
-  return { play, slider, readout, speed, points, links, traces };
+  return { play, slider, readout, speed, points, links, traces, centrodes };
 }
 
 const speaker = (words) => (key) => words[`report.${key}`] ?? key.replaceAll("_", " ");
@@ -667,7 +715,7 @@ export function render({ model, el, words = {}, time = { unit: "s", label: "time
   const ui = controls(root, facts, { say, time, real: (last - first) / perSecond });
   const decimals = clamp(1 - Math.floor(Math.log10((last - first) / (times.length - 1) || 1)), 0, 9);
   const listeners = new Set();
-  let picture = { show() {}, traces: [] };
+  let picture = { show() {}, traces: [], centrodes: [] };
   let now = first;
   let tick = 0;
 
@@ -688,11 +736,14 @@ export function render({ model, el, words = {}, time = { unit: "s", label: "time
   const options = () => {
     svg.classList.toggle("lw-no-points", !ui.points.checked);
     svg.classList.toggle("lw-no-links", !ui.links.checked);
-    picture.traces.forEach(({ group }, i) => group.classList.toggle("lw-hidden", !ui.traces[i].checked));
+    for (const kind of ["traces", "centrodes"]) {
+      picture[kind].forEach(({ group }, i) => group.classList.toggle("lw-hidden", !ui[kind][i].checked));
+    }
   };
   const layout = () => {
     const width = Math.round(root.clientWidth) || 640;
-    picture = draw(svg, facts, width, clamp(window.innerHeight * 0.66, 280, 720), say);
+    const box = ui.centrodes.some((each) => each.checked) ? facts.wide : facts.box;
+    picture = draw(svg, facts, width, clamp(window.innerHeight * 0.66, 280, 720), say, { box });
     options();
     show();
   };
@@ -725,6 +776,7 @@ export function render({ model, el, words = {}, time = { unit: "s", label: "time
   ui.play.addEventListener("click", () => (tick ? pause() : play()));
   ui.slider.addEventListener("input", () => setIndex(Number(ui.slider.value)));
   for (const box of [ui.points, ui.links, ...ui.traces]) box.addEventListener("change", options);
+  for (const box of ui.centrodes) box.addEventListener("change", layout); // they may need more room
   let width = 0;
   const watcher = new ResizeObserver(() => {
     if (!root.clientWidth || root.clientWidth === width) return;
@@ -770,7 +822,9 @@ export function still({ model, el, words = {}, width = 690, height = 430, ghosts
   const part = (i) => sound[Math.floor(((i + 1) * sound.length) / (count + 1))];
   const faint = Array.from({ length: Math.max(count, 0) }, (_, i) => part(i));
   const { svg } = frame(el, say);
-  draw(svg, facts, width, height, say, faint).show(sound[0] ?? 0);
+  const { show, centrodes } = draw(svg, facts, width, height, say, { ghosts: faint });
+  for (const { group } of centrodes) group.remove();
+  show(sound[0] ?? 0);
   return svg;
 }
 

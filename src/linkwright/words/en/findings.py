@@ -14,6 +14,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Can't write to {file}: {reason}.",
         "Choose another folder with --out, or make this one writable.",
     ),
+    "file.needs-package": (
+        "This needs the package {package}, which isn't installed.",
+        "Install it: pip install 'linkwright[{extra}]'.",
+    ),
     "file.too-large": (
         "The file has {size} bytes; a model file has at most {limit}.",
         "Put long tables into CSV files beside the model and name them under tables.",
@@ -240,9 +244,14 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "'{name}' isn't a link with mass, so it has no centre of mass.",
         "Give the link a mass, or follow one of its points.",
     ),
+    "signal.same-link": (
+        "'{name}' has no instant centre relative to itself.",
+        "Name two different links: pole({name}, frame).x.",
+    ),
     "signal.unknown": (
         "'{name}' isn't a signal.",
-        "Write POINT.x, LINK.angle, JOINT.s, DRIVE.torque, force(LINK, LINK).x or com(LINK).x; see docs/file-format.md.",
+        "Write POINT.x, LINK.angle, JOINT.s, DRIVE.torque, force(LINK, LINK).x, com(LINK).x or pole(LINK, LINK).x; "
+        "see docs/file-format.md.",
     ),
     # Links, joints, drives, loads.
     "model.no-frame": (
@@ -299,7 +308,33 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "drive.kind": (
         "It isn't clear what is driven.",
-        "Give either turns or slides, with the name of a link.",
+        "Give one of turns and slides with the name of a link, or extends with that of a cylinder or slide.",
+    ),
+    "drive.on": (
+        "A drive that turns or slides a link says on which other one; one that extends a slide doesn't.",
+        "Give on with turns and slides (often on: frame), and leave it out with extends.",
+    ),
+    "sketch.missing-point": (
+        "The link {link} takes the place of {name} from the sketch, which doesn't have it (near: {near}).",
+        "Give the point's place under sketch, or its coordinates in the link's own axes.",
+    ),
+    "sketch.unused": (
+        "No link takes the sketched point {name}.",
+        "List it among the points of a link, or take it out of the sketch.",
+    ),
+    "sketch.no-value": (
+        "The value of {name} can't be read off the sketch.",
+        "Give it as a number. The sketch tells the angle between links whose first two points are sketched, the "
+        "length of a cylinder between sketched points, and the travel of a slide on the frame.",
+    ),
+    "cylinder.same-point": (
+        "Both ends of the cylinder are at {point}.",
+        "Name two different points, such as one on the frame and one on the link that it moves.",
+    ),
+    "motion.cylinder-length": (
+        "The cylinder {name} would have to be {by} {length_unit} {end} than it can be: {length} {length_unit} "
+        "between its pins at {time} s ({drive} {value} {unit}), where {limit} {length_unit} is the limit.",
+        "Limit the drive, move one of the cylinder's points, or take a cylinder of another stroke.",
     ),
     "drive.law": (
         "It isn't clear how the drive moves.",
@@ -423,6 +458,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "A value is taken at one instant, and only a value is.",
         "Write value and where together: {{value: crank.angle, where: max E.x}}.",
     ),
+    "measure.within": (
+        "A dwell is told by the width of its band, and only a dwell is.",
+        "Write dwell and within together: {{dwell: E.x, within: 0.5 mm}}.",
+    ),
     "measure.bad-where": (
         "'{given}' doesn't name an instant.",
         "Write where: max SIGNAL, min SIGNAL, start or end.",
@@ -441,7 +480,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "measure.not-finite": (
         "The measure {name} has no finite value.",
-        "Check its expression for a division by zero or a root of a negative number; is the mechanism at a singular pose?",
+        "Check its expression for a division by zero or a root of a negative number; is the mechanism at a singular pose, "
+        "or an instant centre at infinity or without a motion?",
     ),
     "study.unknown": (
         "There is no study called '{name}'.",
@@ -479,6 +519,16 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "structure.higher-group": (
         "These links can only be placed all at once, and there are more than {most} of them: {links}.",
         "Drive another link, so that the rest falls apart into smaller groups.",
+    ),
+    "structure.redundant-movable": (
+        "{part} is redundant: with these dimensions the mechanism moves all the same (rank {rank} of {constraints} "
+        "constraints, Gruebler's count {gruebler}, mobility {mobility}). But how it shares the forces is undetermined.",
+        "Leave {part} out of the model: the motion stays the same. The forces that it takes over depend on play and "
+        "stiffness.",
+    ),
+    "structure.nearly-redundant": (
+        "{part} could move along as a redundant part, but its joints miss by {miss} {unit} on the way.",
+        "Correct its dimensions, or leave it out of the model.",
     ),
     "structure.redundant": (
         "The joint {joint} between {links} holds what other joints hold already, so its forces are undetermined.",
@@ -525,6 +575,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "assembly.not-found": (
         "No way was found to put {links} together at the start near the places sketched under assembly.",
         "Check the lengths, and sketch the pins as they stand at the start of the motion.",
+    ),
+    "assembly.no-mode": (
+        "The links can't be put together in any way at this pose of the drives.",
+        "Check the lengths, or look at another pose: another start of the drive, or studies.modes.at.",
     ),
     "motion.stuck": (
         "At t = {time} s ({drive} = {value} {unit}) the group {group} reaches a singular pose of its own; it can't be "
@@ -582,6 +636,9 @@ _TERMS: dict[str, str] = {
     "a-point": "a point",
     "a-joint": "a joint",
     "a-slide": "a prismatic joint",
+    "a-cylinder": "a cylinder",
+    "shorter": "shorter",
+    "longer": "longer",
     "a-drive": "a drive",
     "a-parameter": "a parameter",
     "a-function": "a function",
@@ -595,6 +652,7 @@ _TERMS: dict[str, str] = {
     "inertia": "moment of inertia",
     "radius": "radius",
     "period": "period",
+    "within": "width of the band",
     # Why an expression can't be read.
     "syntax-empty": "it is empty",
     "syntax-long": "it is longer than {limit} characters",

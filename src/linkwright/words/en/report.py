@@ -1,6 +1,7 @@
 """The report's words in English; ``{...}`` are filled in by the page."""
 
 REPORT: dict[str, str] = {
+    "report.centrodes": "Centrodes",
     "report.certificate": "Certificate",
     "report.check": "Check",
     "report.contents": "Contents",
@@ -19,6 +20,7 @@ REPORT: dict[str, str] = {
     "report.mend": "Mend",
     "report.model": "Model",
     "report.model_show": "The model as given",
+    "report.modes": "Assembly modes",
     "report.motion": "Motion",
     "report.no_script": "The animated drawing and the plots need JavaScript.",
     "report.not_assembled": "Can't be assembled here",

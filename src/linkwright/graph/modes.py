@@ -1,0 +1,371 @@
+"""All assembly modes of a mechanism at given values of its drives.
+
+The groups are solved in order; where one can be put together in several ways, each way is followed on. Dyads have
+two modes at most and triads six, all found (:mod:`linkwright.graph.triads`); larger clusters are searched for by
+Newton's method from many starts, so that some mode may be missed.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.graph.clusters import newton, opposed, solve_cluster
+from linkwright.graph.geometry import Geometry
+from linkwright.graph.graph import Graph
+from linkwright.graph.motion import Motion, solve_motion
+from linkwright.graph.triads import System, coordinates, read_coordinates, triad
+from linkwright.groups import REGISTRY, Dyad
+from linkwright.model.quantities import Quantities
+from linkwright.model.units import LENGTH
+from linkwright.notation import MAX_ORDER, Body, Jet
+from linkwright.structure import Cluster, Group, Structure
+
+Array = NDArray[np.float64]
+Choice = float | tuple[float, ...]
+Closure = Callable[[Array], tuple[Array, Array]]
+
+MOST = 64
+"""The most modes that are followed."""
+CLOSED = 1e-10
+"""A closure (over the mechanism's size) below this is closed where Newton's method can't settle: two modes meet."""
+SAME, VAGUE = 1e-7, 1e-4
+"""Coordinates (rad, or lengths over the size) nearer than this are one mode; the same of singular ones."""
+
+
+class _DeadEnd(Exception):
+    """A group can't be closed behind the choices made so far."""
+
+
+@dataclass(frozen=True)
+class Mode:
+    """One way to put the mechanism together.
+
+    ``branches`` of the dyads by label, ``coordinates`` (rad, m) of the clusters by label, ``places`` (m) of all points,
+    ``lines`` of an assembly section that select it: none where only links without a point of their own tell it from
+    another mode. ``singular`` where two modes meet in it.
+    """
+
+    branches: Mapping[str, float]
+    coordinates: Mapping[str, tuple[float, ...]]
+    places: Mapping[str, tuple[float, float]]
+    bodies: Mapping[str, Body]
+    lines: tuple[str, ...]
+    singular: bool = False
+
+
+@dataclass
+class Found:
+    """The modes of a mechanism, and the labels of the groups of which some mode may be missing."""
+
+    modes: list[Mode] = field(default_factory=list)
+    open_groups: list[str] = field(default_factory=list)
+    cut: bool = False  # more than MOST
+
+    @property
+    def complete(self) -> bool:
+        """Whether no mode can be missing."""
+        return not self.open_groups and not self.cut
+
+
+class Explorer:
+    """Finds the modes of a mechanism at given values of its drives (rad or m)."""
+
+    def __init__(self, quantities: Quantities, structure: Structure, drives: Mapping[str, float]) -> None:
+        self.quantities, self.structure = quantities, structure
+        self.geometry = Geometry(quantities, quantities.parameters)
+        self.values = dict(drives)
+        self.drives = {name: Jet([value]) for name, value in drives.items()}
+        self.graph = Graph(quantities, structure)
+        self.size = extent(structure, self.geometry)
+        self.found = Found()
+        self.goal: Mapping[str, Body] | None = None
+
+    def run(self) -> Found:
+        """Follow every choice."""
+        self.todo: list[tuple[Choice, ...]] = [()]
+        while self.todo:
+            if len(self.found.modes) >= MOST:
+                self.found.cut = True
+                break
+            self.walk(self.todo.pop())
+        return self.found
+
+    def near(self, bodies: Mapping[str, Body]) -> Mode | None:
+        """The mode in which the links have these poses."""
+        count, self.goal = len(self.found.modes), bodies
+        self.walk(())
+        self.goal = None
+        return self.found.modes.pop() if len(self.found.modes) > count else None
+
+    def walk(self, chosen: tuple[Choice, ...]) -> None:
+        """One mode: the choices given, then the first of each; the others are noted to be walked later."""
+        self.chosen, self.singular = chosen, False
+        self.taken: list[Choice] = []
+        self.motion = Motion(self.structure, self.geometry, 0)
+        try:
+            with np.errstate(all="ignore"):
+                solve_motion(self.structure, self.geometry, self.drives, self.branch, self.unknowns, self.motion)
+        except (_DeadEnd, ZeroDivisionError, np.linalg.LinAlgError):
+            return
+        if all(math.isfinite(float(v)) for body in self.motion.bodies.values() for v in body.anchor.now):
+            self.found.modes.append(self.mode())
+
+    def choose(self, options: list[Choice]) -> Choice:
+        """The next choice: one made already, else the first of the options."""
+        if len(self.taken) < len(self.chosen):
+            choice = self.chosen[len(self.taken)]
+        elif not options:
+            raise _DeadEnd
+        else:
+            choice = options[0]
+            if self.goal is not None:
+                self.taken.append(choice)
+                return choice
+            self.todo += [(*self.taken, other) for other in reversed(options[1:])]
+        self.taken.append(choice)
+        return choice
+
+    def branch(self, group: Group, dyad: Dyad) -> float:
+        """The branch of a dyad that closes."""
+        if dyad.shortfall() is not None:
+            raise _DeadEnd
+        if group.modes == 1:
+            return 1.0
+        touching = abs(float(dyad.root(1.0).reach)) < 1e-13
+        self.singular = self.singular or touching
+        options: list[Choice] = [1.0] if touching else [1.0, -1.0]
+        if self.goal is not None and not touching:
+            goal = self.goal[group.links[0]].axis.now
+            axes = [dyad.solve(sign, 0).first.axis.now for sign in (1.0, -1.0)]
+            options = options[:: 1 if axes[0].dot(goal) >= axes[1].dot(goal) else -1]
+        branch = self.choose(options)
+        assert isinstance(branch, float)
+        return branch
+
+    def unknowns(self, cluster: Cluster) -> list[float]:
+        """The coordinates of a cluster that closes."""
+        known = len(self.taken) < len(self.chosen)
+        choice = self.choose([] if known else [tuple(u) for u in self.cluster(cluster)])
+        assert isinstance(choice, tuple)
+        solve_cluster(self.motion, cluster, self.drives, lambda _: list(choice))
+        self.singular = self.singular or self.vague(cluster)
+        return list(choice)
+
+    def cluster(self, cluster: Cluster) -> list[list[float]]:
+        """All coordinates of a cluster on the links placed so far: of a triad all, else those found."""
+        if self.goal is not None:
+            self.motion.bodies.update({link: self.goal[link] for link in cluster.links})
+            there = self.polish(cluster, read_coordinates(self.motion, cluster))
+            return [] if there is None else [there]
+        shape = triad(self.motion, cluster, self.drives)
+        candidates: list[list[float]] = []
+        complete = False
+        if shape is not None:
+            system = System(self.motion, shape)
+            roots = system.roots()
+            complete = roots.complete
+            candidates = [coordinates(self.motion, cluster, system, pose) for pose in roots.poses]
+        if not complete:
+            if cluster.label not in self.found.open_groups:
+                self.found.open_groups.append(cluster.label)
+            candidates += self.search(cluster)
+        scale = [1.0 if edge.joint.letter == "R" else self.size for edge in cluster.free]
+        found: list[tuple[list[float], bool]] = []
+        for start in candidates:
+            there = self.polish(cluster, start)
+            if there is None:
+                continue
+            vague = self.vague(cluster)
+            if not any(same(cluster, there, u, scale, VAGUE if vague or v else SAME) for u, v in found):
+                found.append((there, vague))
+        return sorted(u for u, _ in found)
+
+    def vague(self, cluster: Cluster) -> bool:
+        """Whether a cluster, as it is placed now, is singular: its coordinates are known to few digits only."""
+        return not abs(float(self.motion.clusters[cluster].determinant())) > 1e-6
+
+    def polish(self, cluster: Cluster, start: list[float]) -> list[float] | None:
+        """The solution at a start, singular ones too; ``None`` where there is none, or a slide's lines are opposed."""
+        if not all(map(math.isfinite, start)):
+            return None
+        there = newton(self.motion, cluster, start, self.drives)
+        if there is None:
+            there = self.settle(cluster, start)
+        if there is None:
+            return None
+        solve_cluster(self.motion, cluster, self.drives, lambda _: there)
+        if opposed(self.motion, cluster):
+            return None
+        free = zip(cluster.free, there, strict=True)
+        return [math.remainder(q, 2 * math.pi) if e.joint.letter == "R" else q for e, q in free]
+
+    def settle(self, cluster: Cluster, start: list[float]) -> list[float] | None:
+        """Least-squares steps to a singular solution, where Newton's method creeps."""
+        here = np.array(start)
+        for _ in range(60):
+            at: list[float] = [float(q) for q in here]
+            solve_cluster(self.motion, cluster, self.drives, partial(_given, at))
+            solved = self.motion.clusters[cluster]
+            gaps = np.array([float(gap) for gap in solved.gaps])
+            if np.abs(gaps).max() < CLOSED * min(self.size, 1.0):
+                return at
+            step = np.linalg.lstsq(np.array(solved.slopes, dtype=float), gaps, rcond=1e-9)[0]
+            here = here - step
+        return None
+
+    def search(self, cluster: Cluster) -> list[list[float]]:
+        """Solutions of a cluster by damped Newton from many starts at once (always the same ones)."""
+        n, label, graph = len(cluster.free), cluster.label, self.graph
+        names = [f"gap:{label}:{i}" for i in range(n)] + [f"slope:{label}:{i}" for i in range(n * n)]
+        function = graph.program(names).stages[0].function
+        rows = [graph.inputs.index(f"u:{label}:{i}") for i in range(n)]
+        turning = np.array([edge.joint.letter == "R" for edge in cluster.free])
+        parameters = np.array([self.quantities.parameters[name] for name in graph.parameters])
+        known = self.inputs()
+        random, idle = np.random.default_rng(1), 0
+        found: list[list[float]] = []
+
+        def closure(u: Array) -> tuple[Array, Array]:
+            x = np.repeat(known[:, None], u.shape[1], axis=1)
+            x[rows] = u
+            y = np.asarray(function(x, parameters), dtype=float)
+            return y[:n].T, y[n:].reshape(n, n, -1).transpose(2, 0, 1)
+
+        for _ in range(BATCHES):
+            spread = np.where(turning, math.pi, self.size)[:, None]
+            ends = levenberg(closure, random.uniform(-1.0, 1.0, (n, STARTS)) * spread, CLOSED * self.size)
+            before = len(found)
+            for u in ends.T:
+                u[turning] = np.remainder(u[turning] + math.pi, 2 * math.pi) - math.pi
+                scale = np.where(turning, 1.0, self.size)
+                if not any(same(cluster, u.tolist(), other, scale.tolist(), 1e-4) for other in found):
+                    found.append(u.tolist())
+            idle = idle + 1 if len(found) == before else 0
+            if idle == 2:
+                break
+        return found
+
+    def inputs(self) -> Array:
+        """The program's inputs as far as groups are placed: (inputs,)."""
+        x = np.zeros(len(self.graph.inputs))
+        for i, name in enumerate(self.graph.drives):
+            x[i * (MAX_ORDER + 2)] = self.values[name]
+        steps = iter(self.taken)
+        for step in self.structure.steps:
+            if isinstance(step, Cluster) or (isinstance(step, Group) and step.modes > 1):
+                choice = next(steps, None)
+                if isinstance(choice, float):
+                    x[self.graph.inputs.index(f"branch:{step.label}")] = choice
+                elif choice is not None:
+                    for i, q in enumerate(choice):
+                        x[self.graph.inputs.index(f"u:{step.label}:{i}")] = q
+        return x
+
+    def mode(self) -> Mode:
+        """The mode just walked."""
+        branches: dict[str, float] = {}
+        free: dict[str, tuple[float, ...]] = {}
+        choices = iter(self.taken)
+        for step in self.structure.steps:
+            if isinstance(step, Cluster):
+                choice = next(choices)
+                free[step.label] = choice if isinstance(choice, tuple) else (choice,)
+            elif isinstance(step, Group) and step.modes > 1:
+                choice = next(choices)
+                branches[step.label] = choice if isinstance(choice, float) else 1.0
+        bodies = self.motion.bodies
+        places = {
+            name: _place(bodies[link], self.geometry, link, name)
+            for name, link in self.quantities.signals.homes.items()
+        }
+        lines = self.lines(branches, places)
+        return Mode(branches, free, places, dict(bodies), lines, self.singular)
+
+    def lines(self, branches: Mapping[str, float], places: Mapping[str, tuple[float, float]]) -> tuple[str, ...]:
+        """The lines of an assembly section that select a mode."""
+        links = self.quantities.mechanism.links
+        known = set(links["frame"].points) if "frame" in links else set()
+        said: dict[str, str] = {}
+        for step in self.structure.steps:
+            points = [name for link in step.links for name in links[link].points if name not in known]
+            if isinstance(step, Cluster):
+                said |= {name: self.sketch(places[name]) for name in points if name not in said}
+            elif isinstance(step, Group) and step.modes > 1:
+                rules = self.rules(step, branches[step.label])
+                rules += [(name, self.sketch(places[name])) for name in points]
+                name, rule = next(((n, r) for n, r in rules if n not in said), rules[0])
+                said[name] = rule
+            known |= set(points)
+        return tuple(f"{name}: {rule}" for name, rule in said.items())
+
+    def rules(self, group: Group, branch: float) -> list[tuple[str, str]]:
+        """The ways in which a file states a branch: name and rule."""
+        first, second = (c.joint for c in group.outer)
+        texts = REGISTRY[group.signature].rules[0 if branch > 0 else 1]
+        said = [text.format(inner=group.inner.joint, first=first, second=second).split(": ", 1) for text in texts]
+        return [(name, rule) for name, rule in said]
+
+    def sketch(self, place: tuple[float, float]) -> str:
+        """A place as a file writes it."""
+        unit, size = self.quantities.unit_of(LENGTH)
+        bare = self.quantities.mechanism.units.length is not None
+        digits = max(0, 6 - math.ceil(math.log10(self.size / size)))
+        x, y = (f"{round(v / size, digits) + 0.0:.{digits}f}" + ("" if bare else f" {unit}") for v in place)
+        return f"[{x}, {y}]"
+
+
+def _given(at: list[float], _: Cluster) -> list[float]:
+    return at
+
+
+STARTS, BATCHES = 256, 8
+
+
+def levenberg(closure: Closure, u: Array, tolerance: float) -> Array:
+    """Levenberg-Marquardt on many starts at once: the columns of ``u`` (unknowns, starts) that close."""
+    gap, slope = closure(u)
+    damping = np.full(u.shape[1], 1e-2)
+    scale = np.maximum(np.abs(slope).max(axis=(1, 2)), 1e-300) ** 2
+    for _ in range(80):
+        square = slope.transpose(0, 2, 1) @ slope + (damping * scale)[:, None, None] * np.eye(u.shape[0])
+        right = (slope.transpose(0, 2, 1) @ gap[:, :, None])[:, :, 0]
+        there = u - np.linalg.solve(square, right[:, :, None])[:, :, 0].T
+        gap_there, slope_there = closure(there)
+        better = (gap_there**2).sum(axis=1) < (gap**2).sum(axis=1)
+        u = np.where(better, there, u)
+        gap, slope = np.where(better[:, None], gap_there, gap), np.where(better[:, None, None], slope_there, slope)
+        damping = np.clip(np.where(better, damping / 10, damping * 10), 1e-14, 1e8)
+        if (np.abs(gap).max(axis=1) < tolerance).all():
+            break
+    return u[:, np.abs(gap).max(axis=1) < tolerance]
+
+
+def same(cluster: Cluster, a: list[float], b: list[float], scale: list[float], near: float = SAME) -> bool:
+    """Whether two sets of a cluster's coordinates are one pose."""
+    for edge, p, q, unit in zip(cluster.free, a, b, scale, strict=True):
+        between = math.remainder(p - q, 2 * math.pi) if edge.joint.letter == "R" else (p - q) / unit
+        if abs(between) > near:
+            return False
+    return True
+
+
+def extent(structure: Structure, geometry: Geometry) -> float:
+    """A length of the mechanism's order (m): the largest distance of two points on one link."""
+    spans = [
+        math.hypot(*(float(v) for v in geometry.point(link, a).minus(geometry.point(link, b))))
+        for link, entry in structure.topology.mechanism.links.items()
+        for a in entry.points
+        for b in entry.points
+    ]
+    return max(spans, default=0.0) or 1.0
+
+
+def _place(body: Body, geometry: Geometry, link: str, name: str) -> tuple[float, float]:
+    at = body.point(geometry.point(link, name)).now
+    return float(at.x), float(at.y)

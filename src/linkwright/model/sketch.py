@@ -1,0 +1,177 @@
+"""Input by sketch: links given by the places of their joints in one pose, their lengths derived and named.
+
+A sketched link has its origin at its first point and its x axis through its second one. Their distance becomes a
+parameter (``AB``), and so do the coordinates of further points (``coupler_P_x``, ``coupler_P_y``), each an expression
+of the sketched places. A parameter of that name in the file takes its place.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from itertools import chain
+
+from linkwright.model.fields import AssemblyRule, Expression, Position
+from linkwright.model.findings import Finding
+from linkwright.model.mechanism import Mechanism
+from linkwright.model.parts import Drive, Joint, Link, Parameter
+from linkwright.model.signals import near
+from linkwright.model.written import FrozenDict
+
+FRAME = "frame"
+WORD = re.compile(r"\bsketch\b")
+_SHORT = re.compile(r"[^\W\d_]\d*")
+
+Path = tuple[str | int, ...]
+Text = str
+"""An expression as a file would have it."""
+
+
+def with_sketch(m: Mechanism) -> Mechanism:
+    """The mechanism with the lengths, assembly rules and starts that its sketch stands for."""
+    if not m.sketch:
+        return m
+    sketch = _Sketch(m)
+    links = {name: sketch.link(name, link) for name, link in m.links.items()}
+    drives = {name: sketch.drive(drive) for name, drive in m.drives.items()}
+    update = {
+        "links": FrozenDict(links),
+        "drives": FrozenDict(drives),
+        "assembly": FrozenDict({**sketch.rules(), **m.assembly}),
+        "parameters": FrozenDict({**m.parameters, **sketch.derived, **m.parameters}),
+    }
+    return m.model_copy(update=update)
+
+
+class _Sketch:
+    def __init__(self, m: Mechanism) -> None:
+        self.m = m
+        self.derived: dict[str, Parameter] = {}
+
+    def named(self, name: str, value: Text) -> Text:
+        """An expression by its name; in full where the name is taken by something that is no parameter."""
+        if name in self.m.tables:
+            return value
+        self.derived.setdefault(name, Parameter(value=Expression(value)))
+        return name
+
+    def link(self, name: str, link: Link) -> Link:
+        """A link with the places of its sketched points in its own axes."""
+        known = [point for point in sketched(link) if point in self.m.sketch]
+        places: dict[str, Position] = {}
+        if name == FRAME:
+            places = {point: self.m.sketch[point] for point in known}
+        elif known:
+            places[known[0]] = Position([0, 0])
+            for i, point in enumerate(known[1:]):
+                places[point] = Position(self.local(name, known, point) if i else [self.length(*known[:2]), 0])
+        return link.model_copy(update={"points": FrozenDict({**link.points, **places})}) if places else link
+
+    def length(self, a: str, b: str) -> Text:
+        short = all(_SHORT.fullmatch(point) for point in (a, b))
+        return self.named(f"{a}{b}" if short else f"{a}_{b}", self.distance(a, b))
+
+    def local(self, link: str, known: list[str], point: str) -> list[Text]:
+        """The coordinates of a further point: its distance from the origin, turned by the angle to the x axis."""
+        far = self.distance(known[0], point)
+        turn = f"({self.angle(known[0], point)}) - ({self.angle(*known[:2])})"
+        parts = (("x", "cos"), ("y", "sin"))
+        return [self.named(f"{link}_{point}_{axis}", f"{far}*{function}({turn})") for axis, function in parts]
+
+    def place(self, point: str) -> tuple[Text, Text]:
+        """A sketched place, as x and y."""
+        at = self.m.sketch[point]
+        first, second = at.first.text, at.second.text
+        return (f"({first})*cos({second})", f"({first})*sin({second})") if at.polar else (first, second)
+
+    def step(self, a: str, b: str) -> tuple[Text, Text]:
+        """The way from one sketched point to another."""
+        (x, y), (u, v) = self.place(a), self.place(b)
+        return f"({u}) - ({x})", f"({v}) - ({y})"
+
+    def distance(self, a: str, b: str) -> Text:
+        return "hypot({}, {})".format(*self.step(a, b))
+
+    def angle(self, a: str, b: str) -> Text:
+        x, y = self.step(a, b)
+        return f"atan2({y}, {x})"
+
+    def rules(self) -> dict[str, AssemblyRule]:
+        """The sketched places of all moving points."""
+        fixed = self.m.links[FRAME].points if FRAME in self.m.links else ()
+        moving = set(chain.from_iterable(link.points for link in self.m.links.values()))
+        return {name: AssemblyRule(list(self.place(name))) for name in self.m.sketch if name in moving - {*fixed}}
+
+    def drive(self, drive: Drive) -> Drive:
+        """A drive whose law says `sketch` for its value in the sketch, where that can be told."""
+        value = self.value(drive)
+        update = {
+            key: Expression(WORD.sub(lambda _: f"({value})", law.text))
+            for key in ("start", "position")
+            if value and (law := getattr(drive, key)) is not None and WORD.search(law.text)
+        }
+        return drive.model_copy(update=update) if update else drive
+
+    def value(self, drive: Drive) -> Text | None:
+        """A drive's value in the sketch: an angle between two links, a cylinder's length, a travel on the frame."""
+        if drive.turns:
+            angles = [self.axis(drive.turns), self.axis(drive.on)]
+            return None if None in angles else f"({angles[0]}) - ({angles[1]})"
+        if drive.extends in self.m.cylinders:
+            cylinder = self.m.cylinders[drive.extends]
+            ends = cylinder.from_, cylinder.to
+            return self.distance(*ends) if {*ends} <= self.m.sketch.keys() else None
+        wanted = [drive.slides, drive.on] if drive.slides else []
+        for name, joint in self.m.prismatic_joints():
+            if name == drive.extends or sorted(wanted) == sorted(joint.links):
+                return self.travel(joint)
+        return None
+
+    def axis(self, link: str) -> Text | None:
+        """The angle of a link's x axis in the sketch."""
+        if link == FRAME:
+            return "0"
+        known = sketched(self.m.links[link])[:2] if link in self.m.links else []
+        return self.angle(known[0], known[1]) if len(known) == 2 and {*known} <= self.m.sketch.keys() else None
+
+    def travel(self, joint: Joint) -> Text | None:
+        """The travel of a slide whose first link is the frame, between two sketched points."""
+        assert joint.line is not None
+        start, end = (line.point for line in joint.line)
+        if joint.links[0] != FRAME or not {start, end} <= self.m.sketch.keys():
+            return None
+        (x, y), angle = self.step(start, end), joint.line[0].angle.text
+        return f"({x})*cos({angle}) + ({y})*sin({angle})"
+
+
+def sketched(link: Link) -> list[str]:
+    """The points of a link whose places are those of the sketch."""
+    return [name for name, position in link.points.items() if position.sketched]
+
+
+def sketch_faults(m: Mechanism) -> Iterator[Finding]:
+    """Faults of the sketch, before it is spelled out."""
+    used = set()
+    for name, link in m.links.items():
+        for point in sketched(link):
+            used.add(point)
+            if point not in m.sketch:
+                data = {"link": name, "name": point, "near": near(point, list(m.sketch))}
+                yield Finding("sketch.missing-point", ("links", name, "points"), data)
+    for name in m.sketch:
+        if name not in used:
+            yield Finding("sketch.unused", ("sketch", name), {"name": name})
+    for name, drive in m.drives.items():
+        for key in ("start", "position"):
+            law = getattr(drive, key)
+            if law is not None and "sketch" not in m.parameters and WORD.search(law.text):
+                known = {drive.turns, drive.on, drive.slides} - {None, ""} <= m.links.keys()
+                if known and (not m.sketch or _Sketch(m).value(drive) is None):
+                    yield Finding("sketch.no-value", ("drives", name, key), {"name": name})
+
+
+def sketch_home(m: Mechanism, path: Path) -> Path | None:
+    """Where a place that the sketch made stands in the file."""
+    if len(path) > 1 and path[0] in ("parameters", "assembly") and path[1] not in getattr(m, str(path[0])):
+        return ("sketch", path[1]) if path[1] in m.sketch else ("sketch",)
+    return None

@@ -1,0 +1,31 @@
+"""A model's short forms spelled out: what the file says in one line, as the links and joints that it stands for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+from linkwright.model.cylinders import cylinder_faults, cylinder_home, with_cylinders
+from linkwright.model.findings import Finding
+from linkwright.model.mechanism import Mechanism
+from linkwright.model.sketch import sketch_faults, sketch_home, with_sketch
+
+
+@dataclass(frozen=True)
+class Spelled:
+    """A mechanism without short forms, made from the ``written`` one; ``findings`` says what can't be spelled out."""
+
+    written: Mechanism
+    mechanism: Mechanism
+    findings: tuple[Finding, ...] = ()
+
+    def home(self, findings: Iterable[Finding]) -> list[Finding]:
+        """Findings with their places as the file has them."""
+        m = self.written
+        return [replace(f, path=cylinder_home(m, f.path) or sketch_home(m, f.path) or f.path) for f in findings]
+
+
+def spell_out(written: Mechanism) -> Spelled:
+    """The mechanism that the solver sees, as far as the short forms are sound."""
+    findings = (*sketch_faults(written), *cylinder_faults(written))
+    return Spelled(written, with_cylinders(with_sketch(written)), findings)

@@ -1,0 +1,134 @@
+"""The modes study: every way to put the mechanism together at a pose, and which of them motion joins."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from pydantic import Field
+
+from linkwright.graph.geometry import ZERO
+from linkwright.graph.modes import Mode
+from linkwright.graph.survey import SAME, Circuit, Survey, survey
+from linkwright.kernels import Compiled, Prepared
+from linkwright.kernels.laws import values_at
+from linkwright.model import units as u
+from linkwright.model.dimensions import DimensionError
+from linkwright.model.fields import Expression, Frozen, Name
+from linkwright.model.findings import Finding, ModelError
+from linkwright.model.quantities import Quantities
+from linkwright.studies.registry import register
+
+PATH = ("studies", "modes")
+
+
+class ModesOptions(Frozen):
+    """At which pose, and over which drive circuits are followed."""
+
+    at: Expression | None = Field(None, description="the time of the pose; the start of the motion by default")
+    drive: Name | None = Field(
+        None,
+        description="the drive over which circuits are followed, the others held; needn't be named if there is one",
+    )
+
+
+@dataclass
+class ModesOutcome:
+    """The modes at a time (s), their circuits, and which of them is the file's own (``None`` where it says none)."""
+
+    quantities: Quantities
+    survey: Survey
+    time: float
+    values: dict[str, float]
+    own: int | None = None
+
+    @property
+    def done(self) -> bool:
+        """Whether there is a mode."""
+        return bool(self.modes)
+
+    @property
+    def modes(self) -> list[Mode]:
+        """The assembly modes."""
+        return self.survey.modes
+
+    @property
+    def circuits(self) -> list[Circuit]:
+        """The circuits on which they lie."""
+        return self.survey.circuits
+
+    @property
+    def complete(self) -> bool:
+        """Whether no mode can be missing."""
+        return self.survey.complete
+
+
+def find_modes(made: Prepared | Compiled, options: ModesOptions) -> ModesOutcome:
+    """All modes of a mechanism whose structure is sound. Raises :class:`ModelError` for options that can't be."""
+    findings = check_options(made, options)
+    if findings:
+        raise ModelError(findings)
+    time = _time(made.quantities, options)
+    values = values_at(made.laws, time)
+    found = survey(made.quantities, made.structure, values, options.drive)
+    return ModesOutcome(made.quantities, found, time, values)
+
+
+def check_options(made: Prepared | Compiled, options: ModesOptions) -> list[Finding]:
+    """What is wrong with the options."""
+    drives = made.quantities.mechanism.drives
+    if options.drive is not None and options.drive not in drives:
+        reason = f"'{options.drive}' isn't one of the drives: {', '.join(drives)}"
+        return [Finding("study.options", (*PATH, "drive"), {"study": "modes", "key": "drive", "reason": reason})]
+    try:
+        time = _time(made.quantities, options)
+        if not abs(time) < 1e12:
+            data = {"study": "modes", "key": "at", "reason": "must be a number"}
+            return [Finding("study.options", (*PATH, "at"), data)]
+        values_at(made.laws, time)
+    except DimensionError as error:
+        return [Finding(error.key, (*PATH, "at"), error.data)]
+    except ModelError as error:
+        return list(error.findings)
+    return []
+
+
+def _time(quantities: Quantities, options: ModesOptions) -> float:
+    return 0.0 if options.at is None else quantities.value(options.at, u.TIME)
+
+
+@register
+class Modes:
+    """Every way to put the mechanism together."""
+
+    name = "modes"
+    options = ModesOptions
+
+    def check(self, compiled: Compiled, options: ModesOptions) -> list[Finding]:
+        """What is wrong with the options."""
+        return check_options(compiled, options)
+
+    def run(self, compiled: Compiled, options: ModesOptions) -> ModesOutcome:
+        """Find the modes, and the one that the mechanism has at that time."""
+        outcome = find_modes(compiled, options)
+        outcome.own = own_mode(compiled, outcome)
+        return outcome
+
+
+def own_mode(compiled: Compiled, outcome: ModesOutcome) -> int | None:
+    """The mode in which the compiled mechanism is at the outcome's time."""
+    rows = [f"{link}:{row}" for link in compiled.structure.topology.moving for row in ("x", "y", "cos", "sin")]
+    here = compiled.evaluate(rows, np.array([outcome.time]))[:, 0].reshape(-1, 4)
+    scale = np.array([*(2 * [compiled.assembly.size()]), 1.0, 1.0])
+    away: list[float] = []
+    for mode in outcome.modes:
+        there = [_row(mode, link) for link in compiled.structure.topology.moving]
+        away.append(float(np.nan_to_num(np.abs((here - there) / scale), nan=np.inf).max()))
+    best = int(np.argmin(away)) if away else 0
+    return best if away and away[best] < 100 * SAME else None
+
+
+def _row(mode: Mode, link: str) -> list[Any]:
+    body = mode.bodies[link]
+    return [*body.point(ZERO).now, *body.axis.now]
