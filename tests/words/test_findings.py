@@ -38,6 +38,7 @@ Words in *italics* stand for what the finding names.
 TITLES = {
     "file": "The file",
     "builder": "The builder",
+    "gallery": "The gallery",
     "units": "Units",
     "expression": "Expressions",
     "parameters": "Parameters",

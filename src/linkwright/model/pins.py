@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from linkwright.model.mechanism import Mechanism, Spring
 
@@ -14,7 +15,7 @@ class Pin:
     name: str
     members: tuple[tuple[str, str], ...]
 
-    @property
+    @cached_property
     def links(self) -> tuple[str, ...]:
         """The links on the pin, in the file's order."""
         return tuple(link for link, _ in self.members)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.results.audit import Reports
-from linkwright.results.quadrature import gauss_points
+from linkwright.results.quadrature import panel_points
 from linkwright.results.run import Run
 from linkwright.results.stationary import stationary
 from linkwright.structure import FRAME
@@ -135,23 +135,37 @@ def slight(r: Reports) -> float:
 
 
 def work(run: Run) -> float:
-    """Work of drives and loads against the change of energy, by Gauss quadrature on panels doubled until it stands."""
+    """Work of drives and loads against the change of energy, by Gauss quadrature on panels halved until each stands."""
     names = [f"energy.{kind}" for kind in run.compiled.quantities.signals.energies]
     energy = run.compiled.evaluate(names, np.array([run.start, run.stop]))
-    change, panels, last = float(energy.sum(axis=0) @ np.array([-1.0, 1.0])), min(run.grid, MAX_PANELS), np.inf
-    while True:
-        t, weight = gauss_points(np.union1d(np.linspace(run.start, run.stop, panels + 1), run.breaks))
-        r = Reports(run.compiled, t)
-        terms = np.array([*r.drive_powers(), *r.powers_of([*r.loads(), *r.springs(damping=True)])])
-        size = float(np.abs(terms).sum(axis=0) @ weight) + float(np.abs(energy).sum())
-        size = max(size, slight(r) * (run.stop - run.start))
-        rest = 0.0 if size == 0 else abs(float(terms.sum(axis=0) @ weight) - change) / size
-        if not rest < last or rest < SETTLED or panels >= MAX_PANELS:
-            return float(np.fmin(rest, last)) if rest == rest else rest
-        panels, last = panels * 2, rest
+    change = float(energy.sum(axis=0) @ np.array([-1.0, 1.0]))
+    least = slight(Reports(run.compiled, run.t)) * (run.stop - run.start)
+    edges = np.union1d(np.linspace(run.start, run.stop, min(run.grid, MAX_PANELS) + 1), run.breaks)
+    lows, highs = edges[:-1], edges[1:]
+    total, here, panels = np.zeros(2), worked(run, lows, highs), lows.size
+    while lows.size:
+        middle = (lows + highs) / 2
+        halves = worked(run, np.append(lows, middle), np.append(middle, highs))
+        sums, panels = halves[:, : lows.size] + halves[:, lows.size :], panels + 2 * lows.size
+        size = max(float(total[1] + sums[1].sum() + np.abs(energy).sum()), least)
+        stands = ~(np.abs(sums[0] - here[0]) > SETTLED * size) | (panels >= MAX_PANELS)
+        total += sums[:, stands].sum(axis=1)
+        more = np.tile(~stands, 2)
+        lows, highs = np.append(lows, middle)[more], np.append(middle, highs)[more]
+        here = halves[:, more]
+    return 0.0 if size == 0 else abs(float(total[0]) - change) / size
 
 
-SETTLED, MAX_PANELS = 1e-13, 1 << 13
+def worked(run: Run, lows: Array, highs: Array) -> Array:
+    """Work of drives, loads and dampers on each panel, and the sum of its terms' sizes: (2, panels)."""
+    t, weight = panel_points(lows, highs)
+    r = Reports(run.compiled, t)
+    terms = np.array([*r.drive_powers(), *r.powers_of([*r.loads(), *r.springs(damping=True)])])
+    rates = np.array([terms.sum(axis=0), np.abs(terms).sum(axis=0)]) * weight
+    return np.asarray(rates.reshape(2, lows.size, -1).sum(axis=2))
+
+
+SETTLED, MAX_PANELS = 1e-14, 1 << 14
 
 
 def rank(r: Reports) -> int:

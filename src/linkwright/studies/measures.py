@@ -13,7 +13,7 @@ from linkwright.model.check import WHERE
 from linkwright.model.expressions import Node, parse
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import REDUCTIONS, Measure
-from linkwright.model.places import FIGURES
+from linkwright.model.places import FIGURES, figure, measured
 from linkwright.model.units import Dimension, unit
 from linkwright.results import Run
 from linkwright.results.quadrature import gauss_points
@@ -191,7 +191,8 @@ class _Measurer:
         self.mechanism = quantities.mechanism
         self.trees: dict[str, Node] = {}
         for name, measure in self.mechanism.measures.items():
-            self.trees[name] = quantities.bind(measure.signal, None)
+            kind = None if measure.reduction in FIGURES else quantities.dimensions.resolve(measured(name))
+            self.trees[name] = quantities.bind(measure.signal, kind)
             if measure.where and (match := WHERE.match(measure.where)) and match[2]:
                 self.trees[f"{name} where"] = quantities.dimensions.bind(parse(match[2]), None)
 
@@ -216,7 +217,7 @@ class _Measurer:
 
     def one(self, name: str, measure: Measure, turning: dict[str, Array]) -> MeasureResult:
         quantities = self.run.compiled.quantities
-        dimension = FIGURES.get(measure.reduction) or quantities.dimensions.dimension(measure.signal.node)
+        dimension = quantities.dimensions.resolve(figure(name, measure))
         text, size = quantities.unit_of(dimension) if measure.unit is None else (measure.unit, unit(measure.unit)[0])
         spans = intervals(self.run, measure.window)
         found: tuple[Found, ...] = ()

@@ -122,6 +122,14 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "'{name}' was given to the builder twice.",
         "Rename or remove one of the two.",
     ),
+    "file.exists": (
+        "The file {file} is there already.",
+        "Give another name with --out, or --force to write over it.",
+    ),
+    "gallery.unknown": (
+        "The gallery has no model called '{name}'.",
+        "Write one of these: {near}. 'linkwright new' lists all.",
+    ),
     # Units and expressions.
     "units.wrong": (
         "'{word}' isn't a unit of {base}.",
