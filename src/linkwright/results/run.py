@@ -140,7 +140,7 @@ class Run:
             grid, slope = self.place(share)
             angle, omega = self.compiled.evaluate(names, grid)
             known = np.isfinite(angle) & np.isfinite(omega) & self.clear(grid)
-            share, grid, angle, omega = share[known], grid[known], angle[known], (omega * slope)[known]
+            share, grid, angle, omega = share[known], grid[known], angle[known], omega[known] * slope[known]
             # The rates say how far it turned; the angles only have to agree with that but for whole turns.
             turned = np.diff(share) * (omega[1:] + omega[:-1]) / 2
             rest = np.mod(np.diff(angle) - turned + np.pi, 2 * np.pi) - np.pi
