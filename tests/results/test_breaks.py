@@ -110,3 +110,10 @@ def test_without_varying_loads_there_are_none() -> None:
     run = run_of(loads=brake("-5"))
     assert run.breaks.size == 0
     assert run.jumps.shape == (0, 2)
+
+
+def test_a_load_that_swings_in_step_with_the_samples_is_seen() -> None:
+    """80 whole swings between two samples: each sample, and each of twice and four times as many, looks alike."""
+    run = run_of(steps=200, loads=brake("-5 - 2 N*m*sin(2*pi*8000 Hz*t)"), measures={"m": {"extremes": "motor.torque"}})
+    measures, _ = measure_all(run)
+    assert [found.value for found in measures[0].found] == pytest.approx([3.0, 7.0], rel=1e-6)

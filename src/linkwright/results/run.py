@@ -36,7 +36,7 @@ class Run:
 
     @cached_property
     def grid(self) -> int:
-        """Steps for searches: the samples, and more where a drive turns far or moves and rests between them."""
+        """Steps for searches: the samples, and more where a drive turns far, moves and rests, or a load swings."""
         t = np.linspace(self.start, self.stop, LOOK + 1)
         steps = [self.steps]
         for name, drive in self.compiled.mechanism.drives.items():
@@ -48,6 +48,10 @@ class Run:
             if changes.size:
                 shortest = int(np.diff(np.concatenate([[0], changes, [LOOK]])).min(initial=LOOK, where=True))
                 steps.append(min(10 * LOOK // max(shortest, 1), LOOK // 2))
+        if self.compiled.graph.actions.timed:
+            rows = [f"load/{name}" for name in self.compiled.mechanism.loads]
+            signs = np.sign(self.compiled.evaluate(rows, t, rates=True)[:, 1])
+            steps.append(min(4 * int((signs[:, 1:] != signs[:, :-1]).sum(axis=1).max()), LOOK // 2))
         return max(steps)
 
     @cached_property
