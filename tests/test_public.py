@@ -145,7 +145,7 @@ def test_a_registered_name_stands_on_its_class(registry: dict[str, Any], key: st
 # Imports go down only.
 
 LEVELS = {
-    **dict.fromkeys(("notation", "words"), 0),
+    **dict.fromkeys(("notation", "words", "gallery"), 0),
     "laws": 1,
     "model": 2,
     "groups": 3,
@@ -160,7 +160,7 @@ LEVELS = {
     "__main__": 12,
 }
 # The side floors know of nothing but what is named here.
-SIDES = {"notation": set(), "words": set(), "laws": {"notation"}}
+SIDES = {"notation": set(), "words": set(), "gallery": set(), "laws": {"notation"}}
 
 
 def imports() -> list[tuple[str, str, str]]:

@@ -1,4 +1,4 @@
-"""Runs what the documentation promises: every example, and every snippet of README.md and docs/.
+"""Runs what the documentation promises: every example and model of the gallery, every snippet of README.md and docs/.
 
     python3 dev.py smoke [names]        only what has one of the names in its path
 
@@ -212,6 +212,21 @@ def smoke_model(path: Path) -> list[Outcome]:
     return [timed(path.relative_to(ROOT).as_posix(), item)]
 
 
+def smoke_gallery(path: Path) -> list[Outcome]:
+    """Takes one model out of the gallery and runs it; its certificate must be sound."""
+
+    def item() -> None:
+        with workplace() as place:
+            call([sys.executable, "-m", "linkwright", "new", path.stem], place)
+            call([sys.executable, "-m", "linkwright", "run", f"{path.stem}.yaml", "--out", "out"], place)
+            check_results(place / "out")
+            certificate = json.loads((place / "out" / "summary.json").read_text(encoding="utf-8"))["certificate"]
+            if max(certificate[proof] or 0.0 for proof in ("closure", "equilibrium", "power", "work")) > 1e-9:
+                raise Failure(f"the certificate isn't sound: {certificate}")
+
+    return [timed(path.relative_to(ROOT).as_posix(), item)]
+
+
 def smoke_script(path: Path) -> list[Outcome]:
     """Runs one Python script of examples/."""
 
@@ -277,6 +292,7 @@ def units(names: list[str]) -> list[Unit]:
     """What there is to run: a function and the file for it, those with one of the names in their path."""
     found: list[Unit] = [
         *((smoke_model, path) for path in sorted(ROOT.glob("examples/*.yaml"))),
+        *((smoke_gallery, path) for path in sorted(ROOT.glob("src/linkwright/gallery/*.yaml"))),
         *((smoke_script, path) for path in sorted(ROOT.glob("examples/*.py"))),
         *((smoke_document, path) for path in [*ROOT.glob("README.md"), *sorted(ROOT.glob("docs/**/*.md"))]),
     ]

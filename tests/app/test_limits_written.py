@@ -94,6 +94,20 @@ def test_the_gap_stands_in_the_page(write: Any, tmp_path: Path) -> None:
     assert "triple-rocker" in section[1]
 
 
+def test_what_stops_cycle_and_limits_is_told_once(write: Any) -> None:
+    job = lw.run(write(STUCK + "  limits: {}\n"))
+    assert [(f.code, f.severity) for f in job.found] == [("motion.cannot-assemble", "error")]
+    assert job.exit_code == 1
+    assert job.summary["limits"]["motion"] is None
+
+
+def test_a_fine_grid_is_drawn_on_few_steps(write: Any) -> None:
+    job = lw.run(write(ALONE.replace("samples: 90", "samples: 5000")))
+    data = report_data(lw.load(write(ALONE)), job.outcomes)
+    assert len(data["time"]["values"]) == 721
+    assert data["time"]["unit"] == "deg"
+
+
 # The command.
 
 

@@ -127,3 +127,12 @@ def test_a_rod_between_a_point_by_coordinates_and_one_in_polar_form() -> None:
     data["links"]["bar"] = {"points": points, "mass": 2, "shape": "rod P-Q"}
     (torque,) = compiled_from(data).evaluate(["motor.torque"], np.zeros(1))[:, 0]
     assert torque == pytest.approx(2 * 10 * (1 + np.cos(0.5)) / 2)
+
+
+def test_a_moment_of_inertia_without_mass_wants_its_torque() -> None:
+    """A flywheel given by its moment of inertia alone: T = I alpha."""
+    data = document_of(one_arm(kind="turns", link="bar", on=FRAME, law=Law(0.0, 0.0)))
+    data["links"]["bar"] |= {"mass": 0}
+    data["drives"]["motor"] |= {"acceleration": 3}
+    torque, fx = compiled_from(data).evaluate(["motor.torque", "force(frame, bar).x"], np.array([0.7]))[:, 0]
+    assert (torque, fx) == pytest.approx((0.1 * 3, 0.0), abs=1e-15)

@@ -7,16 +7,16 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from helpers.newton_euler import Oracle, State
+from helpers.newton_euler import Extra, Oracle, State
 from helpers.plain import Plain
 
 Array = NDArray[np.float64]
 Rows = dict[str, Array]
 
 
-def oracle_states(plain: Plain, t: Array) -> tuple[Oracle, list[State]]:
+def oracle_states(plain: Plain, t: Array, extra: Sequence[Extra] = ()) -> tuple[Oracle, list[State]]:
     """The oracle and its states at increasing times."""
-    oracle = Oracle(plain)
+    oracle = Oracle(plain, extra)
     return oracle, oracle.follow(t)
 
 

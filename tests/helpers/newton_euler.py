@@ -9,6 +9,7 @@ the pose is followed from the one given at t = 0.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -48,11 +49,15 @@ class Reactions:
     shaking: Array
 
 
-class Oracle:
-    """Motion and kinetostatics of a plain mechanism."""
+Extra = Callable[["Oracle", State], list[tuple[str, Array, Array, float]]]
+"""What acts besides: (link, force, where, moment) in a state."""
 
-    def __init__(self, plain: Plain) -> None:
-        self.plain = plain
+
+class Oracle:
+    """Motion and kinetostatics of a plain mechanism; ``extra`` functions give forces that vary."""
+
+    def __init__(self, plain: Plain, extra: Sequence[Extra] = ()) -> None:
+        self.plain, self.extra = plain, extra
         self.index = {name: 3 * i for i, name in enumerate(plain.moving)}
         self.size = 3 * len(self.index)
         self.turns: dict[str, float] = {}
@@ -266,9 +271,10 @@ class Oracle:
 
         shaking = np.zeros(3)
         for link, force, at, moment in self.applied(state):
-            i = self.index[link]
-            right[i : i + 2] -= force
-            right[i + 2] -= cross(at - q[i : i + 2], force) + moment
+            if link != FRAME:
+                i = self.index[link]
+                right[i : i + 2] -= force
+                right[i + 2] -= cross(at - q[i : i + 2], force) + moment
             shaking += [*force, cross(at, force) + moment]
         scale = np.abs(matrix).max(axis=0)
         unknowns = np.linalg.solve(matrix / scale, right) / scale
@@ -307,4 +313,4 @@ class Oracle:
             else:
                 force = self.arm(q, load.turns_with or FRAME, load.force)
             found.append((load.on, force, self.at(q, load.on, local), load.torque or 0.0))
-        return found
+        return [*found, *(applied for more in self.extra for applied in more(self, state))]

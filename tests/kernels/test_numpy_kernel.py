@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,9 +13,10 @@ from hypothesis import given, settings
 from helpers.compiled import compiled_from, compiled_of, regular
 from helpers.examples import feeder, four_bar, heavy_four_bar
 from helpers.random_mechanisms import DURATION, mechanisms
-from linkwright.kernels import KERNELS, Compiled
+from linkwright.kernels import KERNELS, Compiled, compile_mechanism
 from linkwright.kernels.numpy_blocks import BLOCK
 from linkwright.kernels.registry import register
+from linkwright.model.document import load
 
 T = np.linspace(0.0, DURATION, 5)
 
@@ -43,6 +45,20 @@ def test_kernel_agrees_with_casadi(kernel: str) -> None:
         assert (np.abs(found - expected) / scale).max() < 1e-12
 
     check()
+
+
+@pytest.mark.parametrize("kernel", sorted(KERNELS))
+def test_kernel_agrees_with_casadi_on_loads_and_springs(kernel: str) -> None:
+    """Windows, tables, whole turns, functions: to 1e-12 of the row's size or of 1."""
+    compiled = compile_mechanism(load(Path(__file__).parents[1] / "model" / "data" / "sprung.yaml"))
+    t = np.linspace(0.003, 0.79, 40)
+    rows = [f"window/{name}" for name in compiled.graph.actions.windows] + [f"load/{name}" for name in "abc"]
+    program = compiled.graph.program([*all_names(compiled), *rows], rates=True)
+    x, p = compiled.inputs(t), compiled.parameters
+    found = KERNELS[kernel](program).run(x, p)
+    expected = np.array([program(x[:, i], p) for i in range(t.size)]).T
+    scale = np.maximum(1.0, np.abs(expected).max(axis=1, keepdims=True))
+    assert (np.abs(found - expected) / scale).max() < 1e-12
 
 
 @pytest.fixture(scope="module")

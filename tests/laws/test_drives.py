@@ -89,6 +89,21 @@ def test_constant_sliding() -> None:
     check_signals(data)
 
 
+def test_constant_acceleration() -> None:
+    """q = q0 + v0 t + a t^2 / 2, its rates, and no more."""
+    turning = model({**TURNING, "acceleration": "5 rad/s^2", "speed": "-60 deg/s", "start": "30 deg"})
+    rows = law(turning)(T)
+    omega = -math.pi / 3
+    assert rows[0] == pytest.approx(math.pi / 6 + omega * T + 2.5 * T**2, rel=1e-14)
+    assert rows[1] == pytest.approx(omega + 5 * T, rel=1e-14)
+    assert rows[2] == pytest.approx(np.full(T.size, 5.0), rel=1e-14)
+    assert np.array(rows[3:]) == pytest.approx(np.zeros((2, T.size)))
+    check_signals(turning)
+    sliding = model({**SLIDING, "acceleration": "-100", "speed": "0.2 m/s", "start": 10})
+    assert law(sliding)(T)[0] == pytest.approx(0.01 + 0.2 * T - 0.05 * T**2, rel=1e-14)
+    check_signals(sliding)
+
+
 @pytest.mark.parametrize(
     ("position", "wanted"),
     [

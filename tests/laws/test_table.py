@@ -165,3 +165,33 @@ def test_round_off_at_an_end_is_not_outside() -> None:
     x = np.linspace(0.0, 3 * 0.1, 7)
     law = TableLaw(x, x, 3)
     assert law(time_jet(np.array([np.nextafter(x[-1], 1.0), -1e-16]))).d[0] == pytest.approx([0.3, 0.0], abs=1e-15)
+
+
+@every
+@pytest.mark.parametrize("period", [None, 2.5])
+def test_the_integral_has_the_table_as_its_rate(degree: int, period: float | None) -> None:
+    """Its rates are the table's value and rates; its value is that of Gauss quadrature, whole periods included."""
+    x = np.array([-1.0, -0.4, 0.1, 0.5, 0.9, 1.2])
+    table = TableLaw(x, np.array([0.3, 2.0, -1.0, 0.7, 1.5, 0.2]), degree, period)
+    t = np.linspace(-1.0, 1.2, 9) if period is None else np.array([-9.1, -3.5, -1.0, -0.2, 1.4, 1.5, 7.3])
+    found, value = table.integral(time_jet(t)), table(time_jet(t))
+    for k in range(4):
+        assert np.allclose(found.d[k + 1], value.d[k], rtol=1e-12, atol=1e-12)
+    nodes, weights = np.polynomial.legendre.leggauss(8)
+    knots = x if period is None else np.unique(np.concatenate([[*x + k * period] for k in range(-5, 5)]))
+    for at, integral in zip(t, found.d[0], strict=True):
+        low, high = sorted((x[0], at))
+        edges = np.unique([low, *knots[(knots > low) & (knots < high)], high])
+        h = np.diff(edges)[:, None]
+        by_hand = float((table(Jet([(edges[:-1, None] + h * (nodes + 1) / 2)])).d[0] * weights * h / 2).sum())
+        assert integral == pytest.approx(by_hand if at >= x[0] else -by_hand, rel=1e-11, abs=1e-12)
+
+
+@every
+def test_not_a_number_outside_where_that_is_asked_for(degree: int) -> None:
+    x = np.linspace(0.0, 1.0, 8)
+    table, t = TableLaw(x, x**2, degree), np.array([-0.1, 0.0, 0.5, 1.0, 1.1])
+    for law in (table.or_nan, table.integral):
+        assert [*np.isnan(law(time_jet(t, 1)).d[0])] == [True, False, False, False, True]
+    with pytest.raises(OutsideTable):
+        table(time_jet(t))

@@ -29,6 +29,9 @@ def crank(**more: Any) -> dict[str, Any]:
 
 
 RAIL = {"rail": {"prismatic": ["frame", "rocker"], "line": ["D at 0", "C at 0"]}}
+PULL = {"from": "A", "to": "C", "stiffness": 2, "free": 80}
+TWIST = {"turns": "crank", "on": "frame", "stiffness": 2, "free": 0}
+LIFT = {"from": "A", "to": "C", "gas": 400, "progression": 1.3, "length": [50, 150]}
 DRIVE = {"turns": "crank", "on": "frame", "speed": "60 rpm", "start": 40}
 
 
@@ -90,8 +93,40 @@ def test_the_examples_are_sound(name: str) -> None:
         ({"loads": {"l": {"on": "crank", "at": "B", "force": [1, 2], "in": "x"}}}, "name.unknown", "loads.l.in"),
         ({"loads": {"l": {"on": "crank", "at": "B", "force": 1, "along": "x"}}}, "name.unknown", "loads.l.along"),
         ({"loads": {"l": {"on": "frame", "torque": 1}}}, "load.on-frame", "loads.l"),
-        ({"loads": {"l": {"on": "crank", "torque": "1 N*m*sin(t*1 rad/s)"}}}, "load.varies", "loads.l.torque"),
-        ({"loads": {"l": {"on": "crank", "at": "B", "force": ["1 N/mm*B.x", 0]}}}, "load.varies", "loads.l.force"),
+        ({"loads": {"l": {"on": "crank", "torque": "0.1*motor.torque"}}}, "load.signal", "loads.l.torque"),
+        (
+            {"loads": {"l": {"on": "crank", "at": "B", "force": ["0.1*force(frame, crank).x", 0]}}},
+            "load.signal",
+            "loads.l.force",
+        ),
+        ({"loads": {"l": {"on": "crank", "torque": "1 N*m*lift(t)"}}}, "expression.unknown-function", "loads.l.torque"),
+        ({"loads": {"l": {"on": "crank", "torque": "1 N*m/(1 - 1)"}}}, "value.not-finite", "loads.l.torque"),
+        ({"loads": {"l": {"on": "crank", "torque": 1, "window": "w"}}}, "name.unknown", "loads.l.window"),
+        (
+            {
+                "loads": {"l": {"on": "crank", "torque": 1, "window": "w"}},
+                "windows": {"w": {"motor.power": ["0 W", "1 W"]}},
+            },
+            "load.signal",
+            "loads.l.window",
+        ),
+        # Springs and counterweights.
+        ({"springs": {"s": {**PULL, "to": "Q"}}}, "name.unknown", "springs.s.to"),
+        ({"springs": {"s": {**PULL, "in": ["frame", "rokker"]}}}, "name.unknown", "springs.s.in"),
+        ({"springs": {"s": {**PULL, "in": ["frame", "crank"]}}}, "name.unknown-point", "springs.s.to"),
+        ({"springs": {"s": {**PULL, "to": "D"}}}, "spring.same-link", "springs.s"),
+        ({"springs": {"s": {**TWIST, "on": "crank"}}}, "spring.same-link", "springs.s"),
+        ({"springs": {"s": {**TWIST, "turns": "crnk"}}}, "name.unknown", "springs.s.turns"),
+        ({"springs": {"crank": TWIST}}, "name.taken", "springs.crank"),
+        ({"springs": {"s": {**PULL, "stiffness": -1}}}, "value.too-small", "springs.s.stiffness"),
+        ({"springs": {"s": {**LIFT, "progression": 1}}}, "spring.progression", "springs.s.progression"),
+        ({"springs": {"s": {**LIFT, "length": [2, 1]}}}, "value.not-rising", "springs.s.length"),
+        ({"springs": {"s": {"from": "A", "to": "C", "force": "f"}}}, "expression.unknown-function", "springs.s.force"),
+        ({"springs": {"s": {**PULL, "stiffness": "2 kg"}}}, "expression.units-conflict", "springs.s.stiffness"),
+        ({"counterweights": {"w": {"on": "crnk", "mass": 1, "at": "B"}}}, "name.unknown", "counterweights.w.on"),
+        ({"counterweights": {"w": {"on": "crank", "mass": 1, "at": "Q"}}}, "name.unknown-point", "counterweights.w.at"),
+        ({"counterweights": {"w": {"on": "crank", "mass": 0, "at": "B"}}}, "value.too-small", "counterweights.w.mass"),
+        ({"counterweights": {"w": {"on": "frame", "mass": 1, "at": "A"}}}, "model.frame-mass", "counterweights.w"),
         # Assembly.
         ({"assembly": {"C": "left of B-D", "Q": "open"}}, "name.unknown", "assembly.Q"),
         ({"assembly": {"C": "left of B-Q"}}, "name.unknown", "assembly.C"),

@@ -26,7 +26,21 @@ JUNK = [
     *("t", "pi", "E.x", "crank.angle", "force(frame,crank).x", "com(crank).x", "shaking.x", "energy.kinetic", "gas(t)"),
     *("frame", "A", "B", "D", "AB", "mm", "kg", "deg", "rpm", "Hz", "r/min"),
 ]
-LONGER = ["left of B-D", "behind B along slide", "disc 3 at A", "rod A-A", "point A", "3 at 4", "1 .. 2", ">= 3"]
+LONGER = [
+    "left of B-D",
+    "behind B along slide",
+    "disc 3 at A",
+    "rod A-A",
+    "point A",
+    "3 at 4",
+    "curve",
+    "half",
+    "pull.length",
+    "pull.force",
+    "curve(curve(t))",
+    "1 .. 2",
+    ">= 3",
+]
 HUGE = ["x" * 3000, "(" * 200, "1+" * 400 + "1", "9" * 5000]
 
 

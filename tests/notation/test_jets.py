@@ -12,8 +12,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from linkwright.laws import step5
 from linkwright.notation import MAX_ORDER, Jet
-from notation.carriers import CARRIERS, assert_close, exact, on_floats
+from notation.carriers import CARRIERS, assert_close, exact, on_floats, on_symbols
 
 ORDER = MAX_ORDER + 1
 carried = pytest.mark.parametrize("carrier", CARRIERS.values(), ids=CARRIERS)
@@ -214,3 +215,16 @@ def test_constants_stay_structural_zeros() -> None:
     operations = [f.instruction_id(k) for k in range(f.n_instructions())]
     assert operations.count(ca.OP_MUL) == 3
     assert ca.OP_ADD not in operations
+
+
+@pytest.mark.parametrize("x", [-1.2, 0.3, 0.9])
+def test_functions_with_corners_on_symbols(x: float) -> None:
+    """min, max, abs and step5 of a jet of symbols, as on floats."""
+    for f in (
+        lambda j: j.minimum(j * j),
+        lambda j: j.maximum(0.5 * j),
+        abs,
+        lambda j: step5(j, 0.0, 1.0, 0.8, 3.0),
+    ):
+        row = [x, 0.7, -0.4]
+        assert_close(on_symbols(f, row), on_floats(f, row))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,11 +15,13 @@ from numpy.typing import NDArray
 from helpers.compiled import compiled_from, compiled_of, regular
 from helpers.examples import UNITS, feeder, four_bar, heavy_four_bar, slider_crank
 from helpers.random_mechanisms import DURATION, RECIPES, mechanisms
-from linkwright.kernels import Compiled
+from linkwright.kernels import Compiled, compile_mechanism
+from linkwright.model.document import load
 from linkwright.results.certificate import Certificate, certify
 from linkwright.results.run import Run
 
 Array = NDArray[np.float64]
+SPRUNG = Path(__file__).parents[1] / "model" / "data" / "sprung.yaml"
 
 
 @pytest.mark.parametrize("recipe", RECIPES)
@@ -226,3 +229,35 @@ def test_a_wrong_branch_for_an_instant_is_caught(monkeypatch: pytest.MonkeyPatch
         there = other.evaluate([row], run.t)[0]
         lie(monkeypatch, row, lambda y, there=there: np.where(np.arange(y.size) == 15, there[15], y))
     assert certify(run).closure > 0.01
+
+
+SPRUNG_LIES = {
+    "pull.force": "equilibrium",
+    "lift.force": "equilibrium",
+    "wound.torque": "equilibrium",
+    "E.vx": "equilibrium",
+    "energy.elastic": "work",
+    "motor.omega": "power",
+}
+
+
+@pytest.mark.parametrize(("row", "which"), SPRUNG_LIES.items())
+def test_a_lie_about_springs_and_what_loads_follow_is_caught(
+    row: str, which: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = Run(compile_mechanism(load(SPRUNG)), 0.0, 0.8, 60)
+    assert residual(certify(run), which) < 1e-12
+    told = lie(monkeypatch, row, lambda y: y * (1 + BY))
+    assert residual(certify(run), which) > 1e-9
+    assert told
+
+
+def test_powers_that_are_all_round_off_are_no_misfit() -> None:
+    """A crank of no length moves nothing: forces of kilonewtons, powers of 1e-12 W."""
+    data = slider_crank(r=0, rod=0.14)
+    data["links"]["rod"] |= {"mass": 0.6, "shape": "rod B-C"}
+    data["joints"]["bore"]["line"] = ["F at -0.6381805223434866", "C at 1.5707963267948966"]
+    data["drives"]["motor"] |= {"speed": 314.1592653589793, "start": 0}
+    data["loads"] = {"push": {"on": "piston", "at": "C", "along": "bore", "force": "-20 kN*sin(50 rad/s*t)"}}
+    certificate = certify(Run(compiled_from(data), 0.0, 0.04, 40))
+    assert certificate.sound(1e-9), certificate.residuals

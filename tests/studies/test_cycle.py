@@ -88,6 +88,12 @@ def test_a_bad_option_is_named(options: dict[str, Any], key: str) -> None:
     assert finding.data["key"] == key
 
 
+def test_turns_of_an_accelerating_drive_are_refused() -> None:
+    drives = {"motor": {"turns": "crank", "on": "frame", "speed": 0, "start": 0, "acceleration": "5 rad/s^2"}}
+    (finding,) = refused(slider_crank(drives=drives, **cycle(turns="1 motor")))
+    assert (finding.code, finding.data["key"]) == ("study.options", "turns")
+
+
 @pytest.mark.parametrize("duration", ["1 mm", "foo", "t", "crank.angle", "B.x/B.vx", "60 rpm", "1 s +", [1], True])
 def test_a_length_of_time_that_is_none(duration: Any) -> None:
     for finding in refused(slider_crank(**cycle(duration=duration))):

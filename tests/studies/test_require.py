@@ -92,6 +92,12 @@ def test_one_that_makes_no_sense_is_refused(requirement: Any) -> None:
     assert {f.path[:2] for f in found} == {("require", "m")}
 
 
+def test_a_measure_without_a_dimension_of_its_own_takes_that_of_its_limit() -> None:
+    job = job_with("<= 6 mm", {"max": "5"})
+    measure = job.cycle.measures[0]
+    assert (measure.shown(), measure.unit, measure.verdict) == (5.0, "mm", True)
+
+
 def test_of_an_unknown_measure() -> None:
     (finding,) = refused(slider_crank(measures={"stroke": {"span": "guide.s"}}, require={"strok": ">= 1 mm"}))
     assert finding.path == ("require", "strok")

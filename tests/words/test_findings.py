@@ -30,7 +30,7 @@ what is wrong and how to mend it. The command line, `summary.json`, the report a
 `ModelError.findings`) show the same ones. The codes are stable; the words may change.
 
 Exit codes: 2 where the file or the command is wrong, 1 where the model is well written but can't do what is
-asked (`structure.…`, `assembly.…`, `motion.…`, a measure without a value, a requirement that isn't met).
+asked (`structure.…`, `assembly.…`, `motion.…`, a load or measure without a value, a requirement that isn't met).
 
 Words in *italics* stand for what the finding names.
 """
@@ -38,6 +38,7 @@ Words in *italics* stand for what the finding names.
 TITLES = {
     "file": "The file",
     "builder": "The builder",
+    "gallery": "The gallery",
     "units": "Units",
     "expression": "Expressions",
     "parameters": "Parameters",
@@ -51,6 +52,7 @@ TITLES = {
     "sketch": "The sketch",
     "drive": "Drives",
     "load": "Loads",
+    "spring": "Springs",
     "table": "Tables",
     "window": "Windows",
     "measure": "Measures",

@@ -15,7 +15,7 @@ from linkwright.model.mechanism import Document
 from linkwright.model.yaml_text import Source
 from linkwright.report.build import report_data
 from linkwright.report.page import page
-from linkwright.report.parts import PARTS, drawn, summary
+from linkwright.report.parts import PARTS, drawn, found, summary
 from linkwright.studies import CycleOutcome, LimitsOutcome, ModesOutcome, Task, read_studies
 
 CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite")
@@ -106,7 +106,7 @@ class Job:
     @property
     def found(self) -> list[Finding]:
         """What the studies found: why a run isn't whole, and warnings."""
-        return [finding for outcome in self.outcomes.values() for finding in (*outcome.failures, *outcome.warnings)]
+        return found(self.outcomes)
 
     @property
     def exit_code(self) -> int:

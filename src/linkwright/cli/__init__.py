@@ -119,6 +119,26 @@ def limits(file: Path, as_json: bool) -> None:
     sys.exit(job.exit_code)
 
 
+@cli.command(help=say("cli.new"))
+@click.argument("name", required=False)
+@click.option("--list", "as_list", is_flag=True, help=say("cli.list"))
+@click.option("--out", type=click.Path(path_type=Path), help=say("cli.new_out"))
+@click.option("--force", is_flag=True, help=say("cli.force"))
+def new(name: str | None, as_list: bool, out: Path | None, force: bool) -> None:
+    """Start a model file from the gallery."""
+    from linkwright.app.start import new as start
+    from linkwright.cli import show
+
+    if name is None or as_list:
+        show.gallery()
+        return
+    file = out or Path(f"{name}.yaml")
+    if findings := start(name, file, force):
+        show.refusals(findings)
+        sys.exit(2)
+    show.written(file)
+
+
 @cli.command(help=say("cli.schema"))
 def schema() -> None:
     """Print the JSON Schema."""

@@ -103,7 +103,7 @@ def job(done: Job, file: Path) -> None:
     for item in done.examined.located(done.found):
         finding(item, file)
     if done.folder is not None:
-        out.print(escape(say("cli.written", folder=done.folder)))
+        written(done.folder)
 
 
 def modes(done: ModesJob) -> None:
@@ -182,3 +182,23 @@ def _limits(outcome: LimitsOutcome) -> None:
 def cannot_write(folder: Path, error: OSError) -> None:
     """The folder can't be written to."""
     finding(Finding("file.unwritable", data={"file": str(folder), "reason": error.strerror or str(error)}))
+
+
+def gallery() -> None:
+    """The models of the gallery, a line each."""
+    from linkwright.gallery import names, title
+
+    width = max(map(len, names()))
+    for name in names():
+        out.print(escape(f"{name:{width}s}  {title(name)}"))
+
+
+def refusals(findings: list[Finding]) -> None:
+    """Why a command wasn't carried out."""
+    for item in findings:
+        finding(item)
+
+
+def written(path: Path) -> None:
+    """Where something was written."""
+    out.print(escape(say("cli.written", folder=path)))

@@ -268,6 +268,6 @@ def shortfall_at(
         return branches.get(group, 1.0)
 
     geometry = Geometry(quantities, quantities.parameters)
-    with suppress(_CannotStart):
+    with suppress(_CannotStart, ZeroDivisionError), np.errstate(all="ignore"):
         solve_motion(structure, geometry, {name: Jet([value]) for name, value in drives.items()}, branch, unknowns)
     return found[0] if found else (math.nan, math.nan)

@@ -7,6 +7,7 @@ body that it hangs on is the sum of its wrenches.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import reduce
 
@@ -15,7 +16,6 @@ from linkwright.graph.motion import Motion
 from linkwright.graph.placing import outer_joint
 from linkwright.groups.joints import Twist
 from linkwright.groups.linear import Factor
-from linkwright.model.mechanism import Load
 from linkwright.notation import Body, Pair, Scalar, Wrench
 from linkwright.notation.jets import is_zero
 from linkwright.structure import FRAME, Cluster, Connection, Driven, Edge, Group
@@ -31,14 +31,16 @@ class Forces:
     shaking: Wrench = field(default_factory=lambda: Wrench.zero(ZERO))
 
 
-def solve_forces(motion: Motion) -> Forces:
-    """All reactions, drive efforts and the shaking wrench, from motion of order 2.
+def solve_forces(motion: Motion, applied: Iterable[tuple[str, Wrench]] = ()) -> Forces:
+    """All reactions, drive efforts and the shaking wrench, from motion of order 2 and what is applied to links.
 
     A drive with an output acts at its own joint, not where the motion is prescribed: its effort is the one that leaves
     none to be exerted at the output. All forces are linear in it.
     """
     own = {link: own_wrench(motion, link, body) for link, body in motion.bodies.items() if link != FRAME}
     own[FRAME] = Wrench.zero(ZERO)
+    for link, wrench in applied:
+        own[link] = own[link].plus(wrench)
     units = unit_efforts(motion)
     if not units:
         return _Solver(motion, own).run()
@@ -166,29 +168,12 @@ class _Solver:
 
 
 def own_wrench(motion: Motion, link: str, body: Body) -> Wrench:
-    """Gravity, inertia and loads on a link, about its anchor."""
+    """Gravity and inertia on a link, about its anchor."""
     geometry = motion.geometry
     wrench = Wrench.zero(body.anchor.now)
     mass, centre, inertia = geometry.mass(link)
-    if not is_zero(mass):
+    if not (is_zero(mass) and is_zero(inertia)):
         at, g = body.point(centre), geometry.gravity()
         force = Pair(mass * (g.x - at.x.d[2]), mass * (g.y - at.y.d[2]))
         wrench = wrench.plus(Wrench(force, -inertia * body.turn.d[1], at.now))
-    for load in geometry.mechanism.loads.values():
-        if load.on == link:
-            wrench = wrench.plus(load_wrench(motion, load, body))
     return wrench
-
-
-def load_wrench(motion: Motion, load: Load, body: Body) -> Wrench:
-    """A load's wrench at its point."""
-    geometry = motion.geometry
-    force = geometry.force(load)
-    if load.along:
-        joint = geometry.mechanism.joints[load.along]
-        heading = geometry.line(load.along, joint.links[0])[1]
-        axis = motion.bodies[joint.links[0]].direction(heading).now
-        force = force.turned(axis)
-    elif load.in_ and load.in_ != FRAME:
-        force = force.turned(motion.bodies[load.in_].axis.now)
-    return Wrench(force, geometry.torque(load), body.point(geometry.load_point(load)).now)

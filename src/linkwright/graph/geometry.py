@@ -9,7 +9,6 @@ from typing import Any
 from linkwright.model import units as u
 from linkwright.model.expressions import evaluate
 from linkwright.model.fields import Expression, LineOn, Position
-from linkwright.model.mechanism import Load
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Pair, Scalar
 from linkwright.notation.jets import call
@@ -64,8 +63,17 @@ class Geometry:
     def mass(self, link: str) -> tuple[Scalar, Pair, Scalar]:
         """Mass (kg), centre of mass (m, in the link's frame), moment of inertia about it (kg m^2)."""
         entry = self.mechanism.links[link]
-        if entry.mass is None:
-            return 0.0, ZERO, 0.0
+        parts = [self._own_mass(link)] if entry.mass is not None else []
+        for weight in self.mechanism.counterweights.values():
+            if weight.on == link:
+                inertia = 0.0 if weight.inertia is None else self.number(weight.inertia, u.INERTIA)
+                parts.append((self.number(weight.mass, u.MASS), self.place(link, weight.at), inertia))
+        return together(parts)
+
+    def _own_mass(self, link: str) -> tuple[Scalar, Pair, Scalar]:
+        """The same of a link without its counterweights."""
+        entry = self.mechanism.links[link]
+        assert entry.mass is not None
         mass = self.number(entry.mass, u.MASS)
         if entry.shape is None:
             assert entry.com is not None
@@ -81,23 +89,21 @@ class Geometry:
         g = self.mechanism.gravity
         return ZERO if g is None else Pair(self.number(g[0], u.ACCELERATION), self.number(g[1], u.ACCELERATION))
 
-    def load_point(self, load: Load) -> Pair:
-        """Where a load acts, in its link's frame (m)."""
-        if isinstance(load.at, Position):
-            return self.position(load.at)
-        return self.point(load.on, load.at) if load.at else ZERO
+    def place(self, link: str, at: str | Position | None) -> Pair:
+        """A place on a link, by the name of a point or by coordinates, in the link's frame (m)."""
+        if isinstance(at, Position):
+            return self.position(at)
+        return self.point(link, at) if at else ZERO
 
-    def force(self, load: Load) -> Pair:
-        """A load's force components (N), in the frame or the link that it turns with, or along a joint's line."""
-        if load.force is None:
-            return ZERO
-        if isinstance(load.force, Expression):
-            return Pair(self.number(load.force, u.FORCE), 0.0)
-        return Pair(self.number(load.force[0], u.FORCE), self.number(load.force[1], u.FORCE))
 
-    def torque(self, load: Load) -> Scalar:
-        """A load's torque (N m)."""
-        return 0.0 if load.torque is None else self.number(load.torque, u.TORQUE)
+def together(parts: list[tuple[Scalar, Pair, Scalar]]) -> tuple[Scalar, Pair, Scalar]:
+    """Mass, centre and moment of inertia about it of several masses on one link (parallel axes)."""
+    if len(parts) < 2:
+        return parts[0] if parts else (0.0, ZERO, 0.0)
+    mass = sum(m for m, _, _ in parts)
+    centre = Pair(sum(m * c.x for m, c, _ in parts) / mass, sum(m * c.y for m, c, _ in parts) / mass)
+    arms = [c.minus(centre) for _, c, _ in parts]
+    return mass, centre, sum(i + m * arm.dot(arm) for (m, _, i), arm in zip(parts, arms, strict=True))
 
 
 def unit_vector(angle: Scalar) -> Pair:

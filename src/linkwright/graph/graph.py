@@ -13,13 +13,17 @@ from typing import Any
 
 import casadi as ca
 
+from linkwright.graph.actions import Actions, active, load_values, wrenches
 from linkwright.graph.forces import Forces, lever, solve_forces, unit_efforts
 from linkwright.graph.geometry import ZERO, Geometry
 from linkwright.graph.motion import Motion, solve_motion
 from linkwright.graph.program import ExpressionStage, Program
-from linkwright.model.expressions import Call, Name, parse
+from linkwright.graph.springs import effort, elastic, raw_angle, stretch
+from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, parse, signal_text
+from linkwright.model.fields import Expression
 from linkwright.model.quantities import Quantities
 from linkwright.model.signals import Signal
+from linkwright.model.units import Dimension
 from linkwright.notation import MAX_ORDER, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.structure import FRAME, Structure
 
@@ -38,7 +42,7 @@ class Graph:
 
     quantities: Quantities
     structure: Structure
-    _views: dict[int, _View] = field(default_factory=dict)
+    _views: dict[int, View] = field(default_factory=dict)
     _programs: dict[tuple[tuple[str, ...], bool], Program] = field(default_factory=dict)
 
     @cached_property
@@ -52,8 +56,18 @@ class Graph:
         return tuple(group for group in self.structure.groups if group.modes > 1)
 
     @cached_property
+    def actions(self) -> Actions:
+        """The loads and springs."""
+        return Actions(self)
+
+    @cached_property
     def inputs(self) -> tuple[str, ...]:
-        """Rows of the per-pose input: each drive's value and rates up to one past jerk, the branches, and the
+        """Rows of the per-pose input: those of the motion, then what loads and springs need besides."""
+        return (*self.motion_inputs, *self.actions.inputs)
+
+    @cached_property
+    def motion_inputs(self) -> tuple[str, ...]:
+        """Rows of the motion: each drive's value and rates up to one past jerk, the branches, and the
         coordinates of the clusters, which Newton supplies."""
         rows = [f"{drive}:{k}" for drive in self.drives for k in range(MAX_ORDER + 2)]
         rows += [f"branch:{group.label}" for group in self.branched]
@@ -78,7 +92,8 @@ class Graph:
     def program(self, names: Sequence[str], rates: bool = False) -> Program:
         """The program of the named signals; with ``rates``, each followed by its time derivative.
 
-        Names are signals, or the internal rows ``reach:GROUP``, ``determinant:GROUP``, ``LINK:cos``, ``LINK:sin``.
+        Names are signals, or the internal rows ``reach:GROUP``, ``determinant:GROUP``, ``LINK:cos``, ``LINK:sin``,
+        ``load/NAME``, ``window/NAME``, ``argument/NUMBER``, ``raw/NAME``.
         """
         key = (tuple(names), rates)
         if key not in self._programs:
@@ -96,7 +111,7 @@ class Graph:
         outputs = tuple(part for name in names for part in ((name, f"d({name})") if rates else (name,)))
         return Program((stage,), self.inputs, self.parameters, outputs)
 
-    def _flow(self, view: _View) -> Any:
+    def _flow(self, view: View) -> Any:
         """The rate of change of the inputs in time."""
         flow = []
         for i in range(len(self.drives)):
@@ -104,7 +119,8 @@ class Graph:
             flow += [view.x[k + 1] for k in rows[:-1]] + [ca.SX(0)]
         flow += [ca.SX(0)] * len(self.branched)
         solved = (view.motion.clusters[c] for c in self.structure.clusters)
-        return ca.vertcat(*flow, *(rates[0] for cluster in solved for rates in cluster.rates))
+        flow += [rates[0] for cluster in solved for rates in cluster.rates]
+        return ca.vertcat(*flow, *self.actions.flow(view.given))
 
     @cached_property
     def size(self) -> float:
@@ -118,7 +134,7 @@ class Graph:
 
     def wraps(self, owner: str) -> bool:
         """Whether the angle of a link or drive comes from axes alone, so that it jumps by a turn now and then."""
-        drive, bodies = self.structure.topology.mechanism.drives.get(owner), self._view(0).motion.bodies
+        drive, bodies = self.structure.topology.mechanism.drives.get(owner), self._bare.motion.bodies
         if drive is None:
             return bodies[owner].angle is None
         return drive.output is not None and None in (bodies[drive.link].angle, bodies[drive.on].angle)
@@ -129,27 +145,36 @@ class Graph:
         mechanism = self.structure.topology.mechanism
         return attribute == "angle" and (owner in mechanism.links or owner in mechanism.drives) and self.wraps(owner)
 
+    @cached_property
+    def _bare(self) -> View:
+        """The motion alone, to order 0."""
+        return View.build(self, 0, self.motion_inputs)
+
     def order_of(self, name: str) -> int:
         """The order of derivatives that a row needs."""
+        if "/" in name:
+            return 0 if name.startswith("raw/") else self.actions.order
         if ":" in name:
             return 1 if name.startswith("rate:") else 0
         signal = self.signal(name)
         if signal.kind in ("force", "shaking") or signal.attribute in ("torque", "force", "power"):
-            return 2
+            return max(2, self.actions.order) if signal.kind != "spring" else 1
         if signal.kind in ("energy", "pole"):
             return 1
+        if signal.kind == "spring":
+            return int(signal.attribute in ("v", "omega"))
         orders = {"link": _LINK_ORDERS, "drive": {**_LINK_ORDERS, **_SLIDE_ORDERS}, "slide": _SLIDE_ORDERS}
         known = orders.get(signal.kind)
         return known[signal.attribute] if known else _LETTERS[signal.attribute[:-1]]
 
-    def _view(self, order: int) -> _View:
+    def _view(self, order: int) -> View:
         if order not in self._views:
-            self._views[order] = _View.build(self, order)
+            self._views[order] = View.build(self, order, self.inputs)
         return self._views[order]
 
 
 @dataclass
-class _View:
+class View:
     """The mechanism's expressions carried to one order of derivatives."""
 
     graph: Graph
@@ -157,10 +182,13 @@ class _View:
     p: Any
     motion: Motion
     laws: dict[str, Jet]
+    given: dict[str, Any]  # the inputs of loads and springs
 
     @classmethod
-    def build(cls, graph: Graph, order: int) -> _View:
-        symbols = [ca.SX.sym(name) for name in graph.inputs]
+    def build(cls, graph: Graph, order: int, inputs: tuple[str, ...]) -> View:
+        symbols = [ca.SX.sym(name) for name in inputs]
+        x, first = ca.vertcat(*symbols), len(graph.motion_inputs)
+        given, symbols = dict(zip(inputs[first:], symbols[first:], strict=True)), symbols[:first]
         values = [ca.SX.sym(name) for name in graph.parameters]
         width = MAX_ORDER + 2
         laws = {drive: Jet(symbols[i * width : i * width + order + 1]) for i, drive in enumerate(graph.drives)}
@@ -172,19 +200,60 @@ class _View:
         motion = solve_motion(
             graph.structure, geometry, laws, lambda group, _: branches.get(group, 1.0), unknowns.__getitem__
         )
-        return cls(graph, ca.vertcat(*symbols), ca.vertcat(*values), motion, laws)
+        return cls(graph, x, ca.vertcat(*values), motion, laws, given)
 
     @cached_property
     def forces(self) -> Forces:
-        return solve_forces(self.motion)
+        return solve_forces(self.motion, wrenches(self))
 
     def row(self, name: str) -> Scalar:
         """The expression of one output row."""
+        kind, slash, what = name.partition("/")
+        if slash:
+            return self._of_action(kind, what)
         owner, colon, what = name.rpartition(":")
         if colon:
             return self._internal(owner, what)
         signal = self.graph.signal(name)
         return _ROWS[signal.kind](self, signal)
+
+    def value(self, expression: Expression, dimension: Dimension) -> Scalar:
+        """The value of an expression in parameters, the time, tables and signals."""
+        return self.evaluate(self.graph.quantities.bind(expression, dimension))
+
+    def evaluate(self, node: Node) -> Scalar:
+        """The same of a tree bound to SI."""
+
+        def named(name: Name) -> Scalar:
+            if is_signal(name):
+                return self.row(name.text)
+            return self.given["t"] if name.text == "t" else self.motion.geometry.parameters[name.text]
+
+        def called(call: Call) -> Scalar:
+            return self.row(signal_text(call)) if is_signal(call) else self.lookup(call.name, call.args[0])
+
+        return evaluate(node, named, called)
+
+    def lookup(self, table: str, argument: Node, integral: bool = False) -> Scalar:
+        """A table's answer, an input of the pose."""
+        known = ((k.table, k.argument, k.integral) for k in self.graph.actions.lookups)
+        return self.given[f"table/{list(known).index((table, argument, integral))}/0"]
+
+    def _of_action(self, kind: str, what: str) -> Scalar:
+        """Rows of loads and springs: the sum of a load's values, whether a window holds, the argument that a table
+        is asked for, an angle without whole turns."""
+        mechanism = self.graph.quantities.mechanism
+        if kind == "load":
+            force, torque = load_values(self, mechanism.loads[what])
+            return force.x + force.y + torque
+        if kind == "window":
+            return active(self, what)
+        if kind == "argument":
+            return self.evaluate(self.graph.actions.lookups[int(what)].argument)
+        if what in mechanism.springs:
+            spring = mechanism.springs[what]
+            return raw_angle(self, str(spring.turns)) - raw_angle(self, str(spring.on))
+        return self.own(what, 0, whole=False) if what in mechanism.drives else raw_angle(self, what)
 
     def _internal(self, owner: str, what: str) -> Scalar:
         if owner in self.motion.bodies and what in ("x", "y", "cos", "sin"):
@@ -217,7 +286,19 @@ class _View:
         order = _LINK_ORDERS[signal.attribute]
         if order:
             return body.turn.d[order - 1]
-        return ca.atan2(body.axis.y.d[0], body.axis.x.d[0]) if body.angle is None else body.angle
+        turns = self.given.get(f"turns/{signal.owners[0]}")
+        angle = raw_angle(self, signal.owners[0])
+        return angle if turns is None else angle + 2 * ca.pi * turns
+
+    def spring(self, signal: Signal) -> Scalar:
+        name, attribute = signal.owners[0], signal.attribute
+        if attribute == "energy":
+            return elastic(self, name)[1]
+        if attribute in ("force", "torque"):
+            return effort(self, name)
+        if attribute == "power":
+            return -effort(self, name) * stretch(self, name, 1)
+        return stretch(self, name, int(attribute in ("v", "omega")))
 
     def point(self, signal: Signal) -> Scalar:
         link = self.graph.quantities.signals.homes[signal.owners[0]]
@@ -245,8 +326,9 @@ class _View:
             return self.forces.efforts[name] * self.own(name, 1)
         return self.own(name, {**_LINK_ORDERS, **_SLIDE_ORDERS}[signal.attribute])
 
-    def own(self, name: str, order: int) -> Scalar:
-        """A drive's value or a rate of it; of one with an output, as it follows from the motion."""
+    def own(self, name: str, order: int, whole: bool = True) -> Scalar:
+        """A drive's value or a rate of it; of one with an output, as it follows from the motion (rad, ``whole`` turns
+        where they are known)."""
         drive = self.motion.geometry.mechanism.drives[name]
         if drive.output is None:
             return self.laws[name].d[order]
@@ -259,7 +341,8 @@ class _View:
             return link.turn.d[order - 1] - on.turn.d[order - 1]
         if link.angle is not None and on.angle is not None:
             return link.angle - on.angle
-        return ca.atan2(on.axis.now.cross(link.axis.now), on.axis.now.dot(link.axis.now))
+        raw = ca.atan2(on.axis.now.cross(link.axis.now), on.axis.now.dot(link.axis.now))
+        return raw + 2 * ca.pi * self.given.get(f"turns/{name}", 0.0) if whole else raw
 
     def force(self, signal: Signal) -> Scalar:
         contact = self.graph.quantities.signals.contact(signal.owners)
@@ -298,9 +381,11 @@ class _View:
 
     def energy(self, signal: Signal) -> Scalar:
         geometry, total = self.motion.geometry, 0.0
+        if signal.attribute == "elastic":
+            return sum((elastic(self, name)[1] for name in geometry.mechanism.springs), 0.0)
         for link, body in self.motion.bodies.items():
             mass, centre, inertia = geometry.mass(link)
-            if link == FRAME or geometry.mechanism.links[link].mass is None:
+            if link == FRAME or not geometry.mechanism.has_mass(link):
                 continue
             at = body.point(centre)
             if signal.attribute == "kinetic":
@@ -317,5 +402,5 @@ def _component(at: Vec, signal: Signal) -> Scalar:
     return jet.d[_LETTERS[signal.attribute[:-1]]]
 
 
-_KINDS = ("link", "point", "com", "slide", "drive", "force", "shaking", "pole", "energy")
-_ROWS: dict[str, Callable[[_View, Signal], Scalar]] = {kind: getattr(_View, kind) for kind in _KINDS}
+_KINDS = ("link", "point", "com", "slide", "drive", "spring", "force", "shaking", "pole", "energy")
+_ROWS: dict[str, Callable[[View, Signal], Scalar]] = {kind: getattr(View, kind) for kind in _KINDS}

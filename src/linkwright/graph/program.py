@@ -47,6 +47,11 @@ class ExpressionStage:
         return int(self.function.sz_w())
 
     @cached_property
+    def used(self) -> frozenset[int]:
+        """The per-pose inputs on which something depends."""
+        return frozenset(i.args[1] for i in self.instructions if i.op == ca.OP_INPUT and i.args[0] == 0)
+
+    @cached_property
     def instructions(self) -> tuple[Instruction, ...]:
         """The instruction list, dead code removed, in order."""
         f = self.function

@@ -15,9 +15,11 @@ from linkwright.graph.assembly import Assembly, assemble
 from linkwright.graph.graph import Graph
 from linkwright.graph.redundant import redundant
 from linkwright.kernels.follow import Follower
-from linkwright.kernels.laws import Law, drive_laws, values_at
+from linkwright.kernels.laws import Law, action_tables, drive_laws, values_at
 from linkwright.kernels.passages import Passage, Passages, unwrapped
 from linkwright.kernels.registry import KERNELS, Kernel
+from linkwright.kernels.supply import Supply
+from linkwright.laws import TableLaw
 from linkwright.model.check import check_names, check_values
 from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.mechanism import Mechanism
@@ -38,6 +40,7 @@ class Compiled:
     structure: Structure
     assembly: Assembly
     laws: dict[str, Law]
+    tables: dict[str, TableLaw] = field(default_factory=dict)  # those that loads and springs ask
     kernel: str = "numpy"
     passages: Passages = field(default_factory=Passages)
     _kernels: dict[tuple[tuple[str, ...], bool], Kernel] = field(default_factory=dict)
@@ -48,14 +51,17 @@ class Compiled:
     def __post_init__(self) -> None:
         self.graph = Graph(self.quantities, self.structure)
         self.parameters = np.array([self.quantities.parameters[name] for name in self.graph.parameters])
-        self.followers = self._followers()
+        self._supplied()
 
-    def _followers(self) -> list[Follower]:
+    def _supplied(self) -> None:
+        """What follows the motion to give inputs of the program, at the start of it."""
         starts, size = self.assembly.starts, self.assembly.size()
-        return [Follower(self.graph, c, starts[c], size, self.kernel) for c in self.structure.clusters]
+        self.followers = [Follower(self.graph, c, starts[c], size, self.kernel) for c in self.structure.clusters]
+        self.supply = Supply(self.graph, self.tables, self.kernel)
 
-    def inputs(self, t: Array, clusters: int | None = None) -> Array:
-        """The per-pose inputs at times ``t`` (s): (inputs, poses), in SI; only the first ``clusters`` in place."""
+    def inputs(self, t: Array, clusters: int | None = None, actions: bool = True) -> Array:
+        """The per-pose inputs at times ``t`` (s): (inputs, poses), in SI; only the first ``clusters`` in place, those
+        of loads and springs only where ``actions``."""
         width = MAX_ORDER + 2
         x = np.empty((len(self.graph.inputs), t.size))
         for i, drive in enumerate(self.graph.drives):
@@ -65,6 +71,8 @@ class Compiled:
         x[self.graph.first_unknown :] = np.nan
         for i, follower in enumerate(self.followers[:clusters]):
             x[follower.rows] = follower.solve(x, t, self.parameters, partial(self.inputs, clusters=i))
+        if clusters is None and actions:
+            self.supply.fill(x, t, self.parameters, partial(self.inputs, actions=False))
         return x
 
     def branches(self, time: float) -> dict[Group, float]:
@@ -95,7 +103,9 @@ class Compiled:
         key = (tuple(names), rates)
         if key not in self._kernels:
             self._kernels[key] = KERNELS[self.kernel](self.graph.program(*key))
-        return self._kernels[key].run(self.inputs(t), self.parameters)
+        program = self.graph.program(*key)
+        actions = any(row >= self.supply.first for row in program.stages[0].used)
+        return self._kernels[key].run(self.inputs(t, actions=actions), self.parameters)
 
     def _limits(self, passage: Passage, names: tuple[str, ...], t: Array, rates: bool) -> Array:
         """The program's rows in a passage's band."""
@@ -125,7 +135,7 @@ class Compiled:
 
     def _pole(self, passage: Passage, name: str) -> int:
         """The power by which a row grows without bound; a reaction by that of its opposite."""
-        if not passage.poles or ":" in name:
+        if not passage.poles or ":" in name or "/" in name:
             return 0
         signal = self.graph.signal(name)
         opposite = replace(signal, owners=(*signal.owners[1::-1], *signal.owners[2:]))
@@ -134,7 +144,8 @@ class Compiled:
     def carried(self, passages: Passages) -> Compiled:
         """The same mechanism with its branches carried through change points."""
         other = copy(self)
-        other.passages, other._nodes, other.followers = passages, {}, self._followers()
+        other.passages, other._nodes = passages, {}
+        other._supplied()
         return other
 
 
@@ -146,6 +157,7 @@ class Prepared:
     quantities: Quantities
     structure: Structure
     laws: dict[str, Law]
+    tables: dict[str, TableLaw]
     findings: list[Finding]
 
     @property
@@ -162,15 +174,17 @@ def prepare(mechanism: Mechanism, folder: Path | None = None) -> Prepared:
     quantities = Quantities(spelled.mechanism)
     findings = [*names, *(f for f in quantities.findings if not _said(f, names))]
     laws: dict[str, Law] = {}
+    tables: dict[str, TableLaw] = {}
     if not quantities.findings:
         laws, wrong = drive_laws(quantities, folder)
-        findings += [*check_values(quantities), *wrong]
+        tables, unread = action_tables(quantities, folder)
+        findings += [*check_values(quantities), *wrong, *(fault for fault in unread if fault not in wrong)]
     structure = decompose(spelled.mechanism) if not names else Structure(Topology(spelled.mechanism), ())
     if not findings:
         findings = redundant(quantities, structure, values_at(laws, 0.0))
     else:
         findings += structure.findings
-    return Prepared(spelled, quantities, structure, laws, spelled.home(findings))
+    return Prepared(spelled, quantities, structure, laws, tables, spelled.home(findings))
 
 
 def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled | None, list[Finding]]:
@@ -184,7 +198,7 @@ def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled 
     assembly = assemble(made.quantities, made.structure, values_at(made.laws, 0.0))
     if assembly.findings:
         return None, made.spelled.home(assembly.findings)
-    return Compiled(made.mechanism, made.quantities, made.structure, assembly, made.laws), []
+    return Compiled(made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables), []
 
 
 def _said(finding: Finding, others: list[Finding]) -> bool:

@@ -37,6 +37,21 @@ def drive_laws(quantities: Quantities, folder: Path | None) -> tuple[dict[str, L
     return laws, reader.findings
 
 
+def action_tables(quantities: Quantities, folder: Path | None) -> tuple[dict[str, TableLaw], list[Finding]]:
+    """The tables that loads and springs ask, and what is wrong with them."""
+    m = quantities.mechanism
+    calls = [n for load in m.loads.values() for part, _ in load.parts for n in nodes(part.node) if isinstance(n, Call)]
+    names = [*(call.name for call in calls), *(spring.table for spring in m.springs.values())]
+    tables: dict[str, TableLaw] = {}
+    findings: list[Finding] = []
+    for name in dict.fromkeys(name for name in names if name in m.tables):
+        try:
+            tables[str(name)] = read_table(quantities, str(name), folder)
+        except ModelError as error:
+            findings += error.findings
+    return tables, findings
+
+
 def values_at(laws: dict[str, Law], time: float) -> dict[str, float]:
     """Each drive's value (rad or m) at one time (s)."""
     return {name: float(np.asarray(law(np.array([time])).d[0]).flat[0]) for name, law in laws.items()}
@@ -56,8 +71,11 @@ class _Reader:
         if drive.position is None:
             assert drive.start is not None
             assert drive.speed is not None
-            return constant_speed(
-                self.quantities.value(drive.start, dimension), self.quantities.value(drive.speed, rate)
+            change = u.ALPHA if drive.turns else u.ACCELERATION
+            return constant_acceleration(
+                self.quantities.value(drive.start, dimension),
+                self.quantities.value(drive.speed, rate),
+                0.0 if drive.acceleration is None else self.quantities.value(drive.acceleration, change),
             )
         path = ("drives", name, "position")
         node = self.quantities.bind(drive.position, dimension)
@@ -122,12 +140,13 @@ class _Reader:
         return table is not None
 
 
-def constant_speed(start: float, speed: float) -> Law:
-    """A drive of constant speed."""
+def constant_acceleration(start: float, speed: float, acceleration: float = 0.0) -> Law:
+    """A drive of constant acceleration, or of constant speed; value and speed are those at t = 0."""
 
     def law(t: Array) -> Jet:
         zero = np.zeros_like(t)
-        return Jet([start + speed * t, np.full_like(t, speed), *[zero] * (ORDER - 1)])
+        value = start + speed * t + acceleration / 2 * t**2
+        return Jet([value, speed + acceleration * t, zero + acceleration, *[zero] * (ORDER - 2)])
 
     return law
 

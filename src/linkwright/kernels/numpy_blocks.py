@@ -24,7 +24,7 @@ _UNARY: dict[int, Any] = {
     ca.OP_NEG: np.negative, ca.OP_SQRT: np.sqrt, ca.OP_SIN: np.sin, ca.OP_COS: np.cos, ca.OP_TAN: np.tan,
     ca.OP_ASIN: np.arcsin, ca.OP_ACOS: np.arccos, ca.OP_ATAN: np.arctan, ca.OP_EXP: np.exp, ca.OP_LOG: np.log,
     ca.OP_FABS: np.fabs, ca.OP_SIGN: np.sign, ca.OP_SQ: np.square, ca.OP_INV: np.reciprocal,
-    ca.OP_ASSIGN: np.positive, ca.OP_NOT: np.logical_not,
+    ca.OP_FLOOR: np.floor, ca.OP_ASSIGN: np.positive, ca.OP_NOT: np.logical_not,
 }  # fmt: skip
 _BINARY: dict[int, Any] = {
     ca.OP_ADD: np.add, ca.OP_SUB: np.subtract, ca.OP_MUL: np.multiply, ca.OP_DIV: np.divide, ca.OP_POW: np.power,

@@ -48,16 +48,34 @@ class TableLaw:
 
     def __call__(self, x: Jet) -> Jet:
         """The value with its time derivatives, from those of the argument."""
-        at = np.asarray(x.d[0], dtype=float)
-        if self.period is not None:
-            at = self.x[0] + np.mod(at - self.x[0], self.period)
-        else:
-            slack = 1e-12 * (self.x[-1] - self.x[0])
-            outside = (at < self.x[0] - slack) | (at > self.x[-1] + slack)
-            if np.any(outside):
-                raise OutsideTable(float(at[outside].flat[0]), float(self.x[0]), float(self.x[-1]))
-            at = np.clip(at, self.x[0], self.x[-1])
+        given = np.asarray(x.d[0], dtype=float)
+        at = self._within(given)
+        outside = np.isnan(at) & ~np.isnan(given)
+        if np.any(outside):
+            raise OutsideTable(float(given[outside].flat[0]), float(self.x[0]), float(self.x[-1]))
         return self._compose(x, at, 0)
+
+    def or_nan(self, x: Jet) -> Jet:
+        """The same, NaN outside an open table."""
+        return self._compose(x, self._within(np.asarray(x.d[0], dtype=float)), 0)
+
+    def integral(self, x: Jet) -> Jet:
+        """The integral from the first point on, exact with its derivatives; NaN outside an open table."""
+        given = np.asarray(x.d[0], dtype=float)
+        whole = self._spline.antiderivative()
+        value = whole(self._within(given)) - whole(self.x[0])
+        if self.period is not None:
+            each = whole(self.x[0] + self.period) - whole(self.x[0])
+            value = value + each * np.floor_divide(given - self.x[0], self.period)
+        return x.chain(value, self.or_nan)
+
+    def _within(self, at: Array) -> Array:
+        """The arguments brought into the table by whole periods; NaN outside an open one."""
+        if self.period is not None:
+            return np.asarray(self.x[0] + np.mod(at - self.x[0], self.period))
+        slack = 1e-12 * (self.x[-1] - self.x[0])
+        inside = (at >= self.x[0] - slack) & (at <= self.x[-1] + slack)
+        return np.where(inside, np.clip(at, self.x[0], self.x[-1]), np.nan)
 
     def _compose(self, x: Jet, at: Array, order: int) -> Jet:
         value = self._spline(at, nu=order) if order <= self.degree else np.zeros_like(at)

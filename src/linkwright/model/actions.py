@@ -12,7 +12,7 @@ from pydantic import BeforeValidator, Discriminator, Field, Tag, WithJsonSchema
 from linkwright.model.expressions import is_signal
 from linkwright.model.fields import Expression, Frozen, Name, Position, fault, pair, parse_text
 from linkwright.model.parts import Interval, Two, Vector, freeze
-from linkwright.model.units import PURE, Dimension, UnitError, unit
+from linkwright.model.units import FORCE, PURE, TORQUE, Dimension, UnitError, unit
 from linkwright.model.written import Fault, short_text, unexpected
 
 MAX_ROWS = 10_000
@@ -106,7 +106,7 @@ class Table(Frozen):
 
 
 class Load(Frozen):
-    """A constant force at a point, or a torque, on a link."""
+    """A force at a point, or a torque, on a link: constant, or an expression in t, tables and the motion."""
 
     on: Name = Field(description="the link that is loaded")
     at: At | None = Field(None, description="where a force acts: a point of the link, or [x, y] in its frame")
@@ -116,6 +116,7 @@ class Load(Frozen):
     in_: Name | None = Field(
         None, alias="in", description="the link whose axes [Fx, Fy] is given in and turns with; frame by default"
     )
+    window: Name | None = Field(None, description="the window (of windows) outside which the load doesn't act")
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
@@ -132,6 +133,13 @@ class Load(Frozen):
             yield "load.direction", {}
         elif not vector and "in" in given:
             yield "load.in", {}
+
+    @property
+    def parts(self) -> tuple[tuple[Expression, Dimension], ...]:
+        """Its expressions with their dimensions: the force's one or two numbers, then the torque."""
+        forces = self.force if isinstance(self.force, tuple) else (self.force,) if self.force else ()
+        torque = ((self.torque, TORQUE),) if self.torque is not None else ()
+        return (*((force, FORCE) for force in forces), *torque)
 
 
 def _signal(raw: Any) -> str:

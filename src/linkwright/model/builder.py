@@ -100,14 +100,15 @@ class Builder:
         speed: Any = None,
         start: Any = None,
         position: Any = None,
+        acceleration: Any = None,
         output: str | None = None,
     ) -> Self:
         """A prescribed motion of the link that it ``turns`` or ``slides``, against the link ``on`` (the frame unless
         given), or of the cylinder or slide that it ``extends``; with ``output``, the law is that of a prismatic joint,
         or of a link on the frame, which the drive is to move."""
         on = on or (None if extends else "frame")
-        law = _given(turns=turns, slides=slides, extends=extends, on=on, speed=speed, start=start, position=position)
-        law |= _given(output=output)
+        law = _given(turns=turns, slides=slides, extends=extends, on=on, speed=speed, acceleration=acceleration)
+        law |= _given(start=start, position=position, output=output)
         return self._put("drives", name, law)
 
     def table(
@@ -134,10 +135,33 @@ class Builder:
         along: str | None = None,
         torque: Any = None,
         in_: str | None = None,
+        window: str | None = None,
     ) -> Self:
         """A force ``[Fx, Fy]`` at a point (or one number ``along`` a slide), or a torque, on a link."""
-        data = _given(on=on, at=at, force=force, along=along, torque=torque)
+        data = _given(on=on, at=at, force=force, along=along, torque=torque, window=window)
         return self._put("loads", name, data | ({"in": in_} if in_ is not None else {}))
+
+    def spring(
+        self,
+        name: str,
+        from_: str | None = None,
+        to: str | None = None,
+        *,
+        in_: tuple[str, str] | None = None,
+        turns: str | None = None,
+        on: str | None = None,
+        **law: Any,
+    ) -> Self:
+        """A spring, damper or gas spring between two points, or a torsional one that ``turns`` a link ``on`` another.
+
+        ``law`` is as in the file: ``stiffness`` and ``free``, ``damping``, ``gas`` and ``progression``, ...
+        """
+        ends = {"from": from_, "to": to, "in": in_, "turns": turns, "on": on}
+        return self._put("springs", name, _given(**ends, **law))
+
+    def counterweight(self, name: str, on: str, mass: Any, at: Any, inertia: Any = None) -> Self:
+        """A mass added to a link, at a point of it or at coordinates."""
+        return self._put("counterweights", name, _given(on=on, mass=mass, at=at, inertia=inertia))
 
     def window(self, name: str, low: Any, high: Any, of: str | None = None) -> Self:
         """A stretch of the motion: from ``low`` to ``high`` in time, or in the value of the signal ``of``."""

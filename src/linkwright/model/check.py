@@ -34,6 +34,10 @@ def _links(m: Mechanism) -> Iterator[Finding]:
         yield Finding("model.no-frame", ("links",), {"links": ", ".join(list(m.links)[:20]) or "-"})
     elif m.links[FRAME].mass is not None:
         yield Finding("model.frame-mass", ("links", FRAME, "mass"))
+    for name, weight in m.counterweights.items():
+        yield from _carrier(("counterweights", name), weight.on, weight.at, m)
+        if weight.on == FRAME:
+            yield Finding("model.frame-mass", ("counterweights", name))
     if not any(name != FRAME for name in m.links):
         yield Finding("model.no-moving-link", ("links",))
     for name, link in m.links.items():
@@ -53,7 +57,7 @@ def _collisions(m: Mechanism) -> Iterator[Finding]:
     """Names of links, points, prismatic joints and drives are owners of signals, and must differ."""
     points, slides = homes(m), dict(m.prismatic_joints())
     owners = {"shaking": Term("the-shaking"), "energy": Term("the-energies")}
-    kinds = (("link", m.links), ("point", points), ("joint", slides), ("drive", m.drives))
+    kinds = (("link", m.links), ("point", points), ("joint", slides), ("drive", m.drives), ("spring", m.springs))
     for kind, names in kinds:
         for name in names:
             if name in owners:
@@ -129,15 +133,42 @@ def _output(m: Mechanism, name: str) -> Finding | None:
     return None
 
 
+def _carrier(path: tuple[Any, ...], link: str, at: Any, m: Mechanism) -> Iterator[Finding]:
+    """The link ``on`` which something acts or sits, and its point ``at``."""
+    if link not in m.links:
+        yield _unknown("link", (*path, "on"), link, m.links)
+    elif isinstance(at, str) and at not in m.links[link].points:
+        yield _point((*path, "at"), link, at, m.links[link].points)
+
+
+def _springs(m: Mechanism) -> Iterator[Finding]:
+    points = homes(m)
+    for name, spring in m.springs.items():
+        path = ("springs", name)
+        ends: list[tuple[str, str | None, str | None]] = [("turns", spring.turns, None), ("on", spring.on, None)]
+        if not spring.torsional:
+            links = spring.in_ or (points.get(str(spring.from_)), points.get(str(spring.to)))
+            ends = [("from", links[0], spring.from_), ("to", links[1], spring.to)]
+        for key, link, point in ends:
+            if point is not None and point not in points:
+                yield _unknown("point", (*path, key), point, points)
+            elif link not in m.links:
+                yield _unknown("link", (*path, "in" if spring.in_ else key), str(link), m.links)
+            elif point is not None and point not in m.links[link].points:
+                yield _point((*path, key), link, point, m.links[link].points)
+        if ends[0][1] is not None and ends[0][1] == ends[1][1]:
+            yield Finding("spring.same-link", path, {"name": ends[0][1]})
+
+
 def _loads(m: Mechanism) -> Iterator[Finding]:
     slides = dict(m.prismatic_joints())
     for name, load in m.loads.items():
         path = ("loads", name)
-        for key, link in (("on", load.on), ("in", load.in_)):
-            if link is not None and link not in m.links:
-                yield _unknown("link", (*path, key), link, m.links)
-        if isinstance(load.at, str) and load.on in m.links and load.at not in m.links[load.on].points:
-            yield _point((*path, "at"), load.on, load.at, m.links[load.on].points)
+        yield from _carrier(path, load.on, load.at, m)
+        if load.in_ is not None and load.in_ not in m.links:
+            yield _unknown("link", (*path, "in"), load.in_, m.links)
+        if load.window and load.window not in m.windows:
+            yield _unknown("window", (*path, "window"), load.window, m.windows)
         if load.along and load.along not in slides:
             yield _unknown("slide", (*path, "along"), load.along, slides)
         if load.on == FRAME:
@@ -167,4 +198,4 @@ def _measures(m: Mechanism) -> Iterator[Finding]:
             yield _unknown("measure", ("require", name), name, m.measures)
 
 
-_PARTS = (_links, _collisions, _joints, _pins, _drives, _loads, _assembly, _measures)
+_PARTS = (_links, _collisions, _joints, _pins, _drives, _loads, _springs, _assembly, _measures)

@@ -67,7 +67,7 @@ def _sliding(drive: Drive, joints: dict[str, Joint]) -> Drive:
     if drive.extends is None or drive.extends not in joints or not joints[drive.extends].prismatic:
         return drive
     on, link = joints[drive.extends].links
-    return drive.model_copy(update={"extends": None, "slides": link, "on": on})
+    return drive.model_copy(update={"extends": None, "slides": link, "on_": on})
 
 
 def cylinder_faults(m: Mechanism) -> Iterator[Finding]:

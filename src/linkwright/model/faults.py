@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from linkwright.model import actions as a
+from linkwright.model import elements as e
 from linkwright.model import parts as p
 from linkwright.model.findings import Finding, Term
 from linkwright.model.mechanism import Document
@@ -22,6 +23,8 @@ _CLASSES: dict[str, type[Frozen]] = {
     "drives": p.Drive,
     "tables": a.Table,
     "loads": a.Load,
+    "springs": e.Spring,
+    "counterweights": e.Counterweight,
     "measures": a.Measure,
 }
 

@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BeforeValidator, Field
 
 from linkwright.model.actions import REDUCTIONS, Load, Measure, Table, Window
+from linkwright.model.elements import Counterweight, Spring
 from linkwright.model.fields import (
     AssemblyRule,
     Frozen,
@@ -25,6 +26,7 @@ from linkwright.model.written import unexpected
 
 __all__ = [
     "REDUCTIONS",
+    "Counterweight",
     "Cylinder",
     "Document",
     "Drive",
@@ -34,6 +36,7 @@ __all__ = [
     "Measure",
     "Mechanism",
     "Parameter",
+    "Spring",
     "Table",
     "Units",
     "Window",
@@ -103,6 +106,12 @@ class Mechanism(Frozen):
     loads: Annotated[dict[Name, Load], _bound, freeze] = Field(
         default_factory=FrozenDict, description="forces and torques on links"
     )
+    springs: Annotated[dict[Name, Spring], _bound, freeze] = Field(
+        default_factory=FrozenDict, description="springs, dampers and gas springs, between points or torsional"
+    )
+    counterweights: Annotated[dict[Name, Counterweight], _bound, freeze] = Field(
+        default_factory=FrozenDict, description="masses added to links"
+    )
     windows: Annotated[dict[Name, Window], _bound, freeze] = Field(
         default_factory=FrozenDict,
         description="stretches of the motion: [from, to] in time, or {SIGNAL: [from, to]}",
@@ -121,12 +130,16 @@ class Mechanism(Frozen):
             return entry
         if (joint := self.joints.get(entry.output)) is not None:
             on, link = joint.links
-            return entry.model_copy(update={"turns": None, "slides": link, "on": on})
-        return entry.model_copy(update={"turns": entry.output, "slides": None, "on": "frame"})
+            return entry.model_copy(update={"turns": None, "slides": link, "on_": on})
+        return entry.model_copy(update={"turns": entry.output, "slides": None, "on_": "frame"})
 
     def prismatic_joints(self) -> Iterator[tuple[str, Joint]]:
         """The prismatic joints by name."""
         return ((name, joint) for name, joint in self.joints.items() if joint.prismatic)
+
+    def has_mass(self, link: str) -> bool:
+        """Whether a link has mass, its own or a counterweight's."""
+        return self.links[link].mass is not None or any(weight.on == link for weight in self.counterweights.values())
 
 
 def _options(raw: Any) -> Any:

@@ -16,7 +16,7 @@ from linkwright.model.units import is_unit
 # What stands where it may not: the finding of each scope.
 _MISPLACED = {
     Scope.CONSTANT: "expression.not-constant",
-    Scope.LOAD: "load.varies",
+    Scope.LOAD: "load.signal",
     Scope.TIME: "drive.signal",
     Scope.SIGNALS: "measure.table",
 }
@@ -67,7 +67,14 @@ class Names:
 
     def _may_stand(self, node: Name | Call, scope: Scope) -> bool:
         if is_signal(node):
-            return scope is Scope.SIGNALS
+            return scope is Scope.SIGNALS or (scope is Scope.LOAD and self._kinematic(node))
         if isinstance(node, Name):
-            return node.text != "t" or scope in (Scope.TIME, Scope.SIGNALS)
-        return node.name in FUNCTIONS or scope is Scope.TIME
+            return node.text != "t" or scope is not Scope.CONSTANT
+        return node.name in FUNCTIONS or scope in (Scope.TIME, Scope.LOAD)
+
+    def _kinematic(self, node: Name | Call) -> bool:
+        """Whether a signal is free of forces; what is unknown is told elsewhere."""
+        try:
+            return self.signals.find(node).kinematic
+        except DimensionError:
+            return True

@@ -202,9 +202,14 @@ class Drive(Frozen):
     turns: Name | None = Field(None, description="the link that is turned, about the pin that it shares with on")
     slides: Name | None = Field(None, description="the link that is moved along the line that it shares with on")
     extends: Name | None = Field(None, description="the cylinder or prismatic joint whose value the drive prescribes")
-    on: Name = Field("", description="the link against which the motion is measured, e.g. frame")
-    speed: Expression | None = Field(None, description="constant speed, e.g. 60 rpm; with start")
+    on_: Name | None = Field(
+        None, alias="on", description="the link against which the motion is measured, e.g. frame; not with extends"
+    )
+    speed: Expression | None = Field(
+        None, description="constant speed, e.g. 60 rpm, or with acceleration the speed at t = 0; with start"
+    )
     start: Expression | None = Field(None, description="value at t = 0; with speed")
+    acceleration: Expression | None = Field(None, description="constant acceleration; speed is then that at t = 0")
     position: Expression | None = Field(
         None, description="value as an expression in t, e.g. 20 deg*sin(180 deg*t/(1 s)); may call tables"
     )
@@ -225,6 +230,13 @@ class Drive(Frozen):
             yield "drive.law", {}
         elif ("speed" in given) != ("start" in given):
             yield "drive.start", {}
+        if "acceleration" in given and "speed" not in given:
+            yield "drive.acceleration", {}
+
+    @property
+    def on(self) -> str:
+        """The link against which the motion is measured."""
+        return self.on_ or ""
 
     @property
     def link(self) -> str:

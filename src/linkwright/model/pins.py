@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
-from linkwright.model.mechanism import Mechanism
+from linkwright.model.mechanism import Mechanism, Spring
 
 
 @dataclass(frozen=True)
@@ -14,7 +15,7 @@ class Pin:
     name: str
     members: tuple[tuple[str, str], ...]
 
-    @property
+    @cached_property
     def links(self) -> tuple[str, ...]:
         """The links on the pin, in the file's order."""
         return tuple(link for link, _ in self.members)
@@ -54,3 +55,11 @@ def homes(mechanism: Mechanism) -> dict[str, str]:
         for point in entry.points:
             found.setdefault(point, link)
     return found
+
+
+def spring_ends(mechanism: Mechanism, spring: Spring) -> tuple[tuple[str, str], tuple[str, str]]:
+    """Link and point of each end of a spring between two points; a pinned point counts as its first link's."""
+    points = (str(spring.from_), str(spring.to))
+    first = homes(mechanism)
+    links = spring.in_ or (first[points[0]], first[points[1]])
+    return (links[0], points[0]), (links[1], points[1])

@@ -10,7 +10,7 @@ from linkwright.model import units as u
 from linkwright.model.actions import WHERE, Measure
 from linkwright.model.dimensions import Wanted, argument, value
 from linkwright.model.fields import Expression, Position
-from linkwright.model.mechanism import Mechanism
+from linkwright.model.mechanism import Mechanism, Spring
 from linkwright.model.pins import homes
 from linkwright.model.units import Dimension
 
@@ -76,6 +76,7 @@ def places(m: Mechanism) -> Iterator[Place]:
         yield Place(("gravity",), g, u.ACCELERATION)
     yield from _links(m)
     yield from _actions(m)
+    yield from _elements(m)
     yield from _tables(m)
     for name, window in m.windows.items():
         if isinstance(window, tuple):
@@ -123,16 +124,52 @@ def _actions(m: Mechanism) -> Iterator[Place]:
             yield Place((*at, "speed"), drive.speed, rate)
         if drive.start is not None:
             yield Place((*at, "start"), drive.start, span)
+        if drive.acceleration is not None:
+            yield Place((*at, "acceleration"), drive.acceleration, u.ALPHA if drive.turns else u.ACCELERATION)
         if drive.position is not None:
             yield Place((*at, "position"), drive.position, span, Scope.TIME)
     for name, load in m.loads.items():
         at = ("loads", name)
         if isinstance(load.at, Position):
             yield from _position((*at, "at"), load.at)
-        forces = load.force if isinstance(load.force, tuple) else (load.force,) if load.force else ()
-        yield from (Place((*at, "force"), force, u.FORCE, Scope.LOAD) for force in forces)
-        if load.torque is not None:
-            yield Place((*at, "torque"), load.torque, u.TORQUE, Scope.LOAD)
+        for part, dimension in load.parts:
+            yield Place((*at, "torque" if part is load.torque else "force"), part, dimension, Scope.LOAD)
+        window = m.windows.get(load.window) if load.window else None
+        for signal in window if isinstance(window, dict) else ():
+            yield Place((*at, "window"), Expression(signal), crossed(str(load.window)), Scope.LOAD)
+
+
+def _elements(m: Mechanism) -> Iterator[Place]:
+    for name, spring in m.springs.items():
+        at: Path = ("springs", name)
+        for key, dimension in spring_dimensions(spring).items():
+            given = getattr(spring, key)
+            for part in given if isinstance(given, tuple) else (given,) if given is not None else ():
+                yield Place((*at, key), part, dimension)
+        if spring.table:
+            # As if the table were called there, which tells the units of its columns.
+            key, one, value = ("torque", "1 rad", u.TORQUE) if spring.torsional else ("force", "1 m", u.FORCE)
+            yield Place((*at, key), Expression(f"{spring.table}({one})"), value, Scope.TIME)
+    for name, weight in m.counterweights.items():
+        at = ("counterweights", name)
+        yield Place((*at, "mass"), weight.mass, u.MASS)
+        if isinstance(weight.at, Position):
+            yield from _position((*at, "at"), weight.at)
+        if weight.inertia is not None:
+            yield Place((*at, "inertia"), weight.inertia, u.INERTIA)
+
+
+def spring_dimensions(spring: Spring) -> dict[str, Dimension]:
+    """The dimensions of a spring's numbers by key."""
+    if spring.torsional:
+        return {
+            "stiffness": u.TORSIONAL_STIFFNESS,
+            "free": u.ANGLE,
+            "preload": u.TORQUE,
+            "damping": u.TORSIONAL_DAMPING,
+        }
+    keys = {"stiffness": u.STIFFNESS, "free": u.LENGTH, "preload": u.FORCE, "damping": u.DAMPING}
+    return {**keys, "gas": u.FORCE, "progression": u.PURE, "exponent": u.PURE, "length": u.LENGTH}
 
 
 def _position(path: Path, position: Position) -> Iterator[Place]:

@@ -28,6 +28,9 @@ SLIDING_DRIVE = {**SLIDE, "force": u.FORCE, "power": u.POWER}
 SHAKING = {"x": u.FORCE, "y": u.FORCE, "moment": u.TORQUE}
 ENERGY = {"kinetic": u.ENERGY, "potential": u.ENERGY}
 POLE = dict.fromkeys(("x", "y", "u", "v"), u.LENGTH)
+SPRING = {"length": u.LENGTH, "v": u.SPEED, "force": u.FORCE, "power": u.POWER, "energy": u.ENERGY}
+TORSION_SPRING = {"angle": u.ANGLE, "omega": u.OMEGA, "torque": u.TORQUE, "power": u.POWER, "energy": u.ENERGY}
+_OF_FORCES = frozenset({"torque", "force", "power", "energy"})
 
 
 @dataclass(frozen=True)
@@ -38,6 +41,11 @@ class Signal:
     owners: tuple[str, ...]
     attribute: str
     dimension: Dimension
+
+    @property
+    def kinematic(self) -> bool:
+        """Whether it follows from the motion alone, without any force."""
+        return self.kind not in ("force", "shaking", "energy") and self.attribute not in _OF_FORCES
 
     @property
     def text(self) -> str:
@@ -77,6 +85,11 @@ class Signals:
             found += [Contact(name, a, b, True), Contact(name, b, a, True)]
         return found
 
+    @property
+    def energies(self) -> dict[str, Dimension]:
+        """The energies that a mechanism has."""
+        return {**ENERGY, "elastic": u.ENERGY} if self.mechanism.springs else ENERGY
+
     def contact(self, names: Sequence[str]) -> Contact:
         """The contact that ``force(names...)`` means. Raises DimensionError naming what is wrong."""
         link, on, *rest = [*names, "", ""][: max(2, len(names))]
@@ -101,11 +114,13 @@ class Signals:
             return "slide", SLIDE
         if owner in m.drives:
             return "drive", TURNING_DRIVE if m.drives[owner].turns else SLIDING_DRIVE
+        if owner in m.springs:
+            return "spring", TORSION_SPRING if m.springs[owner].torsional else SPRING
         if owner == "shaking":
             return "shaking", SHAKING
         if owner == "energy":
-            return "energy", ENERGY
-        known = [*m.links, *self.homes, *m.joints, *m.drives, "shaking", "energy"]
+            return "energy", self.energies
+        known = [*m.links, *self.homes, *m.joints, *m.drives, *m.springs, "shaking", "energy"]
         raise DimensionError("name.unknown-element", name=owner, near=near(owner, known))
 
     def find(self, node: Name | Call) -> Signal:
@@ -129,7 +144,7 @@ class Signals:
                 owners = (*owners, contact.joint)
             return "force", owners, SLIDE_FORCE if contact.sliding else FORCE
         if node.name == "com" and len(names) == 1:
-            if names[0] not in self.mechanism.links or self.mechanism.links[names[0]].mass is None:
+            if names[0] not in self.mechanism.links or not self.mechanism.has_mass(names[0]):
                 raise DimensionError("signal.no-mass", name=names[0])
             return "com", (names[0],), POINT
         if node.name == "pole" and len(names) == 2:
@@ -163,7 +178,7 @@ class Signals:
         found += [Signal("link", (link,), a, d) for link in m.links if link != "frame" for a, d in LINK.items()]
         found += [Signal("slide", (name,), a, d) for name, _ in m.prismatic_joints() for a, d in SLIDE.items()]
         found += [Signal("drive", (name,), a, d) for name in m.drives for a, d in self.attributes(name)[1].items()]
-        found += [Signal("com", (n,), a, d) for n, link in m.links.items() if link.mass for a, d in POINT.items()]
+        found += [Signal("com", (n,), a, d) for n in m.links if m.has_mass(n) for a, d in POINT.items()]
         seen = set()
         for c in self.contacts:
             if (c.joint, c.on) in seen and c.on != c.joint:
@@ -172,7 +187,8 @@ class Signals:
             attributes = SLIDE_FORCE if c.sliding else FORCE
             found += [self._called(Call("force", (Name(c.link), Name(c.on), Name(c.joint)), a)) for a in attributes]
         found += [Signal("shaking", ("shaking",), a, d) for a, d in SHAKING.items()]
-        return found + [Signal("energy", ("energy",), a, d) for a, d in ENERGY.items()]
+        found += [Signal("spring", (name,), a, d) for name in m.springs for a, d in self.attributes(name)[1].items()]
+        return found + [Signal("energy", ("energy",), a, d) for a, d in self.energies.items()]
 
 
 def near(name: str, known: Sequence[str]) -> str:

@@ -55,6 +55,8 @@ LENGTH, MASS, TIME, ANGLE = Dimension(1), Dimension(0, 1), Dimension(0, 0, 1), D
 SPEED, ACCELERATION, JERK = Dimension(1, 0, -1), Dimension(1, 0, -2), Dimension(1, 0, -3)
 OMEGA, ALPHA, ANGULAR_JERK = Dimension(0, 0, -1, 1), Dimension(0, 0, -2, 1), Dimension(0, 0, -3, 1)
 FORCE, TORQUE, PRESSURE = Dimension(1, 1, -2), Dimension(2, 1, -2), Dimension(-1, 1, -2)
+STIFFNESS, DAMPING = Dimension(0, 1, -2), Dimension(0, 1, -1)
+TORSIONAL_STIFFNESS, TORSIONAL_DAMPING = Dimension(2, 1, -2, -2), Dimension(2, 1, -1, -2)
 INERTIA, POWER = Dimension(2, 1, 0), Dimension(2, 1, -3)
 ENERGY = Dimension(2, 1, -2, -1)  # told from a torque by "per radian", so that it prints in joules
 
@@ -65,8 +67,8 @@ _RECIPES: dict[Dimension, str] = {
     SPEED: "{length}/{time}", ACCELERATION: "{length}/{time}^2", JERK: "{length}/{time}^3",
     OMEGA: "{angle}/{time}", ALPHA: "{angle}/{time}^2", ANGULAR_JERK: "{angle}/{time}^3",
     FORCE: "{force}", TORQUE: "{torque}", PRESSURE: "{pressure}", INERTIA: "{mass}*{length}^2",
-    Dimension(0, 1, -2): "{force}/{length}", Dimension(2, 1, -2, -2): "{torque}/{angle}",
-    Dimension(0, 1, -1): "{force}*{time}/{length}", Dimension(2, 1, -1, -2): "{torque}*{time}/{angle}",
+    STIFFNESS: "{force}/{length}", TORSIONAL_STIFFNESS: "{torque}/{angle}",
+    DAMPING: "{force}*{time}/{length}", TORSIONAL_DAMPING: "{torque}*{time}/{angle}",
     Dimension(0, 0, -1): "1/{time}", Dimension(0, 0, 1, -1): "{time}/{angle}",
     Dimension(1, 0, 0, -1): "{length}/{angle}", Dimension(-1, 0, 0, 1): "{angle}/{length}",
 }  # fmt: skip

@@ -6,13 +6,15 @@ from collections.abc import Iterator
 from typing import Any
 
 from linkwright.model import units as u
+from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression
 from linkwright.model.findings import Finding, Term
-from linkwright.model.places import Place, Scope, crossed, figure, position_parts
+from linkwright.model.places import Place, Scope, crossed, figure, position_parts, spring_dimensions
 from linkwright.model.quantities import LARGEST, Quantities
 from linkwright.model.units import Dimension
 
 CONSTANT = (Scope.CONSTANT, Scope.LOAD)
+"""Where constants stand; a load may vary, and is then looked at while it moves."""
 
 
 def check_values(quantities: Quantities) -> list[Finding]:
@@ -23,7 +25,10 @@ def check_values(quantities: Quantities) -> list[Finding]:
 
 
 def _finite(q: Quantities, place: Place) -> Iterator[Finding]:
-    value = q.value(place.expression, q.dimensions.resolve(place.wanted))
+    try:
+        value = q.value(place.expression, q.dimensions.resolve(place.wanted))
+    except DimensionError:
+        return
     if not abs(value) < LARGEST:
         yield Finding("value.not-finite", place.path, {"text": place.expression.text[:60]})
 
@@ -42,6 +47,18 @@ def _bodies(q: Quantities) -> Iterator[Finding]:
             yield from least(("links", name, "inertia"), "inertia", link.inertia, u.INERTIA, False)
         if link.shape and link.shape.radius:
             yield from least(("links", name, "shape"), "radius", link.shape.radius, u.LENGTH, True)
+    for name, weight in q.mechanism.counterweights.items():
+        yield from least(("counterweights", name, "mass"), "mass", weight.mass, u.MASS, True)
+        if weight.inertia is not None:
+            yield from least(("counterweights", name, "inertia"), "inertia", weight.inertia, u.INERTIA, False)
+    for name, spring in q.mechanism.springs.items():
+        for key, dimension in spring_dimensions(spring).items():
+            given = getattr(spring, key)
+            if isinstance(given, Expression) and key != "preload" and not (key == "free" and spring.torsional):
+                over = key in ("gas", "exponent")
+                yield from least(("springs", name, key), "number", given, dimension, over)
+        if spring.gas is not None and spring.progression is not None and q.value(spring.progression, u.PURE) <= 1:
+            yield Finding("spring.progression", ("springs", name, "progression"), {})
     for name, table in q.mechanism.tables.items():
         if table.period is not None:
             yield from least(("tables", name, "period"), "period", table.period, u.PURE, True)
@@ -66,6 +83,9 @@ def _rods(q: Quantities) -> Iterator[Finding]:
 
 def _intervals(q: Quantities) -> Iterator[Finding]:
     m, resolve = q.mechanism, q.dimensions.resolve
+    for name, spring in m.springs.items():
+        if spring.length:
+            yield from _rising(q, ("springs", name, "length"), spring.length, u.LENGTH)
     for name, window in m.windows.items():
         if isinstance(window, tuple):
             yield from _rising(q, ("windows", name), window, u.TIME)

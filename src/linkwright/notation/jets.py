@@ -41,6 +41,7 @@ def call(name: str, *args: Scalar) -> Scalar:
                 "arccos": "acos",
                 "arctan": "atan",
                 "abs": "fabs",
+                "where": "if_else",
             }
             return getattr(casadi, aliases.get(name, name))(*args)
     return getattr(np, name)(*args)
@@ -183,8 +184,8 @@ class Jet:
         return Jet([sign * a for a in self.d])
 
     def where(self, condition: Any, other: Jet) -> Jet:
-        """This jet where ``condition`` holds, ``other`` elsewhere (numbers and arrays only)."""
-        return Jet([np.where(condition, a, b) for a, b in zip(self.d, other.d, strict=False)])
+        """This jet where ``condition`` holds, ``other`` elsewhere."""
+        return Jet([call("where", condition, a, b) for a, b in zip(self.d, other.d, strict=False)])
 
     def minimum(self, other: Jet) -> Jet:
         return self.where(self.d[0] <= other.d[0], other)

@@ -12,11 +12,12 @@ import linkwright
 from linkwright.model.document import dump
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
+from linkwright.model.pins import spring_ends
 from linkwright.model.units import ANGLE, LENGTH, TIME
 from linkwright.report.centrodes import centrodes
-from linkwright.report.data import Failure, Joint, Link, Plot, Pose, ReportData, Scene, Series, Time, Trace
+from linkwright.report.data import Failure, Joint, Link, Plot, Pose, ReportData, Scene, Series, Spring, Time, Trace
 from linkwright.report.facts import facts
-from linkwright.report.parts import PARTS, drawn
+from linkwright.report.parts import PARTS, drawn, found
 from linkwright.results import Result
 from linkwright.structure import FRAME
 from linkwright.studies.sweep import Sweep
@@ -37,7 +38,6 @@ def report_data(document: Document, outcomes: Mapping[str, Any]) -> ReportData:
     whole = drawn(outcomes)
     assert whole is not None
     result = whole.thinned(MAX_STEPS)
-    findings = [finding for outcome in outcomes.values() for finding in (*outcome.failures, *outcome.warnings)]
     words = {key: text for key, text in catalogue().items() if key.startswith("report.")}
     data: ReportData = {
         "title": document.name,
@@ -52,7 +52,7 @@ def report_data(document: Document, outcomes: Mapping[str, Any]) -> ReportData:
         "certificate": [],
         "limits": [],
         "structure": facts(result.run.compiled),
-        "failures": [_failure(finding) for finding in findings],
+        "failures": [_failure(finding) for finding in found(outcomes)],
         "model_text": dump(document),
     }
     for name, part in PARTS.items():
@@ -99,6 +99,7 @@ def scene(result: Result) -> Scene:
         "joints": _joints(result),
         "traces": _traces(result, size),
         "centrodes": centrodes(result, size),
+        "springs": _springs(result),
     }
 
 
@@ -125,6 +126,17 @@ def _joints(result: Result) -> list[Joint]:
                 "angles": angles,
             }
         )
+    return found
+
+
+def _springs(result: Result) -> list[Spring]:
+    mechanism = result.run.compiled.mechanism
+    found: list[Spring] = []
+    for name, spring in mechanism.springs.items():
+        if not spring.torsional:
+            links, points = zip(*spring_ends(mechanism, spring), strict=True)
+            look: Literal["coil", "strut"] = "coil" if spring.stiffness or spring.table else "strut"
+            found.append({"name": name, "links": links, "points": points, "look": look})
     return found
 
 
@@ -191,6 +203,11 @@ def _force_plots(result: Result) -> list[Plot | None]:
     sliding = [name for name in m.drives if name not in turning]
     found.append(_plot(result, say("plot.torque"), "force", [f"{n}.torque" for n in turning]))
     found.append(_plot(result, say("plot.effort"), "force", [f"{n}.force" for n in sliding]))
+    between = [name for name, spring in m.springs.items() if not spring.torsional]
+    torsional = [name for name in m.springs if name not in between]
+    found.append(_plot(result, say("plot.spring_length"), "motion", [f"{n}.length" for n in between]))
+    found.append(_plot(result, say("plot.spring_force"), "force", [f"{n}.force" for n in between]))
+    found.append(_plot(result, say("plot.spring_torque"), "force", [f"{n}.torque" for n in torsional]))
     found.append(_plot(result, say("plot.power"), "force", [f"{n}.power" for n in m.drives]))
     found.append(_plot(result, say("plot.shaking"), "force", ["shaking.x", "shaking.y"]))
     found.append(_plot(result, say("plot.shaking_moment"), "force", ["shaking.moment"]))

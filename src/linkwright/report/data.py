@@ -81,6 +81,15 @@ class Centrode(TypedDict):
     v: Values
 
 
+class Spring(TypedDict):
+    """A spring between a point of each of two links; ``look``: a coil, or barrel and rod of a gas spring or damper."""
+
+    name: str
+    links: Sequence[str]
+    points: Sequence[str]
+    look: Literal["coil", "strut"]
+
+
 class Scene(TypedDict):
     """The mechanism as ``assets/mechanism.js`` draws it. ``time``: one entry per pose, increasing."""
 
@@ -90,6 +99,7 @@ class Scene(TypedDict):
     joints: Sequence[Joint]
     traces: Sequence[Trace]
     centrodes: NotRequired[Sequence[Centrode]]
+    springs: NotRequired[Sequence[Spring]]
 
 
 class Series(TypedDict):

@@ -43,11 +43,21 @@ def facts(compiled: Compiled) -> list[Fact]:
         loops=topology.loops,
     )
     lines += [_fact("mobility", mobility), _fact("order", "; ".join(_order(compiled)))]
-    masses = [link for link in topology.moving if m.links[link].mass is not None]
+    masses = [link for link in topology.moving if m.has_mass(link)]
     without = [link for link in topology.moving if link not in masses]
     said = say("fact.mass.none", links=", ".join(without)) if without else say("fact.mass.all")
     if masses:
         lines.append(_fact("mass", say("fact.mass.text", links=", ".join(masses), without=said)))
+    weights = [say("fact.weight", name=name, link=weight.on) for name, weight in m.counterweights.items()]
+    springs = [
+        say("fact.spring.torsional", name=name, start=spring.turns, end=spring.on)
+        if spring.torsional
+        else say("fact.spring", name=name, start=spring.from_, end=spring.to)
+        for name, spring in m.springs.items()
+    ]
+    for name, said_of in (("weights", weights), ("springs", springs)):
+        if said_of:
+            lines.append(_fact(name, "; ".join(said_of)))
     gravity = ", ".join(g.text for g in m.gravity) if m.gravity else say("fact.gravity.none")
     return [*lines, _fact("gravity", gravity)]
 

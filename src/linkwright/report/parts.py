@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import linkwright
@@ -97,6 +97,13 @@ def drawn(outcomes: Mapping[str, Any]) -> Result | None:
     """What the report of some outcomes draws."""
     results = (part.result(outcomes[name]) for name, part in PARTS.items() if name in outcomes)
     return next((result for result in results if result is not None), None)
+
+
+def found(outcomes: Mapping[str, Any]) -> list[Finding]:
+    """What the studies found: failures and warnings; no warning of what is another one's failure."""
+    failures = [finding for outcome in outcomes.values() for finding in outcome.failures]
+    warnings = [finding for outcome in outcomes.values() for finding in outcome.warnings]
+    return [*failures, *(finding for finding in warnings if replace(finding, severity="error") not in failures)]
 
 
 def summary(document: Document, outcomes: Mapping[str, Any], findings: list[Finding]) -> dict[str, Any]:

@@ -10,8 +10,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.graph.actions import spread
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
+from linkwright.model import units as u
+from linkwright.model.expressions import parse
+from linkwright.model.fields import Expression
+from linkwright.model.mechanism import Load
+from linkwright.model.pins import spring_ends
+from linkwright.model.units import Dimension
+from linkwright.notation import Pair
+from linkwright.results.run import combined
+from linkwright.results.springs import damping_force, elastic_force
 from linkwright.structure import FRAME
 
 Array = NDArray[np.float64]
@@ -23,7 +33,7 @@ class Reports:
     """What a compiled mechanism reports at times ``t`` (s), in SI; vectors have shape (2, times)."""
 
     def __init__(self, compiled: Compiled, t: Array) -> None:
-        self.compiled, self.count = compiled, t.size
+        self.compiled, self.t, self.count = compiled, t, t.size
         self.mechanism, self.topology = compiled.mechanism, compiled.structure.topology
         self.geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
         self.contacts = compiled.quantities.signals.contacts
@@ -38,6 +48,9 @@ class Reports:
         names += [f"{self.home(link)}.v{axis}" for link in moving for axis in "xy"]
         names += [self.force_name(c, a) for c in self.contacts for a in (("x", "y", "moment") if c.sliding else "xy")]
         names += [f"{n}.{a}" for n, d in drives.items() for a in (("torque", "omega") if d.turns else ("force", "v"))]
+        names += [s.text for s in self.compiled.graph.actions.signals]
+        names += [f"window/{name}" for name in self.compiled.graph.actions.windows]
+        names += [f"{n}.{a}" for n, s in self.mechanism.springs.items() for a in (s.measure, s.effort)]
         names += ["shaking.x", "shaking.y", "shaking.moment"]
         return list(dict.fromkeys(names))
 
@@ -48,7 +61,7 @@ class Reports:
     @property
     def masses(self) -> list[str]:
         """The moving links that have mass."""
-        return [link for link in self.topology.moving if self.mechanism.links[link].mass is not None]
+        return [link for link in self.topology.moving if self.mechanism.has_mass(link)]
 
     def home(self, link: str) -> str:
         """Some point of a link."""
@@ -88,6 +101,8 @@ class Reports:
 
     def velocity(self, link: str, place: Array) -> Array:
         """The velocity of a link where it is at ``place``, from that of one of its points and its omega."""
+        if link == FRAME:
+            return np.zeros((2, self.count))
         point = self.home(link)
         arm = place - self.at(link, self.geometry.point(link, point))
         return np.asarray(self.vector(f"{point}.v") + self.rows[f"{link}.omega"] * np.array([-arm[1], arm[0]]))
@@ -108,13 +123,90 @@ class Reports:
         """The loads of the model."""
         found: list[Applied] = []
         for load in self.mechanism.loads.values():
-            turns_with, local = load.in_ or FRAME, np.array(self.geometry.force(load), dtype=float)
+            inside = self.inside(load)
+            values = [np.where(inside, self.value(part, dimension), 0.0) for part, dimension in load.parts]
+            force, torque = spread(load, values)
+            turns_with, local = load.in_ or FRAME, force
             if load.along:
                 turns_with = self.mechanism.joints[load.along].links[0]
-                local = local[0] * np.array(self.geometry.line(load.along, turns_with)[1], dtype=float)
-            place = self.at(load.on, self.geometry.load_point(load))
-            found.append((load.on, self.turned(turns_with, local), place, float(self.geometry.torque(load))))
+                heading = self.geometry.line(load.along, turns_with)[1]
+                local = Pair(force.x * heading.x, force.x * heading.y)
+            place = self.at(load.on, self.geometry.place(load.on, load.at))
+            found.append((load.on, self.turned(turns_with, local), place, torque))
         return found
+
+    def value(self, expression: Expression, dimension: Dimension) -> Array:
+        """An expression in parameters, the time, tables and reported signals."""
+        node = self.compiled.quantities.bind(expression, dimension)
+        rows = {name: (row,) for name, row in self.rows.items()}
+        return np.asarray(combined(self.compiled, node, self.t, rows, 0).d[0])
+
+    def inside(self, load: Load) -> Array | bool:
+        """Whether a load's window holds. At its edges, where round-off decides, the report is believed."""
+        if load.window is None:
+            return True
+        window = self.mechanism.windows[load.window]
+        if isinstance(window, tuple):
+            value, dimension, edges = self.t, u.TIME, window
+        else:
+            ((text, edges),) = window.items()
+            dimension = self.compiled.quantities.dimensions.dimension(parse(text))
+            value = self.rows[self.compiled.graph.signal(text).text]
+        low, high = (self.compiled.quantities.value(edge, dimension) for edge in edges)
+        slack = 1e-9 * max(high - low if high - low < 1e9 else 0.0, float(np.abs(value).max(initial=0.0)))
+        over = value - low
+        if dimension == u.ANGLE:
+            over = np.mod(over + slack, 2 * np.pi) - slack
+        vague = (np.abs(over) < slack) | (np.abs(over - (high - low)) < slack)
+        return np.where(vague, self.rows[f"window/{load.window}"] != 0, (over >= 0) & (over <= high - low))
+
+    def springs(self, damping: bool = False) -> list[Applied]:
+        """What springs do to both their links, from the reported poses and rates; of their damping alone."""
+        found: list[Applied] = []
+        for name, spring in self.mechanism.springs.items():
+            x, rate, along, ends = self.stretch(name)
+            force = damping_force(self.compiled, spring, rate)
+            force = force if damping else force + elastic_force(self.compiled, spring, x)
+            for (link, place), sign in zip(ends, (1.0, -1.0), strict=True):
+                if spring.torsional:
+                    found.append((link, np.zeros((2, self.count)), place, -sign * force))
+                else:
+                    found.append((link, sign * force * along, place, 0.0))
+        return found
+
+    def spring_misfits(self) -> list[tuple[str, Array]]:
+        """How far each reported spring force (or torque) is from the one recomputed."""
+        found: list[tuple[str, Array]] = []
+        for name, spring in self.mechanism.springs.items():
+            x, rate, _, _ = self.stretch(name)
+            force = elastic_force(self.compiled, spring, x) + damping_force(self.compiled, spring, rate)
+            found.append((spring.effort, self.rows[f"{name}.{spring.effort}"] - force))
+        return found
+
+    def stretch(self, name: str) -> tuple[Array, Array, Array, list[tuple[str, Array]]]:
+        """A spring's length or angle, its rate, its direction, and link and place of each end.
+
+        Of an angle only the whole turns are taken from the report.
+        """
+        spring = self.mechanism.springs[name]
+        if not spring.torsional:
+            ends = [
+                (link, self.at(link, self.geometry.point(link, p))) for link, p in spring_ends(self.mechanism, spring)
+            ]
+            (a, start), (b, end) = ends
+            gap = end - start
+            length = np.hypot(*gap)
+            with np.errstate(invalid="ignore", divide="ignore"):
+                along = gap / length
+            rate = ((self.velocity(b, end) - self.velocity(a, start)) * along).sum(axis=0)
+            return length, rate, along, ends
+        nowhere = np.zeros((2, self.count))
+        links = [str(spring.turns), str(spring.on)]
+        (c, s), (c0, s0) = (self.turned(link, (1.0, 0.0)) for link in links)
+        angle = np.arctan2(s * c0 - c * s0, c * c0 + s * s0)
+        turns = np.round((self.rows[f"{name}.angle"] - angle) / (2 * np.pi))
+        omega, omega0 = (np.zeros(self.count) if n == FRAME else self.rows[f"{n}.omega"] for n in links)
+        return angle + 2 * np.pi * turns, omega - omega0, nowhere, [(link, nowhere) for link in links]
 
     def reactions(self) -> list[Applied]:
         """What joints do to links, from the reported reactions."""
@@ -153,6 +245,8 @@ class Reports:
         """The power of each force's components and moment (W)."""
         found: list[Array] = []
         for link, force, place, moment in applied:
+            if link == FRAME:
+                continue
             velocity = self.velocity(link, place)
             found += [force[0] * velocity[0], force[1] * velocity[1], moment * self.rows[f"{link}.omega"]]
         return found

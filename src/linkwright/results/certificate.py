@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.results.audit import Reports
-from linkwright.results.quadrature import gauss_points
+from linkwright.results.quadrature import panel_points
 from linkwright.results.run import Run
 from linkwright.results.stationary import stationary
 from linkwright.structure import FRAME
@@ -68,7 +68,7 @@ def certify(run: Run) -> Certificate:
     without_value = [p.blank(run.t) for p in compiled.passages.every]
     reports = Reports(compiled, run.t[~np.any([np.zeros(run.t.size, bool), *without_value], axis=0)])
     constraints = rank(reports)
-    loaded = bool(reports.masses or compiled.mechanism.loads)
+    loaded = bool(reports.masses or compiled.mechanism.loads or compiled.mechanism.springs)
     rules = compiled.assembly.rules
     changes = {group.label: _changes(run, group.label) for group in compiled.structure.groups}
     return Certificate(
@@ -125,37 +125,63 @@ def equilibrium(r: Reports) -> float:
     origin, shaking = np.zeros((2, r.count)), r.vector("shaking.")
     held = (FRAME, -shaking, origin, -r.rows["shaking.moment"])
     largest = 1e-300
-    for link, force, place, moment in (*r.reactions(), *r.efforts(), *r.loads(), *r.inertia_and_gravity(), held):
+    applied = [*r.loads(), *r.springs(), *r.inertia_and_gravity()]
+    for link, force, place, moment in (*r.reactions(), *r.efforts(), *applied, held):
         forces[link] += force
         moments[link] += _cross(place, force) + moment
         largest = max(largest, _worst(np.hypot(*force)), _worst(moment) / r.size())
     rests = [max(_worst(forces[link]), _worst(moments[link]) / r.size()) for link in r.mechanism.links]
+    rests += [_worst(misfit) / (1.0 if sort == "force" else r.size()) for sort, misfit in r.spring_misfits()]
     return float(np.max(rests)) / largest
 
 
 def power(r: Reports) -> float:
     """The worst rest of the power balance at a pose, over the largest sum of its terms' sizes."""
-    terms = np.array([*r.drive_powers(), *r.powers_of([*r.loads(), *r.inertia_and_gravity()])])
-    size = _worst(np.abs(terms).sum(axis=0))
+    terms = np.array([*r.drive_powers(), *r.powers_of([*r.loads(), *r.springs(), *r.inertia_and_gravity()])])
+    size = max(_worst(np.abs(terms).sum(axis=0)), slight(r))
     return 0.0 if size == 0 else _worst(terms.sum(axis=0)) / size
 
 
+def slight(r: Reports) -> float:
+    """A millionth of the largest force times the largest speed: powers (W) below it may be all round-off."""
+    forces = [_worst(np.hypot(*force)) for _, force, _, _ in (*r.reactions(), *r.loads(), *r.springs())]
+    links = r.topology.moving
+    speeds = [_worst(r.vector(f"{r.home(n)}.v")) + _worst(r.rows[f"{n}.omega"]) * r.size() for n in links]
+    return 1e-6 * max(forces, default=0.0) * max(speeds, default=0.0)
+
+
 def work(run: Run) -> float:
-    """Work of drives and loads against the change of energy, by Gauss quadrature on panels doubled until it stands."""
-    energy = run.compiled.evaluate(["energy.kinetic", "energy.potential"], np.array([run.start, run.stop]))
-    change, panels, last = float(energy.sum(axis=0) @ np.array([-1.0, 1.0])), min(run.grid, MAX_PANELS), np.inf
-    while True:
-        t, weight = gauss_points(np.linspace(run.start, run.stop, panels + 1))
-        r = Reports(run.compiled, t)
-        terms = np.array([*r.drive_powers(), *r.powers_of(r.loads())])
-        size = float(np.abs(terms).sum(axis=0) @ weight) + float(np.abs(energy).sum())
-        rest = 0.0 if size == 0 else abs(float(terms.sum(axis=0) @ weight) - change) / size
-        if not rest < last or rest < SETTLED or panels >= MAX_PANELS:
-            return float(np.fmin(rest, last)) if rest == rest else rest
-        panels, last = panels * 2, rest
+    """Work of drives and loads against the change of energy, by Gauss quadrature on panels halved until each stands."""
+    names = [f"energy.{kind}" for kind in run.compiled.quantities.signals.energies]
+    energy = run.compiled.evaluate(names, np.array([run.start, run.stop]))
+    change = float(energy.sum(axis=0) @ np.array([-1.0, 1.0]))
+    least = slight(Reports(run.compiled, run.t)) * (run.stop - run.start)
+    edges = np.union1d(np.linspace(run.start, run.stop, min(run.grid, MAX_PANELS) + 1), run.breaks)
+    lows, highs = edges[:-1], edges[1:]
+    total, here, panels = np.zeros(2), worked(run, lows, highs), lows.size
+    while lows.size:
+        middle = (lows + highs) / 2
+        halves = worked(run, np.append(lows, middle), np.append(middle, highs))
+        sums, panels = halves[:, : lows.size] + halves[:, lows.size :], panels + 2 * lows.size
+        size = max(float(total[1] + sums[1].sum() + np.abs(energy).sum()), least)
+        stands = ~(np.abs(sums[0] - here[0]) > SETTLED * size) | (panels >= MAX_PANELS)
+        total += sums[:, stands].sum(axis=1)
+        more = np.tile(~stands, 2)
+        lows, highs = np.append(lows, middle)[more], np.append(middle, highs)[more]
+        here = halves[:, more]
+    return 0.0 if size == 0 else abs(float(total[0]) - change) / size
 
 
-SETTLED, MAX_PANELS = 1e-13, 1 << 13
+def worked(run: Run, lows: Array, highs: Array) -> Array:
+    """Work of drives, loads and dampers on each panel, and the sum of its terms' sizes: (2, panels)."""
+    t, weight = panel_points(lows, highs)
+    r = Reports(run.compiled, t)
+    terms = np.array([*r.drive_powers(), *r.powers_of([*r.loads(), *r.springs(damping=True)])])
+    rates = np.array([terms.sum(axis=0), np.abs(terms).sum(axis=0)]) * weight
+    return np.asarray(rates.reshape(2, lows.size, -1).sum(axis=2))
+
+
+SETTLED, MAX_PANELS = 1e-14, 1 << 14
 
 
 def rank(r: Reports) -> int:

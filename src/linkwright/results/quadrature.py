@@ -10,6 +10,11 @@ Array = NDArray[np.float64]
 
 def gauss_points(edges: Array) -> tuple[Array, Array]:
     """Times and weights of 8-point Gauss quadrature on the panels between ascending edges: (8 panels,) each."""
+    return panel_points(edges[:-1], edges[1:])
+
+
+def panel_points(lows: Array, highs: Array) -> tuple[Array, Array]:
+    """The same on panels given by their ends, those of a panel together."""
     nodes, weights = np.polynomial.legendre.leggauss(8)
-    h = np.diff(edges)[:, None]
-    return (edges[:-1, None] + h * (nodes + 1) / 2).ravel(), (h * weights / 2).ravel()
+    h = (highs - lows)[:, None]
+    return (lows[:, None] + h * (nodes + 1) / 2).ravel(), (h * weights / 2).ravel()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -13,6 +13,7 @@ from linkwright.kernels import Compiled
 from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, nodes
 from linkwright.model.units import Dimension
 from linkwright.notation import Jet
+from linkwright.results import breaks
 
 Array = NDArray[np.float64]
 
@@ -37,7 +38,7 @@ class Run:
 
     @cached_property
     def grid(self) -> int:
-        """Steps for searches: the samples, and more where a drive turns far or moves and rests between them."""
+        """Steps for searches: the samples, and more where a drive turns far, moves and rests, or a load swings."""
         t = np.linspace(self.start, self.stop, LOOK + 1)
         steps = [self.steps]
         for name in self.compiled.mechanism.drives:
@@ -49,12 +50,26 @@ class Run:
             if changes.size:
                 shortest = int(np.diff(np.concatenate([[0], changes, [LOOK]])).min(initial=LOOK, where=True))
                 steps.append(min(10 * LOOK // max(shortest, 1), LOOK // 2))
+        if self.compiled.graph.actions.timed:
+            rows = [f"load/{name}" for name in self.compiled.mechanism.loads]
+            signs = np.sign(self.compiled.evaluate(rows, t, rates=True)[:, 1])
+            steps.append(min(4 * int((signs[:, 1:] != signs[:, :-1]).sum(axis=1).max()), LOOK // 2))
         return max(steps)
 
     @cached_property
     def t(self) -> Array:
         """The sampled times (s), both ends included."""
         return np.linspace(self.start, self.stop, self.steps + 1)
+
+    @cached_property
+    def jumps(self) -> Array:
+        """The times (s) right before and right after each jump of a load: (jumps, 2)."""
+        return breaks.jumps(self)
+
+    @cached_property
+    def breaks(self) -> Array:
+        """The times (s) at which a force may have a jump or a kink, ascending."""
+        return breaks.breaks(self)
 
     def evaluate(self, names: Sequence[str], t: Array) -> Array:
         """The named signals at times ``t`` (s): (names, times), SI, angles continuous over the run."""
@@ -81,21 +96,7 @@ class Run:
 
     def combine(self, node: Node, t: Array, rows: dict[str, tuple[Array, Array]]) -> Jet:
         """An expression from rows of signals and rates already at hand."""
-        parameters = self.compiled.quantities.parameters
-
-        def named(name: Name) -> Any:
-            if is_signal(name):
-                return Jet(rows[name.text])
-            return Jet([t, np.ones_like(t)]) if name.text == "t" else parameters[name.text]
-
-        try:
-            with np.errstate(all="ignore"):
-                value = evaluate(node, named, lambda call: Jet(rows[self.canonical(call)]))
-        except ZeroDivisionError:
-            value = np.nan
-        if not isinstance(value, Jet):
-            value = Jet.constant(value, 1)
-        return Jet([np.broadcast_to(np.asarray(d, dtype=float), t.shape) for d in value.d])
+        return combined(self.compiled, node, t, rows, 1)
 
     def canonical(self, node: Name | Call) -> str:
         """The canonical name of a signal."""
@@ -141,10 +142,38 @@ class Run:
             grid, slope = self.place(share)
             angle, omega = self.compiled.evaluate(names, grid)
             known = np.isfinite(angle) & np.isfinite(omega) & self.clear(grid)
-            share, grid, angle, omega = share[known], grid[known], angle[known], (omega * slope)[known]
+            share, grid, angle, omega = share[known], grid[known], angle[known], omega[known] * slope[known]
             # The rates say how far it turned; the angles only have to agree with that but for whole turns.
             turned = np.diff(share) * (omega[1:] + omega[:-1]) / 2
             rest = np.mod(np.diff(angle) - turned + np.pi, 2 * np.pi) - np.pi
             if count >= MAX_GRID or np.abs(turned).max(initial=0.0) < MAX_TURN:
                 return grid, np.concatenate([angle[:1], angle[:1] + np.cumsum(turned + rest)])
             count *= 2
+
+
+def combined(compiled: Compiled, node: Node, t: Array, rows: Mapping[str, Sequence[Array]], order: int) -> Jet:
+    """An expression (bound to SI) at times ``t`` to an order of derivatives, from the signals' ``rows``."""
+    parameters = compiled.quantities.parameters
+    time = Jet([t, np.ones_like(t)]).cut(order)
+
+    def named(name: Name) -> Any:
+        if is_signal(name):
+            return Jet([*rows[name.text]])
+        return time if name.text == "t" else parameters[name.text]
+
+    def called(call: Call) -> Jet:
+        if is_signal(call):
+            return Jet([*rows[compiled.quantities.signals.find(call).text]])
+        argument = evaluate(call.args[0], named, called)
+        return compiled.tables[call.name].or_nan(
+            argument if isinstance(argument, Jet) else Jet.constant(argument, order)
+        )
+
+    try:
+        with np.errstate(all="ignore"):
+            value = evaluate(node, named, called)
+    except ZeroDivisionError:
+        value = np.nan
+    if not isinstance(value, Jet):
+        value = Jet.constant(value, order)
+    return Jet([np.broadcast_to(np.asarray(d, dtype=float), t.shape) for d in value.d])

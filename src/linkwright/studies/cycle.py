@@ -14,6 +14,7 @@ from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen, fault
 from linkwright.model.findings import Finding, ModelError
 from linkwright.results import Result, Run, certify
+from linkwright.studies.acting import outside, undefined
 from linkwright.studies.feasible import near, singular, strokes, unassembled
 from linkwright.studies.measures import MeasureResult, measure_all
 from linkwright.studies.outputs import powerless
@@ -97,11 +98,13 @@ class Cycle:
             return CycleOutcome(Result(run, poses))
         if dead := powerless(run):
             return CycleOutcome(Result(run, dead))
+        if undecided := undefined(run):
+            return CycleOutcome(Result(run, undecided))
         result = Result(run, certificate=certify(run))
         measures, faults = measure_all(run)
         result.failures += [*faults, *strokes(run)]
         notes = [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
-        return CycleOutcome(result, measures, notes)
+        return CycleOutcome(result, measures, [*notes, *outside(run)])
 
 
 def span(compiled: Compiled, options: CycleOptions) -> tuple[float, list[Finding]]:
@@ -134,7 +137,7 @@ def _turns(compiled: Compiled, text: str) -> tuple[float, list[Finding]]:
     drive = compiled.mechanism.drives.get(match[2]) if match else None
     if match is None or drive is None:
         return wrong(f"'{text}' isn't a number and a drive, such as '2 {compiled.graph.drives[0]}'")
-    if drive.speed is None or drive.output is not None or not drive.turns:
+    if drive.speed is None or drive.output is not None or drive.acceleration is not None or not drive.turns:
         return wrong(f"{match[2]} doesn't turn at constant speed; give duration instead")
     speed = compiled.quantities.value(drive.speed, u.OMEGA)
     if speed == 0 or float(match[1]) == 0:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Annotated
@@ -30,8 +31,10 @@ from linkwright.studies.four_links import FourLinks, four_links
 from linkwright.studies.ranges import Range, ranges
 from linkwright.studies.registry import register
 
-WIDEST = {True: 200 * 3.141592653589793, False: 1000.0}
+WIDEST = {True: 200 * math.pi, False: 1000.0}
 """The widest range of a drive that is looked at: a hundred turns, or so many times the mechanism's size."""
+DRAWN = 720
+"""The most steps of a sweep that is drawn."""
 
 
 class LimitsOptions(Frozen):
@@ -103,8 +106,8 @@ class LimitsOutcome:
     @property
     def result(self) -> Result | None:
         """The first sweep as arrays over the drive's value, for a drawing."""
-        stretches = [stretch for drive in self.drives for _, stretch in drive.ranges]
-        return Result(stretches[0].run) if stretches else None
+        sweep = next((found.sweep for drive in self.drives for found, _ in drive.ranges), None)
+        return None if sweep is None else Result(sweep.on(min(self.samples, DRAWN)))
 
 
 @register

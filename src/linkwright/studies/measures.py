@@ -13,14 +13,14 @@ from linkwright.model.check import WHERE
 from linkwright.model.expressions import Node, parse
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import REDUCTIONS, Measure
-from linkwright.model.places import FIGURES
+from linkwright.model.places import FIGURES, figure, measured
 from linkwright.model.units import Dimension, unit
 from linkwright.results import Run
 from linkwright.results.quadrature import gauss_points
 from linkwright.results.stationary import crossings, stationary
+from linkwright.results.windows import Interval, intervals
 from linkwright.studies.dwells import Course
 from linkwright.studies.paths import straightness
-from linkwright.studies.windows import Interval, intervals
 
 Array = NDArray[np.float64]
 
@@ -70,9 +70,14 @@ class Probe:
 
     @cached_property
     def candidates(self) -> tuple[Array, Array]:
-        """Times and values among which the extremes are: stationary points and window ends."""
-        inside = [t for t in self.stationary if any(a < t < b for a, b in self.intervals)]
-        times = np.array(sorted([*inside, *(edge for interval in self.intervals for edge in interval)]))
+        """Times and values among which the extremes are: stationary points, window ends, both sides of jumps."""
+        sides = self.run.jumps
+        inside = [t for t in (*self.stationary, *sides.ravel()) if any(a < t < b for a, b in self.intervals)]
+        # Of a jump, a stationary point or an end of the window only has a side, the inner one.
+        for before, after in sides:
+            inside = [t for t in inside if not before < t < after]
+        ends = [edge for a, b in self.intervals for edge in (_inner(self.run, a, 1), _inner(self.run, b, 0))]
+        times = np.array(sorted([*inside, *ends]))
         return times, self.values(times)
 
     def finite(self) -> bool:
@@ -119,8 +124,9 @@ class Probe:
         while True:
             total = 0.0
             for a, b in self.intervals:
+                turning = np.concatenate([self.stationary, self.run.breaks])
                 edges = np.union1d(
-                    np.linspace(a, b, self.share(panels, a, b) + 1), [t for t in self.stationary if a < t < b]
+                    np.linspace(a, b, self.share(panels, a, b) + 1), turning[(a < turning) & (turning < b)]
                 )
                 t, weight = gauss_points(edges)
                 total += float((self.values(t) ** power) @ weight)
@@ -153,6 +159,11 @@ class Probe:
         return Found("", stop - start, start)
 
 
+def _inner(run: Run, edge: float, side: int) -> float:
+    """An end of an interval, moved off a jump there to the interval's side (0 before, 1 after)."""
+    return next((float(pair[side]) for pair in run.jumps if pair[0] <= edge <= pair[1]), edge)
+
+
 def _plain(found: Found) -> tuple[Found, ...]:
     return (Found("", found.value, found.time),)
 
@@ -182,7 +193,8 @@ class _Measurer:
         self.mechanism = quantities.mechanism
         self.trees: dict[str, Node] = {}
         for name, measure in self.mechanism.measures.items():
-            self.trees[name] = quantities.bind(measure.signal, None)
+            kind = None if measure.reduction in FIGURES else quantities.dimensions.resolve(measured(name))
+            self.trees[name] = quantities.bind(measure.signal, kind)
             if measure.where and (match := WHERE.match(measure.where)) and match[2]:
                 self.trees[f"{name} where"] = quantities.dimensions.bind(parse(match[2]), None)
 
@@ -207,7 +219,7 @@ class _Measurer:
 
     def one(self, name: str, measure: Measure, turning: dict[str, Array]) -> MeasureResult:
         quantities = self.run.compiled.quantities
-        dimension = FIGURES.get(measure.reduction) or quantities.dimensions.dimension(measure.signal.node)
+        dimension = quantities.dimensions.resolve(figure(name, measure))
         text, size = quantities.unit_of(dimension) if measure.unit is None else (measure.unit, unit(measure.unit)[0])
         spans = intervals(self.run, measure.window)
         found: tuple[Found, ...] = ()
@@ -240,7 +252,7 @@ class _Measurer:
             time = (probe.top() if match[1] == "max" else probe.bottom()).time
             assert time is not None
         else:
-            time = spans[0][0] if match[3] else spans[-1][1]
+            time = _inner(self.run, spans[0][0], 1) if match[3] else _inner(self.run, spans[-1][1], 0)
         value = float(self.run.jets(self.trees[name], np.array([time])).d[0][0])
         return (Found("", value, time),)
 

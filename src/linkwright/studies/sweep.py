@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from linkwright.kernels import Compiled
 from linkwright.kernels.follow import Follower
-from linkwright.kernels.laws import Law, constant_speed, values_at
+from linkwright.kernels.laws import Law, constant_acceleration, values_at
 from linkwright.results import Run
 from linkwright.structure import Group
 
@@ -60,7 +60,7 @@ def sweeping(compiled: Compiled, drive: str) -> Compiled:
     values = values_at(compiled.laws, 0.0)
 
     def laws(speed: float) -> dict[str, Law]:
-        return {name: constant_speed(value, speed * (name == drive)) for name, value in values.items()}
+        return {name: constant_acceleration(value, speed * (name == drive)) for name, value in values.items()}
 
     up = replace(compiled, laws=laws(1.0))
     if up.followers:
@@ -97,6 +97,10 @@ class Sweep(Run):
         self.drive, self.stops = drive, stops
         self.dead = tuple(end is not None for end in stops)
         self.origin = values_at(compiled.laws, 0.0)[drive]
+
+    def on(self, steps: int) -> Sweep:
+        """The same stretch on other steps."""
+        return Sweep(self.compiled, self.drive, self.start, self.stop, steps, self.stops)
 
     def place(self, share: Array) -> tuple[Array, Array]:
         length = self.stop - self.start

@@ -436,6 +436,24 @@ function labels(facts, view, r, parent) {
   };
 }
 
+/** A spring between two places on the screen: a coil, or the barrel and rod of a strut. */
+function springPath([x0, y0], [x1, y1], look, r) {
+  const length = Math.hypot(x1 - x0, y1 - y0) || 1;
+  const [ux, uy] = [(x1 - x0) / length, (y1 - y0) / length];
+  const at = (share, across) => {
+    const along = share * length;
+    return `${round(x0 + along * ux - across * uy)} ${round(y0 + along * uy + across * ux)}`;
+  };
+  if (look === "strut") {
+    const w = 0.7 * r;
+    const barrel = `M${at(0.1, -w)}L${at(0.6, -w)}L${at(0.6, w)}L${at(0.1, w)}Z`;
+    return `M${at(0, 0)}L${at(0.1, 0)}${barrel}M${at(0.6, 0)}L${at(1, 0)}`;
+  }
+  const teeth = 12;
+  const coil = [...Array(teeth).keys()].map((i) => `L${at(0.15 + (0.7 * (i + 0.5)) / teeth, i % 2 ? r : -r)}`);
+  return `M${at(0, 0)}L${at(0.15, 0)}${coil.join("")}L${at(0.85, 0)}L${at(1, 0)}`;
+}
+
 /** A line through points, interrupted where there is none. */
 function linePath(xs, ys, toScreen) {
   let d = "";
@@ -506,6 +524,11 @@ function draw(svg, facts, width, most, say, { ghosts = [], box } = {}) {
   });
   const rolling = centrodes(facts, view, svg);
   const move = bodies(facts, view.k, r, make("g", {}, svg));
+  const springs = (facts.scene.springs ?? []).map((spring) => {
+    const links = spring.links.map((link) => facts.links.get(link));
+    const path = make("path", { class: "lw-spring", "data-spring": spring.name }, svg);
+    return { spring, path, ends: links.map((link, i) => [link, link.points[spring.points[i]]]) };
+  });
   const pins = facts.pins.map((pin) => {
     const joined = pin.joints.length > 0;
     const moving = pin.places.find(({ link }) => !link.fixed);
@@ -527,6 +550,13 @@ function draw(svg, facts, width, most, say, { ghosts = [], box } = {}) {
     move(view.toScreen, sample, f);
     rolling.move(sample, f);
     name(sample, f);
+    for (const { spring, path, ends } of springs) {
+      const poses = ends.map(([link]) => poseOf(link, facts.times, sample, f));
+      path.style.display = poses.includes(null) ? "none" : "";
+      if (poses.includes(null)) continue;
+      const [start, end] = ends.map(([, local], i) => view.toScreen(place(poses[i], local)));
+      path.setAttribute("d", springPath(start, end, spring.look, r));
+    }
     for (const { circle, places } of pins) {
       const at = places.find(({ link }) => link.fixed) ?? places[0];
       const pose = poseOf(at.link, facts.times, sample, f);
@@ -579,6 +609,7 @@ ${COLOURS}
 .lw-scale path{stroke:var(--lw-muted);stroke-width:1.5;fill:none}
 .lw-scale text{text-anchor:middle}
 .lw-ground{stroke:var(--lw-muted);stroke-width:1.3;fill:none}
+.lw-spring{stroke:var(--lw-ink);stroke-width:1.4;fill:none;stroke-linejoin:round}
 .lw-pivot{stroke:var(--lw-ink);stroke-width:1.4;fill:var(--lw-paper);stroke-linejoin:round}
 .lw-centre{stroke:var(--lw-muted);stroke-width:1;stroke-dasharray:14 3 2 3;fill:none}
 .lw-body,.lw-slot,.lw-block,.lw-piston{stroke:var(--c);stroke-width:1.6;fill:var(--c);fill-opacity:.2}

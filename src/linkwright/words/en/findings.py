@@ -122,6 +122,14 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "'{name}' was given to the builder twice.",
         "Rename or remove one of the two.",
     ),
+    "file.exists": (
+        "The file {file} is there already.",
+        "Give another name with --out, or --force to write over it.",
+    ),
+    "gallery.unknown": (
+        "The gallery has no model called '{name}'.",
+        "Write one of these: {near}. 'linkwright new' lists all.",
+    ),
     # Units and expressions.
     "units.wrong": (
         "'{word}' isn't a unit of {base}.",
@@ -330,11 +338,15 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "drive.law": (
         "It isn't clear how the drive moves.",
-        "Give either speed and start, or position as an expression in t.",
+        "Give either speed and start (with an acceleration, if need be), or position as an expression in t.",
     ),
     "drive.start": (
         "Speed and start belong together.",
         "Give both: speed (constant), and start (the value at t = 0).",
+    ),
+    "drive.acceleration": (
+        "An acceleration alone doesn't say where the motion begins.",
+        "Add speed and start: speed and value at t = 0.",
     ),
     "drive.twice": (
         "{a} and {b} are driven against each other by {other} already.",
@@ -384,9 +396,55 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The load acts on the frame, which doesn't move: it has no effect.",
         "Put the load on a moving link, or take it out.",
     ),
-    "load.varies": (
-        "The load depends on '{name}'; loads that change while the mechanism moves can't be computed yet.",
-        "Give a constant force or torque.",
+    "load.signal": (
+        "The load depends on '{name}', which itself results from the forces.",
+        "Let it depend on the time, the motion, tables and parameters.",
+    ),
+    "load.outside-table": (
+        "At t = {time} s ({drive} = {value} {unit}) the table {table} is asked for {at} {of}, outside its range {low} to "
+        "{high} {of}.",
+        "Extend the table, give it a period, or confine the load to a window.",
+    ),
+    "load.not-finite": (
+        "It has no finite value at t = {time} s ({drive} = {value} {unit}).",
+        "Look for a division by zero or the root of a negative number; a gas spring may be pushed in past its gas column.",
+    ),
+    # Springs.
+    "spring.ends": (
+        "It isn't clear between what this spring acts.",
+        "Give from and to (two points), or turns and on (two links) for a torsional one.",
+    ),
+    "spring.law": (
+        "A spring has one law, and may have damping besides; given: {given}.",
+        "Give one of stiffness, force (torsional: torque), gas, or damping alone.",
+    ),
+    "spring.stray": (
+        "{keys} has no meaning in a spring of this kind.",
+        "Take it out; docs/file-format.md says what belongs together.",
+    ),
+    "spring.free": (
+        "It isn't said where this spring is relaxed.",
+        "Add free: the length (torsional: the angle) at which it exerts its preload, or nothing.",
+    ),
+    "spring.gas": (
+        "A gas spring's push at the greater length alone doesn't say how it rises.",
+        "Add progression (push at the smaller length over that at the greater one) and length: [smallest, greatest].",
+    ),
+    "spring.progression": (
+        "The progression of a gas spring is above 1: it pushes harder when it is pushed in.",
+        "Give the push at the smaller length over that at the greater one, mostly 1.2 to 1.5.",
+    ),
+    "spring.same-link": (
+        "Both ends are on the link {name}, so the spring has no effect.",
+        "Name a point or link elsewhere; with a point that several links share, say which under in: [LINK, LINK].",
+    ),
+    "spring.no-direction": (
+        "At t = {time} s ({drive} = {value} {unit}) its two ends meet, so its force has no direction.",
+        "Move one of its points.",
+    ),
+    "spring.outside-length": (
+        "At t = {time} s ({drive} = {value} {unit}) it is {length} {of} long; the part allows {low} to {high} {of}.",
+        "Take a part with another stroke, or move its points. Its law is continued beyond its ends.",
     ),
     # Tables.
     "table.source": (
@@ -472,7 +530,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "measure.table": (
         "The table '{name}' can't be used in a measure.",
-        "Tables are for the laws of drives; write the measure in signals, t and parameters.",
+        "Tables are for drives, loads and springs; write the measure in signals, t and parameters.",
     ),
     "measure.nothing": (
         "The measure {name} has no value: nothing of the run lies in its window.",
@@ -686,6 +744,7 @@ _TERMS: dict[str, str] = {
     "shorter": "shorter",
     "longer": "longer",
     "a-drive": "a drive",
+    "a-spring": "a spring",
     "a-parameter": "a parameter",
     "a-function": "a function",
     "a-table": "a table",
@@ -696,6 +755,7 @@ _TERMS: dict[str, str] = {
     # Quantities.
     "mass": "mass",
     "inertia": "moment of inertia",
+    "number": "number",
     "radius": "radius",
     "period": "period",
     "within": "width of the band",

@@ -1,14 +1,18 @@
-"""Windows: the parts of a run that a measure looks at, in time or in the value of a signal."""
+"""Windows: the parts of a run that a measure looks at or a load acts in, in time or in the value of a signal."""
 
 from __future__ import annotations
+
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.model import units as u
 from linkwright.model.expressions import parse
-from linkwright.results import Run
 from linkwright.results.stationary import crossings
+
+if TYPE_CHECKING:
+    from linkwright.results.run import Run
 
 Array = NDArray[np.float64]
 Interval = tuple[float, float]

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import linkwright as lw
-from linkwright.studies.windows import intervals
+from linkwright.results.windows import intervals
 from studies.models import cycle_of, job_of, refused, slider_crank, value
 
 R = 50.0

@@ -1,0 +1,104 @@
+"""What loads and springs need as inputs of each pose: the time, whole turns of angles, the answers of tables."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from itertools import groupby
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.graph.graph import Graph
+from linkwright.kernels.registry import KERNELS, Kernel
+from linkwright.laws import TableLaw
+from linkwright.model import units as u
+from linkwright.notation import Jet
+
+Array = NDArray[np.float64]
+
+MAX_TURN = 0.5
+"""Largest turn (rad) between neighbours of the grid on which whole turns are counted."""
+MAX_STEPS = 1 << 15
+
+
+class Supply:
+    """Fills the input rows of loads and springs, from inputs in which the motion stands already."""
+
+    def __init__(self, graph: Graph, tables: Mapping[str, TableLaw], kernel: str) -> None:
+        self.graph, self.tables = graph, tables
+        self.first = len(graph.motion_inputs)
+        self.rows = {name: row for row, name in enumerate(graph.inputs)}
+        actions = graph.actions
+        self.turns = {name: Turns(graph, name, self.home(name), kernel) for name in actions.turning}
+        numbered = sorted(enumerate(actions.lookups), key=lambda lookup: lookup[1].level)
+        self.levels: list[tuple[list[int], Kernel]] = []
+        for _, group in groupby(numbered, key=lambda lookup: lookup[1].level):
+            which = [i for i, _ in group]
+            program = graph.program([f"argument/{i}" for i in which], rates=True)
+            self.levels.append((which, KERNELS[kernel](program)))
+
+    def home(self, name: str) -> float | None:
+        """The angle (rad) near which a torsional spring starts: its free angle, or the middle of its table."""
+        quantities = self.graph.quantities
+        spring = quantities.mechanism.springs.get(name)
+        if spring is None:
+            return None
+        if spring.table:
+            return float(self.tables[spring.table].x[[0, -1]].mean())
+        return 0.0 if spring.free is None else quantities.value(spring.free, u.ANGLE)
+
+    def fill(self, x: Array, t: Array, p: Array, at: Callable[[Array], Array]) -> None:
+        """Put the rows for times ``t`` into ``x`` (inputs, poses); ``at`` gives the inputs of the motion."""
+        x[self.first :] = 0.0
+        if "t" in self.rows:
+            x[self.rows["t"]] = t
+        for name, turns in self.turns.items():
+            x[self.rows[f"turns/{name}"]] = turns(x, t, p, at)
+        for which, kernel in self.levels:
+            answers = kernel.run(x, p).reshape(len(which), 2, t.size)
+            for i, argument in zip(which, answers, strict=True):
+                lookup = self.graph.actions.lookups[i]
+                table = self.tables[lookup.table]
+                value = (table.integral if lookup.integral else table.or_nan)(Jet([*argument]))
+                x[self.rows[f"table/{i}/0"]], x[self.rows[f"table/{i}/1"]] = value.d
+
+
+class Turns:
+    """The whole turns of an angle that is known only modulo a turn: it runs on without jumps from t = 0.
+
+    There it lies within half a turn of ``home``, or where it is read off the axis without one.
+    """
+
+    def __init__(self, graph: Graph, name: str, home: float | None, kernel: str) -> None:
+        self.kernel: Kernel = KERNELS[kernel](graph.program([f"raw/{name}"], rates=True))
+        self.home = home
+        self.t, self.angle = np.empty(0), np.empty(0)
+
+    def __call__(self, x: Array, t: Array, p: Array, at: Callable[[Array], Array]) -> Array:
+        self.extend(float(t.max(initial=0.0)), p, at)
+        near = np.interp(t, self.t, self.angle)
+        return np.asarray(np.round((near - self.kernel.run(x, p)[0]) / (2 * np.pi)))
+
+    def extend(self, to: float, p: Array, at: Callable[[Array], Array]) -> None:
+        """Follow the angle up to a time, in steps that turn no further than :data:`MAX_TURN`."""
+        if not self.t.size:
+            self.t = np.zeros(1)
+            self.angle = self.kernel.run(at(self.t), p)[0]
+            if self.home is not None:
+                self.angle = self.angle + 2 * np.pi * np.round((self.home - self.angle) / (2 * np.pi))
+        steps, last = 32, float(self.t[-1])
+        while to > last:
+            grid = np.linspace(last, to, steps + 1)
+            angle, omega = self.kernel.run(at(grid), p)
+            known = np.isfinite(angle) & np.isfinite(omega)
+            grid, angle, omega = grid[known], angle[known], omega[known]
+            turned = np.diff(grid) * (omega[1:] + omega[:-1]) / 2
+            if steps < MAX_STEPS and np.abs(turned).max(initial=0.0) > MAX_TURN:
+                steps *= 2
+                continue
+            rest = np.mod(np.diff(angle) - turned + np.pi, 2 * np.pi) - np.pi
+            # What can't be followed leaves the angle where it was.
+            self.t = np.concatenate([self.t, grid[1:], [to]])
+            path = self.angle[-1] + np.cumsum(turned + rest)
+            self.angle = np.concatenate([self.angle, path, (path if path.size else self.angle)[-1:]])
+            return

@@ -1,0 +1,94 @@
+"""Where loads and springs aren't smooth in time: jumps at the ends of windows, kinks of linear tables and functions."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.laws import TableLaw
+from linkwright.model.expressions import Binary, Call, Node, nodes
+from linkwright.results.stationary import crossings
+from linkwright.results.windows import intervals
+
+if TYPE_CHECKING:
+    from linkwright.results.run import Run
+
+Array = NDArray[np.float64]
+
+ASIDE = (1e-11, 1e-10, 1e-9, 1e-8)
+"""How far from a jump its two sides are looked at, over the run's length: the first at which they differ."""
+MOST = 1 << 13
+"""The most kinks of a table that are sought; more are so slight that quadrature doesn't need them."""
+
+
+def jumps(run: Run) -> Array:
+    """The times right before and right after each jump of a load: (jumps, 2)."""
+    found: list[tuple[float, float]] = []
+    for name in run.compiled.graph.actions.windows:
+        edges = {edge for interval in intervals(run, name) for edge in interval} | {run.start, run.stop}
+        for edge in sorted(edges):
+            for share in ASIDE:
+                aside = share * (run.stop - run.start)
+                sides = np.clip([edge - aside, edge + aside], run.start, run.stop)
+                before, after = run.compiled.evaluate([f"window/{name}"], sides)[0]
+                if before != after:
+                    found.append((float(sides[0]), float(sides[1])))
+                    break
+    return np.array(sorted(found)).reshape(-1, 2)
+
+
+def breaks(run: Run) -> Array:
+    """All times at which a force may have a jump or a kink, ascending."""
+    actions = run.compiled.graph.actions
+    found = [run.jumps.mean(axis=1)]
+    for i, lookup in enumerate(actions.lookups):
+        table = run.compiled.tables[lookup.table]
+        if table.degree == 1 and not lookup.integral:
+            found.append(_knots(run, i, table))
+    switches = (_switch(node) for law in actions.laws for node in nodes(law))
+    found += [_zeros(run, node) for node in dict.fromkeys(switches) if node is not None]
+    return np.unique(np.concatenate(found))
+
+
+def _zeros(run: Run, node: Node) -> Array:
+    """The times at which an expression changes its sign."""
+    return crossings(lambda t: np.asarray(run.jets(node, t).d[0]), run.start, run.stop, run.grid)
+
+
+def _switch(node: Node) -> Node | None:
+    """What changes its sign where a function has a kink."""
+    if isinstance(node, Call) and node.attribute is None and node.name in ("min", "max"):
+        return Binary("-", *node.args)
+    return node.args[0] if isinstance(node, Call) and node.name == "abs" else None
+
+
+def _knots(run: Run, lookup: int, table: TableLaw) -> Array:
+    """The times at which the argument of a linear table passes one of its points."""
+    row = f"argument/{lookup}"
+
+    def argument(t: Array) -> Array:
+        return np.asarray(run.compiled.evaluate([row], t.ravel())[0].reshape(t.shape))
+
+    x = table.x
+    if table.period is not None and not np.isclose(x[-1] - x[0], table.period, rtol=1e-12):
+        x = np.append(x, x[0] + table.period)
+    period, count = table.period or np.inf, x.size - 1
+    t = np.linspace(run.start, run.stop, run.grid + 1)
+    at = argument(t)
+    whole = np.floor((at - x[0]) / period)
+    # The number of points passed, as a continuous function of the argument.
+    passed = whole * count + np.interp(at - (whole * period if table.period else 0.0), x, np.arange(x.size))
+    low, high = np.floor(np.minimum(passed[:-1], passed[1:])), np.floor(np.maximum(passed[:-1], passed[1:]))
+    each = np.nan_to_num(high - low).astype(int)
+    if not 0 < each.sum() <= MOST:
+        return np.empty(0)
+    step = np.repeat(np.arange(each.size), each)
+    number = (low[step] + 1 + np.arange(each.sum()) - np.repeat(np.cumsum(each) - each, each)).astype(int)
+    turns = (number - 1) // count if table.period else np.zeros_like(number)
+    target = x[number - turns * count] + turns * (table.period or 0.0)
+    from scipy.optimize.elementwise import find_root
+
+    result = find_root(lambda at, goal: argument(at) - goal, (t[step], t[step + 1]), args=(target,))
+    return np.asarray(np.where(np.isfinite(result.x), result.x, t[step + 1]))

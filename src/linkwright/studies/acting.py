@@ -1,0 +1,116 @@
+"""Whether loads and springs have a value all along a run, and springs stay within their lengths."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.model import units as u
+from linkwright.model.dimensions import argument
+from linkwright.model.expressions import Call, nodes
+from linkwright.model.findings import Finding
+from linkwright.results import Run
+from linkwright.results.stationary import stationary
+from linkwright.studies.feasible import drive_value
+
+Array = NDArray[np.float64]
+
+NEAR = 1e-9
+"""Lengths closer than this share of the largest one count as equal."""
+
+
+def undefined(run: Run) -> list[Finding]:
+    """Loads and springs that have no value somewhere, and springs whose ends meet."""
+    m, actions = run.compiled.mechanism, run.compiled.graph.actions
+    findings = [_at(run, "spring.no-direction", name, t) for name, t in _meeting(run)]
+    rows = {("loads", name): f"load/{name}" for name in m.loads}
+    rows |= {("springs", name): f"{name}.{spring.effort}" for name, spring in m.springs.items()}
+    if findings or not rows:
+        return findings
+    open_ = [i for i, k in enumerate(actions.lookups) if run.compiled.tables[k.table].period is None]
+    t = _times(run, [f"argument/{i}" for i in open_])
+    for path, values in zip(rows, run.compiled.evaluate(list(rows.values()), t), strict=True):
+        bad = t[~np.isfinite(values)]
+        if bad.size:
+            findings.append(_explained(run, path, bad))
+    return findings
+
+
+def outside(run: Run) -> list[Finding]:
+    """A warning for each spring that leaves the lengths that it allows, where it does so furthest."""
+    quantities = run.compiled.quantities
+    unit, size = quantities.unit_of(u.LENGTH)
+    findings = []
+    for name, spring in run.compiled.mechanism.springs.items():
+        if spring.length is None:
+            continue
+        low, high = (quantities.value(edge, u.LENGTH) for edge in spring.length)
+        t = _times(run, [f"{name}.length"])
+        length = run.compiled.evaluate([f"{name}.length"], t)[0]
+        over = np.maximum(low - length, length - high)
+        worst = int(np.argmax(over))
+        if over[worst] > NEAR * high:
+            data = {"length": length[worst], "low": low, "high": high}
+            shown = {key: f"{value / size:.6g}" for key, value in data.items()}
+            findings.append(_at(run, "spring.outside-length", name, float(t[worst]), "warning", of=unit, **shown))
+    return findings
+
+
+def _meeting(run: Run) -> list[tuple[str, float]]:
+    """Springs whose two ends meet, and when."""
+    names = [name for name, spring in run.compiled.mechanism.springs.items() if not spring.torsional]
+    found = []
+    for name in names:
+        t = _times(run, [f"{name}.length"])
+        length = run.compiled.evaluate([f"{name}.length"], t)[0]
+        if not length.min() > NEAR * length.max():
+            found.append((name, float(t[np.argmin(length)])))
+    return found
+
+
+def _times(run: Run, rows: list[str]) -> Array:
+    """Times that tell where rows are smallest and largest."""
+
+    def rates(t: Array) -> tuple[Array, Array]:
+        y = run.compiled.evaluate(rows, t, rates=True)
+        return y[:, 0], y[:, 1]
+
+    turning = stationary(rates, run.start, run.stop, run.grid) if rows else []
+    grid = np.linspace(run.start, run.stop, run.grid + 1)
+    return np.unique(np.concatenate([grid, run.t, run.jumps.ravel(), *turning]))
+
+
+def _explained(run: Run, path: tuple[str, str], bad: Array) -> Finding:
+    """Why a load or spring has no value at some times: a table asked for what it doesn't hold, or else."""
+    compiled = run.compiled
+    quantities, (section, name) = compiled.quantities, path
+    if section == "springs":
+        tables = [compiled.mechanism.springs[name].table]
+    else:
+        parts = [n for part, _ in compiled.mechanism.loads[name].parts for n in nodes(part.node)]
+        tables = [part.name for part in parts if isinstance(part, Call)]
+    for i, lookup in enumerate(compiled.graph.actions.lookups):
+        table = compiled.tables[lookup.table]
+        if lookup.table not in tables or table.period is not None:
+            continue
+        asked = compiled.evaluate([f"argument/{i}"], bad)[0]
+        over = np.maximum(table.x[0] - asked, asked - table.x[-1])
+        if np.max(over, initial=0.0) > 0:
+            worst = int(np.argmax(over))
+            at, time = float(asked[worst]), float(bad[worst])
+            unit, size = quantities.unit_of(quantities.dimensions.of(argument(lookup.table)))
+            shown = {
+                key: f"{value / size:.6g}"
+                for key, value in zip(("at", "low", "high"), (at, *table.x[[0, -1]]), strict=True)
+            }
+            return _at(run, "load.outside-table", name, time, section=section, table=lookup.table, of=unit, **shown)
+    return _at(run, "load.not-finite", name, float(bad[0]), section=section)
+
+
+def _at(
+    run: Run, code: str, name: str, time: float, severity: str = "error", section: str = "springs", **data: Any
+) -> Finding:
+    """A finding at a time, with the first drive's value there."""
+    return Finding(code, (section, name), data | {"time": f"{time:.6g}"} | drive_value(run, time), severity=severity)

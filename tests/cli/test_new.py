@@ -1,0 +1,67 @@
+"""``linkwright new``: the gallery listed, a model written, nothing written over."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from linkwright import gallery
+from linkwright.cli import cli
+
+
+def call(*words: object) -> Result:
+    return CliRunner().invoke(cli, ["new", *map(str, words)], catch_exceptions=False)
+
+
+@pytest.mark.parametrize("words", [[], ["--list"], ["wiper", "--list"]])
+def test_a_line_for_each_model(words: list[str]) -> None:
+    result = call(*words)
+    assert result.exit_code == 0
+    lines = result.stdout.splitlines()
+    assert [line.split()[0] for line in lines] == gallery.names()
+    assert all(gallery.title(line.split()[0]) in line for line in lines)
+
+
+@pytest.mark.parametrize("name", gallery.names())
+def test_what_is_written_is_what_is_shipped(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert call(name).exit_code == 0
+    assert [path.name for path in tmp_path.iterdir()] == [f"{name}.yaml"]
+    assert (tmp_path / f"{name}.yaml").read_bytes() == gallery.text(name).encode()
+
+
+def test_out_names_the_file(tmp_path: Path) -> None:
+    result = call("wiper", "--out", tmp_path / "mine.yaml")
+    assert result.exit_code == 0
+    assert "mine.yaml" in result.stdout
+    assert (tmp_path / "mine.yaml").read_text("utf-8") == gallery.text("wiper")
+
+
+def test_a_file_that_is_there_stays_unless_forced(tmp_path: Path) -> None:
+    path = tmp_path / "mine.yaml"
+    path.write_text("mine", "utf-8")
+    result = call("wiper", "--out", path)
+    assert result.exit_code == 2
+    assert "file.exists" in result.stderr
+    assert path.read_text("utf-8") == "mine"
+    assert call("wiper", "--out", path, "--force").exit_code == 0
+    assert path.read_text("utf-8") == gallery.text("wiper")
+
+
+@pytest.mark.parametrize(
+    ("name", "near"), [("crankrocker", "crank-rocker"), ("scisor-lift", "scissor-lift"), ("x", "wiper")]
+)
+def test_an_unknown_name_is_told_with_near_ones(name: str, near: str, tmp_path: Path) -> None:
+    result = call(name, "--out", tmp_path / "x.yaml")
+    assert result.exit_code == 2
+    assert "gallery.unknown" in result.stderr
+    assert near in result.stderr
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_folder_that_is_not_there(tmp_path: Path) -> None:
+    result = call("wiper", "--out", tmp_path / "no" / "x.yaml")
+    assert result.exit_code == 2
+    assert "file.unwritable" in result.stderr
