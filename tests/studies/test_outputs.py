@@ -66,6 +66,17 @@ def test_whole_turns_through_both_dead_centres() -> None:
     assert one.names == other.names
 
 
+def test_a_load_over_the_turns_of_a_motor_that_follows_its_output() -> None:
+    """motor.angle is read off the crank's axis here; a load that grows with it needs its whole turns."""
+    angle = "(30 deg + 360 deg*t/(1 s))"
+    load = {"press": {"on": "slider", "at": "C", "along": "guide", "force": "-20 N*motor.angle/(1 rad)"}}
+    data = slider_crank(loads=load, drives={"motor": {**CRANK, "start": "30 deg"}})
+    data["studies"] = {"cycle": {"duration": "2 s", "samples": 40}}
+    output = {"motor": {"turns": "crank", "on": "frame", "output": "guide", "position": travel(angle)}}
+    studies = {"cycle": {"duration": "2 s", "samples": 40, "through": "keep"}}
+    same(data, output, assembly={"B": "left of A-C"}, studies=studies)
+
+
 def test_a_cylinder_moves_a_boom_by_the_boom_s_law() -> None:
     """The cosine theorem gives the cylinder's length to the boom's angle."""
     angle = "(70 deg + 25 deg*sin(360 deg*t/(1 s)))"

@@ -44,9 +44,7 @@ class Compiled:
     kernel: str = "numpy"
     passages: Passages = field(default_factory=Passages)
     _kernels: dict[tuple[tuple[str, ...], bool], Kernel] = field(default_factory=dict)
-    _nodes: dict[tuple[Passage, tuple[str, ...], bool], tuple[list[int], Array]] = field(
-        default_factory=dict, init=False
-    )
+    _nodes: dict[tuple[Passage, tuple[str, ...], bool], Array] = field(default_factory=dict, init=False)
 
     def __post_init__(self) -> None:
         self.graph = Graph(self.quantities, self.structure)
@@ -113,8 +111,8 @@ class Compiled:
         key = (passage, names, rates)
         if key not in self._nodes:
             turning = [step * i for i, name in enumerate(names) if self.graph.wrapped(name)]
-            self._nodes[key] = turning, unwrapped(self.closed(names, passage.nodes, rates), turning)
-        turning, values = self._nodes[key]
+            self._nodes[key] = unwrapped(self.closed(names, passage.nodes, rates), turning)
+        values = self._nodes[key]
         poles = [self._pole(passage, name) for name in names]
         powers = [power + (k if power else 0) for power in poles for k in range(step)]
         y = passage.between(t, values, np.array(powers, dtype=int))
@@ -122,7 +120,6 @@ class Compiled:
             off = passage.between(passage.proof, values) - self.closed(names, passage.proof, rates)
             far = ~(np.abs(off) <= 1e-7 * np.abs(values).max(axis=1, keepdims=True)).all(axis=1)
             y[far & np.repeat([name.startswith("pole(") for name in names], step)] = np.nan
-        y[turning] = np.mod(y[turning] + np.pi, 2 * np.pi) - np.pi
         for i, name in enumerate(names):
             if name.endswith(").arm"):
                 parts = [name[: -len("arm")] + part for part in ("moment", "normal")]

@@ -71,7 +71,7 @@ class _Reader:
         if drive.position is None:
             assert drive.start is not None
             assert drive.speed is not None
-            change = u.ALPHA if drive.turns else u.ACCELERATION
+            change = u.ALPHA if turning else u.ACCELERATION
             return constant_acceleration(
                 self.quantities.value(drive.start, dimension),
                 self.quantities.value(drive.speed, rate),

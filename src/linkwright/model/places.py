@@ -125,7 +125,7 @@ def _actions(m: Mechanism) -> Iterator[Place]:
         if drive.start is not None:
             yield Place((*at, "start"), drive.start, span)
         if drive.acceleration is not None:
-            yield Place((*at, "acceleration"), drive.acceleration, u.ALPHA if drive.turns else u.ACCELERATION)
+            yield Place((*at, "acceleration"), drive.acceleration, u.ALPHA if span == u.ANGLE else u.ACCELERATION)
         if drive.position is not None:
             yield Place((*at, "position"), drive.position, span, Scope.TIME)
     for name, load in m.loads.items():
