@@ -75,8 +75,8 @@ class Passage:
         shares = weights / (x[:, None] - places)
         shares /= shares.sum(axis=1, keepdims=True)
         power = np.broadcast_to(np.asarray(poles), len(values))[:, None]
-        found = (values * places**power) @ shares.T
         with np.errstate(divide="ignore", invalid="ignore"):
+            found = (values * places**power) @ shares.T
             return np.asarray(np.where((power > 0) & (np.abs(x) < AT), np.nan, found / x**power))
 
 

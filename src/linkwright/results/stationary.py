@@ -85,7 +85,8 @@ def _roots(f: Callable[[Array], Array], brackets: list[Array]) -> list[Array]:
         args=(rows,),
         tolerances={"xatol": 0.0, "xrtol": 4e-16, "fatol": 0.0, "frtol": 0.0},
     )
-    # An end whose sign is round-off may have the other one when it is looked at again: then it is the root.
-    heights = np.abs([chosen(end, rows) for end in ends.T])
-    x = np.where(np.isnan(result.x), np.where(heights[0] < heights[1], ends[:, 0], ends[:, 1]), result.x)
+    x, lost = result.x, np.isnan(result.x)
+    if lost.any():  # an end whose sign is round-off had the other one when it was looked at again: it is the root
+        heights = np.abs([chosen(end, rows) for end in ends.T])
+        x = np.where(lost, np.where(heights[0] < heights[1], ends[:, 0], ends[:, 1]), x)
     return [np.sort(x[rows == row]) for row in range(len(brackets))]
