@@ -108,7 +108,7 @@ def test_typing_sees_what_is_loaded() -> None:
 def test_the_registered_names() -> None:
     assert set(REGISTRY) == {"RRR", "RRP", "RPR", "PRP", "RPP"}
     assert set(KERNELS) == {"numpy"}
-    assert set(STUDIES) == {"cycle"}
+    assert set(STUDIES) == {"cycle", "modes"}
 
 
 @pytest.mark.parametrize("entry", REGISTRY.values(), ids=REGISTRY)

@@ -15,12 +15,12 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.graph.clusters import newton, solve_cluster
+from linkwright.graph.clusters import newton, opposed, solve_cluster
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.graph import Graph
 from linkwright.graph.motion import Motion, solve_motion
 from linkwright.graph.triads import System, coordinates, read_coordinates, triad
-from linkwright.groups import REGISTRY, Dyad, InnerLine
+from linkwright.groups import REGISTRY, Dyad
 from linkwright.model.quantities import Quantities
 from linkwright.model.units import LENGTH
 from linkwright.notation import MAX_ORDER, Body, Jet
@@ -200,12 +200,8 @@ class Explorer:
         if there is None:
             return None
         solve_cluster(self.motion, cluster, self.drives, lambda _: there)
-        for c, inner in self.motion.clusters[cluster].closures:
-            if isinstance(inner, InnerLine):
-                a, b = (self.motion.bodies[link] for link in (c.a, c.b))
-                u, v = a.direction(inner.first_heading).now, b.direction(inner.second_heading).now
-                if u.dot(v) < 0:
-                    return None
+        if opposed(self.motion, cluster):
+            return None
         free = zip(cluster.free, there, strict=True)
         return [math.remainder(q, 2 * math.pi) if e.joint.letter == "R" else q for e, q in free]
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from linkwright.graph.assembly import Assembly, assemble
 from linkwright.graph.graph import Graph
+from linkwright.graph.redundant import redundant
 from linkwright.kernels.follow import Follower
 from linkwright.kernels.laws import Law, drive_laws, values_at
 from linkwright.kernels.registry import KERNELS, Kernel
@@ -96,7 +97,11 @@ def prepare(mechanism: Mechanism, folder: Path | None = None) -> Prepared:
         laws, faults = drive_laws(quantities, folder)
         findings += [*check_values(quantities), *faults]
     structure = decompose(mechanism) if not names else Structure(Topology(mechanism), ())
-    return Prepared(quantities, structure, laws, [*findings, *structure.findings])
+    if not findings:
+        findings = redundant(quantities, structure, values_at(laws, 0.0))
+    else:
+        findings += structure.findings
+    return Prepared(quantities, structure, laws, findings)
 
 
 def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled | None, list[Finding]]:

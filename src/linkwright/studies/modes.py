@@ -82,8 +82,11 @@ def check_options(made: Prepared | Compiled, options: ModesOptions) -> list[Find
         reason = f"'{options.drive}' isn't one of the drives: {', '.join(drives)}"
         return [Finding("study.options", (*PATH, "drive"), {"study": "modes", "key": "drive", "reason": reason})]
     try:
-        _time(made.quantities, options)
-        values_at(made.laws, _time(made.quantities, options))
+        time = _time(made.quantities, options)
+        if not abs(time) < 1e12:
+            data = {"study": "modes", "key": "at", "reason": "must be a number"}
+            return [Finding("study.options", (*PATH, "at"), data)]
+        values_at(made.laws, time)
     except DimensionError as error:
         return [Finding(error.key, (*PATH, "at"), error.data)]
     except ModelError as error:

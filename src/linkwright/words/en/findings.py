@@ -472,6 +472,16 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "These links can only be placed all at once, and there are more than {most} of them: {links}.",
         "Drive another link, so that the rest falls apart into smaller groups.",
     ),
+    "structure.redundant-movable": (
+        "{part} is redundant: with these dimensions the mechanism moves all the same (rank {rank} of {constraints} "
+        "constraints, Gruebler's count {gruebler}, mobility {mobility}). But how it shares the forces is undetermined.",
+        "Leave {part} out of the model: the motion stays the same. The forces that it takes over depend on play and "
+        "stiffness.",
+    ),
+    "structure.nearly-redundant": (
+        "{part} could move along as a redundant part, but its joints miss by {miss} {unit} on the way.",
+        "Correct its dimensions, or leave it out of the model.",
+    ),
     "structure.redundant": (
         "The joint {joint} between {links} holds what other joints hold already, so its forces are undetermined.",
         "Take this joint out, or the link that doubles another.",
