@@ -159,7 +159,7 @@ def circuit_text(entry: CircuitEntry, data: ModesData) -> str:
                 "modes.branch",
                 low=f"{b['low']:.6g}",
                 high=f"{b['high']:.6g}",
-                modes=", ".join(map(str, b["modes"])) or "-",
+                modes=", ".join(map(str, b["modes"])) or say("modes.none-here"),
                 unit=names["unit"],
             )
             for b in entry["branches"]
@@ -173,30 +173,56 @@ def circuit_text(entry: CircuitEntry, data: ModesData) -> str:
     return text
 
 
+Spot = tuple[float, float]
 WIDTH, HEIGHT, PAD = 220.0, 150.0, 12.0
 
 
 def drawing(outcome: ModesOutcome, mode: Mode) -> str:
-    """A mode as a small SVG: each link as the polygon of its points, pins as circles. All modes at one scale."""
+    """A mode as a small SVG: links as the hulls of their points, slides as dashed lines. All modes at one scale."""
     every = [place for other in outcome.modes for place in other.places.values()]
     xs, ys = [x for x, _ in every], [y for _, y in every]
     span = max((max(xs) - min(xs)) / (WIDTH - 2 * PAD), (max(ys) - min(ys)) / (HEIGHT - 2 * PAD)) or 1.0
     middle = (max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2
 
-    def at(name: str) -> str:
+    def at(name: str) -> Spot:
         x, y = mode.places[name]
-        return f"{WIDTH / 2 + (x - middle[0]) / span:.1f},{HEIGHT / 2 - (y - middle[1]) / span:.1f}"
+        return WIDTH / 2 + (x - middle[0]) / span, HEIGHT / 2 - (y - middle[1]) / span
+
+    def listed(spots: Sequence[Spot]) -> str:
+        return " ".join(f"{x:.1f},{y:.1f}" for x, y in spots)
 
     shapes = []
-    links = outcome.quantities.mechanism.links
+    mechanism = outcome.quantities.mechanism
+    links = mechanism.links
+    for name, joint in mechanism.prismatic_joints():
+        ends = listed([at(line.point) for line in joint.line or ()])
+        shapes.append(f'<polyline class="lw-centre" points="{ends}"><title>{escape(name)}</title></polyline>')
     for i, name in enumerate(name for name in links if name != FRAME):
-        corners, title = " ".join(at(point) for point in links[name].points), f"<title>{escape(name)}</title>"
+        corners = listed(_hull([at(point) for point in links[name].points]))
+        title = f"<title>{escape(name)}</title>"
         shapes.append(f'<polygon class="lw-body lw-c{i % 8}" points="{corners}">{title}</polygon>')
     for name in mode.places:
-        (x, y), size = at(name).split(","), 4.5 if name in links[FRAME].points else 3
-        shapes.append(f'<circle class="lw-pin" cx="{x}" cy="{y}" r="{size}"><title>{escape(name)}</title></circle>')
+        (x, y), size = at(name), 4.5 if name in links[FRAME].points else 3
+        title = f"<title>{escape(name)}</title>"
+        shapes.append(f'<circle class="lw-pin" cx="{x:.1f}" cy="{y:.1f}" r="{size}">{title}</circle>')
     box = f"0 0 {WIDTH:.0f} {HEIGHT:.0f}"
     return f'<svg class="lw mode" viewBox="{box}" role="img">{"".join(shapes)}</svg>'
+
+
+def _hull(spots: Sequence[Spot]) -> list[Spot]:
+    """The convex hull (Andrew's monotone chain)."""
+    found: list[Spot] = []
+    for chain in (sorted(spots), sorted(spots, reverse=True)):
+        side: list[Spot] = []
+        for p in chain:
+            while len(side) > 1:
+                (ax, ay), (bx, by) = side[-2:]
+                if (bx - ax) * (p[1] - ay) - (by - ay) * (p[0] - ax) > 0:
+                    break
+                side.pop()
+            side.append(p)
+        found += side[:-1] or side
+    return found
 
 
 def mode_text(entry: ModeEntry) -> str:

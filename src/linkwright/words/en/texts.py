@@ -53,9 +53,10 @@ TEXTS: dict[str, str] = {
     "modes.own": "the one in the file",
     "modes.singular": "singular: two modes meet here",
     "modes.untold": "Only links without a point of their own tell this mode from another: give one a point to sketch.",
-    "modes.circuit.turns": "Circuit {number} (modes {modes}): {drive} turns all the way round.",
-    "modes.circuit.parts": "Circuit {number} (modes {modes}): between dead points {drive} can go {parts}.",
-    "modes.branch": "from {low} to {high} {unit} (modes {modes})",
+    "modes.circuit.turns": "Circuit {number} (modes: {modes}): {drive} turns all the way round.",
+    "modes.circuit.parts": "Circuit {number} (modes: {modes}): between dead points {drive} can go {parts}.",
+    "modes.branch": "from {low} to {high} {unit} (modes: {modes})",
+    "modes.none-here": "none at this pose",
     "modes.circuit.open": "It was followed as far as the links reach and doesn't close.",
     "modes.circuit.crossing": "Another circuit crosses it at {drive} = {values} {unit} (change points).",
     # Plots.
