@@ -17,7 +17,7 @@ import numpy as np
 
 from linkwright.graph.geometry import unit_vector
 from linkwright.graph.placing import driven_body, inner_joint, outer_joint
-from linkwright.groups.joints import Inner, InnerLine, OuterLine, OuterPin, Twist
+from linkwright.groups.joints import Inner, OuterLine, OuterPin, Twist
 from linkwright.groups.linear import Factor
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
 from linkwright.notation.jets import call
@@ -189,26 +189,13 @@ def assemble_cluster(
     best: tuple[float, list[float]] | None = None
     for start in _starts(motion, step, sketch, drives):
         found = newton(motion, step, start, drives)
-        if found is None or opposed(motion, step):
-            continue
-        if (away := _away(motion, step, sketch)) < (best[0] if best else math.inf):
+        if found is not None and (away := _away(motion, step, sketch)) < (best[0] if best else math.inf):
             best = away, found
             if away < 1e-3 * _reach(sketch):
                 break
     if best is not None:
         solve_cluster(motion, step, drives, lambda _: best[1])
     return best[1] if best else None
-
-
-def opposed(motion: Motion, step: Cluster) -> bool:
-    """Whether the lines of a closing slide point against each other, as the cluster is placed now: the closure, a sine,
-    holds there too."""
-    for c, inner in motion.clusters[step].closures:
-        if isinstance(inner, InnerLine):
-            a, b = motion.bodies[c.a], motion.bodies[c.b]
-            if a.direction(inner.first_heading).now.dot(b.direction(inner.second_heading).now) < 0:
-                return True
-    return False
 
 
 TRIES = 64

@@ -15,7 +15,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.graph.clusters import newton, opposed, solve_cluster
+from linkwright.graph.clusters import newton, solve_cluster
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.graph import Graph
 from linkwright.graph.motion import Motion, solve_motion
@@ -218,7 +218,11 @@ class Explorer:
         return not abs(float(self.motion.clusters[cluster].determinant())) > 1e-6
 
     def polish(self, cluster: Cluster, start: list[float]) -> list[float] | None:
-        """The solution at a start, singular ones too; ``None`` where there is none, or a slide's lines are opposed."""
+        """The solution at a start, singular ones too; ``None`` where there is none.
+
+        A closing slide's sine also vanishes for opposed lines; its slope is that of equal ones, which drives Newton's
+        method away from there.
+        """
         if not all(map(math.isfinite, start)):
             return None
         there = newton(self.motion, cluster, start, self.drives)
@@ -227,8 +231,6 @@ class Explorer:
         if there is None:
             return None
         solve_cluster(self.motion, cluster, self.drives, lambda _: there)
-        if opposed(self.motion, cluster):
-            return None
         free = zip(cluster.free, there, strict=True)
         return [math.remainder(q, 2 * math.pi) if e.joint.letter == "R" else q for e, q in free]
 
