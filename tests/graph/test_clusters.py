@@ -219,3 +219,17 @@ def test_a_group_that_can_not_close_is_refused() -> None:
     data["links"]["leg3"]["points"]["B3"] = [0.1, 0]
     _, findings = examine(Document.model_validate(data))
     assert [f.code for f in findings] == ["assembly.not-found"]
+
+
+def test_a_mechanism_of_kilometres_is_put_together_too() -> None:
+    """Newton's method ends at round-off, which is that of the places."""
+    small, large = triad(), triad()
+    for data, factor in ((small, 1.0), (large, 4096.0)):
+        for link in data["links"].values():
+            link.update(points={name: [factor * c for c in place] for name, place in link["points"].items()})
+            for key in ("mass", "com", "inertia", "shape"):
+                link.pop(key, None)
+        data["assembly"] = {name: [factor * c for c in place] for name, place in data["assembly"].items()}
+        data.pop("loads", None)
+    found = [compiled_from(data).evaluate(["plate.omega"], T)[0] for data in (small, large)]
+    assert np.abs(found[1] - found[0]).max() < 1e-10

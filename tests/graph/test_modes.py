@@ -157,3 +157,25 @@ def test_nothing_fits() -> None:
     with pytest.raises(lw.ModelError) as error:
         modes_of(data)
     assert [finding.code for finding in error.value.findings] == ["assembly.no-mode"]
+
+
+def test_a_group_that_closes_in_no_way_ends_the_search_at_once() -> None:
+    """Thirty rockers, the last out of reach: not 2^29 tries to find out."""
+    data = four_bar()
+    del data["assembly"]
+    for i in range(29):
+        data["links"]["frame"]["points"][f"D{i}"] = [4 if i < 28 else 40, 0.1 * i]
+        data["links"][f"coupler{i}"] = {"points": {"B": [0, 0], f"C{i}": [3, 0]}}
+        data["links"][f"rocker{i}"] = {"points": {f"D{i}": [0, 0], f"C{i}": [3, 0]}}
+    with pytest.raises(lw.ModelError) as error:
+        modes_of(data)
+    assert [finding.code for finding in error.value.findings] == ["assembly.no-mode"]
+
+
+def test_a_later_group_may_close_behind_some_choices_only() -> None:
+    """A dyad between the rocker's end and a far pin closes for one of the two modes before it."""
+    data = chain(2)
+    data["links"]["frame"]["points"]["F1"] = [5, 6.5]
+    outcome = modes_of(data)
+    assert [mode.branches["coupler-rocker"] for mode in outcome.modes] == [1.0, 1.0]
+    assert outcome.complete

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import linkwright as lw
 from helpers.compiled import compiled_from
 from linkwright.kernels import examine
 from linkwright.model.builder import Builder
@@ -154,6 +155,23 @@ def test_what_is_wrong_is_told_where_the_file_has_it(change: tuple[str, str], co
     told = [f for f in found if f.code == code and f.element.startswith(element)]
     assert told, [(f.code, f.element) for f in found]
     assert told[0].line is not None
+
+
+def test_a_stroke_that_is_too_short_is_told() -> None:
+    """The run is whole, and the finding says by how much and where; the exit code is 1."""
+    data = boom(
+        cylinders={"lift": {"from": "K", "to": "M", "length": [1.55, 1.65]}}, studies={"cycle": {"duration": 2}}
+    )
+    job = lw.run(Document.model_validate(data))
+    assert job.exit_code == 1
+    assert job.cycle is not None and job.cycle.result.certificate is not None
+    short, long = job.found
+    assert (
+        (short.code, short.element) == (long.code, long.element) == ("motion.cylinder-length", "cylinders.lift.length")
+    )
+    assert (short.data["by"], str(short.data["end"]), short.data["time"]) == ("0.05", "shorter", "0")
+    assert (long.data["by"], str(long.data["end"]), long.data["time"]) == ("0.05", "longer", "2")
+    assert "0.05 m longer than it can be" in long.what
 
 
 def test_a_place_on_a_link_of_a_cylinder_leads_to_its_line() -> None:

@@ -247,3 +247,10 @@ def test_a_loose_end_on_an_overconstrained_link_is_not_a_higher_group() -> None:
     data["links"]["flag"] = {"points": {"W": [0, 0]}}
     codes = {f.code for f in findings_of(data)}
     assert "structure.higher-group" not in codes
+
+
+def test_one_drive_too_many_is_named() -> None:
+    """A four-bar with a motor on crank and rocker: the drive is at fault, not the coupler between them."""
+    second = {"turns": "rocker", "on": "frame", "speed": 1, "start": 0}
+    finding = only(four_bar(drives={**four_bar()["drives"], "second": second}))
+    assert (finding.code, finding.element) == ("structure.drive-too-many", "drives.second")

@@ -12,6 +12,7 @@ from linkwright.kernels import Compiled, examine
 from linkwright.model.document import located, read_document, write_aside
 from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.mechanism import Document
+from linkwright.model.spelled import home
 from linkwright.model.yaml_text import Source
 from linkwright.report.build import report_data
 from linkwright.report.page import page
@@ -34,7 +35,7 @@ class Examined:
 
     def located(self, findings: Iterable[Finding]) -> list[Finding]:
         """The same findings with their lines in the file."""
-        return located(findings, self.source)
+        return located(findings if self.document is None else home(self.document, findings), self.source)
 
     @property
     def exit_code(self) -> int:

@@ -26,7 +26,8 @@ LONGEST, SHORTEST = 0.1, 1e-5
 """Steps along the curve (rad, or lengths over the size); curves nearer than the shortest count as crossing."""
 BEND = 0.995
 """The least cosine between the tangents at both ends of a step."""
-STEPS = 6000
+STEPS, WORK = 6000, 8e6
+"""The most steps of a curve, tries that are halved among them; and these times the square of the unknowns."""
 FAR = 50.0
 """A pose farther away than this many sizes is out of reach: the curve is open."""
 FOUND = 1e-6
@@ -49,6 +50,7 @@ class Curve:
     crossings: list[float] = field(default_factory=list)
     meets: list[tuple[Array, int]] = field(default_factory=list)
     ranges: list[tuple[float, float]] = field(default_factory=list)  # of the drive, branch by branch
+    cut: bool = False  # given up on its way
 
 
 class _Lost(Exception):
@@ -61,9 +63,11 @@ class Tracer:
     def __init__(self, system: Constraints, drive: str) -> None:
         self.system, self.drive = system, drive
         self.turns = system.topology.mechanism.prescribed(drive).turns is not None
+        self.patience = int(min(STEPS, WORK / system.width**2))
 
     def follow(self, start: Array) -> Curve | None:
-        """The whole curve through a pose; ``None`` where two curves cross there, so that it has no direction."""
+        """The whole curve through a pose; ``None`` where two curves cross there, so that it has no direction, or where
+        it takes too long."""
         try:
             z = self.settle(start)
             tangent = self.first_tangent(z)
@@ -76,7 +80,8 @@ class Tracer:
         forward = self.one_way(z, tangent)
         if forward.closed:
             return _with_ranges(forward)
-        return _joined(self.one_way(z, -tangent), forward)
+        back = self.one_way(z, -tangent)
+        return None if forward.cut or back.cut else _joined(back, forward)
 
     def settle(self, z: Array) -> Array:
         """The nearest pose that the joints allow."""
@@ -89,8 +94,8 @@ class Tracer:
 
     def first_tangent(self, z: Array) -> Array | None:
         """The direction of the curve; ``None`` where there is more than one."""
-        _, sizes, rows = np.linalg.svd(self.system.jacobian(z))
-        return None if sizes[self.system.width - 2] < 1e-7 else np.asarray(rows[-1])
+        q, r = np.linalg.qr(self.system.jacobian(z).T, mode="complete")
+        return None if np.abs(np.diagonal(r)).min(initial=1.0) < 1e-7 else np.asarray(q[:, -1])
 
     def tangent(self, z: Array, last: Array) -> tuple[Array, float]:
         """The direction of the curve, the way of the last one, and det [J; last]."""
@@ -134,7 +139,7 @@ class Tracer:
         z, tangent, h = start, first, LONGEST / 4
         _, last = self.tangent(start, first)
         branch = 0
-        for _ in range(STEPS):
+        for _ in range(self.patience):
             crossed = False
             try:
                 there, onward, new = self.advance(z, tangent, h)
@@ -168,6 +173,7 @@ class Tracer:
                 return curve
             z, tangent, last = there, onward, new
             h = min(h * 1.5, LONGEST)
+        curve.cut = True
         return curve
 
     def across(self, z: Array, tangent: Array) -> tuple[Array, Array, float] | None:

@@ -17,7 +17,7 @@ import numpy as np
 
 from linkwright.graph.geometry import unit_vector
 from linkwright.graph.placing import driven_body, inner_joint, outer_joint
-from linkwright.groups.joints import Inner, InnerLine, OuterLine, OuterPin, Twist
+from linkwright.groups.joints import Inner, OuterLine, OuterPin, Twist
 from linkwright.groups.linear import Factor
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
 from linkwright.notation.jets import call
@@ -147,6 +147,7 @@ def newton(motion: Motion, step: Cluster, start: list[float], drives: dict[str, 
     motion.order = 0
     try:
         last = _miss(motion, step, here, drives)
+        tiny = TINY * max(1.0, *(abs(float(q)) for body in motion.bodies.values() for q in body.anchor.now))
         for _ in range(40):
             solved = motion.clusters[step]
             steps = solved.factor.solve(solved.gaps)
@@ -154,13 +155,13 @@ def newton(motion: Motion, step: Cluster, start: list[float], drives: dict[str, 
             while damping > 1e-4:
                 there = [q - damping * s for q, s in zip(here, steps, strict=True)]
                 miss = _miss(motion, step, there, drives)
-                if miss <= last * (1 - 0.1 * damping) or miss < TINY:
+                if miss <= last * (1 - 0.1 * damping) or miss < tiny:
                     break
                 damping /= 2
             else:
                 return None  # no step helps: a place where the links come near but don't meet
             here, last = there, miss
-            if last < TINY and max(map(abs, steps)) < 1e-12:
+            if last < tiny and max(map(abs, steps)) < 1e-12:
                 return here
         return None
     except np.linalg.LinAlgError:
@@ -170,7 +171,7 @@ def newton(motion: Motion, step: Cluster, start: list[float], drives: dict[str, 
 
 
 TINY = 1e-13
-"""A closure (m, rad) below this is closed."""
+"""A closure (m, rad) below this is closed; of large mechanisms, below this share of their places."""
 
 
 def _miss(motion: Motion, step: Cluster, unknowns: list[float], drives: dict[str, Jet]) -> float:
@@ -189,26 +190,13 @@ def assemble_cluster(
     best: tuple[float, list[float]] | None = None
     for start in _starts(motion, step, sketch, drives):
         found = newton(motion, step, start, drives)
-        if found is None or opposed(motion, step):
-            continue
-        if (away := _away(motion, step, sketch)) < (best[0] if best else math.inf):
+        if found is not None and (away := _away(motion, step, sketch)) < (best[0] if best else math.inf):
             best = away, found
             if away < 1e-3 * _reach(sketch):
                 break
     if best is not None:
         solve_cluster(motion, step, drives, lambda _: best[1])
     return best[1] if best else None
-
-
-def opposed(motion: Motion, step: Cluster) -> bool:
-    """Whether the lines of a closing slide point against each other, as the cluster is placed now: the closure, a sine,
-    holds there too."""
-    for c, inner in motion.clusters[step].closures:
-        if isinstance(inner, InnerLine):
-            a, b = motion.bodies[c.a], motion.bodies[c.b]
-            if a.direction(inner.first_heading).now.dot(b.direction(inner.second_heading).now) < 0:
-                return True
-    return False
 
 
 TRIES = 64

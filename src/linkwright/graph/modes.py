@@ -8,30 +8,32 @@ Newton's method from many starts, so that some mode may be missed.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.graph.clusters import newton, opposed, solve_cluster
+from linkwright.graph.clusters import newton, solve_cluster
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.graph import Graph
 from linkwright.graph.motion import Motion, solve_motion
+from linkwright.graph.search import many_starts
 from linkwright.graph.triads import System, coordinates, read_coordinates, triad
 from linkwright.groups import REGISTRY, Dyad
 from linkwright.model.quantities import Quantities
 from linkwright.model.units import LENGTH
 from linkwright.notation import MAX_ORDER, Body, Jet
-from linkwright.structure import Cluster, Group, Structure
+from linkwright.structure import Cluster, Driven, Group, Structure
 
 Array = NDArray[np.float64]
 Choice = float | tuple[float, ...]
-Closure = Callable[[Array], tuple[Array, Array]]
+
+Step = Driven | Group | Cluster
 
 MOST = 64
-"""The most modes that are followed."""
+"""The most modes that are followed, of mechanisms up to some thirty links; of larger ones fewer."""
 CLOSED = 1e-10
 """A closure (over the mechanism's size) below this is closed where Newton's method can't settle: two modes meet."""
 SAME, VAGUE = 1e-7, 1e-4
@@ -85,16 +87,40 @@ class Explorer:
         self.size = extent(structure, self.geometry)
         self.found = Found()
         self.goal: Mapping[str, Body] | None = None
+        self.needed = self.needs()
 
     def run(self) -> Found:
         """Follow every choice."""
         self.todo: list[tuple[Choice, ...]] = [()]
+        most, walks = min(MOST, max(8, 2000 // len(self.structure.topology.moving))), 0
         while self.todo:
-            if len(self.found.modes) >= MOST:
+            if len(self.found.modes) >= most or walks >= 4 * most:
                 self.found.cut = True
                 break
             self.walk(self.todo.pop())
+            walks += 1
         return self.found
+
+    def needs(self) -> dict[Step, frozenset[int]]:
+        """The choices, by their numbers, on which the places of each step's known links depend."""
+        found: dict[Step, frozenset[int]] = {}
+        behind: dict[str, frozenset[int]] = {}
+        count = 0
+        for step in self.structure.steps:
+            bases = {link for c in step.joints for link in (c.a, c.b)} - set(step.links)
+            found[step] = frozenset().union(*(behind.get(link, frozenset()) for link in bases))
+            after = found[step]
+            if isinstance(step, Cluster) or (isinstance(step, Group) and step.modes > 1):
+                after, count = after | {count}, count + 1
+            behind |= dict.fromkeys(step.links, after)
+        return found
+
+    def dead_end(self, step: Step) -> _DeadEnd:
+        """A step can't be closed: nor can it after any choices that agree in what its known links depend on."""
+        if self.goal is None:
+            same = {i: self.taken[i] for i in self.needed[step]}
+            self.todo = [p for p in self.todo if not all(i < len(p) and p[i] == v for i, v in same.items())]
+        return _DeadEnd()
 
     def near(self, bodies: Mapping[str, Body]) -> Mode | None:
         """The mode in which the links have these poses."""
@@ -120,8 +146,6 @@ class Explorer:
         """The next choice: one made already, else the first of the options."""
         if len(self.taken) < len(self.chosen):
             choice = self.chosen[len(self.taken)]
-        elif not options:
-            raise _DeadEnd
         else:
             choice = options[0]
             if self.goal is not None:
@@ -134,7 +158,7 @@ class Explorer:
     def branch(self, group: Group, dyad: Dyad) -> float:
         """The branch of a dyad that closes."""
         if dyad.shortfall() is not None:
-            raise _DeadEnd
+            raise self.dead_end(group)
         if group.modes == 1:
             return 1.0
         touching = abs(float(dyad.root(1.0).reach)) < 1e-13
@@ -151,7 +175,10 @@ class Explorer:
     def unknowns(self, cluster: Cluster) -> list[float]:
         """The coordinates of a cluster that closes."""
         known = len(self.taken) < len(self.chosen)
-        choice = self.choose([] if known else [tuple(u) for u in self.cluster(cluster)])
+        options: list[Choice] = [] if known else [tuple(u) for u in self.cluster(cluster)]
+        if not known and not options:
+            raise self.dead_end(cluster)
+        choice = self.choose(options)
         assert isinstance(choice, tuple)
         solve_cluster(self.motion, cluster, self.drives, lambda _: list(choice))
         self.singular = self.singular or self.vague(cluster)
@@ -191,7 +218,11 @@ class Explorer:
         return not abs(float(self.motion.clusters[cluster].determinant())) > 1e-6
 
     def polish(self, cluster: Cluster, start: list[float]) -> list[float] | None:
-        """The solution at a start, singular ones too; ``None`` where there is none, or a slide's lines are opposed."""
+        """The solution at a start, singular ones too; ``None`` where there is none.
+
+        A closing slide's sine also vanishes for opposed lines; its slope is that of equal ones, which drives Newton's
+        method away from there.
+        """
         if not all(map(math.isfinite, start)):
             return None
         there = newton(self.motion, cluster, start, self.drives)
@@ -200,8 +231,6 @@ class Explorer:
         if there is None:
             return None
         solve_cluster(self.motion, cluster, self.drives, lambda _: there)
-        if opposed(self.motion, cluster):
-            return None
         free = zip(cluster.free, there, strict=True)
         return [math.remainder(q, 2 * math.pi) if e.joint.letter == "R" else q for e, q in free]
 
@@ -220,16 +249,13 @@ class Explorer:
         return None
 
     def search(self, cluster: Cluster) -> list[list[float]]:
-        """Solutions of a cluster by damped Newton from many starts at once (always the same ones)."""
+        """Solutions of a cluster from many starts."""
         n, label, graph = len(cluster.free), cluster.label, self.graph
         names = [f"gap:{label}:{i}" for i in range(n)] + [f"slope:{label}:{i}" for i in range(n * n)]
         function = graph.program(names).stages[0].function
         rows = [graph.inputs.index(f"u:{label}:{i}") for i in range(n)]
-        turning = np.array([edge.joint.letter == "R" for edge in cluster.free])
         parameters = np.array([self.quantities.parameters[name] for name in graph.parameters])
         known = self.inputs()
-        random, idle = np.random.default_rng(1), 0
-        found: list[list[float]] = []
 
         def closure(u: Array) -> tuple[Array, Array]:
             x = np.repeat(known[:, None], u.shape[1], axis=1)
@@ -237,19 +263,8 @@ class Explorer:
             y = np.asarray(function(x, parameters), dtype=float)
             return y[:n].T, y[n:].reshape(n, n, -1).transpose(2, 0, 1)
 
-        for _ in range(BATCHES):
-            spread = np.where(turning, math.pi, self.size)[:, None]
-            ends = levenberg(closure, random.uniform(-1.0, 1.0, (n, STARTS)) * spread, CLOSED * self.size)
-            before = len(found)
-            for u in ends.T:
-                u[turning] = np.remainder(u[turning] + math.pi, 2 * math.pi) - math.pi
-                scale = np.where(turning, 1.0, self.size)
-                if not any(same(cluster, u.tolist(), other, scale.tolist(), 1e-4) for other in found):
-                    found.append(u.tolist())
-            idle = idle + 1 if len(found) == before else 0
-            if idle == 2:
-                break
-        return found
+        turning = np.array([edge.joint.letter == "R" for edge in cluster.free])
+        return many_starts(closure, turning, self.size, CLOSED * self.size)
 
     def inputs(self) -> Array:
         """The program's inputs as far as groups are placed: (inputs,)."""
@@ -322,28 +337,6 @@ class Explorer:
 
 def _given(at: list[float], _: Cluster) -> list[float]:
     return at
-
-
-STARTS, BATCHES = 256, 8
-
-
-def levenberg(closure: Closure, u: Array, tolerance: float) -> Array:
-    """Levenberg-Marquardt on many starts at once: the columns of ``u`` (unknowns, starts) that close."""
-    gap, slope = closure(u)
-    damping = np.full(u.shape[1], 1e-2)
-    scale = np.maximum(np.abs(slope).max(axis=(1, 2)), 1e-300) ** 2
-    for _ in range(80):
-        square = slope.transpose(0, 2, 1) @ slope + (damping * scale)[:, None, None] * np.eye(u.shape[0])
-        right = (slope.transpose(0, 2, 1) @ gap[:, :, None])[:, :, 0]
-        there = u - np.linalg.solve(square, right[:, :, None])[:, :, 0].T
-        gap_there, slope_there = closure(there)
-        better = (gap_there**2).sum(axis=1) < (gap**2).sum(axis=1)
-        u = np.where(better, there, u)
-        gap, slope = np.where(better[:, None], gap_there, gap), np.where(better[:, None, None], slope_there, slope)
-        damping = np.clip(np.where(better, damping / 10, damping * 10), 1e-14, 1e8)
-        if (np.abs(gap).max(axis=1) < tolerance).all():
-            break
-    return u[:, np.abs(gap).max(axis=1) < tolerance]
 
 
 def same(cluster: Cluster, a: list[float], b: list[float], scale: list[float], near: float = SAME) -> bool:

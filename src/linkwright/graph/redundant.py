@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -33,8 +34,8 @@ HOLDS = 1e-9
 """Joints that miss by less than this share of the size all along hold."""
 NEARLY = 0.02
 """A part that misses by less than this share of the size was meant to be redundant, it seems."""
-POSES, PARTS = 48, 4
-"""The poses tried on each curve; the most redundant parts looked for."""
+POSES, PARTS, TRIES = 48, 4, 12
+"""The poses tried on each curve; the most redundant parts looked for; the parts tried for each."""
 EXCESS = ("structure.overconstrained", "structure.redundant")
 
 
@@ -79,7 +80,7 @@ def _spare(mechanism: Mechanism, findings: list[Finding], most: int) -> tuple[li
     if most == 0:
         return None
     before = _excess(findings)
-    for part in _candidates(mechanism, findings[0]):
+    for part in islice(_candidates(mechanism, findings[0]), TRIES):
         rest = without(mechanism, part)
         left = list(decompose(rest).findings)
         if not left:

@@ -90,7 +90,7 @@ def survey(
     i = 0
     steps = 0
     while i < len(found.modes):
-        if steps > BUDGET:
+        if steps > min(BUDGET, tracer.patience):
             result.untold = True
             break
         if result.places[i] is None and (curve := tracer.follow(system.pose(dict(found.modes[i].bodies)))) is not None:

@@ -21,8 +21,12 @@ class Spelled:
 
     def home(self, findings: Iterable[Finding]) -> list[Finding]:
         """Findings with their places as the file has them."""
-        m = self.written
-        return [replace(f, path=cylinder_home(m, f.path) or sketch_home(m, f.path) or f.path) for f in findings]
+        return home(self.written, findings)
+
+
+def home(m: Mechanism, findings: Iterable[Finding]) -> list[Finding]:
+    """Findings on what a mechanism's short forms stand for, with their places as it is written."""
+    return [replace(f, path=cylinder_home(m, f.path) or sketch_home(m, f.path) or f.path) for f in findings]
 
 
 def spell_out(written: Mechanism) -> Spelled:

@@ -244,7 +244,7 @@ def section(data: ModesData, words: Mapping[str, str]) -> str:
 
 
 def _card(entry: ModeEntry, picture: str) -> str:
-    lines = escape("\n".join(assembly_text(entry["assembly"])))
+    lines = escape("\n".join(assembly_text(entry["assembly"])) or say("modes.untold"))
     head = escape(say("modes.number", number=entry["number"]))
     note = escape(mode_text(entry))
     return f"<figure>{picture}<figcaption><b>{head}</b> {note}<pre>{lines}</pre></figcaption></figure>"

@@ -476,4 +476,19 @@ def _dyad(a: _Side, inner: Connection, b: _Side) -> Group | None:
 
 def decompose(mechanism: Mechanism) -> Structure:
     """The structure of a mechanism whose names are sound (see :func:`linkwright.model.check.check_names`)."""
-    return _Search(Topology(mechanism)).run()
+    structure = _Search(Topology(mechanism)).run()
+    if all(finding.code != "structure.overconstrained" for finding in structure.findings):
+        return structure
+    spare = _spare_drive(mechanism)
+    return structure if spare is None else Structure(structure.topology, structure.steps, (spare,))
+
+
+def _spare_drive(mechanism: Mechanism) -> Finding | None:
+    """A finding on the last drive without which the structure is sound, where there is one."""
+    for name in reversed(mechanism.drives):
+        drives = {other: drive for other, drive in mechanism.drives.items() if other != name}
+        rest = mechanism.model_copy(update={"drives": drives})
+        if drives and not _Search(Topology(rest)).run().findings:
+            drive = mechanism.drives[name]
+            return Finding("structure.drive-too-many", ("drives", name), {"link": drive.link, "on": drive.on})
+    return None
