@@ -9,7 +9,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from helpers.compiled import compiled_of, regular
+from helpers.compiled import compiled_from, compiled_of, regular
 from helpers.differences import misfit
 from helpers.expected import expected_angles, expected_motion, oracle_states, worst
 from helpers.random_mechanisms import DURATION, RECIPES, mechanisms
@@ -108,3 +108,12 @@ def test_rates_of_any_signal_are_exact(plain: Any) -> None:
     scale = np.maximum(np.abs(rates).max(axis=1), 1e-3 * max(1.0, np.abs(rates).max()))
     errors = misfit(lambda t: run.evaluate(names, t), rates, T).max(axis=1) / scale
     assert errors.max() < 1e-7, names[int(errors.argmax())]
+
+
+@pytest.mark.parametrize("name", ["reach", "span", "determinant", "lever"])
+def test_a_link_may_be_called_like_a_row_of_the_program(name: str) -> None:
+    data = {
+        "links": {"frame": {"points": {"A": [0, 0]}}, name: {"points": {"A": [0, 0], "B": ["1 m", 0]}}},
+        "drives": {"motor": {"turns": name, "on": "frame", "speed": "1 rad/s", "start": 0}},
+    }
+    assert compiled_from(data).evaluate([f"{name}:cos"], np.zeros(1))[0] == 1.0

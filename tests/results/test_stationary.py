@@ -159,3 +159,14 @@ def test_crossings_of_a_line_through_zero(span: tuple[float, float]) -> None:
 def test_crossings_at_jumps_are_found_too() -> None:
     times = crossings(lambda t: np.where(t < 0.61803, -1.0, 2.0), 0.0, 1.0, 10)
     assert times == pytest.approx([0.61803], abs=1e-12)
+
+
+def test_an_end_whose_sign_is_round_off_is_the_root() -> None:
+    """A rate that is zero but for round-off at the start, and comes out with another sign when it is asked again."""
+
+    def rates(t: Array) -> tuple[Array, Array]:
+        slopes = np.where(t == 0, -1e-6 if t.size > 10 else 1e-6, t)
+        return (t**2 / 2)[None], slopes[None]
+
+    (found,) = stationary(rates, 0.0, 1.0, 64)
+    assert found == pytest.approx([0.0], abs=1e-12)

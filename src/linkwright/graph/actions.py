@@ -87,8 +87,9 @@ class Actions:
 
     @cached_property
     def turning(self) -> tuple[str, ...]:
-        """Links and torsional springs whose angle matters to a load or spring but is known without whole turns."""
-        links = [s.owners[0] for s in self.signals if s.kind == "link" and s.attribute == "angle"]
+        """Links, drives with outputs, and torsional springs whose angle matters to a load or spring but is known
+        without whole turns."""
+        links = [s.owners[0] for s in self.signals if s.kind in ("link", "drive") and s.attribute == "angle"]
         springs = [name for name, s in self.mechanism.springs.items() if s.torsional]
         return (
             *(link for link in links if self.graph.wraps(link)),

@@ -62,7 +62,7 @@ class Tracer:
 
     def __init__(self, system: Constraints, drive: str) -> None:
         self.system, self.drive = system, drive
-        self.turns = system.topology.mechanism.drives[drive].turns is not None
+        self.turns = system.topology.mechanism.prescribed(drive).turns is not None
         self.patience = int(min(STEPS, WORK / system.width**2))
 
     def follow(self, start: Array) -> Curve | None:

@@ -113,11 +113,11 @@ class Constraints:
         return bool((np.cos(at[2, b] + self.headings[1] - at[2, a] - self.headings[0]) < 0).any())
 
     def _turns(self, drive: str) -> bool:
-        return self.topology.mechanism.drives[drive].turns is not None
+        return self.topology.mechanism.prescribed(drive).turns is not None
 
     def value(self, drive: str, z: Array) -> float:
         """A drive's value at a pose (rad, whole turns kept, or m)."""
-        entry, at = self.topology.mechanism.drives[drive], self._poses(z)
+        entry, at = self.topology.mechanism.prescribed(drive), self._poses(z)
         link, on = self.index[entry.link], self.index[entry.on]
         if self._turns(drive):
             return float(at[2, link] - at[2, on])
@@ -126,7 +126,7 @@ class Constraints:
 
     def gradient(self, drive: str, z: Array) -> Array:
         """The slope of a drive's value (rad, or lengths over the size): (3 links,)."""
-        entry, at = self.topology.mechanism.drives[drive], self._poses(z)
+        entry, at = self.topology.mechanism.prescribed(drive), self._poses(z)
         link, on = 3 * self.index[entry.link], 3 * self.index[entry.on]
         row = np.zeros(self.width + 3)
         if self._turns(drive):
@@ -142,7 +142,7 @@ class Constraints:
 
     def _sliding(self, drive: str, at: Array) -> tuple[tuple[Array, Array], Array]:
         """The two points of a sliding drive's line (of its link, of ``on``), and the direction."""
-        entry = self.topology.mechanism.drives[drive]
+        entry = self.topology.mechanism.prescribed(drive)
         joint = self.topology.driven(drive)[0].joint
         places = [
             _placed(at[:, self.index[name]], np.array(self.geometry.line(joint, name)[0], dtype=float) / self.size)

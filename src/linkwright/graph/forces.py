@@ -15,6 +15,7 @@ from linkwright.graph.geometry import ZERO
 from linkwright.graph.motion import Motion
 from linkwright.graph.placing import outer_joint
 from linkwright.groups.joints import Twist
+from linkwright.groups.linear import Factor
 from linkwright.notation import Body, Pair, Scalar, Wrench
 from linkwright.notation.jets import is_zero
 from linkwright.structure import FRAME, Cluster, Connection, Driven, Edge, Group
@@ -31,19 +32,62 @@ class Forces:
 
 
 def solve_forces(motion: Motion, applied: Iterable[tuple[str, Wrench]] = ()) -> Forces:
-    """All reactions, drive efforts and the shaking wrench, from motion of order 2 and what is applied to links."""
-    return _Solver(motion, applied).run()
+    """All reactions, drive efforts and the shaking wrench, from motion of order 2 and what is applied to links.
+
+    A drive with an output acts at its own joint, not where the motion is prescribed: its effort is the one that leaves
+    none to be exerted at the output. All forces are linear in it.
+    """
+    own = {link: own_wrench(motion, link, body) for link, body in motion.bodies.items() if link != FRAME}
+    own[FRAME] = Wrench.zero(ZERO)
+    for link, wrench in applied:
+        own[link] = own[link].plus(wrench)
+    units = unit_efforts(motion)
+    if not units:
+        return _Solver(motion, own).run()
+    lacking = _Solver(motion, own).run().efforts
+    efforts = dict(zip(units, lever(motion, units).solve([-lacking[name] for name in units]), strict=True))
+    for name, unit in units.items():
+        own = {link: own[link].plus(_times(unit[link], efforts[name])) if link in unit else own[link] for link in own}
+    forces = _Solver(motion, own).run()
+    forces.efforts |= efforts
+    return forces
+
+
+Efforts = dict[str, dict[str, Wrench]]
+
+
+def unit_efforts(motion: Motion) -> Efforts:
+    """Of each drive with an output, the wrenches of an effort of 1 N m or N at its own joint, by link."""
+    found: Efforts = {}
+    for name, drive in motion.geometry.mechanism.drives.items():
+        if drive.output is None:
+            continue
+        joint, on = motion.structure.topology.acting(name)[0].joint, motion.bodies[drive.on]
+        if drive.turns:
+            wrench = Wrench(Pair(0.0, 0.0), 1.0, ZERO)
+        else:
+            point, heading = motion.geometry.line(joint, drive.on)
+            wrench = Wrench(on.direction(heading).now, 0.0, on.point(point).now)
+        found[name] = {drive.link: wrench, drive.on: wrench.opposite}
+    return found
+
+
+def lever(motion: Motion, units: Efforts) -> Factor:
+    """What each unit effort leaves to be exerted at each output: minus the rates of the drives over their outputs."""
+    zero = {link: Wrench.zero(ZERO) for link in motion.bodies}
+    answers = [_Solver(motion, zero | unit).run().efforts for unit in units.values()]
+    return Factor([[answer[name] for answer in answers] for name in units])
+
+
+def _times(wrench: Wrench, factor: Scalar) -> Wrench:
+    return Wrench(Pair(wrench.force.x * factor, wrench.force.y * factor), wrench.moment * factor, wrench.about)
 
 
 class _Solver:
-    def __init__(self, motion: Motion, applied: Iterable[tuple[str, Wrench]]) -> None:
-        self.motion = motion
+    def __init__(self, motion: Motion, wrenches: dict[str, Wrench]) -> None:
+        self.motion, self.wrenches = motion, dict(wrenches)
         self.forces = Forces()
         self.carried: dict[tuple[str, str], Wrench] = {}
-        self.wrenches = {link: own_wrench(motion, link, body) for link, body in motion.bodies.items() if link != FRAME}
-        self.wrenches[FRAME] = Wrench.zero(ZERO)
-        for link, wrench in applied:
-            self.wrenches[link] = self.wrenches[link].plus(wrench)
 
     def run(self) -> Forces:
         for step in reversed(self.motion.structure.steps):

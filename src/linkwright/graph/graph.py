@@ -14,7 +14,7 @@ from typing import Any
 import casadi as ca
 
 from linkwright.graph.actions import Actions, active, load_values, wrenches
-from linkwright.graph.forces import Forces, solve_forces
+from linkwright.graph.forces import Forces, lever, solve_forces, unit_efforts
 from linkwright.graph.geometry import ZERO, Geometry
 from linkwright.graph.motion import Motion, solve_motion
 from linkwright.graph.program import ExpressionStage, Program
@@ -132,9 +132,18 @@ class Graph:
             sizes += [abs(a - b) for a in points for b in points]
         return max(sizes) or 1.0
 
-    def wraps(self, link: str) -> bool:
-        """Whether a link's angle comes from its axis alone, so that it jumps by a turn now and then."""
-        return self._bare.motion.bodies[link].angle is None
+    def wraps(self, owner: str) -> bool:
+        """Whether the angle of a link or drive comes from axes alone, so that it jumps by a turn now and then."""
+        drive, bodies = self.structure.topology.mechanism.drives.get(owner), self._bare.motion.bodies
+        if drive is None:
+            return bodies[owner].angle is None
+        return drive.output is not None and None in (bodies[drive.link].angle, bodies[drive.on].angle)
+
+    def wrapped(self, name: str) -> bool:
+        """Whether a signal is an angle that jumps so."""
+        owner, _, attribute = name.partition(".")
+        mechanism = self.structure.topology.mechanism
+        return attribute == "angle" and (owner in mechanism.links or owner in mechanism.drives) and self.wraps(owner)
 
     @cached_property
     def _bare(self) -> View:
@@ -244,9 +253,15 @@ class View:
         if what in mechanism.springs:
             spring = mechanism.springs[what]
             return raw_angle(self, str(spring.turns)) - raw_angle(self, str(spring.on))
-        return raw_angle(self, what)
+        return self.own(what, 0, whole=False) if what in mechanism.drives else raw_angle(self, what)
 
     def _internal(self, owner: str, what: str) -> Scalar:
+        if owner in self.motion.bodies and what in ("x", "y", "cos", "sin"):
+            body = self.motion.bodies[owner]
+            start = body.point(ZERO).now
+            return {"cos": body.axis.x.d[0], "sin": body.axis.y.d[0], "x": start.x, "y": start.y}[what]
+        if owner == "drives over outputs":
+            return lever(self.motion, unit_efforts(self.motion)).determinant()
         if owner == "span":
             span = next(dyad.span() for group, (dyad, _) in self.motion.dyads.items() if group.label == what)
             return 1.0 if span is None else span
@@ -257,11 +272,7 @@ class View:
             solved = next(s for group, (_, s) in self.motion.dyads.items() if group.label == what)
             return solved.reach if owner == "reach" else solved.determinant
         kind, _, label = owner.partition(":")
-        if kind in ("gap", "slope", "rate"):
-            return self._of_cluster(kind, label, int(what))
-        body = self.motion.bodies[owner]
-        start = body.point(ZERO).now
-        return {"cos": body.axis.x.d[0], "sin": body.axis.y.d[0], "x": start.x, "y": start.y}[what]
+        return self._of_cluster(kind, label, int(what))
 
     def _of_cluster(self, what: str, label: str, index: int) -> Scalar:
         """Rows of a cluster: what closure i misses, d(closure)/d(coordinate) row by row, coordinate i's rate."""
@@ -312,8 +323,26 @@ class View:
         if signal.attribute in ("torque", "force"):
             return self.forces.efforts[name]
         if signal.attribute == "power":
-            return self.forces.efforts[name] * self.laws[name].d[1]
-        return self.laws[name].d[{**_LINK_ORDERS, **_SLIDE_ORDERS}[signal.attribute]]
+            return self.forces.efforts[name] * self.own(name, 1)
+        return self.own(name, {**_LINK_ORDERS, **_SLIDE_ORDERS}[signal.attribute])
+
+    def own(self, name: str, order: int, whole: bool = True) -> Scalar:
+        """A drive's value or a rate of it; of one with an output, as it follows from the motion (rad, ``whole`` turns
+        where they are known)."""
+        drive = self.motion.geometry.mechanism.drives[name]
+        if drive.output is None:
+            return self.laws[name].d[order]
+        if drive.slides:
+            joint = self.graph.structure.topology.acting(name)[0].joint
+            travel = self.travel(joint).d[order]
+            return travel if drive.link == self.motion.geometry.mechanism.joints[joint].links[1] else -travel
+        link, on = self.motion.bodies[drive.link], self.motion.bodies[drive.on]
+        if order:
+            return link.turn.d[order - 1] - on.turn.d[order - 1]
+        if link.angle is not None and on.angle is not None:
+            return link.angle - on.angle
+        raw = ca.atan2(on.axis.now.cross(link.axis.now), on.axis.now.dot(link.axis.now))
+        return raw + 2 * ca.pi * self.given.get(f"turns/{name}", 0.0) if whole else raw
 
     def force(self, signal: Signal) -> Scalar:
         contact = self.graph.quantities.signals.contact(signal.owners)

@@ -114,7 +114,7 @@ class Dyad(ABC):
         twists = self.first.twist(a), self.second.twist(b)
         slopes = self.joint.slopes(*self.carried(a, b), *twists)
         determinant = _determinant(slopes)
-        inverse = 1.0 / determinant
+        inverse = 1.0 / determinant if order else 0.0
         for k in range(1, order + 1):
             a = self.place(root.first, [*rates[0], 0.0])
             b = self.place(root.second, [*rates[1], 0.0], second=True)
@@ -179,6 +179,13 @@ def _determinant(m: Slopes) -> Scalar:
 def _solve(m: Slopes, inverse: Scalar, right: list[Scalar]) -> tuple[Scalar, Scalar]:
     (a, b), (c, d) = m
     return (d * right[0] - b * right[1]) * inverse, (a * right[1] - c * right[0]) * inverse
+
+
+def root_of(radicand: Scalar, scale: Scalar) -> Scalar:
+    """The square root; on plain numbers 0 where round-off alone makes the radicand negative, against its ``scale``."""
+    if isinstance(radicand, float) and -SLACK * scale < radicand < 0:
+        return 0.0
+    return call("sqrt", radicand)
 
 
 def length(v: Pair) -> Scalar:

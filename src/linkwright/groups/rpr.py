@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from linkwright.groups.dyad import SLACK, Dyad, Root, length, pin, register
+from linkwright.groups.dyad import SLACK, Dyad, Root, length, pin, register, root_of
 from linkwright.groups.joints import InnerLine
 from linkwright.notation import Body, Pair, Scalar
-from linkwright.notation.jets import call
 
 
 @register
@@ -25,7 +24,7 @@ class RPR(Dyad):
         base = second.base.now.minus(first.base.now)
         square = base.dot(base)
         radicand = square - across * across
-        along = branch * call("sqrt", radicand)
+        along = branch * root_of(radicand, square)
         # The base vector is (along, across) in the line's frame: the line's direction follows.
         heading = Pair((along * base.x + across * base.y) / square, (along * base.y - across * base.x) / square)
         return Root(

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from linkwright.groups.dyad import SLACK, Dyad, Root, length, line, pin, pointing, register
+from linkwright.groups.dyad import SLACK, Dyad, Root, length, line, pin, pointing, register, root_of
 from linkwright.groups.joints import InnerPin
 from linkwright.notation import Body, Pair, Scalar
-from linkwright.notation.jets import call
 
 
 @register
@@ -23,7 +22,7 @@ class RRP(Dyad):
         d = slide.direction.now
         behind, aside = self._start()
         radicand = square - aside * aside
-        ahead = branch * call("sqrt", radicand)
+        ahead = branch * root_of(radicand, square)
         to_pin = Pair(ahead * d.x - aside * d.y, ahead * d.y + aside * d.x)
         return Root(pointing(to_pin, arm), ahead - behind, radicand / square)
 

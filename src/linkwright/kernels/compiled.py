@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from copy import copy
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
@@ -15,6 +16,7 @@ from linkwright.graph.graph import Graph
 from linkwright.graph.redundant import redundant
 from linkwright.kernels.follow import Follower
 from linkwright.kernels.laws import Law, action_tables, drive_laws, values_at
+from linkwright.kernels.passages import Passage, Passages, unwrapped
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.supply import Supply
 from linkwright.laws import TableLaw
@@ -24,7 +26,7 @@ from linkwright.model.mechanism import Mechanism
 from linkwright.model.quantities import Quantities
 from linkwright.model.spelled import Spelled, spell_out
 from linkwright.notation import MAX_ORDER
-from linkwright.structure import Cluster, Structure, Topology, decompose
+from linkwright.structure import Cluster, Group, Structure, Topology, decompose
 
 Array = NDArray[np.float64]
 
@@ -40,16 +42,19 @@ class Compiled:
     laws: dict[str, Law]
     tables: dict[str, TableLaw] = field(default_factory=dict)  # those that loads and springs ask
     kernel: str = "numpy"
+    passages: Passages = field(default_factory=Passages)
     _kernels: dict[tuple[tuple[str, ...], bool], Kernel] = field(default_factory=dict)
+    _nodes: dict[tuple[Passage, tuple[str, ...], bool], Array] = field(default_factory=dict, init=False)
 
     def __post_init__(self) -> None:
         self.graph = Graph(self.quantities, self.structure)
         self.parameters = np.array([self.quantities.parameters[name] for name in self.graph.parameters])
-        size = self.assembly.size()
-        self.followers = [
-            Follower(self.graph, cluster, self.assembly.starts[cluster], size, self.kernel)
-            for cluster in self.structure.clusters
-        ]
+        self._supplied()
+
+    def _supplied(self) -> None:
+        """What follows the motion to give inputs of the program, at the start of it."""
+        starts, size = self.assembly.starts, self.assembly.size()
+        self.followers = [Follower(self.graph, c, starts[c], size, self.kernel) for c in self.structure.clusters]
         self.supply = Supply(self.graph, self.tables, self.kernel)
 
     def inputs(self, t: Array, clusters: int | None = None, actions: bool = True) -> Array:
@@ -60,13 +65,18 @@ class Compiled:
         for i, drive in enumerate(self.graph.drives):
             x[i * width : (i + 1) * width] = [np.broadcast_to(d, t.shape) for d in self.laws[drive](t).d]
         for i, group in enumerate(self.graph.branched, start=width * len(self.graph.drives)):
-            x[i] = self.assembly.branches[group]
+            x[i] = self.assembly.branches[group] * self.passages.sign(group.label, t)
         x[self.graph.first_unknown :] = np.nan
         for i, follower in enumerate(self.followers[:clusters]):
             x[follower.rows] = follower.solve(x, t, self.parameters, partial(self.inputs, clusters=i))
         if clusters is None and actions:
             self.supply.fill(x, t, self.parameters, partial(self.inputs, actions=False))
         return x
+
+    def branches(self, time: float) -> dict[Group, float]:
+        """Each group's branch at a time."""
+        t = np.array([time])
+        return {g: b * float(self.passages.sign(g.label, t)[0]) for g, b in self.assembly.branches.items()}
 
     def unknowns(self, time: float) -> dict[Cluster, list[float]]:
         """The coordinates of every cluster at a time."""
@@ -79,13 +89,61 @@ class Compiled:
         Angles of links come out in -pi..pi where the graph doesn't know them exactly; see
         :class:`linkwright.results.Run` for continuous ones.
         """
+        y = self.closed(names, t, rates)
+        for passage in self.passages.every:
+            inside = passage.inside(t)
+            if inside.any():
+                y[:, inside] = self._limits(passage, tuple(names), t[inside], rates)
+        return y.reshape(len(names), 2, t.size) if rates else y
+
+    def closed(self, names: Sequence[str], t: Array, rates: bool = False) -> Array:
+        """The program's rows at times ``t`` by their closed forms alone, each followed by its rate if asked for."""
         key = (tuple(names), rates)
         if key not in self._kernels:
             self._kernels[key] = KERNELS[self.kernel](self.graph.program(*key))
         program = self.graph.program(*key)
         actions = any(row >= self.supply.first for row in program.stages[0].used)
-        y = self._kernels[key].run(self.inputs(t, actions=actions), self.parameters)
-        return y.reshape(len(names), 2, t.size) if rates else y
+        return self._kernels[key].run(self.inputs(t, actions=actions), self.parameters)
+
+    def _limits(self, passage: Passage, names: tuple[str, ...], t: Array, rates: bool) -> Array:
+        """The program's rows in a passage's band."""
+        step = 2 if rates else 1
+        key = (passage, names, rates)
+        if key not in self._nodes:
+            turning = [step * i for i, name in enumerate(names) if self.graph.wrapped(name)]
+            self._nodes[key] = unwrapped(self.closed(names, passage.nodes, rates), turning)
+        values = self._nodes[key]
+        poles = [self._pole(passage, name) for name in names]
+        powers = [power + (k if power else 0) for power in poles for k in range(step)]
+        y = passage.between(t, values, np.array(powers, dtype=int))
+        if any(name.startswith("pole(") for name in names):  # these may be at infinity anywhere
+            off = passage.between(passage.proof, values) - self.closed(names, passage.proof, rates)
+            far = ~(np.abs(off) <= 1e-7 * np.abs(values).max(axis=1, keepdims=True)).all(axis=1)
+            y[far & np.repeat([name.startswith("pole(") for name in names], step)] = np.nan
+        for i, name in enumerate(names):
+            if name.endswith(").arm"):
+                parts = [name[: -len("arm")] + part for part in ("moment", "normal")]
+                (m, n) = self._limits(passage, tuple(parts), t, rates).reshape(2, step, t.size)
+                with np.errstate(all="ignore"):
+                    y[step * i] = m[0] / n[0]
+                    if rates:
+                        y[step * i + 1] = (m[1] - y[step * i] * n[1]) / n[0]
+        return y
+
+    def _pole(self, passage: Passage, name: str) -> int:
+        """The power by which a row grows without bound; a reaction by that of its opposite."""
+        if not passage.poles or ":" in name or "/" in name:
+            return 0
+        signal = self.graph.signal(name)
+        opposite = replace(signal, owners=(*signal.owners[1::-1], *signal.owners[2:]))
+        return max(passage.poles.get(s.text, 0) for s in (signal, opposite))
+
+    def carried(self, passages: Passages) -> Compiled:
+        """The same mechanism with its branches carried through change points."""
+        other = copy(self)
+        other.passages, other._nodes = passages, {}
+        other._supplied()
+        return other
 
 
 @dataclass

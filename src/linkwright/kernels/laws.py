@@ -66,11 +66,12 @@ class _Reader:
     def law(self, name: str) -> Law | None:
         """A drive's law, tried at t = 0."""
         drive = self.quantities.mechanism.drives[name]
-        dimension, rate = (u.ANGLE, u.OMEGA) if drive.turns else (u.LENGTH, u.SPEED)
+        turning = self.quantities.mechanism.prescribed(name).turns
+        dimension, rate = (u.ANGLE, u.OMEGA) if turning else (u.LENGTH, u.SPEED)
         if drive.position is None:
             assert drive.start is not None
             assert drive.speed is not None
-            change = u.ALPHA if drive.turns else u.ACCELERATION
+            change = u.ALPHA if turning else u.ACCELERATION
             return constant_acceleration(
                 self.quantities.value(drive.start, dimension),
                 self.quantities.value(drive.speed, rate),

@@ -101,12 +101,14 @@ class Builder:
         start: Any = None,
         position: Any = None,
         acceleration: Any = None,
+        output: str | None = None,
     ) -> Self:
         """A prescribed motion of the link that it ``turns`` or ``slides``, against the link ``on`` (the frame unless
-        given), or of the cylinder or slide that it ``extends``."""
+        given), or of the cylinder or slide that it ``extends``; with ``output``, the law is that of a prismatic joint,
+        or of a link on the frame, which the drive is to move."""
         on = on or (None if extends else "frame")
         law = _given(turns=turns, slides=slides, extends=extends, on=on, speed=speed, acceleration=acceleration)
-        law |= _given(start=start, position=position)
+        law |= _given(start=start, position=position, output=output)
         return self._put("drives", name, law)
 
     def table(

@@ -100,7 +100,8 @@ def _pins(m: Mechanism) -> Iterator[Finding]:
 def _drives(m: Mechanism) -> Iterator[Finding]:
     if not m.drives:
         yield Finding("model.no-drive", ("drives",))
-    pairs: dict[frozenset[str], str] = {}
+    acting: dict[frozenset[str], str] = {}
+    moved: dict[frozenset[str], str] = {}
     for name, drive in m.drives.items():
         path = ("drives", name)
         for link in dict.fromkeys((drive.link, drive.on)):
@@ -108,10 +109,28 @@ def _drives(m: Mechanism) -> Iterator[Finding]:
                 yield _unknown("link", path, link, m.links)
         if drive.link == drive.on:
             yield Finding("joint.same-link", path, {"name": drive.link})
-        pair = frozenset((drive.link, drive.on))
-        if pair in pairs:
-            yield Finding("drive.twice", path, {"other": pairs[pair], "a": drive.link, "b": drive.on})
-        pairs.setdefault(pair, name)
+        if drive.output is not None and (fault := _output(m, name)) is not None:
+            yield fault
+            continue
+        for seen, entry in ((acting, drive), (moved, m.prescribed(name))):
+            pair = frozenset((entry.link, entry.on))
+            if pair in seen:
+                yield Finding("drive.twice", path, {"other": seen[pair], "a": entry.link, "b": entry.on})
+                break
+            seen[pair] = name
+
+
+def _output(m: Mechanism, name: str) -> Finding | None:
+    """What is wrong with the output of a drive."""
+    drive, slides = m.drives[name], dict(m.prismatic_joints())
+    path, output = ("drives", name, "output"), m.drives[name].output
+    assert output is not None
+    if output not in slides and (output not in m.links or output == FRAME):
+        return Finding("drive.output", path, {"name": output, "near": near(output, [*slides, *m.links])})
+    moved = m.prescribed(name)
+    if {moved.link, moved.on} == {drive.link, drive.on}:
+        return Finding("drive.output-own", path, {"name": output, "link": drive.link, "on": drive.on})
+    return None
 
 
 def _carrier(path: tuple[Any, ...], link: str, at: Any, m: Mechanism) -> Iterator[Finding]:

@@ -123,6 +123,16 @@ class Mechanism(Frozen):
         default_factory=FrozenDict, description="limits on measures, e.g. stroke: '>= 680 mm'"
     )
 
+    def prescribed(self, drive: str) -> Drive:
+        """A drive as it prescribes the motion: of one with an output, the same law between the output's links."""
+        entry = self.drives[drive]
+        if entry.output is None:
+            return entry
+        if (joint := self.joints.get(entry.output)) is not None:
+            on, link = joint.links
+            return entry.model_copy(update={"turns": None, "slides": link, "on_": on})
+        return entry.model_copy(update={"turns": entry.output, "slides": None, "on_": "frame"})
+
     def prismatic_joints(self) -> Iterator[tuple[str, Joint]]:
         """The prismatic joints by name."""
         return ((name, joint) for name, joint in self.joints.items() if joint.prismatic)

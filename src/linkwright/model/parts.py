@@ -213,6 +213,11 @@ class Drive(Frozen):
     position: Expression | None = Field(
         None, description="value as an expression in t, e.g. 20 deg*sin(180 deg*t/(1 s)); may call tables"
     )
+    output: Name | None = Field(
+        None,
+        description="the prismatic joint, or the link hinged on the frame, that is to follow the law; "
+        "the drive's own motion and effort follow from it",
+    )
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:

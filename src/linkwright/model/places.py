@@ -119,13 +119,13 @@ def _links(m: Mechanism) -> Iterator[Place]:
 def _actions(m: Mechanism) -> Iterator[Place]:
     for name, drive in m.drives.items():
         at: Path = ("drives", name)
-        span, rate = (u.ANGLE, u.OMEGA) if drive.turns else (u.LENGTH, u.SPEED)
+        span, rate = (u.ANGLE, u.OMEGA) if m.prescribed(name).turns else (u.LENGTH, u.SPEED)
         if drive.speed is not None:
             yield Place((*at, "speed"), drive.speed, rate)
         if drive.start is not None:
             yield Place((*at, "start"), drive.start, span)
         if drive.acceleration is not None:
-            yield Place((*at, "acceleration"), drive.acceleration, u.ALPHA if drive.turns else u.ACCELERATION)
+            yield Place((*at, "acceleration"), drive.acceleration, u.ALPHA if span == u.ANGLE else u.ACCELERATION)
         if drive.position is not None:
             yield Place((*at, "position"), drive.position, span, Scope.TIME)
     for name, load in m.loads.items():

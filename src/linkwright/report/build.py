@@ -65,7 +65,7 @@ def axis(result: Result) -> Time:
     """What the drawing and the plots run over: the time, or in a sweep the drive's value."""
     run, quantities = result.run, result.run.compiled.quantities
     if isinstance(run, Sweep):
-        unit, size = quantities.unit_of(ANGLE if run.compiled.mechanism.drives[run.drive].turns else LENGTH)
+        unit, size = quantities.unit_of(ANGLE if run.compiled.mechanism.prescribed(run.drive).turns else LENGTH)
         return {"values": ((run.origin + result.t) / size).tolist(), "unit": unit, "label": run.drive}
     unit, size = quantities.unit_of(TIME)
     return {"values": (result.t / size).tolist(), "unit": unit, "label": say("plot.time")}

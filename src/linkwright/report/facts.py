@@ -73,7 +73,8 @@ def _order(compiled: Compiled) -> list[str]:
     lines = []
     for step in compiled.structure.steps:
         if isinstance(step, Driven):
-            lines.append(say("fact.order.driven", link=step.link, drive=step.drive, base=step.base))
+            key = "output" if compiled.mechanism.drives[step.drive].output else "driven"
+            lines.append(say(f"fact.order.{key}", link=step.link, drive=step.drive, base=step.base))
             continue
         links = ", ".join(step.links)
         mode = compiled.assembly.rules.get(step, "") if isinstance(step, Group) else ""
@@ -102,9 +103,12 @@ def checks(certificate: Certificate, time_text: str) -> list[Check]:
         lines.append(
             _proof("nearest", f"{near.determinant:.4g}", near.determinant > FAR, group=near.group, time=time_text)
         )
+        if c.changes:
+            lines[-1]["sentence"] += " " + say("proof.nearest.apart")
     kept = [rule for rule in c.branches.values() if rule]
     if kept:
-        lines.append(_proof("branches", str(len(kept)), True, branches="; ".join(kept)))
+        text = say(f"proof.branches.{'changed' if c.changes else 'text'}", branches="; ".join(kept))
+        lines.append({"name": say("proof.branches"), "figure": str(len(kept)), "sentence": text, "ok": True})
     return [*lines, _proof("kernel", str(c.poses), True, poses=c.poses, kernel=c.kernel)]
 
 

@@ -33,7 +33,7 @@ def limits_entry(outcome: LimitsOutcome) -> dict[str, Any]:
 
 
 def _drive(outcome: LimitsOutcome, limits: DriveLimits) -> dict[str, Any]:
-    turns = bool(outcome.compiled.mechanism.drives[limits.drive].turns)
+    turns = bool(outcome.compiled.mechanism.prescribed(limits.drive).turns)
     unit, size = outcome.compiled.quantities.unit_of(ANGLE if turns else LENGTH)
     ranges = []
     for found, stretch in limits.ranges:

@@ -105,14 +105,14 @@ def told(outcome: ModesOutcome) -> dict[str, object]:
 
 
 def _unit(outcome: ModesOutcome, drive: str) -> tuple[str, float]:
-    turning = outcome.quantities.mechanism.drives[drive].turns
+    turning = outcome.quantities.mechanism.prescribed(drive).turns
     return outcome.quantities.unit_of(u.ANGLE if turning else u.LENGTH)
 
 
 def _circuit(outcome: ModesOutcome, index: int, scale: float) -> CircuitEntry:
     found, circuit = outcome.survey, outcome.circuits[index]
     assert found.drive is not None
-    turning, here = outcome.quantities.mechanism.drives[found.drive].turns, outcome.values[found.drive]
+    turning, here = outcome.quantities.mechanism.prescribed(found.drive).turns, outcome.values[found.drive]
 
     def shown(low: float, high: float) -> tuple[float, float]:
         """In the file's unit; of ranges that are a whole turn apart, the one about the pose looked at."""

@@ -58,4 +58,6 @@ def certificate_entry(result: Result, second: float, time_unit: str) -> dict[str
             "time": c.nearest.time / second,
             "unit": time_unit,
         }
+    if c.changes:
+        entry["branch_changes"] = {group: [time / second for time in times] for group, times in c.changes.items()}
     return entry | {"branches": c.branches, "poses": c.poses, "kernel": c.kernel}

@@ -229,7 +229,7 @@ class Reports:
                 torque, nowhere = self.rows[f"{name}.torque"], np.zeros((2, self.count))
                 found += [(drive.link, nowhere, nowhere, torque), (drive.on, nowhere, nowhere, -torque)]
             else:
-                place, along = self.line(self.topology.driven(name)[0].joint, drive.on)
+                place, along = self.line(self.topology.acting(name)[0].joint, drive.on)
                 force = self.rows[f"{name}.force"] * along
                 found += [(drive.link, force, place, 0.0), (drive.on, -force, place, 0.0)]
         return found

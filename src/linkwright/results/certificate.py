@@ -12,6 +12,7 @@ from linkwright.results.quadrature import panel_points
 from linkwright.results.run import Run
 from linkwright.results.stationary import stationary
 from linkwright.structure import FRAME
+from linkwright.words import say
 
 Array = NDArray[np.float64]
 
@@ -46,6 +47,7 @@ class Certificate:
     loops: int
     nearest: Nearest | None
     branches: dict[str, str]  # the assembly rule that each group keeps; empty where it has one mode only
+    changes: dict[str, tuple[float, ...]]  # of groups carried through change points: when their branch changes (s)
     poses: int
     kernel: str
 
@@ -63,10 +65,12 @@ class Certificate:
 def certify(run: Run) -> Certificate:
     """Prove a run at its sampled times."""
     compiled, topology = run.compiled, run.compiled.structure.topology
-    reports = Reports(compiled, run.t)
+    without_value = [p.blank(run.t) for p in compiled.passages.every]
+    reports = Reports(compiled, run.t[~np.any([np.zeros(run.t.size, bool), *without_value], axis=0)])
     constraints = rank(reports)
     loaded = bool(reports.masses or compiled.mechanism.loads or compiled.mechanism.springs)
     rules = compiled.assembly.rules
+    changes = {group.label: _changes(run, group.label) for group in compiled.structure.groups}
     return Certificate(
         closure=closure(reports),
         equilibrium=equilibrium(reports) if loaded else None,
@@ -78,12 +82,24 @@ def certify(run: Run) -> Certificate:
         loops=topology.loops,
         nearest=nearest(run),
         branches={
-            **{group.label: rules.get(group, "") for group in compiled.structure.groups},
+            **{g.label: _branch(rules.get(g, ""), changes[g.label]) for g in compiled.structure.groups},
             **{cluster.label: "" for cluster in compiled.structure.clusters},
         },
-        poses=run.t.size,
+        changes={group: times for group, times in changes.items() if times},
+        poses=reports.count,
         kernel=compiled.kernel,
     )
+
+
+def _changes(run: Run, group: str) -> tuple[float, ...]:
+    passages = [p for p in run.compiled.passages.of(group) if not p.at_start]
+    return tuple(p.time for p in passages if run.start <= p.time <= run.stop)
+
+
+def _branch(rule: str, times: tuple[float, ...]) -> str:
+    """The rule that a group keeps, and when its branch changes."""
+    listed = ", ".join(f"{time:.6g}" for time in times)
+    return say("proof.branch.changes", rule=rule, times=listed) if times else rule
 
 
 def closure(r: Reports) -> float:
@@ -205,7 +221,10 @@ def jacobian(r: Reports, pose: int) -> Array:
 
 
 def nearest(run: Run) -> Nearest | None:
-    """The smallest normalised determinant of a group over the run, root-found between the samples."""
+    """The smallest normalised determinant of a group over the run, root-found between the samples.
+
+    The bands about change points through which a group is carried are left out: its determinant is zero there.
+    """
     structure = run.compiled.structure
     groups = [*(group.label for group in structure.groups), *(cluster.label for cluster in structure.clusters)]
     names = [f"determinant:{group}" for group in groups]
@@ -220,6 +239,11 @@ def nearest(run: Run) -> Nearest | None:
     turning = stationary(rates, run.start, run.stop, run.grid) if groups else []
     for i, group in enumerate(groups):
         times = np.concatenate([turning[i], [run.start, run.stop]])
+        times = times[
+            ~np.any([np.zeros(times.size, bool), *(p.inside(times) for p in run.compiled.passages.of(group))], 0)
+        ]
+        if not times.size:
+            continue
         values = np.abs(run.compiled.evaluate([names[i]], times)[0])
         found.append(Nearest(group, float(values.min()), float(times[values.argmin()])))
     return min(found, key=lambda near: near.determinant, default=None)

@@ -66,7 +66,7 @@ class Result:
         for name in self.names:
             if name.endswith(".arm"):
                 normal = np.abs(values[name[: -len("arm")] + "normal"])
-                values[name] = np.where(normal > NO_FORCE * normal.max(initial=0.0), values[name], np.nan)
+                values[name] = np.where(normal > NO_FORCE * np.fmax.reduce(normal, initial=0.0), values[name], np.nan)
         return values
 
     def __getitem__(self, text: str) -> Array:

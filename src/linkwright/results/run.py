@@ -31,6 +31,8 @@ class Run:
 
     def __init__(self, compiled: Compiled, start: float, stop: float, steps: int) -> None:
         self.compiled, self.start, self.stop, self.steps = compiled, start, stop, steps
+        self.rows: dict[str, tuple[Array, Array]] = {}
+        """Rows that were looked at closely: times with all turning points, and values."""
         self.change_points: tuple[float, ...] = ()
         self._angles: dict[str, tuple[Array, Array]] = {}
 
@@ -39,9 +41,9 @@ class Run:
         """Steps for searches: the samples, and more where a drive turns far, moves and rests, or a load swings."""
         t = np.linspace(self.start, self.stop, LOOK + 1)
         steps = [self.steps]
-        for name, drive in self.compiled.mechanism.drives.items():
+        for name in self.compiled.mechanism.drives:
             rate = np.abs(np.broadcast_to(self.compiled.laws[name](t).d[1], t.shape))
-            if drive.turns:
+            if self.compiled.mechanism.prescribed(name).turns:
                 steps.append(min(int(float(np.mean(rate)) * (self.stop - self.start) / MAX_TURN) + 1, MAX_GRID))
             # The shortest move or rest is to be seen at some ten points.
             changes = np.flatnonzero(np.diff((rate > 1e-9 * rate.max()).astype(int)))
@@ -73,7 +75,7 @@ class Run:
         """The named signals at times ``t`` (s): (names, times), SI, angles continuous over the run."""
         y = self.compiled.evaluate(names, t)
         for i, name in enumerate(names):
-            if self._wraps(name):
+            if self.compiled.graph.wrapped(name):
                 y[i] = self._continuous(name, t, y[i])
         return y
 
@@ -82,7 +84,7 @@ class Run:
         y = self.compiled.evaluate(names, t, rates=True)
         values, slopes = y[:, 0], y[:, 1]
         for i, name in enumerate(names):
-            if self._wraps(name):
+            if self.compiled.graph.wrapped(name):
                 values[i] = self._continuous(name, t, values[i])
         return values, slopes
 
@@ -108,10 +110,6 @@ class Run:
     def dimension(self, name: str) -> Dimension:
         """The dimension of a signal."""
         return self.compiled.graph.signal(name).dimension
-
-    def _wraps(self, name: str) -> bool:
-        link, _, attribute = name.partition(".")
-        return attribute == "angle" and link in self.compiled.mechanism.links and self.compiled.graph.wraps(link)
 
     def _continuous(self, name: str, t: Array, wrapped: Array) -> Array:
         """Add whole turns so that the angle runs on without jumps from its value at the start of the run."""

@@ -75,7 +75,7 @@ def _roots(f: Callable[[Array], Array], brackets: list[Array]) -> list[Array]:
 
     ends = np.concatenate(brackets)
 
-    def chosen(t: Array, row: Array) -> Array:
+    def chosen(t: Array, row: NDArray[np.intp]) -> Array:
         found = f(t.ravel())[row.ravel(), np.arange(t.size)].reshape(t.shape)
         return np.asarray(np.nan_to_num(found, posinf=HUGE, neginf=-HUGE))
 
@@ -85,4 +85,8 @@ def _roots(f: Callable[[Array], Array], brackets: list[Array]) -> list[Array]:
         args=(rows,),
         tolerances={"xatol": 0.0, "xrtol": 4e-16, "fatol": 0.0, "frtol": 0.0},
     )
-    return [np.sort(result.x[rows == row]) for row in range(len(brackets))]
+    x, lost = result.x, np.isnan(result.x)
+    if lost.any():  # an end whose sign is round-off had the other one when it was looked at again: it is the root
+        heights = np.abs([chosen(end, rows) for end in ends.T])
+        x = np.where(lost, np.where(heights[0] < heights[1], ends[:, 0], ends[:, 1]), x)
+    return [np.sort(x[rows == row]) for row in range(len(brackets))]

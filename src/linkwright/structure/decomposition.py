@@ -13,7 +13,7 @@ from itertools import combinations
 
 from linkwright.groups import REGISTRY
 from linkwright.model.findings import Finding
-from linkwright.model.mechanism import Mechanism
+from linkwright.model.mechanism import Drive, Mechanism
 from linkwright.structure.topology import FRAME, Connection, Topology
 
 MAX_CLUSTER = 10
@@ -29,6 +29,10 @@ class Driven:
     joint: Connection
     drive: str
     sign: int
+
+    @property
+    def drives(self) -> tuple[str, ...]:
+        return (self.drive,)
 
     @property
     def links(self) -> tuple[str, ...]:
@@ -91,6 +95,11 @@ class Group:
         return first, second
 
     @property
+    def drives(self) -> tuple[str, ...]:
+        """The drives inside."""
+        return tuple(edge.drive for chain in self.chains for edge in chain if edge.drive)
+
+    @property
     def modes(self) -> int:
         """The number of assembly modes."""
         return len(REGISTRY[self.signature].rules) or 1
@@ -133,6 +142,11 @@ class Cluster:
         """The letters of the joints by which its links are placed (in brackets where driven), then of the closures."""
         placed = "".join(e.joint.letter if e.drive is None else f"({e.joint.letter})" for e in self.edges)
         return f"{placed}-{''.join(c.letter for c in self.closures)}"
+
+    @property
+    def drives(self) -> tuple[str, ...]:
+        """The drives inside."""
+        return tuple(edge.drive for edge in self.edges if edge.drive)
 
     @property
     def free(self) -> tuple[Edge, ...]:
@@ -194,28 +208,28 @@ class _Search:
     def note(self, code: str, path: tuple[str, ...], **data: object) -> None:
         self.findings.append(Finding(code, path, data))
 
+    def drive(self, name: str) -> Drive:
+        """A drive as it prescribes the motion."""
+        return self.topology.mechanism.prescribed(name)
+
     def find_drives(self) -> None:
-        for name, drive in self.topology.mechanism.drives.items():
-            options = self.topology.driven(name)
-            if not options:
-                kind = "revolute" if drive.turns else "prismatic"
-                self.note("structure.drive-no-joint", ("drives", name), link=drive.link, on=drive.on, joint=kind)
-            elif len(options) > 1:
-                joints = ", ".join(c.joint for c in options)
-                self.note(
-                    "structure.drive-two-joints",
-                    ("drives", name),
-                    link=drive.link,
-                    on=drive.on,
-                    joints=joints,
-                )
-            else:
-                self.joints[name] = options[0]
+        for name, own in self.topology.mechanism.drives.items():
+            acting, moved = (own, self.topology.acting(name)), (self.drive(name), self.topology.driven(name))
+            for drive, options in [acting, moved] if own.output else [acting]:
+                if not options:
+                    kind = "revolute" if drive.turns else "prismatic"
+                    self.note("structure.drive-no-joint", ("drives", name), link=drive.link, on=drive.on, joint=kind)
+                elif len(options) > 1:
+                    joints = ", ".join(c.joint for c in options)
+                    data = {"link": drive.link, "on": drive.on, "joints": joints}
+                    self.note("structure.drive-two-joints", ("drives", name), **data)
+                else:
+                    self.joints[name] = options[0]
 
     def drive_one(self) -> bool:
         """Place one link by a drive on a known link."""
         for name, joint in self.joints.items():
-            drive = self.topology.mechanism.drives[name]
+            drive = self.drive(name)
             link_known, on_known = drive.link in self.known, drive.on in self.known
             if link_known == on_known:
                 continue
@@ -278,7 +292,7 @@ class _Search:
             link = front.pop(0)
             for name, joint in self.joints.items():
                 if link in (joint.a, joint.b) and (other := joint.other(link)) not in ways:
-                    sign = 1 if self.topology.mechanism.drives[name].link == other else -1
+                    sign = 1 if self.drive(name).link == other else -1
                     ways[other] = (*ways[link], Edge(other, joint, name, sign))
                     front.append(other)
         return ways[end]
@@ -319,7 +333,7 @@ class _Search:
             # A driven joint places its link for good; else outer joints keep the chains short.
             joint, link = min(options, key=lambda o: (o[0] not in driven, placed.index(o[0].other(o[1]))))
             drive = driven.get(joint)
-            sign = 1 if drive is None or self.topology.mechanism.drives[drive].link == link else -1
+            sign = 1 if drive is None or self.drive(drive).link == link else -1
             edges.append(Edge(link, joint, drive, sign))
             placed.append(link)
             todo.remove(link)
@@ -358,7 +372,7 @@ class _Search:
         top = self.topology
         left = [link for link in top.moving if link not in self.known]
         for name in self.joints:
-            drive = top.mechanism.drives[name]
+            drive = self.drive(name)
             if drive.link in self.known:
                 self.note("structure.drive-too-many", ("drives", name), link=drive.link, on=drive.on)
         for part in self.parts(left):
@@ -373,6 +387,7 @@ class _Search:
                 self.note("structure.higher-group", ("links", part[0]), links=names, most=MAX_CLUSTER)
         if not left and not self.findings:
             self.report_redundant()
+            self.report_apart()
 
     def report_redundant(self) -> None:
         """Joints between links that other joints have placed already."""
@@ -384,6 +399,32 @@ class _Search:
                 pin = self.topology.pins.get(name)
                 links = pin.links if pin else self.topology.mechanism.joints[name].links
                 self.note("structure.redundant", ("joints", name), joint=name, links=", ".join(links))
+
+    def report_apart(self) -> None:
+        """Drives that can't move the outputs asked of them, since these don't move the drives' own joints.
+
+        Each needs an output of its own that moves its joint (with several drives not its own one by need).
+        """
+        moved_by: dict[str, set[str]] = {FRAME: set()}
+        for step in self.steps:
+            hung = {link for joint in step.joints for link in (joint.a, joint.b)} & moved_by.keys()
+            moved_by |= dict.fromkeys(step.links, set(step.drives).union(*(moved_by[link] for link in hung)))
+        drives = {name: drive for name, drive in self.topology.mechanism.drives.items() if drive.output}
+        taken: dict[str, str] = {}
+
+        def take(name: str, tried: set[str]) -> bool:
+            """An output for the drive, by turns with drives that can take another one (augmenting paths)."""
+            for output in (moved_by[drives[name].link] | moved_by[drives[name].on]) & drives.keys() - tried:
+                tried.add(output)
+                if output not in taken or take(taken[output], tried):
+                    taken[output] = name
+                    return True
+            return False
+
+        for name, drive in drives.items():
+            if not take(name, set()):
+                data = {"output": drive.output, "link": drive.link, "on": drive.on}
+                self.note("structure.output-apart", ("drives", name, "output"), **data)
 
     def freedom(self, part: list[str]) -> int:
         """Gruebler's count of a set of links that hangs on the known ones, less its drives."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-from linkwright.model.mechanism import Mechanism
+from linkwright.model.mechanism import Drive, Mechanism
 from linkwright.model.pins import Pin, pins
 
 FRAME = "frame"
@@ -79,7 +79,15 @@ class Topology:
         return self.joint_count - len(self.moving)
 
     def driven(self, drive: str) -> list[Connection]:
-        """The joints that a drive can act at."""
-        entry = self.mechanism.drives[drive]
-        letter = "R" if entry.turns else "P"
-        return [c for c in self.connections if c.letter == letter and {c.a, c.b} == {entry.link, entry.on}]
+        """The joints whose motion a drive can prescribe: its own, or that of its output."""
+        entry = self.mechanism.prescribed(drive)
+        joints = self._between(entry)
+        return joints if entry.output is None or entry.turns else [c for c in joints if c.joint == entry.output]
+
+    def acting(self, drive: str) -> list[Connection]:
+        """The joints at which a drive's effort can act."""
+        return self._between(self.mechanism.drives[drive])
+
+    def _between(self, drive: Drive) -> list[Connection]:
+        letter = "R" if drive.turns else "P"
+        return [c for c in self.connections if c.letter == letter and {c.a, c.b} == {drive.link, drive.on}]

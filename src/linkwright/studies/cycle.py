@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -15,9 +15,11 @@ from linkwright.model.fields import Expression, Frozen, fault
 from linkwright.model.findings import Finding, ModelError
 from linkwright.results import Result, Run, certify
 from linkwright.studies.acting import outside, undefined
-from linkwright.studies.feasible import singular, strokes, unassembled
+from linkwright.studies.feasible import near, singular, strokes, unassembled
 from linkwright.studies.measures import MeasureResult, measure_all
+from linkwright.studies.outputs import powerless
 from linkwright.studies.registry import register
+from linkwright.studies.through import carried, warnings
 
 TURNS = re.compile(r"^\s*(\d+(?:\.\d+)?)\s+(\w+)\s*$")
 
@@ -29,6 +31,9 @@ class CycleOptions(Frozen):
     duration: Expression | None = Field(None, description="how long the run lasts")
     turns: str | None = Field(None, description="'2 engine': so many turns of a drive of constant speed")
     samples: int = Field(200, ge=2, le=100_000, description="number of equal steps; rows are samples + 1")
+    through: Literal["keep", "stop"] = Field(
+        "stop", description="at a change point: keep goes on smoothly through it, stop refuses the run"
+    )
 
     @model_validator(mode="after")
     def _one_length(self) -> CycleOptions:
@@ -81,16 +86,24 @@ class Cycle:
         """Follow the motion, prove it, take the measures."""
         stop, _ = span(compiled, options)
         run = Run(compiled, 0.0, stop, options.samples)
+        code = "motion.singular"
+        if options.through == "keep":
+            code = "motion.cannot-carry"
+            run, kept = carried(run)
+            if kept:
+                return CycleOutcome(Result(run, kept))
         if gaps := unassembled(run):
             return CycleOutcome(Result(run, gaps))
-        if passages := singular(run):
-            return CycleOutcome(Result(run, passages))
+        if poses := singular(run, code):
+            return CycleOutcome(Result(run, poses))
+        if dead := powerless(run):
+            return CycleOutcome(Result(run, dead))
         if undecided := undefined(run):
             return CycleOutcome(Result(run, undecided))
         result = Result(run, certificate=certify(run))
         measures, faults = measure_all(run)
         result.failures += [*faults, *strokes(run)]
-        notes = not_periodic(run) if options.period is not None else []
+        notes = [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
         return CycleOutcome(result, measures, [*notes, *outside(run)])
 
 
@@ -124,7 +137,7 @@ def _turns(compiled: Compiled, text: str) -> tuple[float, list[Finding]]:
     drive = compiled.mechanism.drives.get(match[2]) if match else None
     if match is None or drive is None:
         return wrong(f"'{text}' isn't a number and a drive, such as '2 {compiled.graph.drives[0]}'")
-    if drive.speed is None or drive.acceleration is not None or not drive.turns:
+    if drive.speed is None or drive.output is not None or drive.acceleration is not None or not drive.turns:
         return wrong(f"{match[2]} doesn't turn at constant speed; give duration instead")
     speed = compiled.quantities.value(drive.speed, u.OMEGA)
     if speed == 0 or float(match[1]) == 0:

@@ -21,6 +21,8 @@ Array = NDArray[np.float64]
 
 TOUCH = 1e-13
 """A reach within this of zero only touches: a singular pose, and the radicand's round-off decides its sign."""
+NEAR = 1e-3
+"""A reach that turns below this passes a change point closely (the links come within 3 deg of being in line)."""
 SINGULAR = 1e-7
 """A normalised group determinant below this is a singular pose: rates and forces lose all their digits there."""
 
@@ -62,8 +64,14 @@ def _row(run: Run, row: str, more: Sequence[float] = ()) -> tuple[Array, Array]:
         y = run.compiled.evaluate([row], t, rates=True)
         return y[:, 0], y[:, 1] * slope
 
-    shares = np.union1d(np.linspace(0.0, 1.0, max(run.grid, 200) + 1), stationary(rates, 0.0, 1.0, run.grid)[0])
-    t = np.union1d(run.place(shares)[0], [*more])
+    if row not in run.rows:
+        shares = np.union1d(np.linspace(0.0, 1.0, max(run.grid, 200) + 1), stationary(rates, 0.0, 1.0, run.grid)[0])
+        t = run.place(shares)[0]
+        run.rows[row] = t, run.compiled.evaluate([row], t)[0]
+    t, values = run.rows[row]
+    if not len(more):
+        return t, values
+    t = np.union1d(t, [*more])
     return t, run.compiled.evaluate([row], t)[0]
 
 
@@ -95,12 +103,16 @@ def _edge(run: Run, row: str, bad: float, good: float) -> float:
 
 
 def drive_value(run: Run, time: float) -> dict[str, Any]:
-    """The first drive's value at a time, in the model's unit: drive, value, unit."""
-    name = run.compiled.graph.drives[0]
-    dimension = u.ANGLE if run.compiled.mechanism.drives[name].turns else u.LENGTH
-    unit, size = run.compiled.quantities.unit_of(dimension)
+    """What the first drive prescribes at a time, in the model's unit: drive, value, unit.
+
+    One with an output goes first, and the output stands for it.
+    """
+    drives = run.compiled.mechanism.drives
+    name = next((name for name, drive in drives.items() if drive.output), run.compiled.graph.drives[0])
+    moved = run.compiled.mechanism.prescribed(name)
+    unit, size = run.compiled.quantities.unit_of(u.ANGLE if moved.turns else u.LENGTH)
     value = values_at(run.compiled.laws, time)[name]
-    return {"drive": name, "value": f"{value / size:.6g}", "unit": unit}
+    return {"drive": moved.output or name, "value": f"{value / size:.6g}", "unit": unit}
 
 
 def _cannot_assemble(run: Run, group: Group, start: float, stop: float, worst: float) -> Finding:
@@ -108,30 +120,46 @@ def _cannot_assemble(run: Run, group: Group, start: float, stop: float, worst: f
     values = values_at(compiled.laws, worst)
     unknowns = compiled.unknowns(worst)
     distance, limit = shortfall_at(
-        compiled.quantities, compiled.structure, compiled.assembly.branches, values, group, unknowns.__getitem__
+        compiled.quantities, compiled.structure, compiled.branches(worst), values, group, unknowns.__getitem__
     )
     data = shortfall_data(compiled.quantities, group, distance, limit)
     ends = [drive_value(run, time) for time in (start, stop)]
     data |= {"length_unit": data["unit"], "drive": ends[0]["drive"], "unit": ends[0]["unit"]}
     data |= {"from": ends[0]["value"], "to": ends[1]["value"], "start": start, "stop": stop}
+    if any(drive.output for drive in compiled.mechanism.drives.values()):
+        data |= {"worst": drive_value(run, worst)["value"], "time": f"{start:.6g}", "until": f"{stop:.6g}"}
+        return Finding("motion.out-of-reach", ("links", group.links[0]), data)
     return Finding("motion.cannot-assemble", ("links", group.links[0]), data)
 
 
-def singular(run: Run) -> list[Finding]:
-    """A finding for each pose in which a group with two modes has them meet, else for the worst other one."""
+def singular(run: Run, code: str = "motion.singular") -> list[Finding]:
+    """A finding for each pose in which a group with two modes has them meet, else for the worst other one.
+
+    Poses through which the run is carried (``run.compiled.passages``) are none.
+    """
     findings = []
     for group in run.compiled.structure.groups:
         if group.modes < 2:
             continue
-        t, reach = _row(run, f"reach:{group.label}")
         s, span = _row(run, f"span:{group.label}")
-        vague = s[span <= SINGULAR * span.max()]
-        touches = _apart(np.union1d(t[np.abs(reach) <= TOUCH], vague), (run.stop - run.start) / run.grid)
-        findings += [_singular(run, group.label, time, 0.0) for time in touches]
-    near = None if findings else nearest(run)
-    if near is not None and not near.determinant > SINGULAR:
-        findings.append(_singular(run, near.group, near.time, near.determinant))
+        vague = [float(s[i]) for i in _lowest(span, SINGULAR * span.max())]
+        touches = [time for time, _ in touching(run, group.label) if not _passed(run, group.label, time)]
+        findings += [_singular(run, code, group.label, time, 0.0) for time in sorted({*touches, *vague})]
+    worst = None if findings else nearest(run)
+    if worst is not None and not worst.determinant > SINGULAR:
+        findings.append(_singular(run, code, worst.group, worst.time, worst.determinant))
     return findings
+
+
+def near(run: Run) -> list[Finding]:
+    """A warning for each pose in which a group comes near to a change point, but doesn't meet it."""
+    found = []
+    for group in run.compiled.structure.groups:
+        if group.modes > 1:
+            times = [time for time, reach in touching(run, group.label, NEAR) if reach > TOUCH]
+            inner = [time for time in times if run.start < time < run.stop]
+            found += [_near(run, group.label, time) for time in inner if not _passed(run, group.label, time)]
+    return found
 
 
 def strokes(run: Run) -> list[Finding]:
@@ -161,15 +189,31 @@ def strokes(run: Run) -> list[Finding]:
     return findings
 
 
-def _apart(times: Array, step: float) -> list[float]:
-    """One time of each cluster of times closer than a step."""
-    found: list[float] = []
-    for time in times.tolist():
-        if not found or time - found[-1] > step:
-            found.append(time)
-    return found
+def _passed(run: Run, group: str, time: float) -> bool:
+    """Whether the run is carried through this change point of the group."""
+    return any(passage.inside(np.array([time]))[0] for passage in run.compiled.passages.of(group))
 
 
-def _singular(run: Run, group: str, time: float, determinant: float) -> Finding:
+def touching(run: Run, group: str, limit: float = TOUCH) -> list[tuple[float, float]]:
+    """Where a group's reach comes within a limit of zero: time and reach at the lowest place of each such stretch."""
+    t, reach = _row(run, f"reach:{group}")
+    return [(float(t[i]), float(reach[i])) for i in _lowest(reach, limit)]
+
+
+def _lowest(values: Array, limit: float) -> list[int]:
+    """The index of the least magnitude in each stretch of values within a limit of zero."""
+    low = np.concatenate([[False], np.abs(values) <= limit, [False]])
+    stretches = np.flatnonzero(np.diff(low.astype(int))).reshape(-1, 2)
+    return [int(first + np.argmin(np.abs(values[first:after]))) for first, after in stretches]
+
+
+def _near(run: Run, group: str, time: float) -> Finding:
+    determinant = abs(float(run.compiled.evaluate([f"determinant:{group}"], np.array([time]))[0, 0]))
     data = {"group": group, "time": f"{time:.6g}", "determinant": f"{determinant:.2g}"}
-    return Finding("motion.singular", ("links", group.split("-")[0]), data | drive_value(run, time))
+    path = ("links", group.split("-")[0])
+    return Finding("motion.near-change-point", path, data | drive_value(run, time), severity="warning")
+
+
+def _singular(run: Run, code: str, group: str, time: float, determinant: float) -> Finding:
+    data = {"group": group, "time": f"{time:.6g}", "determinant": f"{determinant:.2g}"}
+    return Finding(code, ("links", group.split("-")[0]), data | drive_value(run, time))

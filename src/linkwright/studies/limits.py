@@ -172,7 +172,8 @@ def _follow(outcome: LimitsOutcome, cycle: CycleOptions, signals: Signals) -> No
 def outputs(compiled: Compiled) -> list[str]:
     """The angles of all links hinged on the frame and the travels of all slides, but those that a drive holds."""
     m, topology = compiled.mechanism, compiled.structure.topology
-    driven = {topology.driven(name)[0].joint: {drive.link, drive.on} for name, drive in m.drives.items()}
+    moved = {name: m.prescribed(name) for name in m.drives}
+    driven = {topology.driven(name)[0].joint: {drive.link, drive.on} for name, drive in moved.items()}
     found = []
     for pin in topology.pins.values():
         if FRAME in pin.links:
@@ -191,7 +192,7 @@ def _wanted(compiled: Compiled, options: LimitsOptions) -> Signals:
 
 
 def _value(compiled: Compiled, drive: str, edge: Expression) -> float:
-    return compiled.quantities.value(edge, u.ANGLE if compiled.mechanism.drives[drive].turns else u.LENGTH)
+    return compiled.quantities.value(edge, u.ANGLE if compiled.mechanism.prescribed(drive).turns else u.LENGTH)
 
 
 def _forward(compiled: Compiled, drive: str) -> bool:
@@ -211,9 +212,10 @@ def _drives(compiled: Compiled, options: LimitsOptions) -> Iterator[Finding]:
 
 def _ranges(compiled: Compiled, options: LimitsOptions) -> Iterator[Finding]:
     for name, edges in options.ranges.items():
-        drive, path = compiled.mechanism.drives.get(name), ("studies", "limits", "ranges", name)
-        if drive is None:
+        path = ("studies", "limits", "ranges", name)
+        if name not in compiled.mechanism.drives:
             continue
+        drive = compiled.mechanism.prescribed(name)
         try:
             low, high = (_value(compiled, name, edge) for edge in edges)
         except DimensionError as error:

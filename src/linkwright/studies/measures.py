@@ -84,6 +84,8 @@ class Probe:
         """Whether the expression has a value all over the intervals."""
         times = [np.linspace(a, b, self.share(self.run.grid, a, b) + 1) for a, b in self.intervals]
         times += [t[(t >= a) & (t <= b)] for t in self.far() for a, b in self.intervals]
+        passed = [p.time for p in self.run.compiled.passages.every]  # forces may grow without bound there
+        times.append(np.array([t for t in passed if any(a <= t <= b for a, b in self.intervals)]))
         return bool(np.isfinite(self.values(np.concatenate(times))).all())
 
     def far(self) -> list[Array]:

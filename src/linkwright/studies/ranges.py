@@ -76,7 +76,7 @@ def ranges(compiled: Compiled, drive: str, window: Interval | None, samples: int
     search = _Search(moving, drive, samples)
     if window is not None:
         return search.between(window[0] - search.origin, window[1] - search.origin)
-    if compiled.mechanism.drives[drive].turns:
+    if compiled.mechanism.prescribed(drive).turns:
         return search.round()
     reach = OUTWARD * compiled.assembly.size()
     home = [r for r in search.between(-reach, reach) if r.sweep.start <= 0.0 <= r.sweep.stop]
@@ -106,7 +106,7 @@ class _Search:
     def closes(self, start: float, stop: float) -> bool:
         """Whether a turn fits in and all links come back to where they were; a cluster may do so in another mode."""
         turn = 2 * np.pi
-        if not self.compiled.mechanism.drives[self.drive].turns or stop - start < turn * (1 - 1e-12):
+        if not self.compiled.mechanism.prescribed(self.drive).turns or stop - start < turn * (1 - 1e-12):
             return False
         links = self.compiled.structure.topology.moving
         names = [f"{link}:{row}" for link in links for row in ("x", "y", "cos", "sin")]
@@ -193,7 +193,7 @@ class _Search:
                 quantities, compiled.structure, branches, values, group, unknowns.__getitem__
             )
         data: dict[str, Any] = shortfall_data(quantities, group, distance, limit)
-        unit, size = quantities.unit_of(u.ANGLE if compiled.mechanism.drives[self.drive].turns else u.LENGTH)
+        unit, size = quantities.unit_of(u.ANGLE if compiled.mechanism.prescribed(self.drive).turns else u.LENGTH)
         ends = [f"{(self.origin + time) / size:.6g}" for time in (gap.start, gap.stop)]
         data |= {"length_unit": data["unit"], "drive": self.drive, "unit": unit, "from": ends[0], "to": ends[1]}
         return Finding("motion.cannot-assemble", ("links", group.links[0]), data)

@@ -137,7 +137,7 @@ class Sweep(Run):
             return values
         branches = {**assembly.branches, end.dyad: -assembly.branches[end.dyad]}
         other = replace(self.compiled, assembly=replace(assembly, branches=branches)).evaluate(names, time)
-        turning = [self._wraps(name) for name in names]
+        turning = [self.compiled.graph.wrapped(name) for name in names]
         other[turning] += 2 * np.pi * np.round((values - other)[turning] / (2 * np.pi))
         return np.asarray((values + other) / 2)
 

@@ -352,6 +352,14 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "{a} and {b} are driven against each other by {other} already.",
         "Keep one of the two drives.",
     ),
+    "drive.output": (
+        "'{name}' is no output that a drive can move: neither a prismatic joint nor a link of this model.",
+        "Name a prismatic joint, or a link that is hinged on the frame. Known: {near}.",
+    ),
+    "drive.output-own": (
+        "{link} and {on} are the drive's own links; '{name}' is no output of it.",
+        "Leave output out: the law then holds for the drive itself.",
+    ),
     "drive.signal": (
         "The law of a drive can't follow '{name}', which results from the motion.",
         "Write the law in t, parameters and tables.",
@@ -566,6 +574,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "{link} and {on} are held already, by their joints or other drives; this drive would fight them.",
         "Take the drive out, or a joint.",
     ),
+    "structure.output-apart": (
+        "The motion of {output} doesn't reach {link} and {on}, so a drive between them can't move it.",
+        "Let the drive act on links that are joined to the output, or name another output.",
+    ),
     "structure.loose": (
         "These links aren't held: {links} (free motions: {freedom}).",
         "Join them to links that are held, check the spelling of shared points, or add a drive. {hint}",
@@ -648,10 +660,44 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "apart, {by} {length_unit} {way} than the links can span ({limit} {length_unit}).",
         "Make the links {direction}, by {by} {length_unit} at least; or keep {drive} out of that range.",
     ),
+    "motion.out-of-reach": (
+        "{drive} can't follow its law from t = {time} to {until} s: it goes to {worst} {unit} there, but the links bring "
+        "it no farther than {from} {unit} (and {to} {unit} at the end of that time). {joints} would come {distance} "
+        "{length_unit} apart, {by} {length_unit} {way} than {links} can span ({limit} {length_unit}).",
+        "Keep the law of {drive} within that; or make the links {direction}, by {by} {length_unit} at least.",
+    ),
+    "motion.dead-centre": (
+        "At t = {time} s ({drive} = {value} {unit}) {motors} stands at a dead centre against {drive}: it doesn't move "
+        "while {drive} does, so that no effort of it moves or holds {drive} there.",
+        "Keep the law of {drive} on one side of {value} {unit}, or let the drive act at another joint.",
+    ),
     "motion.singular": (
         "At t = {time} s ({drive} = {value} {unit}) the motion passes a change point or dead centre of {group} "
-        "(determinant {determinant}); rates and forces have no meaning there.",
-        "Change the lengths, drive another link, or keep the motion away from that pose.",
+        "(determinant {determinant}): the links can go on in two ways there, and rates and forces have no meaning.",
+        "Write through: keep in studies: cycle where the motion is meant to go on smoothly (a parallelogram stays "
+        "one). Else hold the links by a third crank or a drive, change the lengths, or keep the motion away from there.",
+    ),
+    "motion.cannot-carry": (
+        "At t = {time} s ({drive} = {value} {unit}) {group} is in a singular pose through which the motion can't be "
+        "carried: the poses around don't tell its limit.",
+        "Let the drives move smoothly, without a rest or a jump of the acceleration, through that pose; or keep away "
+        "from it by other lengths or another range of the drives.",
+    ),
+    "motion.starts-at-change-point": (
+        "The motion starts at a change point of {group} (t = {time} s, {drive} = {value} {unit}), where its two modes "
+        "are one. The rule '{rules}' is taken for the side on which it goes on.",
+        "Check in the drawing that it is the motion that is meant, or start elsewhere.",
+    ),
+    "motion.unbounded-forces": (
+        "At the change point of {group} at t = {time} s ({drive} = {value} {unit}) forces grow without bound, since "
+        "no link can turn another there: {signals}. They have no value at that instant.",
+        "Take up the load elsewhere: a third crank, a flywheel or gears carry a parallelogram through its change point.",
+    ),
+    "motion.near-change-point": (
+        "At t = {time} s ({drive} = {value} {unit}) {group} passes a change point closely (determinant "
+        "{determinant}): a small error of a length or a play decides there on which side the links go on.",
+        "Make the lengths meet exactly where a parallelogram or the like is meant (and write through: keep), or keep "
+        "farther away.",
     ),
     "motion.not-periodic": (
         "The motion isn't closed: after {period} the point {element} is {distance} {unit} from where it began.",
