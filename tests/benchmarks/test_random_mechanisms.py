@@ -109,8 +109,8 @@ def test_the_other_mode_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
     (group,) = c.structure.groups
     honest = Compiled.inputs
 
-    def inputs(self: Compiled, t: Array, clusters: int | None = None) -> Array:
-        x = honest(self, t, clusters)
+    def inputs(self: Compiled, t: Array, *args: Any, **kwargs: Any) -> Array:
+        x = honest(self, t, *args, **kwargs)
         row = self.graph.inputs.index(f"branch:{group.label}")
         x[row] = np.where((t > 2) & (t < 2.5), -x[row], x[row])
         return x

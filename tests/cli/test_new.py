@@ -51,7 +51,7 @@ def test_a_file_that_is_there_stays_unless_forced(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "near"), [("crankrocker", "crank-rocker"), ("scisor-lift", "scissor-lift"), ("x", "wiper")]
+    ("name", "near"), [("crankrocker", "crank-rocker"), ("scisor-lift", "scissor-lift"), ("x", "walking-leg")]
 )
 def test_an_unknown_name_is_told_with_near_ones(name: str, near: str, tmp_path: Path) -> None:
     result = call(name, "--out", tmp_path / "x.yaml")

@@ -13,7 +13,7 @@ SPRUNG = Path(__file__).parents[1] / "model" / "data" / "sprung.yaml"
 def test_springs_are_drawn_plotted_and_named() -> None:
     job = lw.run(SPRUNG)
     assert job.cycle is not None
-    data = report_data(lw.load(SPRUNG), job.cycle)
+    data = report_data(lw.load(SPRUNG), job.outcomes)
     looks = {spring["name"]: spring["look"] for spring in data["scene"]["springs"]}
     assert looks == {"pull": "coil", "wire": "coil", "lift": "strut", "shock": "strut"}
     (shock,) = (spring for spring in data["scene"]["springs"] if spring["name"] == "shock")

@@ -24,7 +24,7 @@ from linkwright.graph.triads import System, coordinates, read_coordinates, triad
 from linkwright.groups import REGISTRY, Dyad
 from linkwright.model.quantities import Quantities
 from linkwright.model.units import LENGTH
-from linkwright.notation import MAX_ORDER, Body, Jet
+from linkwright.notation import MAX_ORDER, Body, Jet, Pair
 from linkwright.structure import Cluster, Driven, Group, Structure
 
 Array = NDArray[np.float64]
@@ -349,13 +349,16 @@ def same(cluster: Cluster, a: list[float], b: list[float], scale: list[float], n
 
 
 def extent(structure: Structure, geometry: Geometry) -> float:
-    """A length of the mechanism's order (m): the largest distance of two points on one link."""
-    spans = [
-        math.hypot(*(float(v) for v in geometry.point(link, a).minus(geometry.point(link, b))))
-        for link, entry in structure.topology.mechanism.links.items()
-        for a in entry.points
-        for b in entry.points
-    ]
+    """A length of the mechanism's order (m): the largest distance of two joints on one link."""
+    mechanism = structure.topology.mechanism
+    joints: dict[str, list[Pair]] = {link: [] for link in mechanism.links}
+    for pin in structure.topology.pins.values():
+        for link, point in pin.members:
+            joints[link].append(geometry.point(link, point))
+    for name, joint in mechanism.prismatic_joints():
+        for link in joint.links:
+            joints[link].append(geometry.line(name, link)[0])
+    spans = [math.hypot(*map(float, a.minus(b))) for places in joints.values() for a in places for b in places]
     return max(spans, default=0.0) or 1.0
 
 
