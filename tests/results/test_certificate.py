@@ -97,7 +97,6 @@ def test_nearest_sees_a_passage_through_a_singular_pose_between_samples() -> Non
     assert certificate.nearest.time == pytest.approx(1.0, abs=1e-7)
 
 
-@pytest.mark.xfail(strict=True, reason="the determinant is relative to the distance of the pins, whatever it is")
 def test_nearest_sees_the_outer_pins_of_a_lever_and_its_block_meet() -> None:
     """A crank pin passes through the lever's pivot: the lever's angle is undefined there and jumps by 180 deg."""
     data: dict[str, Any] = {
@@ -261,3 +260,14 @@ def test_powers_that_are_all_round_off_are_no_misfit() -> None:
     data["loads"] = {"push": {"on": "piston", "at": "C", "along": "bore", "force": "-20 kN*sin(50 rad/s*t)"}}
     certificate = certify(Run(compiled_from(data), 0.0, 0.04, 40))
     assert certificate.sound(1e-9), certificate.residuals
+
+
+def test_what_newton_solves_is_followed_closely() -> None:
+    """Steps and corrections of a cluster's path; a mechanism of dyads has none."""
+    from graph.test_clusters import triad
+
+    certificate = certify(Run(compiled_from(triad()), 0.0, 3.0, 60))
+    ((steps, correction),) = certificate.followed.values()
+    assert steps > 5
+    assert 0 < correction < 1e-2
+    assert certify(Run(compiled_from(four_bar()), 0.0, 1.0, 10)).followed == {}

@@ -49,12 +49,15 @@ class Follower:
         self.slides = np.array([0.0 if edge.joint.letter == "R" else 1.0 for edge in cluster.free])
         self.start = np.array(start)
         self.path = Path()
+        self.correction = 0.0  # the most that Newton moved a foretold coordinate (rad, or over the size)
 
     def solve(self, x: Array, t: Array, p: Array, at: Callable[[Array], Array]) -> Array:
         """The coordinates at times ``t``: (coordinates, times), NaN past the path's end. ``at`` gives inputs."""
         self.extend(float(t.max(initial=0.0)), p, at)
         start = self.between(t)
-        return self.newton(x, start, p)
+        found = self.newton(x, start, p)
+        self.correction = max(self.correction, float(np.nan_to_num(self.moved(found - start, found)).max(initial=0.0)))
+        return found
 
     def moved(self, step: Array, u: Array) -> Array:
         """The largest step of a pose's coordinates: (poses,), in rad, and of slides over the size or where it is more
@@ -103,6 +106,7 @@ class Follower:
                     path.end = now
                 continue
             self.note(there, found, p, at)
+            self.correction = max(self.correction, float(moved))
             step = (there - now) * (1.5 if moved < CLOSE / 3 else 1.0)
 
     def note(self, time: float, u: Array, p: Array, at: Callable[[Array], Array]) -> None:

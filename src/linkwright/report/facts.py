@@ -10,6 +10,8 @@ from linkwright.words import say
 
 PROVEN = 1e-9
 """A residual below this holds: far under any drawing tolerance, far over round-off."""
+CLOSE = 1e-2
+"""A foretold pose corrected by less than this (rad, or over the size) can't have been mistaken for another mode's."""
 FAR = 1e-3
 """A normalised determinant over this is well away from a singular pose."""
 
@@ -109,6 +111,10 @@ def checks(certificate: Certificate, time_text: str) -> list[Check]:
     if kept:
         text = say(f"proof.branches.{'changed' if c.changes else 'text'}", branches="; ".join(kept))
         lines.append({"name": say("proof.branches"), "figure": str(len(kept)), "sentence": text, "ok": True})
+    if c.followed:
+        steps, worst = (max(column) for column in zip(*c.followed.values(), strict=True))
+        groups = ", ".join(c.followed)
+        lines.append(_proof("followed", f"{worst:.1e}", worst < CLOSE, groups=groups, steps=steps))
     return [*lines, _proof("kernel", str(c.poses), True, poses=c.poses, kernel=c.kernel)]
 
 

@@ -48,6 +48,7 @@ class Certificate:
     nearest: Nearest | None
     branches: dict[str, str]  # the assembly rule that each group keeps; empty where it has one mode only
     changes: dict[str, tuple[float, ...]]  # of groups carried through change points: when their branch changes (s)
+    followed: dict[str, tuple[int, float]]  # of groups solved by Newton: steps of the path, largest correction
     poses: int
     kernel: str
 
@@ -86,6 +87,7 @@ def certify(run: Run) -> Certificate:
             **{cluster.label: "" for cluster in compiled.structure.clusters},
         },
         changes={group: times for group, times in changes.items() if times},
+        followed={f.cluster.label: (len(f.path.t) - 1, f.correction) for f in compiled.followers},
         poses=reports.count,
         kernel=compiled.kernel,
     )
@@ -223,15 +225,21 @@ def jacobian(r: Reports, pose: int) -> Array:
 def nearest(run: Run) -> Nearest | None:
     """The smallest normalised determinant of a group over the run, root-found between the samples.
 
-    The bands about change points through which a group is carried are left out: its determinant is zero there.
+    Of a group whose pose is vague where a distance vanishes, that over its largest counts too. The bands about change
+    points through which a group is carried are left out: its determinant is zero there.
     """
     structure = run.compiled.structure
     groups = [*(group.label for group in structure.groups), *(cluster.label for cluster in structure.clusters)]
     names = [f"determinant:{group}" for group in groups]
+    spanning = [group.label for group in structure.groups if group.has_span]
+    groups, names = groups + spanning, names + [f"span:{group}" for group in spanning]
+    largest = np.ones(len(names))
+    if spanning:
+        largest[-len(spanning) :] = np.nanmax(run.compiled.evaluate(names[-len(spanning) :], run.t), axis=1)
 
     def rates(t: Array) -> tuple[Array, Array]:
         # Of the magnitude, so that a passage through zero is a turning point too.
-        y = run.compiled.evaluate(names, t, rates=True)
+        y = run.compiled.evaluate(names, t, rates=True) / largest[:, None, None]
         with np.errstate(invalid="ignore"):
             return np.abs(y[:, 0]), np.sign(y[:, 0]) * y[:, 1]
 
@@ -244,7 +252,7 @@ def nearest(run: Run) -> Nearest | None:
         ]
         if not times.size:
             continue
-        values = np.abs(run.compiled.evaluate([names[i]], times)[0])
+        values = np.abs(run.compiled.evaluate([names[i]], times)[0]) / largest[i]
         found.append(Nearest(group, float(values.min()), float(times[values.argmin()])))
     return min(found, key=lambda near: near.determinant, default=None)
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import combinations
 
-from linkwright.groups import REGISTRY
+from linkwright.groups import REGISTRY, Dyad
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Drive, Mechanism
 from linkwright.structure.topology import FRAME, Connection, Topology
@@ -103,6 +103,11 @@ class Group:
     def modes(self) -> int:
         """The number of assembly modes."""
         return len(REGISTRY[self.signature].rules) or 1
+
+    @property
+    def has_span(self) -> bool:
+        """Whether it is a dyad whose pose is vague where a distance vanishes (:meth:`Dyad.span`)."""
+        return REGISTRY[self.signature].span is not Dyad.span
 
     def rule(self, branch: float) -> str:
         """The assembly rule that states a branch, as a file spells it; empty where there is one mode only."""

@@ -141,8 +141,10 @@ def singular(run: Run, code: str = "motion.singular") -> list[Finding]:
     for group in run.compiled.structure.groups:
         if group.modes < 2:
             continue
-        s, span = _row(run, f"span:{group.label}")
-        vague = [float(s[i]) for i in _lowest(span, SINGULAR * span.max())]
+        vague: list[float] = []
+        if group.has_span:
+            s, span = _row(run, f"span:{group.label}")
+            vague = [float(s[i]) for i in _lowest(span, SINGULAR * span.max())]
         touches = [time for time, _ in touching(run, group.label) if not _passed(run, group.label, time)]
         findings += [_singular(run, code, group.label, time, 0.0) for time in sorted({*touches, *vague})]
     worst = None if findings else nearest(run)

@@ -49,6 +49,8 @@ TEXTS: dict[str, str] = {
     "proof.branches.text": "Each group with two modes keeps its own over the whole run: {branches}.",
     "proof.branches.changed": "Each group with two modes keeps its own, but for the change points that it is carried through: {branches}.",
     "proof.branch.changes": "{rule} at the start, changing sides at t = {times} s",
+    "proof.followed": "Continuation",
+    "proof.followed.text": "What Newton's method solves ({groups}) is followed from the start pose in up to {steps} steps; the largest correction of a pose that the exact rates foretell (rad, or over the size) is too small to mistake another assembly mode for it.",
     "proof.kernel": "Kernel",
     "proof.kernel.text": "{poses} poses by the {kernel} kernel.",
     # Assembly modes and circuits.
