@@ -102,6 +102,14 @@ def test_the_motion_starts_where_it_is_drawn(seed: int) -> None:
     assert np.abs(places_at_start(sketched(sketch=points), ["P"]) - [x, y]).max() < tolerance
 
 
+def test_a_rule_of_the_file_comes_before_the_sketch() -> None:
+    """Also where other points of the group are drawn on the other side."""
+    found = places_at_start(sketched(assembly={"C": "right of B-D"}), ["C", "P"])
+    mirrored = places_at_start(sketched(assembly={"P": [30, -20]}), ["C", "P"])
+    assert np.abs(found - mirrored).max() < 1e-12
+    assert found[0, 1] < 0
+
+
 def test_a_triad_takes_its_pose_from_the_sketch() -> None:
     places = {"O": [0, 0], "A1": [20, 0], "A2": [400, 50], "A3": [300, 400], "B1": [60, 140], "B2": [260, 80]}
     places["B3"] = [240, 230]
@@ -172,6 +180,15 @@ def test_a_start_that_the_sketch_does_not_tell() -> None:
     links = sketched()["links"]
     links["crank"]["points"] = {"A": [0, 0], "B": [40, 0]}
     assert findings_of(links=links)["sketch.no-value"] == "drives.motor.start"
+
+
+def test_a_sketch_at_a_dead_centre_leaves_the_mode_open() -> None:
+    """Coupler and rocker in line: the drawn places say nothing, a rule of the file does."""
+    places = {"A": [0, 0], "B": [0, 30], "C": [80, 30], "D": [130, 30]}
+    links = {name: link for name, link in sketched()["links"].items() if name != "coupler"}
+    links["coupler"] = {"points": ["B", "C"]}
+    assert findings_of(sketch=places, links=links) == {"assembly.ambiguous": "sketch.C"}
+    assert not findings_of(sketch=places, links=links, assembly={"C": "left of B-D"})
 
 
 def test_what_is_wrong_with_a_drawn_place_is_told_there() -> None:

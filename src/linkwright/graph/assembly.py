@@ -18,6 +18,7 @@ from linkwright.model.cylinders import links_of
 from linkwright.model.fields import AssemblyRule
 from linkwright.model.findings import Finding
 from linkwright.model.quantities import Quantities
+from linkwright.model.sketch import Drawn
 from linkwright.notation import Jet, Pair
 from linkwright.structure import Cluster, Connection, Group, Structure
 
@@ -101,11 +102,16 @@ class _Assembler:
                 (name, value) for name, rule in self.rules.items() if (value := self.rule(name, rule, group, dyad))
             ]
             self.used |= {name for name, _ in found}
+            stated = [(name, value) for name, value in found if not isinstance(self.rules[name], Drawn)]
+            found = stated or found
             signs = {math.copysign(1.0, value) for _, value in found if not math.isnan(value)}
             if len(signs) == 1:
                 branch = signs.pop()
                 name = found[0][0]
                 self.assembly.rules[group] = f"{name}: {self.rules[name].text}"
+            elif not signs and any(isinstance(self.rules[name], Drawn) for name, _ in found):
+                name = found[0][0]
+                self.note("assembly.ambiguous", ("assembly", name), point=name, options=self.options(group))
             elif len(signs) > 1:
                 self.note("assembly.contradiction", ("assembly", found[0][0]), rules=", ".join(n for n, _ in found))
             elif not found and group.inner.joint in self.quantities.mechanism.cylinders:
@@ -211,13 +217,15 @@ class _Assembler:
             return 1.0
         assert rule.sketch is not None
         goal, local = self.geometry.position(rule.sketch), self.geometry.point(link, name)
-        away = []
+        away, places = [], []
         for sign in (1.0, -1.0):
             dyad.solve(sign, 0)  # puts the group's links into the motion
-            error = self.motion.bodies[link].point(local).now.minus(goal)
-            away.append(math.hypot(error.x, error.y))
-        if abs(away[0] - away[1]) < 1e-6 * max(away):
-            self.note("assembly.ambiguous", ("assembly", name), point=name, options=self.options(group))
+            places.append(self.motion.bodies[link].point(local).now)
+            away.append(math.hypot(*places[-1].minus(goal)))
+        alike = math.hypot(*places[0].minus(places[1])) < 1e-7 * max(map(abs, (*goal, *places[0])))
+        if alike or abs(away[0] - away[1]) < 1e-6 * max(away):
+            if not isinstance(rule, Drawn):  # of drawn points others may tell
+                self.note("assembly.ambiguous", ("assembly", name), point=name, options=self.options(group))
             return math.nan
         return 1.0 if away[0] < away[1] else -1.0
 

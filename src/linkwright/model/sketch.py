@@ -27,6 +27,12 @@ Text = str
 """An expression as a file would have it."""
 
 
+class Drawn(AssemblyRule):
+    """A rule that the sketch stands for; what the file states on the same group comes first."""
+
+    __slots__ = ()
+
+
 def with_sketch(m: Mechanism) -> Mechanism:
     """The mechanism with the lengths, assembly rules and starts that its sketch stands for."""
     if not m.sketch:
@@ -96,11 +102,11 @@ class _Sketch:
         x, y = self.step(a, b)
         return f"atan2({y}, {x})"
 
-    def rules(self) -> dict[str, AssemblyRule]:
+    def rules(self) -> dict[str, Drawn]:
         """The sketched places of all moving points."""
         fixed = self.m.links[FRAME].points if FRAME in self.m.links else ()
         moving = set(chain.from_iterable(link.points for link in self.m.links.values()))
-        return {name: AssemblyRule(list(self.place(name))) for name in self.m.sketch if name in moving - {*fixed}}
+        return {name: Drawn(list(self.place(name))) for name in self.m.sketch if name in moving - {*fixed}}
 
     def drive(self, drive: Drive) -> Drive:
         """A drive whose law says `sketch` for its value in the sketch, where that can be told."""
