@@ -21,7 +21,7 @@ from linkwright.graph.graph import Graph
 from linkwright.graph.motion import Motion, solve_motion
 from linkwright.graph.search import many_starts
 from linkwright.graph.triads import System, coordinates, read_coordinates, triad
-from linkwright.groups import REGISTRY, Dyad
+from linkwright.groups import Dyad
 from linkwright.model.quantities import Quantities
 from linkwright.model.units import LENGTH
 from linkwright.notation import MAX_ORDER, Body, Jet, Pair
@@ -312,19 +312,12 @@ class Explorer:
             if isinstance(step, Cluster):
                 said |= {name: self.sketch(places[name]) for name in points if name not in said}
             elif isinstance(step, Group) and step.modes > 1:
-                rules = self.rules(step, branches[step.label])
+                rules = step.rules(branches[step.label])
                 rules += [(name, self.sketch(places[name])) for name in points]
                 name, rule = next(((n, r) for n, r in rules if n not in said), rules[0])
                 said[name] = rule
             known |= set(points)
         return tuple(f"{name}: {rule}" for name, rule in said.items())
-
-    def rules(self, group: Group, branch: float) -> list[tuple[str, str]]:
-        """The ways in which a file states a branch: name and rule."""
-        first, second = (c.joint for c in group.outer)
-        texts = REGISTRY[group.signature].rules[0 if branch > 0 else 1]
-        said = [text.format(inner=group.inner.joint, first=first, second=second).split(": ", 1) for text in texts]
-        return [(name, rule) for name, rule in said]
 
     def sketch(self, place: tuple[float, float]) -> str:
         """A place as a file writes it."""
