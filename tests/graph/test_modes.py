@@ -37,10 +37,12 @@ def misses(data: dict[str, Any], outcome: ModesOutcome) -> list[float]:
     """How far the mechanism assembled by each mode's lines is from that mode (m), points of all links."""
     found = []
     for mode in outcome.modes:
-        compiled = selected(data, mode.lines)
-        names = [f"{point}.{axis}" for point in mode.places for axis in "xy"]
-        there = compiled.evaluate(names, np.zeros(1))[:, 0]
-        found.append(float(np.abs(there - np.ravel(list(mode.places.values()))).max()))
+        start = selected(data, mode.lines).assembly.start
+        assert start is not None
+        links = start.geometry.mechanism.links
+        homes = ((next(link for link in links if name in links[link].points), name) for name in mode.places)
+        there = [start.bodies[link].point(start.point(link, name)).now for link, name in homes]
+        found.append(float(np.abs(np.array(there, dtype=float) - list(mode.places.values())).max()))
     return found
 
 

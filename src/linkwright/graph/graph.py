@@ -15,7 +15,7 @@ import casadi as ca
 
 from linkwright.graph.actions import Actions, active, load_values, wrenches
 from linkwright.graph.forces import Forces, lever, solve_forces, unit_efforts
-from linkwright.graph.geometry import ZERO, Geometry
+from linkwright.graph.geometry import ZERO, Geometry, widest
 from linkwright.graph.motion import Motion, solve_motion
 from linkwright.graph.program import ExpressionStage, Program
 from linkwright.graph.springs import effort, elastic, raw_angle, stretch
@@ -25,7 +25,7 @@ from linkwright.model.quantities import Quantities
 from linkwright.model.signals import Signal
 from linkwright.model.units import Dimension
 from linkwright.notation import MAX_ORDER, Jet, Pair, Scalar, Vec, Wrench
-from linkwright.structure import FRAME, Structure
+from linkwright.structure import FRAME, Cluster, Structure
 
 _LETTERS = {"": 0, "v": 1, "a": 2, "j": 3}
 _LINK_ORDERS = {"angle": 0, "omega": 1, "alpha": 2, "jerk": 3}
@@ -79,6 +79,21 @@ class Graph:
         return len(self.drives) * (MAX_ORDER + 2) + len(self.branched)
 
     @cached_property
+    def pose_rows(self) -> tuple[str, ...]:
+        """The output rows of all moving links' poses: place of the origin (m), cosine and sine, link by link."""
+        links = self.structure.topology.moving
+        return tuple(f"{link}:{row}" for link in links for row in ("x", "y", "cos", "sin"))
+
+    def coordinates(self, cluster: Cluster) -> list[int]:
+        """The input rows of a cluster's coordinates."""
+        return [self.inputs.index(f"u:{cluster.label}:{i}") for i in range(len(cluster.free))]
+
+    def closure(self, cluster: Cluster) -> list[str]:
+        """The output rows of a cluster's closures: what each misses, then its slopes to each coordinate."""
+        n, label = len(cluster.free), cluster.label
+        return [f"gap:{label}:{i}" for i in range(n)] + [f"slope:{label}:{i}" for i in range(n * n)]
+
+    @cached_property
     def parameters(self) -> tuple[str, ...]:
         """The parameters, in the order of the parameter input."""
         return tuple(self.quantities.parameters)
@@ -126,11 +141,8 @@ class Graph:
     def size(self) -> float:
         """The largest distance (m) of two points of one link, at the parameters' nominal values."""
         geometry = Geometry(self.quantities, self.quantities.parameters)
-        sizes = []
-        for link, entry in geometry.mechanism.links.items():
-            points = [complex(*geometry.point(link, name)) for name in entry.points]
-            sizes += [abs(a - b) for a in points for b in points]
-        return max(sizes) or 1.0
+        links = geometry.mechanism.links.items()
+        return widest([geometry.point(link, name) for name in entry.points] for link, entry in links)
 
     def wraps(self, owner: str) -> bool:
         """Whether the angle of a link or drive comes from axes alone, so that it jumps by a turn now and then."""

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from itertools import combinations
 from typing import ClassVar
 
-from linkwright.model.mechanism import Drive
-from linkwright.structure.topology import FRAME, Connection, Topology
+from linkwright.model.mechanism import FRAME, Drive
+from linkwright.structure.topology import Connection, Topology
 
 
 @dataclass

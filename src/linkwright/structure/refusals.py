@@ -6,9 +6,10 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from linkwright.model.findings import Finding
+from linkwright.model.mechanism import FRAME
 from linkwright.structure.placed import Placed
 from linkwright.structure.steps import Step
-from linkwright.structure.topology import FRAME, Topology
+from linkwright.structure.topology import Topology
 
 
 def unsolved(placed: Placed) -> Iterator[Finding]:

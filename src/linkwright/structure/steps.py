@@ -152,6 +152,15 @@ class Cluster:
         return tuple(edge for edge in self.edges if edge.drive is None)
 
     @property
+    def turning(self) -> tuple[bool, ...]:
+        """Which of the unknown coordinates are angles; the others are travels."""
+        return tuple(edge.joint.letter == "R" for edge in self.free)
+
+    def units(self, size: float) -> list[float]:
+        """What the coordinates count in: 1 rad, or the mechanism's size (m)."""
+        return [1.0 if turns else size for turns in self.turning]
+
+    @property
     def label(self) -> str:
         """The group's name in words: its links."""
         return "-".join(self.links)
@@ -181,3 +190,8 @@ class Structure:
     def clusters(self) -> tuple[Cluster, ...]:
         """The groups beyond dyads among the steps."""
         return tuple(step for step in self.steps if isinstance(step, Cluster))
+
+    @property
+    def choices(self) -> tuple[Group | Cluster, ...]:
+        """The steps that can be put together in several ways."""
+        return tuple(s for s in self.steps if isinstance(s, Cluster) or (isinstance(s, Group) and s.modes > 1))
