@@ -16,8 +16,10 @@ from helpers.compiled import compiled_from, compiled_of, regular
 from helpers.examples import four_bar, slider_crank
 from helpers.plain import Plain, document_of
 from helpers.random_mechanisms import Drawn, build, driven_elsewhere, mechanisms, sketched
+from linkwright import gallery
 from linkwright.graph.modes import MOST
 from linkwright.model.mechanism import Document
+from linkwright.model.yaml_text import read_text
 from linkwright.structure import Driven, decompose
 from linkwright.studies import ModesOutcome
 
@@ -181,3 +183,14 @@ def test_a_later_group_may_close_behind_some_choices_only() -> None:
     outcome = modes_of(data)
     assert [mode.branches["coupler-rocker"] for mode in outcome.modes] == [1.0, 1.0]
     assert outcome.complete
+
+
+def test_a_dyad_whose_outer_pins_meet_is_told() -> None:
+    """Peaucellier's rhombus folded to one side: its far links turn freely about both pins, which is no single mode."""
+    document = Document.model_validate(read_text(gallery.text("peaucellier").encode()).data)
+    outcome = lw.modes(document)
+    assert len(outcome.modes) == 4
+    assert outcome.survey.found.free_groups == {"far1-far2"}
+    assert not outcome.complete
+    assert all(np.isfinite(list(mode.places.values())).all() for mode in outcome.modes)
+    assert all(outcome.survey.places)

@@ -62,16 +62,20 @@ class Mode:
 
 @dataclass
 class Found:
-    """The modes of a mechanism, and the labels of the groups of which some mode may be missing."""
+    """The modes of a mechanism, and the labels of the groups of which some mode may be missing.
+
+    ``free_groups`` have outer pins that meet behind some choices: there they may turn, which is no single mode.
+    """
 
     modes: list[Mode] = field(default_factory=list)
     open_groups: list[str] = field(default_factory=list)
+    free_groups: set[str] = field(default_factory=set)
     cut: bool = False  # more than MOST
 
     @property
     def complete(self) -> bool:
         """Whether no mode can be missing."""
-        return not self.open_groups and not self.cut
+        return not (self.open_groups or self.free_groups or self.cut)
 
 
 class Explorer:
@@ -138,8 +142,11 @@ class Explorer:
                 solve_motion(self.structure, self.geometry, self.drives, self.branch, self.unknowns, self.motion)
         except (_DeadEnd, ZeroDivisionError, np.linalg.LinAlgError):
             return
-        if all(math.isfinite(float(v)) for body in self.motion.bodies.values() for v in body.anchor.now):
+        bodies = self.motion.bodies.values()
+        if all(math.isfinite(float(v)) for body in bodies for v in (*body.anchor.now, *body.axis.now)):
             self.found.modes.append(self.mode())
+        elif free := [g.label for g, (_, solved) in self.motion.dyads.items() if not math.isfinite(solved.determinant)]:
+            self.found.free_groups.add(free[0])
 
     def choose(self, options: list[Choice]) -> Choice:
         """The next choice: one made already, else the first of the options."""

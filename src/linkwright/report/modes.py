@@ -137,6 +137,8 @@ def _sentences(outcome: ModesOutcome) -> Iterator[str]:
     yield say("modes.all" if found.complete else "modes.found", count=count)
     if found.open_groups:
         yield say("modes.open", groups="; ".join(found.open_groups))
+    if found.free_groups:
+        yield say("modes.free", groups="; ".join(sorted(found.free_groups)))
     if found.cut:
         yield say("modes.cut", count=count)
     if outcome.survey.untold:
