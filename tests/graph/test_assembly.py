@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import Any
 
 import numpy as np
@@ -169,6 +170,19 @@ def test_rules_that_agree_are_welcome() -> None:
 def test_a_rule_that_no_group_uses() -> None:
     finding = only(bar("left of B-D", A="left of B-D"))
     assert (finding.code, finding.element) == ("assembly.unused", "assembly.A")
+
+
+def test_open_speaks_of_a_four_bar_only() -> None:
+    """A dyad between coupler and frame, which no pin joins to each other, closes no four-bar."""
+    data = bar("left of B-D")
+    data["links"]["frame"]["points"]["F"] = [4, 3]
+    data["links"]["coupler"]["points"]["P"] = [1.5, 1]
+    data["links"]["rod"] = {"points": {"P": [0, 0], "Q": [2, 0]}}
+    data["links"]["arm"] = {"points": {"F": [0, 0], "Q": [2, 0]}}
+    data["assembly"]["Q"] = "open"
+    finding = only(data)
+    assert (finding.code, finding.element) == ("assembly.not-four-bar", "assembly.Q")
+    assert {"Q", "P", "F"} <= set(re.findall(r"\w+", finding.data["options"]))
 
 
 def test_a_rule_between_the_wrong_pins() -> None:

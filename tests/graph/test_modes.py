@@ -16,8 +16,10 @@ from helpers.compiled import compiled_from, compiled_of, regular
 from helpers.examples import four_bar, slider_crank
 from helpers.plain import Plain, document_of
 from helpers.random_mechanisms import Drawn, build, driven_elsewhere, mechanisms, sketched
+from linkwright import gallery
 from linkwright.graph.modes import MOST
 from linkwright.model.mechanism import Document
+from linkwright.model.yaml_text import read_text
 from linkwright.structure import Driven, decompose
 from linkwright.studies import ModesOutcome
 
@@ -37,10 +39,12 @@ def misses(data: dict[str, Any], outcome: ModesOutcome) -> list[float]:
     """How far the mechanism assembled by each mode's lines is from that mode (m), points of all links."""
     found = []
     for mode in outcome.modes:
-        compiled = selected(data, mode.lines)
-        names = [f"{point}.{axis}" for point in mode.places for axis in "xy"]
-        there = compiled.evaluate(names, np.zeros(1))[:, 0]
-        found.append(float(np.abs(there - np.ravel(list(mode.places.values()))).max()))
+        start = selected(data, mode.lines).assembly.start
+        assert start is not None
+        links = start.geometry.mechanism.links
+        homes = ((next(link for link in links if name in links[link].points), name) for name in mode.places)
+        there = [start.bodies[link].point(start.point(link, name)).now for link, name in homes]
+        found.append(float(np.abs(np.array(there, dtype=float) - list(mode.places.values())).max()))
     return found
 
 
@@ -179,3 +183,14 @@ def test_a_later_group_may_close_behind_some_choices_only() -> None:
     outcome = modes_of(data)
     assert [mode.branches["coupler-rocker"] for mode in outcome.modes] == [1.0, 1.0]
     assert outcome.complete
+
+
+def test_a_dyad_whose_outer_pins_meet_is_told() -> None:
+    """Peaucellier's rhombus folded to one side: its far links turn freely about both pins, which is no single mode."""
+    document = Document.model_validate(read_text(gallery.text("peaucellier").encode()).data)
+    outcome = lw.modes(document)
+    assert len(outcome.modes) == 4
+    assert outcome.survey.found.free_groups == {"far1-far2"}
+    assert not outcome.complete
+    assert all(np.isfinite(list(mode.places.values())).all() for mode in outcome.modes)
+    assert all(outcome.survey.places)

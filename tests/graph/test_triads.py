@@ -12,9 +12,10 @@ import pytest
 from scipy.optimize import fsolve
 
 import linkwright as lw
+from linkwright.graph.legs import triad
 from linkwright.graph.modes import Explorer
 from linkwright.graph.motion import Motion
-from linkwright.graph.triads import System, triad, trigonometric_roots
+from linkwright.graph.triads import System, trigonometric_roots
 from linkwright.model.mechanism import Document
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Body

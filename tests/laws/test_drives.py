@@ -299,6 +299,16 @@ def test_a_file_that_can_not_be_used_is_named(
         assert {f.code for f in found} == {code}
 
 
+def test_a_file_of_too_many_rows_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The header is a row of the file."""
+    data = model({**SLIDING, "position": "lift(90 deg*t/(1 s))"}, tables=written(tmp_path, GOOD))
+    monkeypatch.setattr("linkwright.kernels.laws.MAX_ROWS", 6)
+    assert not findings(data, tmp_path)
+    monkeypatch.setattr("linkwright.kernels.laws.MAX_ROWS", 5)
+    (finding,) = findings(data, tmp_path)
+    assert (finding.code, finding.path, finding.data["limit"]) == ("table.long", ("tables", "lift", "file"), 5)
+
+
 @pytest.mark.parametrize("value", ["nan", "inf", "-inf"])
 def test_a_number_that_is_none_is_found_in_its_row(tmp_path: Path, value: str) -> None:
     tables = written(tmp_path, GOOD.replace("180,12", f"180,{value}"))

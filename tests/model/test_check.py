@@ -11,7 +11,8 @@ from linkwright.model.check import check_names
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.model.pins import pins
-from linkwright.model.signals import Signals, near
+from linkwright.model.signals import Signals
+from linkwright.model.unknown import near
 from model.given import DATA, changed, findings, four_bar
 
 

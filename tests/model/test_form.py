@@ -141,6 +141,8 @@ def test_the_example_has_none() -> None:
         ("measures", {"m": {"max": "B.x", "min": "B.x"}}, "measure.reduction", "measures.m"),
         ("measures", {"m": {"value": "B.x"}}, "measure.where", "measures.m"),
         ("measures", {"m": {"max": "B.x", "where": "start"}}, "measure.where", "measures.m"),
+        ("measures", {"m": {"dwell": "B.x"}}, "measure.within", "measures.m"),
+        ("measures", {"m": {"max": "B.x", "within": "1 mm"}}, "measure.within", "measures.m"),
         ("measures", {"m": {"value": "B.x", "where": "largest B.y"}}, "measure.bad-where", "measures.m.where"),
         ("measures", {"m": {"value": "B.x", "where": "max B.y +"}}, "expression.syntax", "measures.m.where"),
         ("measures", {"m": {"max": "B.x", "unit": "furlong"}}, "units.unknown", "measures.m.unit"),

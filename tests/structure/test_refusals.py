@@ -168,7 +168,7 @@ def test_links_that_a_drive_holds_on_each_other_are_one_side_of_a_dyad(make: Any
 
 
 def test_a_group_of_too_many_links_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("linkwright.structure.decomposition.MAX_CLUSTER", 3)
+    monkeypatch.setattr("linkwright.structure.placed.Placed.LARGEST", 3)
     finding = only(triad())
     assert finding.code == "structure.higher-group"
     assert set(finding.data["links"].split(", ")) == {"rod1", "rod2", "rod3", "plate"}

@@ -12,8 +12,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import linkwright as lw
+from graph.test_clusters import triad
 from linkwright.app import write
 from linkwright.app.job import summary_text
+from linkwright.model.mechanism import Document
 from studies.models import CRANK, codes, cycle_of, four_bar, job_of, slider_crank, speakable
 
 
@@ -312,3 +315,15 @@ def test_near_singular_is_sound_and_said() -> None:
     assert certificate.nearest is not None
     assert 1e-4 < certificate.nearest.determinant < 0.1
     assert certificate.closure < 1e-9
+
+
+def test_a_group_beyond_the_dyads_stops_at_its_own_dead_point() -> None:
+    """Where it can be followed to against the end of its circuit, which is followed by arclength over all joints."""
+    data = triad()
+    (circuit,) = lw.modes(Document.model_validate(data)).circuits
+    (failure,) = cycle_of(data | {"studies": {"cycle": {"duration": "20 s", "samples": 60}}}).failures
+    assert speakable(failure)
+    assert (failure.code, failure.path[0]) == ("motion.stuck", "links")
+    assert set(failure.data["links"].split(", ")) == {"leg1", "leg2", "leg3", "plate"}
+    assert 0.2 * failure.data["start"] == pytest.approx(circuit.ranges[0][1], abs=1e-7)
+    assert failure.data["stop"] == 20

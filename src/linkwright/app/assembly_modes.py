@@ -35,12 +35,12 @@ class ModesJob:
         return data | {"findings": [finding.as_dict() for finding in self.examined.findings]}
 
 
-def modes_of_file(path: Path) -> ModesJob:
-    """The modes of a model file, at the time and over the drive that its modes study names, if it has one."""
+def modes_of_file(path: Path, options: ModesOptions | None = None) -> ModesJob:
+    """The modes of a model file, at the time and over the drive that its modes study names unless told otherwise."""
     examined = read_file(path)
     if examined.document is None:
         return ModesJob(examined)
-    job = modes_of_document(examined.document, path.parent)
+    job = modes_of_document(examined.document, path.parent, options)
     job.examined.source = examined.source
     job.examined.findings = job.examined.located(job.examined.findings)
     return job
@@ -89,11 +89,7 @@ def modes(
     if isinstance(model, Document):
         job = modes_of_document(model, Path(folder) if folder else None, options)
     else:
-        read = read_file(Path(model))
-        job = ModesJob(read)
-        if read.document is not None:
-            job = modes_of_document(read.document, Path(model).parent, options)
-            job.examined.findings = read.located(job.examined.findings)
+        job = modes_of_file(Path(model), options)
     raise_errors(job.examined.findings)
     assert job.outcome is not None
     return job.outcome

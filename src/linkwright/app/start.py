@@ -7,7 +7,7 @@ from pathlib import Path
 from linkwright import gallery
 from linkwright.model.document import write_aside
 from linkwright.model.findings import Finding
-from linkwright.model.signals import near
+from linkwright.model.unknown import near
 
 
 def new(name: str, file: Path, force: bool = False) -> list[Finding]:

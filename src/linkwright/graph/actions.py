@@ -23,7 +23,8 @@ from linkwright.notation import Pair, Scalar, Wrench
 from linkwright.structure import FRAME
 
 if TYPE_CHECKING:
-    from linkwright.graph.graph import Graph, View
+    from linkwright.graph.graph import Graph
+    from linkwright.graph.view import View
 
 
 @dataclass(frozen=True)

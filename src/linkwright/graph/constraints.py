@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from linkwright.graph.geometry import ZERO, Geometry
 from linkwright.notation import Body
+from linkwright.notation.angles import wrapped
 from linkwright.structure import FRAME, Topology
 
 Array = NDArray[np.float64]
@@ -39,8 +40,7 @@ class Constraints:
         lines = [self._line(name, *joint.links) for name, joint in topology.mechanism.prismatic_joints()]
         self.pins, self.lines = _Ends(self, pins), _Ends(self, [line[:5] for line in lines])
         self.headings = np.array([line[5] for line in lines], dtype=float).reshape(-1, 2).T
-        twice = [name for name in (*self.pins.names, *self.lines.names) for _ in range(2)]
-        self.names = tuple(twice)
+        self.names = [name for name in (*self.pins.names, *self.lines.names) for _ in range(2)]
 
     def _line(self, joint: str, a: str, b: str) -> tuple[str, str, str, Any, Any, tuple[float, float]]:
         (first, _), (second, _) = (self.geometry.line(joint, link) for link in (a, b))
@@ -158,7 +158,7 @@ class Constraints:
     def apart(self, a: Array, b: Array) -> Array:
         """The difference of two poses, whole turns left out."""
         between = np.array(a - b)
-        between[2::3] = (between[2::3] + np.pi) % (2 * np.pi) - np.pi
+        between[2::3] = wrapped(between[2::3])
         return between
 
     def of(self, links: Iterable[str]) -> list[int]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from linkwright.model import units as u
@@ -12,6 +12,7 @@ from linkwright.model.fields import Expression, LineOn, Position
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Pair, Scalar
 from linkwright.notation.jets import call
+from linkwright.structure import Topology
 
 ZERO = Pair(0.0, 0.0)
 
@@ -94,6 +95,25 @@ class Geometry:
         if isinstance(at, Position):
             return self.position(at)
         return self.point(link, at) if at else ZERO
+
+
+def extent(topology: Topology, geometry: Geometry) -> float:
+    """A length of the mechanism's order (m): the largest distance of two joints on one link."""
+    mechanism = topology.mechanism
+    joints: dict[str, list[Pair]] = {link: [] for link in mechanism.links}
+    for pin in topology.pins.values():
+        for link, point in pin.members:
+            joints[link].append(geometry.point(link, point))
+    for name, joint in mechanism.prismatic_joints():
+        for link in joint.links:
+            joints[link].append(geometry.line(name, link)[0])
+    return widest(joints.values())
+
+
+def widest(links: Iterable[list[Pair]]) -> float:
+    """The largest distance (m) of two places on one link; 1 where there is none."""
+    spans = (math.hypot(*map(float, a.minus(b))) for places in links for a in places for b in places)
+    return max(spans, default=0.0) or 1.0
 
 
 def together(parts: list[tuple[Scalar, Pair, Scalar]]) -> tuple[Scalar, Pair, Scalar]:

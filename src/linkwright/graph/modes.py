@@ -16,21 +16,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.clusters import newton, solve_cluster
-from linkwright.graph.geometry import Geometry
+from linkwright.graph.geometry import Geometry, extent
 from linkwright.graph.graph import Graph
+from linkwright.graph.legs import triad
 from linkwright.graph.motion import Motion, solve_motion
 from linkwright.graph.search import many_starts
-from linkwright.graph.triads import System, coordinates, read_coordinates, triad
-from linkwright.groups import REGISTRY, Dyad
+from linkwright.graph.triads import System, coordinates, read_coordinates
+from linkwright.groups import Dyad
 from linkwright.model.quantities import Quantities
 from linkwright.model.units import LENGTH
-from linkwright.notation import MAX_ORDER, Body, Jet, Pair
-from linkwright.structure import Cluster, Driven, Group, Structure
+from linkwright.notation import MAX_ORDER, Body, Jet
+from linkwright.structure import FRAME, Cluster, Group, Step, Structure
 
 Array = NDArray[np.float64]
 Choice = float | tuple[float, ...]
-
-Step = Driven | Group | Cluster
 
 MOST = 64
 """The most modes that are followed, of mechanisms up to some thirty links; of larger ones fewer."""
@@ -63,16 +62,20 @@ class Mode:
 
 @dataclass
 class Found:
-    """The modes of a mechanism, and the labels of the groups of which some mode may be missing."""
+    """The modes of a mechanism, and the labels of the groups of which some mode may be missing.
+
+    ``free_groups`` have outer pins that meet behind some choices: there they may turn, which is no single mode.
+    """
 
     modes: list[Mode] = field(default_factory=list)
     open_groups: list[str] = field(default_factory=list)
+    free_groups: set[str] = field(default_factory=set)
     cut: bool = False  # more than MOST
 
     @property
     def complete(self) -> bool:
         """Whether no mode can be missing."""
-        return not self.open_groups and not self.cut
+        return not (self.open_groups or self.free_groups or self.cut)
 
 
 class Explorer:
@@ -84,7 +87,7 @@ class Explorer:
         self.values = dict(drives)
         self.drives = {name: Jet([value]) for name, value in drives.items()}
         self.graph = Graph(quantities, structure)
-        self.size = extent(structure, self.geometry)
+        self.size = extent(structure.topology, self.geometry)
         self.found = Found()
         self.goal: Mapping[str, Body] | None = None
         self.needed = self.needs()
@@ -110,7 +113,7 @@ class Explorer:
             bases = {link for c in step.joints for link in (c.a, c.b)} - set(step.links)
             found[step] = frozenset().union(*(behind.get(link, frozenset()) for link in bases))
             after = found[step]
-            if isinstance(step, Cluster) or (isinstance(step, Group) and step.modes > 1):
+            if step in self.structure.choices:
                 after, count = after | {count}, count + 1
             behind |= dict.fromkeys(step.links, after)
         return found
@@ -139,8 +142,11 @@ class Explorer:
                 solve_motion(self.structure, self.geometry, self.drives, self.branch, self.unknowns, self.motion)
         except (_DeadEnd, ZeroDivisionError, np.linalg.LinAlgError):
             return
-        if all(math.isfinite(float(v)) for body in self.motion.bodies.values() for v in body.anchor.now):
+        bodies = self.motion.bodies.values()
+        if all(math.isfinite(float(v)) for body in bodies for v in (*body.anchor.now, *body.axis.now)):
             self.found.modes.append(self.mode())
+        elif free := [g.label for g, (_, solved) in self.motion.dyads.items() if not math.isfinite(solved.determinant)]:
+            self.found.free_groups.add(free[0])
 
     def choose(self, options: list[Choice]) -> Choice:
         """The next choice: one made already, else the first of the options."""
@@ -148,10 +154,8 @@ class Explorer:
             choice = self.chosen[len(self.taken)]
         else:
             choice = options[0]
-            if self.goal is not None:
-                self.taken.append(choice)
-                return choice
-            self.todo += [(*self.taken, other) for other in reversed(options[1:])]
+            if self.goal is None:
+                self.todo += [(*self.taken, other) for other in reversed(options[1:])]
         self.taken.append(choice)
         return choice
 
@@ -202,14 +206,13 @@ class Explorer:
             if cluster.label not in self.found.open_groups:
                 self.found.open_groups.append(cluster.label)
             candidates += self.search(cluster)
-        scale = [1.0 if edge.joint.letter == "R" else self.size for edge in cluster.free]
         found: list[tuple[list[float], bool]] = []
         for start in candidates:
             there = self.polish(cluster, start)
             if there is None:
                 continue
             vague = self.vague(cluster)
-            if not any(same(cluster, there, u, scale, VAGUE if vague or v else SAME) for u, v in found):
+            if not any(self.same(cluster, there, u, VAGUE if vague or v else SAME) for u, v in found):
                 found.append((there, vague))
         return sorted(u for u, _ in found)
 
@@ -226,13 +229,19 @@ class Explorer:
         if not all(map(math.isfinite, start)):
             return None
         there = newton(self.motion, cluster, start, self.drives)
-        if there is None:
-            there = self.settle(cluster, start)
+        there = self.settle(cluster, start) if there is None else there
         if there is None:
             return None
         solve_cluster(self.motion, cluster, self.drives, lambda _: there)
-        free = zip(cluster.free, there, strict=True)
-        return [math.remainder(q, 2 * math.pi) if e.joint.letter == "R" else q for e, q in free]
+        free = zip(cluster.turning, there, strict=True)
+        return [math.remainder(q, 2 * math.pi) if turns else q for turns, q in free]
+
+    def same(self, cluster: Cluster, a: list[float], b: list[float], near: float) -> bool:
+        """Whether two sets of a cluster's coordinates are one pose."""
+        for turns, unit, p, q in zip(cluster.turning, cluster.units(self.size), a, b, strict=True):
+            if abs(math.remainder(p - q, 2 * math.pi) if turns else (p - q) / unit) > near:
+                return False
+        return True
 
     def settle(self, cluster: Cluster, start: list[float]) -> list[float] | None:
         """Least-squares steps to a singular solution, where Newton's method creeps."""
@@ -250,10 +259,9 @@ class Explorer:
 
     def search(self, cluster: Cluster) -> list[list[float]]:
         """Solutions of a cluster from many starts."""
-        n, label, graph = len(cluster.free), cluster.label, self.graph
-        names = [f"gap:{label}:{i}" for i in range(n)] + [f"slope:{label}:{i}" for i in range(n * n)]
-        function = graph.program(names).stages[0].function
-        rows = [graph.inputs.index(f"u:{label}:{i}") for i in range(n)]
+        n, graph = len(cluster.free), self.graph
+        function = graph.program(graph.closure(cluster)).stages[0].function
+        rows = graph.coordinates(cluster)
         parameters = np.array([self.quantities.parameters[name] for name in graph.parameters])
         known = self.inputs()
 
@@ -263,37 +271,25 @@ class Explorer:
             y = np.asarray(function(x, parameters), dtype=float)
             return y[:n].T, y[n:].reshape(n, n, -1).transpose(2, 0, 1)
 
-        turning = np.array([edge.joint.letter == "R" for edge in cluster.free])
-        return many_starts(closure, turning, self.size, CLOSED * self.size)
+        return many_starts(closure, np.array(cluster.turning), self.size, CLOSED * self.size)
 
     def inputs(self) -> Array:
         """The program's inputs as far as groups are placed: (inputs,)."""
         x = np.zeros(len(self.graph.inputs))
         for i, name in enumerate(self.graph.drives):
             x[i * (MAX_ORDER + 2)] = self.values[name]
-        steps = iter(self.taken)
-        for step in self.structure.steps:
-            if isinstance(step, Cluster) or (isinstance(step, Group) and step.modes > 1):
-                choice = next(steps, None)
-                if isinstance(choice, float):
-                    x[self.graph.inputs.index(f"branch:{step.label}")] = choice
-                elif choice is not None:
-                    for i, q in enumerate(choice):
-                        x[self.graph.inputs.index(f"u:{step.label}:{i}")] = q
+        for step, choice in zip(self.structure.choices, self.taken, strict=False):  # as far as they are made
+            if isinstance(step, Cluster):
+                x[self.graph.coordinates(step)] = choice
+            else:
+                x[self.graph.inputs.index(f"branch:{step.label}")] = choice
         return x
 
     def mode(self) -> Mode:
         """The mode just walked."""
-        branches: dict[str, float] = {}
-        free: dict[str, tuple[float, ...]] = {}
-        choices = iter(self.taken)
-        for step in self.structure.steps:
-            if isinstance(step, Cluster):
-                choice = next(choices)
-                free[step.label] = choice if isinstance(choice, tuple) else (choice,)
-            elif isinstance(step, Group) and step.modes > 1:
-                choice = next(choices)
-                branches[step.label] = choice if isinstance(choice, float) else 1.0
+        chosen = list(zip(self.structure.choices, self.taken, strict=True))
+        branches = {step.label: choice for step, choice in chosen if isinstance(choice, float)}
+        free = {step.label: choice for step, choice in chosen if isinstance(choice, tuple)}
         bodies = self.motion.bodies
         places = {
             name: _place(bodies[link], self.geometry, link, name)
@@ -305,26 +301,19 @@ class Explorer:
     def lines(self, branches: Mapping[str, float], places: Mapping[str, tuple[float, float]]) -> tuple[str, ...]:
         """The lines of an assembly section that select a mode."""
         links = self.quantities.mechanism.links
-        known = set(links["frame"].points) if "frame" in links else set()
+        known = set(links[FRAME].points)
         said: dict[str, str] = {}
         for step in self.structure.steps:
             points = [name for link in step.links for name in links[link].points if name not in known]
             if isinstance(step, Cluster):
                 said |= {name: self.sketch(places[name]) for name in points if name not in said}
             elif isinstance(step, Group) and step.modes > 1:
-                rules = self.rules(step, branches[step.label])
+                rules = step.rules(branches[step.label])
                 rules += [(name, self.sketch(places[name])) for name in points]
                 name, rule = next(((n, r) for n, r in rules if n not in said), rules[0])
                 said[name] = rule
             known |= set(points)
         return tuple(f"{name}: {rule}" for name, rule in said.items())
-
-    def rules(self, group: Group, branch: float) -> list[tuple[str, str]]:
-        """The ways in which a file states a branch: name and rule."""
-        first, second = (c.joint for c in group.outer)
-        texts = REGISTRY[group.signature].rules[0 if branch > 0 else 1]
-        said = [text.format(inner=group.inner.joint, first=first, second=second).split(": ", 1) for text in texts]
-        return [(name, rule) for name, rule in said]
 
     def sketch(self, place: tuple[float, float]) -> str:
         """A place as a file writes it."""
@@ -337,29 +326,6 @@ class Explorer:
 
 def _given(at: list[float], _: Cluster) -> list[float]:
     return at
-
-
-def same(cluster: Cluster, a: list[float], b: list[float], scale: list[float], near: float = SAME) -> bool:
-    """Whether two sets of a cluster's coordinates are one pose."""
-    for edge, p, q, unit in zip(cluster.free, a, b, scale, strict=True):
-        between = math.remainder(p - q, 2 * math.pi) if edge.joint.letter == "R" else (p - q) / unit
-        if abs(between) > near:
-            return False
-    return True
-
-
-def extent(structure: Structure, geometry: Geometry) -> float:
-    """A length of the mechanism's order (m): the largest distance of two joints on one link."""
-    mechanism = structure.topology.mechanism
-    joints: dict[str, list[Pair]] = {link: [] for link in mechanism.links}
-    for pin in structure.topology.pins.values():
-        for link, point in pin.members:
-            joints[link].append(geometry.point(link, point))
-    for name, joint in mechanism.prismatic_joints():
-        for link in joint.links:
-            joints[link].append(geometry.line(name, link)[0])
-    spans = [math.hypot(*map(float, a.minus(b))) for places in joints.values() for a in places for b in places]
-    return max(spans, default=0.0) or 1.0
 
 
 def _place(body: Body, geometry: Geometry, link: str, name: str) -> tuple[float, float]:

@@ -19,8 +19,7 @@ from numpy.typing import NDArray
 from linkwright.graph.assembly import assemble
 from linkwright.graph.circuits import Tracer
 from linkwright.graph.constraints import Constraints
-from linkwright.graph.geometry import Geometry
-from linkwright.graph.modes import extent
+from linkwright.graph.geometry import Geometry, extent
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.quantities import Quantities
@@ -124,7 +123,7 @@ def _poses(quantities: Quantities, reduced: Structure, values: Mapping[str, floa
     if assembly.start is None or any(finding.code != "assembly.unused" for finding in assembly.findings):
         return []
     geometry = Geometry(quantities, quantities.parameters)
-    size = extent(reduced, geometry)
+    size = extent(reduced.topology, geometry)
     found: list[Pose] = []
     for drive in values:
         system = Constraints(reduced.topology, geometry, size)
@@ -144,7 +143,7 @@ class _Whole:
 
     def __init__(self, quantities: Quantities, structure: Structure, parts: list[Part], poses: list[Pose]) -> None:
         geometry = Geometry(quantities, quantities.parameters)
-        self.system = Constraints(structure.topology, geometry, extent(structure, geometry))
+        self.system = Constraints(structure.topology, geometry, extent(structure.topology, geometry))
         pattern = self.system.jacobian(np.random.default_rng(0).uniform(1.0, 2.0, self.system.width)) != 0
         self.columns = {part.name: self.system.of([part.name]) for part in parts if part.kind == "links"}
         touched = {name: pattern[:, of].any(axis=1) for name, of in self.columns.items()}

@@ -7,6 +7,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.notation.angles import wrapped
+
 Array = NDArray[np.float64]
 Closure = Callable[[Array], tuple[Array, Array]]
 """Of unknowns (unknowns, starts): what is missed (starts, equations), its slopes (starts, equations, unknowns)."""
@@ -28,7 +30,7 @@ def many_starts(closure: Closure, turning: NDArray[np.bool_], size: float, toler
         starts = random.uniform(-1.0, 1.0, (spread.size, STARTS)) * spread[:, None]
         before = len(found)
         for u in levenberg(closure, starts, tolerance).T:
-            u[turning] = np.remainder(u[turning] + np.pi, 2 * np.pi) - np.pi
+            u[turning] = wrapped(u[turning])
             if not any(np.abs((u - other) / spread).max() < NEW for other in found):
                 found.append(u.tolist())
         idle = idle + 1 if len(found) == before else 0

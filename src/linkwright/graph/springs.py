@@ -19,7 +19,7 @@ from linkwright.model.places import spring_dimensions
 from linkwright.notation import Pair, Scalar, Vec, Wrench
 
 if TYPE_CHECKING:
-    from linkwright.graph.graph import View
+    from linkwright.graph.view import View
 
 
 def number(view: View, spring: Spring, key: str, default: float = 0.0) -> Scalar:

@@ -14,7 +14,7 @@ from linkwright.graph.constraints import Constraints
 from linkwright.graph.geometry import ZERO
 from linkwright.graph.modes import Explorer, Found, Mode
 from linkwright.model.quantities import Quantities
-from linkwright.notation import Body, Jet, Pair, Vec
+from linkwright.notation import Body, Pair
 from linkwright.structure import FRAME, Structure
 
 Array = NDArray[np.float64]
@@ -130,6 +130,5 @@ def _circuit(curve: Curve, tracer: Tracer) -> Circuit:
 def _bodies(system: Constraints, pose: Array) -> dict[str, Body]:
     bodies = {FRAME: Body.fixed(0)}
     for link, (x, y, angle) in zip(system.links, pose.reshape(-1, 3), strict=True):
-        at, axis = Pair(x * system.size, y * system.size), Pair(np.cos(angle), np.sin(angle))
-        bodies[link] = Body(Vec.constant(at, 0), ZERO, Vec.constant(axis, 0), Jet(()))
+        bodies[link] = Body.still(Pair(x * system.size, y * system.size), ZERO, Pair(np.cos(angle), np.sin(angle)))
     return bodies

@@ -96,6 +96,11 @@ class Compiled:
                 y[:, inside] = self._limits(passage, tuple(names), t[inside], rates)
         return y.reshape(len(names), 2, t.size) if rates else y
 
+    def rates(self, names: Sequence[str], t: Array) -> tuple[Array, Array]:
+        """The named rows and their rates at times ``t``, as they come out of :meth:`evaluate`."""
+        y = self.evaluate(names, t, rates=True)
+        return y[:, 0], y[:, 1]
+
     def closed(self, names: Sequence[str], t: Array, rates: bool = False) -> Array:
         """The program's rows at times ``t`` by their closed forms alone, each followed by its rate if asked for."""
         key = (tuple(names), rates)

@@ -39,14 +39,12 @@ class Follower:
 
     def __init__(self, graph: Graph, cluster: Cluster, start: list[float], size: float, kernel: str) -> None:
         n = len(cluster.free)
-        label = cluster.label
         self.cluster, self.n = cluster, n
-        self.rows = [graph.inputs.index(f"u:{label}:{i}") for i in range(n)]
-        names = [f"gap:{label}:{i}" for i in range(n)] + [f"slope:{label}:{i}" for i in range(n * n)]
-        self.closure: Kernel = KERNELS[kernel](graph.program(names))
-        self.motion: Kernel = KERNELS[kernel](graph.program([f"rate:{label}:{i}" for i in range(n)]))
-        self.scale = np.array([1.0 if edge.joint.letter == "R" else size for edge in cluster.free])
-        self.slides = np.array([0.0 if edge.joint.letter == "R" else 1.0 for edge in cluster.free])
+        self.rows = graph.coordinates(cluster)
+        self.closure: Kernel = KERNELS[kernel](graph.program(graph.closure(cluster)))
+        self.motion: Kernel = KERNELS[kernel](graph.program([f"rate:{cluster.label}:{i}" for i in range(n)]))
+        self.scale = np.array(cluster.units(size))
+        self.slides = 1.0 - np.array(cluster.turning, dtype=float)
         self.start = np.array(start)
         self.path = Path()
         self.correction = 0.0  # the most that Newton moved a foretold coordinate (rad, or over the size)

@@ -60,11 +60,11 @@ class Passage:
         """Times in the band at which the closed forms still are good enough to prove the interpolation (s)."""
         return self.time + GAP * self.width * PROOF
 
-    def inside(self, t: Array) -> Array:
+    def inside(self, t: Array) -> NDArray[np.bool_]:
         """Which times lie in the band."""
         return np.asarray(np.abs(t - self.time) < GAP * self.width)
 
-    def blank(self, t: Array) -> Array:
+    def blank(self, t: Array) -> NDArray[np.bool_]:
         """At which times what grows without bound has no value."""
         return np.asarray((np.abs(t - self.time) < AT * self.width) & bool(self.poles))
 
@@ -90,6 +90,20 @@ class Passages:
         """Those in which a group takes part."""
         return [p for p in self.every if group in p.groups]
 
+    def outside(self, t: Array, group: str | None = None) -> NDArray[np.bool_]:
+        """Which times lie in no band, or in none of a group."""
+        kept = np.full(t.shape, True)
+        for passage in self.every if group is None else self.of(group):
+            kept &= ~passage.inside(t)
+        return kept
+
+    def bounded(self, t: Array) -> NDArray[np.bool_]:
+        """At which times everything has a value."""
+        kept = np.full(t.shape, True)
+        for passage in self.every:
+            kept &= ~passage.blank(t)
+        return kept
+
     def sign(self, group: str, t: Array) -> Array:
         """The group's branch at times ``t`` over that which the model states."""
         own = self.of(group)
@@ -100,6 +114,5 @@ class Passages:
 def unwrapped(values: Array, rows: Sequence[int]) -> Array:
     """The same values with some rows, angles in -pi..pi, made continuous."""
     values = values.copy()
-    for row in rows:
-        values[row] = np.unwrap(values[row])
+    values[rows] = np.unwrap(values[rows])
     return values

@@ -12,12 +12,11 @@ from linkwright.graph.graph import Graph
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.laws import TableLaw
 from linkwright.model import units as u
-from linkwright.notation import Jet
+from linkwright.notation import Jet, angles
+from linkwright.notation.angles import MAX_TURN, whole_turns
 
 Array = NDArray[np.float64]
 
-MAX_TURN = 0.5
-"""Largest turn (rad) between neighbours of the grid on which whole turns are counted."""
 MAX_STEPS = 1 << 15
 
 
@@ -77,7 +76,7 @@ class Turns:
     def __call__(self, x: Array, t: Array, p: Array, at: Callable[[Array], Array]) -> Array:
         self.extend(float(t.max(initial=0.0)), p, at)
         near = np.interp(t, self.t, self.angle)
-        return np.asarray(np.round((near - self.kernel.run(x, p)[0]) / (2 * np.pi)))
+        return whole_turns(self.kernel.run(x, p)[0], near)
 
     def extend(self, to: float, p: Array, at: Callable[[Array], Array]) -> None:
         """Follow the angle up to a time, in steps that turn no further than :data:`MAX_TURN`."""
@@ -85,20 +84,19 @@ class Turns:
             self.t = np.zeros(1)
             self.angle = self.kernel.run(at(self.t), p)[0]
             if self.home is not None:
-                self.angle = self.angle + 2 * np.pi * np.round((self.home - self.angle) / (2 * np.pi))
+                self.angle = self.angle + 2 * np.pi * whole_turns(self.angle, self.home)
         steps, last = 32, float(self.t[-1])
         while to > last:
             grid = np.linspace(last, to, steps + 1)
             angle, omega = self.kernel.run(at(grid), p)
             known = np.isfinite(angle) & np.isfinite(omega)
             grid, angle, omega = grid[known], angle[known], omega[known]
-            turned = np.diff(grid) * (omega[1:] + omega[:-1]) / 2
-            if steps < MAX_STEPS and np.abs(turned).max(initial=0.0) > MAX_TURN:
+            turned, largest = angles.steps(grid, angle, omega)
+            if steps < MAX_STEPS and largest > MAX_TURN:
                 steps *= 2
                 continue
-            rest = np.mod(np.diff(angle) - turned + np.pi, 2 * np.pi) - np.pi
             # What can't be followed leaves the angle where it was.
             self.t = np.concatenate([self.t, grid[1:], [to]])
-            path = self.angle[-1] + np.cumsum(turned + rest)
+            path = self.angle[-1] + np.cumsum(turned)
             self.angle = np.concatenate([self.angle, path, (path if path.size else self.angle)[-1:]])
             return

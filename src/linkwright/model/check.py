@@ -9,24 +9,17 @@ from typing import Any
 from linkwright.model.actions import WHERE
 from linkwright.model.expressions import FUNCTIONS
 from linkwright.model.findings import Finding, Term
-from linkwright.model.mechanism import Mechanism
+from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.pins import homes, pins
-from linkwright.model.signals import near
+from linkwright.model.unknown import near, unknown
 from linkwright.model.values import check_values
 
 __all__ = ["FRAME", "WHERE", "check_names", "check_values"]
-
-FRAME = "frame"
 
 
 def check_names(m: Mechanism) -> list[Finding]:
     """All faults of names and references in a mechanism."""
     return [finding for part in _PARTS for finding in part(m)]
-
-
-def _unknown(kind: str, path: tuple[Any, ...], name: str, known: Iterable[str]) -> Finding:
-    data = {"kind": Term(f"a-{kind}"), "name": name, "near": near(name, list(known))}
-    return Finding("name.unknown", path, data)
 
 
 def _links(m: Mechanism) -> Iterator[Finding]:
@@ -80,7 +73,7 @@ def _joints(m: Mechanism) -> Iterator[Finding]:
             yield Finding("joint.same-link", ("joints", name), {"name": joint.links[0]})
         for link, point in zip(joint.links, ends, strict=True):
             if link not in m.links:
-                yield _unknown("link", ("joints", name), link, m.links)
+                yield unknown("link", ("joints", name), link, m.links)
             elif point not in m.links[link].points:
                 yield _point(("joints", name), link, point, m.links[link].points)
         if joint.revolute and name in points and name not in ends:
@@ -106,7 +99,7 @@ def _drives(m: Mechanism) -> Iterator[Finding]:
         path = ("drives", name)
         for link in dict.fromkeys((drive.link, drive.on)):
             if link not in m.links:
-                yield _unknown("link", path, link, m.links)
+                yield unknown("link", path, link, m.links)
         if drive.link == drive.on:
             yield Finding("joint.same-link", path, {"name": drive.link})
         if drive.output is not None and (fault := _output(m, name)) is not None:
@@ -136,7 +129,7 @@ def _output(m: Mechanism, name: str) -> Finding | None:
 def _carrier(path: tuple[Any, ...], link: str, at: Any, m: Mechanism) -> Iterator[Finding]:
     """The link ``on`` which something acts or sits, and its point ``at``."""
     if link not in m.links:
-        yield _unknown("link", (*path, "on"), link, m.links)
+        yield unknown("link", (*path, "on"), link, m.links)
     elif isinstance(at, str) and at not in m.links[link].points:
         yield _point((*path, "at"), link, at, m.links[link].points)
 
@@ -151,9 +144,9 @@ def _springs(m: Mechanism) -> Iterator[Finding]:
             ends = [("from", links[0], spring.from_), ("to", links[1], spring.to)]
         for key, link, point in ends:
             if point is not None and point not in points:
-                yield _unknown("point", (*path, key), point, points)
+                yield unknown("point", (*path, key), point, points)
             elif link not in m.links:
-                yield _unknown("link", (*path, "in" if spring.in_ else key), str(link), m.links)
+                yield unknown("link", (*path, "in" if spring.in_ else key), str(link), m.links)
             elif point is not None and point not in m.links[link].points:
                 yield _point((*path, key), link, point, m.links[link].points)
         if ends[0][1] is not None and ends[0][1] == ends[1][1]:
@@ -166,11 +159,11 @@ def _loads(m: Mechanism) -> Iterator[Finding]:
         path = ("loads", name)
         yield from _carrier(path, load.on, load.at, m)
         if load.in_ is not None and load.in_ not in m.links:
-            yield _unknown("link", (*path, "in"), load.in_, m.links)
+            yield unknown("link", (*path, "in"), load.in_, m.links)
         if load.window and load.window not in m.windows:
-            yield _unknown("window", (*path, "window"), load.window, m.windows)
+            yield unknown("window", (*path, "window"), load.window, m.windows)
         if load.along and load.along not in slides:
-            yield _unknown("slide", (*path, "along"), load.along, slides)
+            yield unknown("slide", (*path, "along"), load.along, slides)
         if load.on == FRAME:
             yield Finding("load.on-frame", path)
 
@@ -181,21 +174,21 @@ def _assembly(m: Mechanism) -> Iterator[Finding]:
     for name, rule in m.assembly.items():
         for point in dict.fromkeys((name, *rule.reference)):
             if point not in pivots:
-                yield _unknown("point", ("assembly", name), point, pivots)
+                yield unknown("point", ("assembly", name), point, pivots)
         if rule.along and rule.along not in slides:
-            yield _unknown("slide", ("assembly", name), rule.along, slides)
+            yield unknown("slide", ("assembly", name), rule.along, slides)
 
 
 def _measures(m: Mechanism) -> Iterator[Finding]:
     points = homes(m)
     for name, measure in m.measures.items():
         if measure.point is not None and measure.point not in points:
-            yield _unknown("point", ("measures", name, measure.reduction), measure.point, points)
+            yield unknown("point", ("measures", name, measure.reduction), measure.point, points)
         if measure.window and measure.window not in m.windows:
-            yield _unknown("window", ("measures", name, "window"), measure.window, m.windows)
+            yield unknown("window", ("measures", name, "window"), measure.window, m.windows)
     for name in m.require:
         if name not in m.measures:
-            yield _unknown("measure", ("require", name), name, m.measures)
+            yield unknown("measure", ("require", name), name, m.measures)
 
 
 _PARTS = (_links, _collisions, _joints, _pins, _drives, _loads, _springs, _assembly, _measures)

@@ -14,7 +14,7 @@ from linkwright.model.findings import Finding, Term
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.parts import CylinderPart, Drive, Joint, Link
 from linkwright.model.pins import homes
-from linkwright.model.signals import near
+from linkwright.model.unknown import unknown
 from linkwright.model.written import FrozenDict
 
 Path = tuple[str | int, ...]
@@ -77,8 +77,7 @@ def cylinder_faults(m: Mechanism) -> Iterator[Finding]:
         path: Path = ("cylinders", name)
         for key, point in (("from", cylinder.from_), ("to", cylinder.to)):
             if point not in points:
-                data = {"kind": Term("a-point"), "name": point, "near": near(point, list(points))}
-                yield Finding("name.unknown", (*path, key), data)
+                yield unknown("point", (*path, key), point, points)
         if cylinder.from_ == cylinder.to:
             yield Finding("cylinder.same-point", path, {"point": cylinder.to})
         if name in m.joints:
@@ -89,8 +88,7 @@ def cylinder_faults(m: Mechanism) -> Iterator[Finding]:
     slides = [*(name for name, _ in m.prismatic_joints()), *m.cylinders]
     for name, drive in m.drives.items():
         if drive.extends is not None and drive.extends not in slides:
-            data = {"kind": Term("a-slide"), "name": drive.extends, "near": near(drive.extends, slides)}
-            yield Finding("name.unknown", ("drives", name, "extends"), data)
+            yield unknown("slide", ("drives", name, "extends"), drive.extends, slides)
 
 
 def _taken(path: Path, name: str, by: str) -> Finding:

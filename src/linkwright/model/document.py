@@ -15,7 +15,7 @@ from pydantic import ValidationError
 from linkwright.model.faults import findings_of
 from linkwright.model.findings import Finding, ModelError, Term
 from linkwright.model.mechanism import VERSION, Document
-from linkwright.model.signals import near
+from linkwright.model.unknown import near
 from linkwright.model.yaml_text import MAX_FINDINGS, Source, read_text
 from linkwright.model.yaml_write import write_text
 

@@ -10,7 +10,7 @@ from linkwright.model import elements as e
 from linkwright.model import parts as p
 from linkwright.model.findings import Finding, Term
 from linkwright.model.mechanism import Document
-from linkwright.model.signals import near
+from linkwright.model.unknown import near
 from linkwright.model.written import Frozen, describe
 from linkwright.model.yaml_text import Path, Source
 

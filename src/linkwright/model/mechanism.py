@@ -25,6 +25,7 @@ from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter, Unit
 from linkwright.model.written import unexpected
 
 __all__ = [
+    "FRAME",
     "REDUCTIONS",
     "Counterweight",
     "Cylinder",
@@ -43,6 +44,8 @@ __all__ = [
 ]
 
 VERSION = 1
+FRAME = "frame"
+"""The name of the link that doesn't move."""
 MAX_ENTRIES, MAX_LINKS = 1000, 200
 """The most entries that one section may hold; of links fewer, since their decomposition is searched for."""
 
@@ -131,7 +134,7 @@ class Mechanism(Frozen):
         if (joint := self.joints.get(entry.output)) is not None:
             on, link = joint.links
             return entry.model_copy(update={"turns": None, "slides": link, "on_": on})
-        return entry.model_copy(update={"turns": entry.output, "slides": None, "on_": "frame"})
+        return entry.model_copy(update={"turns": entry.output, "slides": None, "on_": FRAME})
 
     def prismatic_joints(self) -> Iterator[tuple[str, Joint]]:
         """The prismatic joints by name."""

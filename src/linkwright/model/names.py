@@ -9,9 +9,10 @@ from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, is_signal,
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.places import Path, Place, Scope
-from linkwright.model.signals import Signals, near
+from linkwright.model.signals import Signals
 from linkwright.model.trees import children
 from linkwright.model.units import is_unit
+from linkwright.model.unknown import near
 
 # What stands where it may not: the finding of each scope.
 _MISPLACED = {

@@ -244,3 +244,13 @@ class Drive(Frozen):
         name = self.turns or self.slides
         assert name is not None
         return name
+
+    @property
+    def effort(self) -> str:
+        """The signal of what it exerts: ``torque`` or ``force``."""
+        return "torque" if self.turns else "force"
+
+    @property
+    def rate(self) -> str:
+        """The signal of its speed: ``omega`` or ``v``."""
+        return "omega" if self.turns else "v"

@@ -112,6 +112,14 @@ class Quantities:
             return DimensionError(finding.code, **finding.data)
         return None
 
+    def drive_dimension(self, drive: str) -> Dimension:
+        """The dimension of what a drive prescribes: an angle or a length."""
+        return u.ANGLE if self.mechanism.prescribed(drive).turns else u.LENGTH
+
+    def drive_unit(self, drive: str) -> tuple[str, float]:
+        """The unit in which a drive's value goes out, and its SI value."""
+        return self.unit_of(self.drive_dimension(drive))
+
     def unit_of(self, dimension: Dimension) -> tuple[str, float]:
         """The unit in which a quantity goes out, and its SI value: as declared, else SI."""
         try:

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
 from functools import cached_property
 
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import Call, Name, signal_text
 from linkwright.model.findings import Term
-from linkwright.model.mechanism import Mechanism
+from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.pins import homes, pins
 from linkwright.model.units import Dimension
+from linkwright.model.unknown import near
 
 _PLANE = ("x", "y")
 _RATES = (("", u.LENGTH), ("v", u.SPEED), ("a", u.ACCELERATION), ("j", u.JERK))
@@ -175,7 +175,7 @@ class Signals:
         """Every signal of the mechanism, motion first, then forces; poles, one for any two links, only by name."""
         m = self.mechanism
         found = [Signal("point", (p,), a, d) for p in self.homes for a, d in POINT.items()]
-        found += [Signal("link", (link,), a, d) for link in m.links if link != "frame" for a, d in LINK.items()]
+        found += [Signal("link", (link,), a, d) for link in m.links if link != FRAME for a, d in LINK.items()]
         found += [Signal("slide", (name,), a, d) for name, _ in m.prismatic_joints() for a, d in SLIDE.items()]
         found += [Signal("drive", (name,), a, d) for name in m.drives for a, d in self.attributes(name)[1].items()]
         found += [Signal("com", (n,), a, d) for n in m.links if m.has_mass(n) for a, d in POINT.items()]
@@ -189,11 +189,3 @@ class Signals:
         found += [Signal("shaking", ("shaking",), a, d) for a, d in SHAKING.items()]
         found += [Signal("spring", (name,), a, d) for name in m.springs for a, d in self.attributes(name)[1].items()]
         return found + [Signal("energy", ("energy",), a, d) for a, d in self.energies.items()]
-
-
-def near(name: str, known: Sequence[str]) -> str:
-    """A readable hint: the closest known names, else all of them."""
-    known = [word for word in dict.fromkeys(known) if len(word) <= 60]
-    alike = [word for word in known if abs(len(word) - len(name)) <= 4][:200]
-    close = get_close_matches(name, alike, n=3, cutoff=0.6)
-    return ", ".join(close or known[:20]) or "-"

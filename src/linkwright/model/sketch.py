@@ -13,12 +13,11 @@ from itertools import chain
 
 from linkwright.model.fields import AssemblyRule, Expression, Position
 from linkwright.model.findings import Finding
-from linkwright.model.mechanism import Mechanism
+from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.parts import Drive, Joint, Link, Parameter
-from linkwright.model.signals import near
+from linkwright.model.unknown import near
 from linkwright.model.written import FrozenDict
 
-FRAME = "frame"
 WORD = re.compile(r"\bsketch\b")
 _SHORT = re.compile(r"[^\W\d_]\d*")
 

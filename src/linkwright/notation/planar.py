@@ -101,6 +101,11 @@ class Body:
         axis = Vec.constant(Pair(1.0, 0.0), order)
         return cls(at_rest, Pair(0.0, 0.0), axis, Jet.constant(0.0, order - 1), 0.0)
 
+    @classmethod
+    def still(cls, at: Pair, local: Pair, axis: Pair) -> Body:
+        """A pose without rates: the link's point ``local`` lies at ``at``, its x axis along ``axis``."""
+        return cls(Vec.constant(at, 0), local, Vec.constant(axis, 0), Jet(()))
+
     def point(self, local: Pair) -> Vec:
         """Position and its derivatives of the link's point ``local``."""
         arm = local.minus(self.local)

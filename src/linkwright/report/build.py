@@ -13,9 +13,22 @@ from linkwright.model.document import dump
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.model.pins import spring_ends
-from linkwright.model.units import ANGLE, LENGTH, TIME
+from linkwright.model.units import LENGTH, TIME
 from linkwright.report.centrodes import centrodes
-from linkwright.report.data import Failure, Joint, Link, Plot, Pose, ReportData, Scene, Series, Spring, Time, Trace
+from linkwright.report.data import (
+    Failure,
+    Joint,
+    Link,
+    Plot,
+    Pose,
+    ReportData,
+    Scene,
+    Series,
+    Spring,
+    Time,
+    Trace,
+    listed,
+)
 from linkwright.report.facts import facts
 from linkwright.report.parts import PARTS, drawn, found
 from linkwright.results import Result
@@ -65,7 +78,7 @@ def axis(result: Result) -> Time:
     """What the drawing and the plots run over: the time, or in a sweep the drive's value."""
     run, quantities = result.run, result.run.compiled.quantities
     if isinstance(run, Sweep):
-        unit, size = quantities.unit_of(ANGLE if run.compiled.mechanism.prescribed(run.drive).turns else LENGTH)
+        unit, size = quantities.drive_unit(run.drive)
         return {"values": ((run.origin + result.t) / size).tolist(), "unit": unit, "label": run.drive}
     unit, size = quantities.unit_of(TIME)
     return {"values": (result.t / size).tolist(), "unit": unit, "label": say("plot.time")}
@@ -82,15 +95,16 @@ def scene(result: Result) -> Scene:
     geometry = compiled.assembly.start.geometry if compiled.assembly.start else None
     assert geometry is not None
     moving = compiled.structure.topology.moving
-    rows = [f"{link}:{row}" for link in moving for row in ("x", "y", "cos", "sin")]
-    poses = dict(zip(rows, compiled.evaluate(rows, result.t), strict=True))
+    poses = dict(
+        zip(moving, compiled.evaluate(compiled.graph.pose_rows, result.t).reshape(-1, 4, result.t.size), strict=True)
+    )
     links: list[Link] = []
     for name, entry in compiled.mechanism.links.items():
         points = {p: [c / size for c in geometry.point(name, p)] for p in entry.points}
         pose: Pose = {"x": [0.0], "y": [0.0], "c": [1.0], "s": [0.0]}
         if name != FRAME:
-            x, y, c, s = (poses[f"{name}:{row}"] for row in ("x", "y", "cos", "sin"))
-            pose = {"x": _listed(x / size), "y": _listed(y / size), "c": _listed(c), "s": _listed(s)}
+            x, y, c, s = poses[name]
+            pose = {"x": listed(x / size), "y": listed(y / size), "c": listed(c), "s": listed(s)}
         links.append({"name": name, "fixed": name == FRAME, "points": points, "pose": pose})
     return {
         "length_unit": unit,
@@ -117,15 +131,8 @@ def _joints(result: Result) -> list[Joint]:
         assert joint.line is not None
         angles = [float(geometry.heading_angle(name, link)) for link in joint.links]
         points = [line.point for line in joint.line]
-        found.append(
-            {
-                "name": name,
-                "kind": "prismatic",
-                "links": list(joint.links),
-                "points": points,
-                "angles": angles,
-            }
-        )
+        joined: Joint = {"name": name, "kind": "prismatic", "links": list(joint.links), "points": points}
+        found.append({**joined, "angles": angles})
     return found
 
 
@@ -144,7 +151,7 @@ def _traces(result: Result, size: float) -> list[Trace]:
     found: list[Trace] = []
     for point in _moving_points(result):
         x, y = result[f"{point}.x"], result[f"{point}.y"]
-        found.append({"name": point, "x": _listed(x / size), "y": _listed(y / size)})
+        found.append({"name": point, "x": listed(x / size), "y": listed(y / size)})
     return found
 
 
@@ -158,10 +165,6 @@ def _moving_points(result: Result) -> list[str]:
 def _span(values: Array) -> float:
     known = values[np.isfinite(values)]
     return float(np.ptp(known)) if known.size else 0.0
-
-
-def _listed(values: Array) -> list[float | None]:
-    return [value if value == value and abs(value) != np.inf else None for value in values.tolist()]
 
 
 def plots(result: Result) -> list[Plot]:
@@ -219,7 +222,7 @@ def _plot(result: Result, title: str, group: Literal["motion", "force"], names: 
     shown = [(name, *result.shown(name)) for name in names]
     if not any(_largest(values) > 0 for _, values, _ in shown):
         return None
-    series: list[Series] = [{"name": name, "values": _listed(values)} for name, values, _ in shown]
+    series: list[Series] = [{"name": name, "values": listed(values)} for name, values, _ in shown]
     return {"title": title, "group": group, "unit": shown[0][2], "series": series}
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.report.data import Centrode
+from linkwright.report.data import Centrode, listed
 from linkwright.results import Result
 
 Array = NDArray[np.float64]
@@ -31,7 +31,7 @@ def centrodes(result: Result, size: float) -> list[Centrode]:
         x, y, u, v = _cut(np.array(pole), omega, (low + high) / 2, (high - low) / 2 + FAR * extent) / size
         known = np.isfinite(x)
         if known.sum() > 1 and max(np.ptp(x[known]), np.ptp(y[known])) * size > 1e-6 * extent:
-            drawn.append({"link": link, "x": _listed(x), "y": _listed(y), "u": _listed(u), "v": _listed(v)})
+            drawn.append({"link": link, "x": listed(x), "y": listed(y), "u": listed(u), "v": listed(v)})
     return drawn
 
 
@@ -44,7 +44,3 @@ def _cut(pole: Array, omega: Array, centre: Array, reach: Array) -> Array:
     farther = np.where(away[before] > away[before + 1], before, before + 1)
     away[farther] = np.inf
     return np.where(away <= 1, pole, np.nan)
-
-
-def _listed(values: Array) -> list[float | None]:
-    return [value if value == value else None for value in values.tolist()]

@@ -7,11 +7,20 @@ are plain Python numbers; ``None`` stands for "no value here" (a pose that can't
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from math import isfinite
 from typing import Literal, NotRequired, TypedDict
+
+import numpy as np
+from numpy.typing import NDArray
 
 from linkwright.report.modes import ModesData
 
 Values = Sequence[float | None]
+
+
+def listed(values: NDArray[np.float64]) -> list[float | None]:
+    """An array as plain numbers."""
+    return [value if isfinite(value) else None for value in values.tolist()]
 
 
 class Time(TypedDict):

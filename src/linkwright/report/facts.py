@@ -88,15 +88,7 @@ def _order(compiled: Compiled) -> list[str]:
 def checks(certificate: Certificate, time_text: str) -> list[Check]:
     """The certificate in words; ``time_text`` is the time of the nearest singular pose with its unit."""
     c = certificate
-    lines: list[Check] = [
-        {
-            "name": say(f"proof.{name}"),
-            "figure": f"{value:.1e}",
-            "sentence": say(f"proof.{name}.text", poses=c.poses),
-            "ok": value < PROVEN,
-        }
-        for name, value in c.residuals.items()
-    ]
+    lines = [_proof(name, f"{value:.1e}", value < PROVEN, poses=c.poses) for name, value in c.residuals.items()]
     if c.equilibrium is None:
         lines.append(_proof("forces", "-", True))
     lines.append(_proof("mobility", str(c.mobility), c.mobility == c.gruebler, rank=c.rank, gruebler=c.gruebler))

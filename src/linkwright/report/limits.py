@@ -34,7 +34,7 @@ def limits_entry(outcome: LimitsOutcome) -> dict[str, Any]:
 
 def _drive(outcome: LimitsOutcome, limits: DriveLimits) -> dict[str, Any]:
     turns = bool(outcome.compiled.mechanism.prescribed(limits.drive).turns)
-    unit, size = outcome.compiled.quantities.unit_of(ANGLE if turns else LENGTH)
+    unit, size = outcome.compiled.quantities.drive_unit(limits.drive)
     ranges = []
     for found, stretch in limits.ranges:
         scale = _Scale(outcome, unit, size, found.sweep.origin)

@@ -7,10 +7,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from html import escape
 from typing import TypedDict
 
+import numpy as np
+
 from linkwright.graph.modes import Mode
 from linkwright.model import units as u
 from linkwright.structure import FRAME
 from linkwright.studies import ModesOutcome
+from linkwright.studies.paths import hull
 from linkwright.words import say
 
 
@@ -67,7 +70,7 @@ def modes_data(outcome: ModesOutcome) -> ModesData:
     """The modes of a mechanism as plain data in its units."""
     quantities, found = outcome.quantities, outcome.survey
     length, size = quantities.unit_of(u.LENGTH)
-    units = {name: _unit(outcome, name) for name in outcome.values}
+    units = {name: quantities.drive_unit(name) for name in outcome.values}
     unit, scale = units[found.drive] if found.drive else ("", 1.0)
     modes: list[ModeEntry] = []
     for i, mode in enumerate(found.modes):
@@ -104,11 +107,6 @@ def told(outcome: ModesOutcome) -> dict[str, object]:
     return {key: value for key, value in modes_data(outcome).items() if key != "drawings"}
 
 
-def _unit(outcome: ModesOutcome, drive: str) -> tuple[str, float]:
-    turning = outcome.quantities.mechanism.prescribed(drive).turns
-    return outcome.quantities.unit_of(u.ANGLE if turning else u.LENGTH)
-
-
 def _circuit(outcome: ModesOutcome, index: int, scale: float) -> CircuitEntry:
     found, circuit = outcome.survey, outcome.circuits[index]
     assert found.drive is not None
@@ -139,6 +137,8 @@ def _sentences(outcome: ModesOutcome) -> Iterator[str]:
     yield say("modes.all" if found.complete else "modes.found", count=count)
     if found.open_groups:
         yield say("modes.open", groups="; ".join(found.open_groups))
+    if found.free_groups:
+        yield say("modes.free", groups="; ".join(sorted(found.free_groups)))
     if found.cut:
         yield say("modes.cut", count=count)
     if outcome.survey.untold:
@@ -198,7 +198,7 @@ def drawing(outcome: ModesOutcome, mode: Mode) -> str:
         ends = listed([at(line.point) for line in joint.line or ()])
         shapes.append(f'<polyline class="lw-centre" points="{ends}"><title>{escape(name)}</title></polyline>')
     for i, name in enumerate(name for name in links if name != FRAME):
-        corners = listed(_hull([at(point) for point in links[name].points]))
+        corners = listed([(z.real, z.imag) for z in hull(np.array([complex(*at(p)) for p in links[name].points]))])
         title = f"<title>{escape(name)}</title>"
         shapes.append(f'<polygon class="lw-body lw-c{i % 8}" points="{corners}">{title}</polygon>')
     for name in mode.places:
@@ -207,22 +207,6 @@ def drawing(outcome: ModesOutcome, mode: Mode) -> str:
         shapes.append(f'<circle class="lw-pin" cx="{x:.1f}" cy="{y:.1f}" r="{size}">{title}</circle>')
     box = f"0 0 {WIDTH:.0f} {HEIGHT:.0f}"
     return f'<svg class="lw mode" viewBox="{box}" role="img">{"".join(shapes)}</svg>'
-
-
-def _hull(spots: Sequence[Spot]) -> list[Spot]:
-    """The convex hull (Andrew's monotone chain)."""
-    found: list[Spot] = []
-    for chain in (sorted(spots), sorted(spots, reverse=True)):
-        side: list[Spot] = []
-        for p in chain:
-            while len(side) > 1:
-                (ax, ay), (bx, by) = side[-2:]
-                if (bx - ax) * (p[1] - ay) - (by - ay) * (p[0] - ax) > 0:
-                    break
-                side.pop()
-            side.append(p)
-        found += side[:-1] or side
-    return found
 
 
 def mode_text(entry: ModeEntry) -> str:

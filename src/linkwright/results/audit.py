@@ -42,12 +42,12 @@ class Reports:
 
     def _names(self) -> list[str]:
         moving, drives = self.topology.moving, self.mechanism.drives
-        names = [f"{link}:{row}" for link in moving for row in ("x", "y", "cos", "sin")]
+        names = [*self.compiled.graph.pose_rows]
         names += [f"{link}.{rate}" for link in moving for rate in ("omega", "alpha")]
         names += [f"com({link}).{rate}{axis}" for link in self.masses for rate in ("", "v", "a") for axis in "xy"]
         names += [f"{self.home(link)}.v{axis}" for link in moving for axis in "xy"]
         names += [self.force_name(c, a) for c in self.contacts for a in (("x", "y", "moment") if c.sliding else "xy")]
-        names += [f"{n}.{a}" for n, d in drives.items() for a in (("torque", "omega") if d.turns else ("force", "v"))]
+        names += [f"{n}.{a}" for n, d in drives.items() for a in (d.effort, d.rate)]
         names += [s.text for s in self.compiled.graph.actions.signals]
         names += [f"window/{name}" for name in self.compiled.graph.actions.windows]
         names += [f"{n}.{a}" for n, s in self.mechanism.springs.items() for a in (s.measure, s.effort)]
@@ -238,8 +238,8 @@ class Reports:
 
     def drive_powers(self) -> list[Array]:
         """Effort times rate of each drive (W)."""
-        pairs = [(n, ("torque", "omega") if d.turns else ("force", "v")) for n, d in self.mechanism.drives.items()]
-        return [self.rows[f"{name}.{effort}"] * self.rows[f"{name}.{rate}"] for name, (effort, rate) in pairs]
+        drives = self.mechanism.drives.items()
+        return [self.rows[f"{name}.{drive.effort}"] * self.rows[f"{name}.{drive.rate}"] for name, drive in drives]
 
     def powers_of(self, applied: list[Applied]) -> list[Array]:
         """The power of each force's components and moment (W)."""

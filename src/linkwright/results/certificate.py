@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from linkwright.results.audit import Reports
 from linkwright.results.quadrature import panel_points
 from linkwright.results.run import Run
-from linkwright.results.stationary import stationary
+from linkwright.results.stationary import magnitude, stationary
 from linkwright.structure import FRAME
 from linkwright.words import say
 
@@ -66,8 +66,7 @@ class Certificate:
 def certify(run: Run) -> Certificate:
     """Prove a run at its sampled times."""
     compiled, topology = run.compiled, run.compiled.structure.topology
-    without_value = [p.blank(run.t) for p in compiled.passages.every]
-    reports = Reports(compiled, run.t[~np.any([np.zeros(run.t.size, bool), *without_value], axis=0)])
+    reports = Reports(compiled, run.t[compiled.passages.bounded(run.t)])
     constraints = rank(reports)
     loaded = bool(reports.masses or compiled.mechanism.loads or compiled.mechanism.springs)
     rules = compiled.assembly.rules
@@ -238,18 +237,14 @@ def nearest(run: Run) -> Nearest | None:
         largest[-len(spanning) :] = np.nanmax(run.compiled.evaluate(names[-len(spanning) :], run.t), axis=1)
 
     def rates(t: Array) -> tuple[Array, Array]:
-        # Of the magnitude, so that a passage through zero is a turning point too.
-        y = run.compiled.evaluate(names, t, rates=True) / largest[:, None, None]
-        with np.errstate(invalid="ignore"):
-            return np.abs(y[:, 0]), np.sign(y[:, 0]) * y[:, 1]
+        values, slopes = magnitude(*run.compiled.rates(names, t))
+        return values / largest[:, None], slopes / largest[:, None]
 
     found = []
     turning = stationary(rates, run.start, run.stop, run.grid) if groups else []
     for i, group in enumerate(groups):
         times = np.concatenate([turning[i], [run.start, run.stop]])
-        times = times[
-            ~np.any([np.zeros(times.size, bool), *(p.inside(times) for p in run.compiled.passages.of(group))], 0)
-        ]
+        times = times[run.compiled.passages.outside(times, group)]
         if not times.size:
             continue
         values = np.abs(run.compiled.evaluate([names[i]], times)[0]) / largest[i]

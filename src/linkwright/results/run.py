@@ -12,13 +12,12 @@ from numpy.typing import NDArray
 from linkwright.kernels import Compiled
 from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, nodes
 from linkwright.model.units import Dimension
-from linkwright.notation import Jet
+from linkwright.notation import Jet, angles
+from linkwright.notation.angles import MAX_TURN, whole_turns
 from linkwright.results import breaks
 
 Array = NDArray[np.float64]
 
-MAX_TURN = 0.5
-"""Largest turn (rad) between neighbours of the grid on which angles are made continuous."""
 MAX_GRID = 1 << 17
 BLIND = 1e-6
 """The share of the run around a change point in which rates have lost their digits."""
@@ -52,7 +51,7 @@ class Run:
                 steps.append(min(10 * LOOK // max(shortest, 1), LOOK // 2))
         if self.compiled.graph.actions.timed:
             rows = [f"load/{name}" for name in self.compiled.mechanism.loads]
-            signs = np.sign(self.compiled.evaluate(rows, t, rates=True)[:, 1])
+            signs = np.sign(self.compiled.rates(rows, t)[1])
             steps.append(min(4 * int((signs[:, 1:] != signs[:, :-1]).sum(axis=1).max()), LOOK // 2))
         return max(steps)
 
@@ -81,8 +80,7 @@ class Run:
 
     def rates(self, names: Sequence[str], t: Array) -> tuple[Array, Array]:
         """The named signals and their exact time derivatives at times ``t``."""
-        y = self.compiled.evaluate(names, t, rates=True)
-        values, slopes = y[:, 0], y[:, 1]
+        values, slopes = self.compiled.rates(names, t)
         for i, name in enumerate(names):
             if self.compiled.graph.wrapped(name):
                 values[i] = self._continuous(name, t, values[i])
@@ -93,6 +91,13 @@ class Run:
         signals = self.signals_of([node])
         values, slopes = self.rates(signals, t) if signals else (np.empty((0, t.size)),) * 2
         return self.combine(node, t, dict(zip(signals, zip(values, slopes, strict=True), strict=True)))
+
+    def all_rates(self, trees: Sequence[Node], t: Array) -> tuple[Array, Array]:
+        """Several such expressions and their rates: (trees, times) each."""
+        names = self.signals_of(trees)
+        rows = dict(zip(names, zip(*self.rates(names, t), strict=True), strict=True))
+        jets = [self.combine(tree, t, rows) for tree in trees]
+        return np.array([jet.d[0] for jet in jets]), np.array([jet.d[1] for jet in jets])
 
     def combine(self, node: Node, t: Array, rows: dict[str, tuple[Array, Array]]) -> Jet:
         """An expression from rows of signals and rates already at hand."""
@@ -119,8 +124,7 @@ class Run:
         if not grid.size:
             return np.full_like(wrapped, np.nan)
         near = np.interp(t, grid, angle)
-        turns = np.round((near - wrapped) / (2 * np.pi))
-        return wrapped + 2 * np.pi * turns
+        return wrapped + 2 * np.pi * whole_turns(wrapped, near)
 
     def place(self, share: Array) -> tuple[Array, Array]:
         """The times at some shares (0..1) of the run, and their slopes: what searches take equal steps of."""
@@ -143,11 +147,9 @@ class Run:
             angle, omega = self.compiled.evaluate(names, grid)
             known = np.isfinite(angle) & np.isfinite(omega) & self.clear(grid)
             share, grid, angle, omega = share[known], grid[known], angle[known], omega[known] * slope[known]
-            # The rates say how far it turned; the angles only have to agree with that but for whole turns.
-            turned = np.diff(share) * (omega[1:] + omega[:-1]) / 2
-            rest = np.mod(np.diff(angle) - turned + np.pi, 2 * np.pi) - np.pi
-            if count >= MAX_GRID or np.abs(turned).max(initial=0.0) < MAX_TURN:
-                return grid, np.concatenate([angle[:1], angle[:1] + np.cumsum(turned + rest)])
+            turned, largest = angles.steps(share, angle, omega)
+            if count >= MAX_GRID or largest < MAX_TURN:
+                return grid, np.concatenate([angle[:1], angle[:1] + np.cumsum(turned)])
             count *= 2
 
 

@@ -28,6 +28,12 @@ def stationary(rates: Callable[[Array], tuple[Array, Array]], start: float, stop
     return _roots(lambda at: rates(at)[1], _settled(look, start, stop, steps))
 
 
+def magnitude(values: Array, slopes: Array) -> tuple[Array, Array]:
+    """Magnitudes with their rates, so that a passage through zero is a turning point too."""
+    with np.errstate(invalid="ignore"):
+        return np.abs(values), np.sign(values) * slopes
+
+
 def crossings(values: Callable[[Array], Array], start: float, stop: float, steps: int) -> Array:
     """The times at which one function of time changes sign, found the same way without its rate."""
     brackets = _settled(lambda t: [_sign_changes(t, values(t))], start, stop, steps)

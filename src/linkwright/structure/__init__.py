@@ -1,6 +1,20 @@
 """Structure: joints, mobility and the decomposition into Assur groups."""
 
-from linkwright.structure.decomposition import Chain, Cluster, Driven, Edge, Group, Structure, decompose
-from linkwright.structure.topology import FRAME, Connection, Topology
+from linkwright.model.mechanism import FRAME
+from linkwright.structure.decomposition import decompose
+from linkwright.structure.steps import Chain, Cluster, Driven, Edge, Group, Step, Structure
+from linkwright.structure.topology import Connection, Topology
 
-__all__ = ["FRAME", "Chain", "Cluster", "Connection", "Driven", "Edge", "Group", "Structure", "Topology", "decompose"]
+__all__ = [
+    "FRAME",
+    "Chain",
+    "Cluster",
+    "Connection",
+    "Driven",
+    "Edge",
+    "Group",
+    "Step",
+    "Structure",
+    "Topology",
+    "decompose",
+]

@@ -5,10 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-from linkwright.model.mechanism import Drive, Mechanism
+from linkwright.model.mechanism import FRAME, Drive, Mechanism
 from linkwright.model.pins import Pin, pins
-
-FRAME = "frame"
 
 
 @dataclass(frozen=True)

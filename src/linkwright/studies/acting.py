@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -72,12 +73,7 @@ def _meeting(run: Run) -> list[tuple[str, float]]:
 
 def _times(run: Run, rows: list[str]) -> Array:
     """Times that tell where rows are smallest and largest."""
-
-    def rates(t: Array) -> tuple[Array, Array]:
-        y = run.compiled.evaluate(rows, t, rates=True)
-        return y[:, 0], y[:, 1]
-
-    turning = stationary(rates, run.start, run.stop, run.grid) if rows else []
+    turning = stationary(partial(run.compiled.rates, rows), run.start, run.stop, run.grid) if rows else []
     grid = np.linspace(run.start, run.stop, run.grid + 1)
     return np.unique(np.concatenate([grid, run.t, run.jumps.ravel(), *turning]))
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +13,7 @@ from linkwright.model.expressions import Node
 from linkwright.model.units import Dimension
 from linkwright.results import Run
 from linkwright.results.run import BLIND
-from linkwright.results.stationary import stationary
+from linkwright.results.stationary import magnitude, stationary
 from linkwright.studies.feasible import SINGULAR, TOUCH
 from linkwright.studies.sweep import NEAR, Sweep
 
@@ -140,11 +141,7 @@ def touches(run: Run) -> list[Touch]:
     if not names:
         return []
 
-    def rates(t: Array) -> tuple[Array, Array]:
-        y = run.compiled.evaluate(names, t, rates=True)
-        return y[:, 0], y[:, 1]
-
-    places, found = turning(run, rates), []
+    places, found = turning(run, partial(run.compiled.rates, names)), []
     spans = np.abs(run.compiled.evaluate(names[len(groups) :], run.place(np.linspace(0, 1, 65))[0]))
     for i, group in enumerate(groups):
         times = np.union1d(places[i], places[len(groups) + i])
@@ -162,9 +159,7 @@ def transmission(run: Run, flat: Sequence[tuple[str, float]] = ()) -> list[Trans
         return []
 
     def rates(t: Array) -> tuple[Array, Array]:
-        # Of the magnitude, so that a passage through zero is a turning point too.
-        y = run.compiled.evaluate(names, t, rates=True)
-        return np.abs(y[:, 0]), np.sign(y[:, 0]) * y[:, 1]
+        return magnitude(*run.compiled.rates(names, t))
 
     found = []
     for group, name, times in zip(groups, names, turning(run, rates), strict=True):
@@ -187,16 +182,8 @@ def courses(run: Run, signals: Signals, full: bool = False, forward: bool = True
     if not signals:
         return []
     trees = [node for node, _ in signals.values()]
-    names = run.signals_of(trees)
-
-    def rates(t: Array) -> tuple[Array, Array]:
-        values, slopes = run.rates(names, t)
-        rows = dict(zip(names, zip(values, slopes, strict=True), strict=True))
-        jets = [run.combine(tree, t, rows) for tree in trees]
-        return np.array([jet.d[0] for jet in jets]), np.array([jet.d[1] for jet in jets])
-
     with np.errstate(all="ignore"):
-        places = turning(run, rates)
+        places = turning(run, partial(run.all_rates, trees))
         found = []
         for (name, (node, dimension)), times in zip(signals.items(), places, strict=True):
             found.append(_Course(run, node, times, full, forward).read(name, dimension))

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.assembly import shortfall_at, shortfall_data
+from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
 from linkwright.model import units as u
 from linkwright.model.findings import Finding, Term
@@ -61,8 +62,8 @@ def _row(run: Run, row: str, more: Sequence[float] = ()) -> tuple[Array, Array]:
 
     def rates(share: Array) -> tuple[Array, Array]:
         t, slope = run.place(share)
-        y = run.compiled.evaluate([row], t, rates=True)
-        return y[:, 0], y[:, 1] * slope
+        values, slopes = run.compiled.rates([row], t)
+        return values, slopes * slope
 
     if row not in run.rows:
         shares = np.union1d(np.linspace(0.0, 1.0, max(run.grid, 200) + 1), stationary(rates, 0.0, 1.0, run.grid)[0])
@@ -109,24 +110,27 @@ def drive_value(run: Run, time: float) -> dict[str, Any]:
     """
     drives = run.compiled.mechanism.drives
     name = next((name for name, drive in drives.items() if drive.output), run.compiled.graph.drives[0])
-    moved = run.compiled.mechanism.prescribed(name)
-    unit, size = run.compiled.quantities.unit_of(u.ANGLE if moved.turns else u.LENGTH)
+    unit, size = run.compiled.quantities.drive_unit(name)
     value = values_at(run.compiled.laws, time)[name]
-    return {"drive": moved.output or name, "value": f"{value / size:.6g}", "unit": unit}
+    return {"drive": drives[name].output or name, "value": f"{value / size:.6g}", "unit": unit}
+
+
+def shortfall(compiled: Compiled, group: Group, time: float) -> dict[str, Any]:
+    """In words by how much a group fails to close at a time."""
+    values, unknowns = values_at(compiled.laws, time), compiled.unknowns(time)
+    distance, limit = shortfall_at(
+        compiled.quantities, compiled.structure, compiled.branches(time), values, group, unknowns.__getitem__
+    )
+    data = shortfall_data(compiled.quantities, group, distance, limit)
+    return data | {"length_unit": data["unit"]}
 
 
 def _cannot_assemble(run: Run, group: Group, start: float, stop: float, worst: float) -> Finding:
-    compiled = run.compiled
-    values = values_at(compiled.laws, worst)
-    unknowns = compiled.unknowns(worst)
-    distance, limit = shortfall_at(
-        compiled.quantities, compiled.structure, compiled.branches(worst), values, group, unknowns.__getitem__
-    )
-    data = shortfall_data(compiled.quantities, group, distance, limit)
+    data = shortfall(run.compiled, group, worst)
     ends = [drive_value(run, time) for time in (start, stop)]
-    data |= {"length_unit": data["unit"], "drive": ends[0]["drive"], "unit": ends[0]["unit"]}
+    data |= {"drive": ends[0]["drive"], "unit": ends[0]["unit"]}
     data |= {"from": ends[0]["value"], "to": ends[1]["value"], "start": start, "stop": stop}
-    if any(drive.output for drive in compiled.mechanism.drives.values()):
+    if any(drive.output for drive in run.compiled.mechanism.drives.values()):
         data |= {"worst": drive_value(run, worst)["value"], "time": f"{start:.6g}", "until": f"{stop:.6g}"}
         return Finding("motion.out-of-reach", ("links", group.links[0]), data)
     return Finding("motion.cannot-assemble", ("links", group.links[0]), data)
@@ -179,13 +183,9 @@ def strokes(run: Run) -> list[Finding]:
             (int(np.argmax(length)), length.max() - high, high),
         ):
             if over > 1e-9 * high:
-                data: dict[str, Any] = {
-                    "name": name,
-                    "length": f"{length[at] / size:.6g}",
-                    "limit": f"{limit / size:.6g}",
-                }
+                data: dict[str, Any] = {"name": name, "end": Term("shorter" if limit == low else "longer")}
+                data |= {"length": f"{length[at] / size:.6g}", "limit": f"{limit / size:.6g}"}
                 data |= {"by": f"{over / size:.4g}", "length_unit": unit, "time": f"{t[at]:.6g}"}
-                data["end"] = Term("shorter" if limit == low else "longer")
                 path = ("cylinders", name, "length")
                 findings.append(Finding("motion.cylinder-length", path, data | drive_value(run, float(t[at]))))
     return findings
@@ -193,7 +193,7 @@ def strokes(run: Run) -> list[Finding]:
 
 def _passed(run: Run, group: str, time: float) -> bool:
     """Whether the run is carried through this change point of the group."""
-    return any(passage.inside(np.array([time]))[0] for passage in run.compiled.passages.of(group))
+    return not run.compiled.passages.outside(np.array([time]), group)[0]
 
 
 def touching(run: Run, group: str, limit: float = TOUCH) -> list[tuple[float, float]]:

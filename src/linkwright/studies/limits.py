@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated
 
@@ -16,12 +16,12 @@ from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import Call, Name, is_signal, nodes, parse, signal_text
 from linkwright.model.fields import Expression, Frozen, FrozenDict
 from linkwright.model.fields import Name as NameField
-from linkwright.model.findings import Finding, Term
+from linkwright.model.findings import Finding
 from linkwright.model.names import Names
 from linkwright.model.parts import Interval, freeze
 from linkwright.model.places import Place, Scope
 from linkwright.model.quantities import LARGEST
-from linkwright.model.signals import near
+from linkwright.model.unknown import unknown
 from linkwright.results import Result, Run
 from linkwright.structure import FRAME
 from linkwright.studies.cycle import CycleOptions, span
@@ -137,22 +137,19 @@ class Limits:
 
 
 def _swept(found: Range, signals: Signals, forward: bool) -> Stretch:
-    run = found.sweep
-    meeting = _touched(run)
-    flat = [(touch.group, touch.time) for touch in meeting]
-    flat += [
-        (end.group, end.value - run.origin)
-        for end in (found.low, found.high)
-        if end.group is not None and end.kind != "cluster"
-    ]
-    return Stretch(run, courses(run, signals, found.full, forward), transmission(run, flat), meeting)
+    ends = [end for end in (found.low, found.high) if end.group is not None and end.kind != "cluster"]
+    flat = [(str(end.group), end.value - found.sweep.origin) for end in ends]
+    return _stretch(found.sweep, signals, flat, found.full, forward)
 
 
-def _touched(run: Run) -> list[Touch]:
-    """The change points of a run, which is told of them."""
-    found = touches(run)
-    run.change_points = tuple(touch.time for touch in found)
-    return found
+def _stretch(
+    run: Run, signals: Signals, ends: Sequence[tuple[str, float]] = (), full: bool = False, forward: bool = True
+) -> Stretch:
+    """What a run comes to. ``ends``: groups that are stretched or folded at its ends, and when."""
+    meeting = touches(run)
+    run.change_points = tuple(touch.time for touch in meeting)
+    flat = [*((touch.group, touch.time) for touch in meeting), *ends]
+    return Stretch(run, courses(run, signals, full, forward), transmission(run, flat), meeting)
 
 
 def _follow(outcome: LimitsOutcome, cycle: CycleOptions, signals: Signals) -> None:
@@ -163,10 +160,8 @@ def _follow(outcome: LimitsOutcome, cycle: CycleOptions, signals: Signals) -> No
     run = Run(outcome.compiled, 0.0, stop, max(cycle.samples, outcome.samples))
     if gaps := unassembled(run):
         outcome.warnings += [replace(gap, severity="warning") for gap in gaps]
-        return
-    meeting = _touched(run)
-    flat = [(touch.group, touch.time) for touch in meeting]
-    outcome.motion = Stretch(run, courses(run, signals), transmission(run, flat), meeting)
+    else:
+        outcome.motion = _stretch(run, signals)
 
 
 def outputs(compiled: Compiled) -> list[str]:
@@ -192,7 +187,7 @@ def _wanted(compiled: Compiled, options: LimitsOptions) -> Signals:
 
 
 def _value(compiled: Compiled, drive: str, edge: Expression) -> float:
-    return compiled.quantities.value(edge, u.ANGLE if compiled.mechanism.prescribed(drive).turns else u.LENGTH)
+    return compiled.quantities.value(edge, compiled.quantities.drive_dimension(drive))
 
 
 def _forward(compiled: Compiled, drive: str) -> bool:
@@ -202,12 +197,9 @@ def _forward(compiled: Compiled, drive: str) -> bool:
 
 
 def _drives(compiled: Compiled, options: LimitsOptions) -> Iterator[Finding]:
-    known = list(compiled.mechanism.drives)
+    known = compiled.mechanism.drives
     for key, names in (("drives", options.drives or ()), ("ranges", options.ranges)):
-        for name in names:
-            if name not in known:
-                data = {"kind": Term("a-drive"), "name": name, "near": near(name, known)}
-                yield Finding("name.unknown", ("studies", "limits", key), data)
+        yield from (unknown("drive", ("studies", "limits", key), name, known) for name in names if name not in known)
 
 
 def _ranges(compiled: Compiled, options: LimitsOptions) -> Iterator[Finding]:
@@ -227,7 +219,7 @@ def _ranges(compiled: Compiled, options: LimitsOptions) -> Iterator[Finding]:
         elif not low < high:
             yield Finding("value.not-rising", path, {"low": edges[0].text[:40], "high": edges[1].text[:40]})
         elif high - low > widest:
-            unit, size = compiled.quantities.unit_of(u.ANGLE if drive.turns else u.LENGTH)
+            unit, size = compiled.quantities.drive_unit(name)
             yield Finding("study.wide-range", path, {"drive": name, "limit": f"{widest / size:.4g}", "unit": unit})
 
 

@@ -207,15 +207,7 @@ class _Measurer:
     def turning(self) -> list[Array]:
         """The stationary times of every expression, all searched for together."""
         run, trees = self.run, list(self.trees.values())
-        signals = run.signals_of(trees)
-
-        def rates(t: Array) -> tuple[Array, Array]:
-            values, slopes = run.rates(signals, t)
-            rows = dict(zip(signals, zip(values, slopes, strict=True), strict=True))
-            jets = [run.combine(tree, t, rows) for tree in trees]
-            return np.array([jet.d[0] for jet in jets]), np.array([jet.d[1] for jet in jets])
-
-        return stationary(rates, run.start, run.stop, run.grid)
+        return stationary(partial(run.all_rates, trees), run.start, run.stop, run.grid)
 
     def one(self, name: str, measure: Measure, turning: dict[str, Array]) -> MeasureResult:
         quantities = self.run.compiled.quantities

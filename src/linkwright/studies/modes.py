@@ -120,8 +120,7 @@ class Modes:
 
 def own_mode(compiled: Compiled, outcome: ModesOutcome) -> int | None:
     """The mode in which the compiled mechanism is at the outcome's time."""
-    rows = [f"{link}:{row}" for link in compiled.structure.topology.moving for row in ("x", "y", "cos", "sin")]
-    here = compiled.evaluate(rows, np.array([outcome.time]))[:, 0].reshape(-1, 4)
+    here = compiled.evaluate(compiled.graph.pose_rows, np.array([outcome.time]))[:, 0].reshape(-1, 4)
     scale = np.array([*(2 * [compiled.assembly.size()]), 1.0, 1.0])
     away: list[float] = []
     for mode in outcome.modes:

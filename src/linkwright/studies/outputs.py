@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -23,20 +25,18 @@ def powerless(run: Run) -> list[Finding]:
         return []
     row = ["drives over outputs:"]
 
-    def rates(t: Array) -> tuple[Array, Array]:
-        y = run.compiled.evaluate(row, t, rates=True)
-        return y[:, 0], y[:, 1]
-
     def lever(t: Array) -> Array:
         return np.asarray(run.compiled.evaluate(row, t)[0])
 
-    t = np.union1d(np.linspace(run.start, run.stop, run.grid + 1), stationary(rates, run.start, run.stop, run.grid)[0])
+    t = np.union1d(
+        np.linspace(run.start, run.stop, run.grid + 1),
+        stationary(partial(run.compiled.rates, row), run.start, run.stop, run.grid)[0],
+    )
     size = np.abs(lever(t))
     low = t[~(size > SINGULAR * float(np.median(size)))]
     times = np.union1d(crossings(lever, run.start, run.stop, run.grid), low)
     # At a dead centre of the output through which the run is carried the rate of the drive over it has a pole.
-    poles = [passage.inside(times) for passage in run.compiled.passages.every]
-    times = times[~np.any([np.zeros(times.size, bool), *poles], axis=0)]
+    times = times[run.compiled.passages.outside(times)]
     last, found = -np.inf, []
     for time in times.tolist():
         if time - last > 2 * (run.stop - run.start) / run.grid:

@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.graph.assembly import shortfall_at, shortfall_data
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
-from linkwright.model import units as u
 from linkwright.model.findings import Finding
 from linkwright.results import Run
 from linkwright.results.stationary import crossings
 from linkwright.structure import Cluster, Group
-from linkwright.studies.feasible import gaps
+from linkwright.studies.feasible import gaps, shortfall
 from linkwright.studies.sweep import Stop, Sweep, cluster_ends, sweeping
 
 Array = NDArray[np.float64]
@@ -108,9 +105,7 @@ class _Search:
         turn = 2 * np.pi
         if not self.compiled.mechanism.prescribed(self.drive).turns or stop - start < turn * (1 - 1e-12):
             return False
-        links = self.compiled.structure.topology.moving
-        names = [f"{link}:{row}" for link in links for row in ("x", "y", "cos", "sin")]
-        ends = self.compiled.evaluate(names, np.array([start, start + turn]))
+        ends = self.compiled.evaluate(self.compiled.graph.pose_rows, np.array([start, start + turn]))
         return bool(np.abs(ends[:, 1] - ends[:, 0]).max() < 1e-6 * max(self.compiled.assembly.size(), 1.0))
 
     def between(self, low: float, high: float) -> list[Range]:
@@ -140,7 +135,7 @@ class _Search:
         kept = []
         for (start, before), (stop, after) in zip(starts, ends, strict=True):
             if stop - start > tiny:
-                sides = self.end(run, start, before), self.end(run, stop, after)
+                sides = self.end(start, before), self.end(stop, after)
                 stops = tuple(None if gap is None else Stop(_dyad(gap), gap.kind == "pole") for gap in (before, after))
                 sweep = Sweep(self.compiled, self.drive, start, stop, self.samples, stops)
                 kept.append(Range(*sides, not any(stops) and self.closes(start, stop), sweep))
@@ -174,28 +169,19 @@ class _Search:
         known = np.abs(self.compiled.evaluate(row, at)[0]) < 1e-9 if at.size else np.empty(0, bool)
         return [float(t) for t in at[known]]
 
-    def end(self, run: Run, time: float, gap: _Gap | None) -> End:
+    def end(self, time: float, gap: _Gap | None) -> End:
         value = self.origin + time
         if gap is None:
             return End(value, "window")
-        beyond = None
-        if (group := _dyad(gap)) is not None:
-            beyond = self.cannot(group, gap)
+        beyond = None if (group := _dyad(gap)) is None else self.cannot(group, gap)
         return End(value, gap.kind, gap.group.label, beyond)
 
     def cannot(self, group: Group, gap: _Gap) -> Finding:
         """In words which group fails in a gap, and by how much at worst."""
-        compiled, quantities = self.compiled, self.compiled.quantities
-        unknowns = compiled.unknowns(gap.worst)
-        values, branches = values_at(compiled.laws, gap.worst), compiled.assembly.branches
-        with np.errstate(all="ignore"):
-            distance, limit = shortfall_at(
-                quantities, compiled.structure, branches, values, group, unknowns.__getitem__
-            )
-        data: dict[str, Any] = shortfall_data(quantities, group, distance, limit)
-        unit, size = quantities.unit_of(u.ANGLE if compiled.mechanism.prescribed(self.drive).turns else u.LENGTH)
+        data = shortfall(self.compiled, group, gap.worst)
+        unit, size = self.compiled.quantities.drive_unit(self.drive)
         ends = [f"{(self.origin + time) / size:.6g}" for time in (gap.start, gap.stop)]
-        data |= {"length_unit": data["unit"], "drive": self.drive, "unit": unit, "from": ends[0], "to": ends[1]}
+        data |= {"drive": self.drive, "unit": unit, "from": ends[0], "to": ends[1]}
         return Finding("motion.cannot-assemble", ("links", group.links[0]), data)
 
 

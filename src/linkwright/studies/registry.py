@@ -10,7 +10,7 @@ from pydantic import BaseModel, ValidationError
 
 from linkwright.kernels import Compiled
 from linkwright.model.findings import Finding
-from linkwright.model.signals import near
+from linkwright.model.unknown import near
 from linkwright.notation.registry import Registry
 
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from linkwright.kernels import Compiled
 from linkwright.kernels.follow import Follower
 from linkwright.kernels.laws import Law, constant_acceleration, values_at
+from linkwright.notation.angles import whole_turns
 from linkwright.results import Run
 from linkwright.structure import Group
 
@@ -138,7 +139,7 @@ class Sweep(Run):
         branches = {**assembly.branches, end.dyad: -assembly.branches[end.dyad]}
         other = replace(self.compiled, assembly=replace(assembly, branches=branches)).evaluate(names, time)
         turning = [self.compiled.graph.wrapped(name) for name in names]
-        other[turning] += 2 * np.pi * np.round((values - other)[turning] / (2 * np.pi))
+        other[turning] += 2 * np.pi * whole_turns(other[turning], values[turning])
         return np.asarray((values + other) / 2)
 
     def _track(self, name: str) -> tuple[Array, Array]:
@@ -146,6 +147,5 @@ class Sweep(Run):
         grid, angle = super()._track(name)
         if grid.size and self.start <= 0.0 <= self.stop:
             here = float(self.compiled.evaluate([name], np.zeros(1))[0, 0])
-            turns = np.round((np.interp(0.0, grid, angle) - here) / (2 * np.pi))
-            angle = angle - 2 * np.pi * turns
+            angle = angle - 2 * np.pi * np.round((np.interp(0.0, grid, angle) - here) / (2 * np.pi))
         return grid, angle

@@ -12,9 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.kernels import Compiled
-from linkwright.kernels.passages import GAP, Passage, Passages
+from linkwright.kernels.passages import GAP, Passage, Passages, unwrapped
 from linkwright.model import units as u
 from linkwright.model.findings import Finding, ModelError
+from linkwright.notation.angles import wrapped
 from linkwright.results import Run
 from linkwright.studies.feasible import TOUCH, drive_value, touching
 
@@ -162,16 +163,15 @@ def _settled(compiled: Compiled, passage: Passage, names: list[str]) -> dict[str
 def _proven(compiled: Compiled, passage: Passage, names: list[str], most: int) -> dict[str, int] | None:
     """The powers of the signals that grow without bound; ``None`` where some aren't told by the poses around."""
     t = passage.proof
-    wrapped = [i for i, name in enumerate(names) if compiled.graph.wrapped(name)]
-    values, exact = compiled.closed(names, passage.nodes), compiled.closed(names, t)
-    values[wrapped] = np.unwrap(values[wrapped])
+    angles = [i for i, name in enumerate(names) if compiled.graph.wrapped(name)]
+    values, exact = unwrapped(compiled.closed(names, passage.nodes), angles), compiled.closed(names, t)
     allowed = _allowed(compiled, passage, names, np.abs(values).max(axis=1))
     poles: dict[str, int] = {}
     left = np.arange(len(names))
     for power in range(most + 1):
         off = passage.between(t, values[left], power) - exact[left]
-        turning = np.isin(left, wrapped)
-        off[turning] -= 2 * np.pi * np.round(off[turning] / (2 * np.pi))
+        turning = np.isin(left, angles)
+        off[turning] = wrapped(off[turning])
         size = np.maximum(allowed[left, None], FORCE * np.abs(exact[left]) if power else 0.0)
         bad = ~(np.abs(off) <= size).all(axis=1)
         poles |= {names[i]: power for i in left[~bad] if power}

@@ -57,6 +57,7 @@ TEXTS: dict[str, str] = {
     "modes.all": "All assembly modes at this pose of the drives: {count}. None is missing.",
     "modes.found": "Assembly modes found at this pose of the drives: {count}. There may be more.",
     "modes.open": "Searched from many starts, without a proof that none is missing: {groups}.",
+    "modes.free": "In some poses the outer pins of {groups} meet, about which it can turn: these aren't listed.",
     "modes.cut": "The first {count} are listed, more weren't looked for.",
     "modes.no-drive": "There are several drives: circuits are told for one of them, the others held, when studies.modes.drive names it.",
     "modes.untold-circuits": "There are too many to follow the circuits of all: some modes have no circuit here.",

@@ -1,0 +1,219 @@
+"""The shape of a triad: a platform on three legs, and what each kind of leg demands of the platform.
+
+Arrays run over sampled angles of the platform. Its place is that of its reference point.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.graph.motion import Motion
+from linkwright.graph.placing import driven_body, inner_joint, outer_joint
+from linkwright.groups import InnerLine, OuterLine, OuterPin
+from linkwright.notation import Body, Jet, Pair
+from linkwright.structure import Cluster, Connection
+
+Array = NDArray[np.float64]
+Poses = dict[str, Body]
+
+
+@dataclass(frozen=True)
+class Part:
+    """Links that drives inside the group hold to each other: one body, in the axes of its first link."""
+
+    links: tuple[str, ...]
+    poses: Poses
+
+    def point(self, link: str, local: Pair) -> Pair:
+        """A link's point in the body's axes."""
+        return self.poses[link].point(local).now
+
+    def heading(self, link: str, local: Pair) -> Pair:
+        """A link's direction in the body's axes."""
+        return self.poses[link].direction(local).now
+
+
+@dataclass(frozen=True)
+class Leg:
+    """A leg: its part, the joint on a known link and the one on the platform, and the links at both."""
+
+    part: Part
+    outer: Connection
+    inner: Connection
+    links: tuple[str, str]  # the leg's link at the outer joint, and at the inner one
+    on: str  # the platform's link at the inner joint
+
+    @property
+    def kind(self) -> str:
+        """The letters of the two joints, from the known link inwards."""
+        return self.outer.letter + self.inner.letter
+
+
+@dataclass(frozen=True)
+class Triad:
+    """A cluster as a platform and three legs."""
+
+    platform: Part
+    legs: tuple[Leg, Leg, Leg]
+
+
+def parts(motion: Motion, cluster: Cluster, drives: dict[str, Jet]) -> list[Part]:
+    """The cluster's rigid bodies: its links, those held to each other by drives as one."""
+    groups: list[list[str]] = []
+    for edge in cluster.edges:
+        home = next((g for g in groups if edge.base in g), None) if edge.drive is not None else None
+        groups.append([edge.link]) if home is None else home.append(edge.link)
+    kept = dict(motion.bodies)
+    found = []
+    for group in groups:
+        motion.bodies[group[0]] = Body.fixed(0)
+        for edge in cluster.edges:
+            if edge.drive is not None and edge.link in group[1:]:
+                motion.bodies[edge.link] = driven_body(motion, edge, drives[edge.drive])[1]
+        found.append(Part(tuple(group), {link: motion.bodies[link] for link in group}))
+    motion.bodies.clear()
+    motion.bodies.update(kept)
+    return found
+
+
+def triad(motion: Motion, cluster: Cluster, drives: dict[str, Jet]) -> Triad | None:
+    """The platform and the legs of a cluster; ``None`` where it has another shape."""
+    bodies = parts(motion, cluster, drives)
+    owner = {link: i for i, part in enumerate(bodies) for link in part.links}
+    joints = [
+        c for c in (*(e.joint for e in cluster.free), *cluster.closures) if owner.get(c.a, -1) != owner.get(c.b, -2)
+    ]
+    if len(bodies) != 4 or len(joints) != 6:
+        return None
+    ends = [(owner.get(c.a), owner.get(c.b)) for c in joints]
+    for middle in range(4):
+        legs = []
+        for leg in set(range(4)) - {middle}:
+            outer = [c for c, e in zip(joints, ends, strict=True) if leg in e and None in e]
+            inner = [c for c, e in zip(joints, ends, strict=True) if leg in e and middle in e]
+            if len(outer) == len(inner) == 1:
+                mine = set(bodies[leg].links)
+                at = tuple(c.a if c.a in mine else c.b for c in (outer[0], inner[0]))
+                legs.append(Leg(bodies[leg], outer[0], inner[0], (at[0], at[1]), inner[0].other(at[1])))
+        if len(legs) == 3:
+            return Triad(bodies[middle], (legs[0], legs[1], legs[2]))
+    return None
+
+
+class Equation:
+    """What any leg has: its joints' points in the leg and the platform, and where it hangs."""
+
+    def __init__(self, motion: Motion, triad: Triad, leg: Leg) -> None:
+        self.leg, part, platform = leg, leg.part, triad.platform
+        outer = outer_joint(motion, leg.outer, leg.links[0])
+        assert isinstance(outer, OuterPin | OuterLine)
+        inner = inner_joint(motion, leg.inner, (leg.links[1], leg.on))
+        self.base = outer.base.now
+        self.foot = part.point(leg.links[0], outer.foot)
+        self.tip, self.on = part.point(leg.links[1], inner.first), platform.point(leg.on, inner.second)
+        if isinstance(inner, InnerLine):
+            self.tip_heading = part.heading(leg.links[1], inner.first_heading)
+            self.on_heading = platform.heading(leg.on, inner.second_heading)
+        if isinstance(outer, OuterLine):
+            self.along = outer.direction.now
+            self.turned = unit(self.along.turned_back(part.heading(leg.links[0], outer.heading)))  # the leg's axis
+
+    @property
+    def arm(self) -> Pair:
+        """From the foot to the tip, in the leg's axes."""
+        return self.tip.minus(self.foot)
+
+    @property
+    def reach(self) -> float:
+        """The leg's length between its joints (m)."""
+        return length(self.arm)
+
+    def place(self, platform: Body) -> Body:
+        """The leg's first link at a pose of the platform."""
+        raise NotImplementedError
+
+
+class Circle(Equation):
+    """Two pins: the platform's point keeps its distance from the base."""
+
+    def centre(self, c: Array, s: Array, reference: Pair) -> Array:
+        """The centre of the reference point's circle over the angles (2, angles)."""
+        local = self.on.minus(reference)
+        return np.array([self.base.x - c * local.x + s * local.y, self.base.y - s * local.x - c * local.y])
+
+    def place(self, platform: Body) -> Body:
+        at = platform.point(self.on).now
+        return Body.still(self.base, self.foot, unit(at.minus(self.base).turned_back(self.arm)))
+
+
+class Linear(Equation):
+    """A pin and a slide: the platform keeps a distance from a line."""
+
+    def row(self, c: Array, s: Array, reference: Pair) -> Array:
+        """The equation a x + b y + c = 0 over the angles: (3, angles)."""
+        raise NotImplementedError
+
+
+class SlideOnBase(Linear):
+    """The slide is on a known link."""
+
+    def row(self, c: Array, s: Array, reference: Pair) -> Array:
+        local, normal, arm = self.on.minus(reference), self.along.perp, self.arm.turned(self.turned)
+        bx, by = c * local.x - s * local.y, s * local.x + c * local.y
+        known = normal.dot(Pair(self.base.x + arm.x, self.base.y + arm.y))
+        one = np.ones_like(c)
+        return np.array([normal.x * one, normal.y * one, normal.x * bx + normal.y * by - known])
+
+    def place(self, platform: Body) -> Body:
+        return Body.still(platform.point(self.on).now, self.tip, self.turned)
+
+
+class SlideOnPlatform(Linear):
+    """The slide is on the platform."""
+
+    def row(self, c: Array, s: Array, reference: Pair) -> Array:
+        local, k = self.on.minus(reference), self.on_heading.perp
+        bx, by = c * local.x - s * local.y, s * local.x + c * local.y
+        nx, ny = c * k.x - s * k.y, s * k.x + c * k.y
+        offset = self.arm.dot(self.tip_heading.perp)
+        return np.array([nx, ny, nx * (bx - self.base.x) + ny * (by - self.base.y) - offset])
+
+    def place(self, platform: Body) -> Body:
+        axis = unit(platform.direction(self.on_heading).now.turned_back(self.tip_heading))
+        return Body.still(self.base, self.foot, axis)
+
+
+class Fixed(Equation):
+    """Two slides: the platform keeps its angle."""
+
+    def angle(self) -> float:
+        """The platform's angle (rad)."""
+        axis = self.turned.turned(self.tip_heading).turned_back(self.on_heading)
+        return math.atan2(axis.y, axis.x)
+
+    def place(self, platform: Body) -> Body:
+        at, normal = platform.point(self.on).now, platform.direction(self.on_heading).now.perp
+        start = Body.still(self.base, self.foot, self.turned)
+        gap = at.minus(start.point(self.tip).now).dot(normal) / self.along.dot(normal)
+        return Body.still(
+            Pair(self.base.x + gap * self.along.x, self.base.y + gap * self.along.y), self.foot, self.turned
+        )
+
+
+EQUATIONS: dict[str, type[Equation]] = {"RR": Circle, "PR": SlideOnBase, "RP": SlideOnPlatform, "PP": Fixed}
+"""By the letters of a leg's two joints, from the known link inwards."""
+
+
+def length(v: Pair) -> float:
+    """The length of a pair of plain numbers."""
+    return math.hypot(v.x, v.y)
+
+
+def unit(v: Pair) -> Pair:
+    """The unit vector along a pair."""
+    size = length(v) or 1.0
+    return Pair(v.x / size, v.y / size)
