@@ -16,7 +16,9 @@ from helpers.compiled import compiled_from, compiled_of, regular
 from helpers.examples import four_bar, slider_crank
 from helpers.plain import Plain, document_of
 from helpers.random_mechanisms import Drawn, build, driven_elsewhere, mechanisms, sketched
+from linkwright import gallery
 from linkwright.graph.modes import MOST
+from linkwright.model.document import read_document
 from linkwright.model.mechanism import Document
 from linkwright.structure import Driven, decompose
 from linkwright.studies import ModesOutcome
@@ -179,3 +181,14 @@ def test_a_later_group_may_close_behind_some_choices_only() -> None:
     outcome = modes_of(data)
     assert [mode.branches["coupler-rocker"] for mode in outcome.modes] == [1.0, 1.0]
     assert outcome.complete
+
+
+def test_links_that_lie_on_each_other_are_no_mode() -> None:
+    """Peaucellier's two arms on one side: A and B meet, and the two bars to R turn about them freely."""
+    document, _ = read_document(gallery.text("peaucellier").encode())
+    assert document is not None
+    outcome = lw.modes(document)
+    assert len(outcome.modes) == 4
+    for mode in outcome.modes:
+        assert np.hypot(*np.subtract(mode.places["A"], mode.places["B"])) > 0.1
+    assert [len(circuit.ranges) for circuit in outcome.circuits] == [2, 2]

@@ -14,8 +14,10 @@ from linkwright.model.builder import Builder
 from linkwright.model.document import dump, load, save
 from linkwright.model.mechanism import Document
 from linkwright.model.spelled import spell_out
+from linkwright.report.facts import facts
 from linkwright.results import Run, certify
 from linkwright.structure import Group
+from linkwright.words import say
 from model.given import DATA, changed, findings
 
 LOADER = (DATA / "loader.yaml").read_text(encoding="utf-8")
@@ -180,3 +182,10 @@ def test_a_place_on_a_link_of_a_cylinder_leads_to_its_line() -> None:
     _, (finding,) = examine(Document.model_validate(data))
     assert finding.code == "assembly.cannot-close"
     assert finding.path in (("cylinders", "lift"), ("links", "boom"))
+
+
+def test_points_that_the_file_doesn_t_have_aren_t_called_free() -> None:
+    """A uniform rod's far end is made up for its inertia."""
+    data = boom(cylinders={"lift": {"from": "K", "to": "M", "rod": {"mass": 3, "com": 0.4}}})
+    said = {fact["name"]: fact["sentence"] for fact in facts(compiled_from(data))}
+    assert said[say("fact.lone")] == say("fact.lone.text", points="tip")

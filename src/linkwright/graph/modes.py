@@ -139,7 +139,8 @@ class Explorer:
                 solve_motion(self.structure, self.geometry, self.drives, self.branch, self.unknowns, self.motion)
         except (_DeadEnd, ZeroDivisionError, np.linalg.LinAlgError):
             return
-        if all(math.isfinite(float(v)) for body in self.motion.bodies.values() for v in body.anchor.now):
+        known = (v for body in self.motion.bodies.values() for v in (*body.anchor.now, *body.axis.now))
+        if all(math.isfinite(float(v)) for v in known):  # two links that lie on each other can turn about one pin
             self.found.modes.append(self.mode())
 
     def choose(self, options: list[Choice]) -> Choice:
