@@ -184,6 +184,16 @@ def test_a_place_on_a_link_of_a_cylinder_leads_to_its_line() -> None:
     assert finding.path in (("cylinders", "lift"), ("links", "boom"))
 
 
+def test_the_end_of_a_uniform_part_takes_no_other_s_name() -> None:
+    """A point of that name would be pinned to it."""
+    data = boom(cylinders={"lift": {"from": "K", "to": "M", "rod": {"mass": 3, "com": 0.4}}})
+    data["links"]["boom"]["points"]["lift_rod_end"] = [1, 1]
+    _, found = examine(Document.model_validate(data))
+    assert [(f.code, f.element) for f in found] == [("name.taken", "cylinders.lift")]
+    data["cylinders"]["lift"]["rod"]["inertia"] = 0.1
+    assert examine(Document.model_validate(data))[1] == []
+
+
 def test_points_that_the_file_doesn_t_have_aren_t_called_free() -> None:
     """A uniform rod's far end is made up for its inertia."""
     data = boom(cylinders={"lift": {"from": "K", "to": "M", "rod": {"mass": 3, "com": 0.4}}})

@@ -177,6 +177,8 @@ def test_a_start_that_the_sketch_does_not_tell() -> None:
 
 def test_what_is_wrong_with_a_drawn_place_is_told_there() -> None:
     assert findings_of(sketch={**PLACES, "C": ["110 kg", 75]})["expression.units-conflict"] == "sketch.C"
+    links = {**sketched()["links"], **FOOT}
+    assert findings_of(sketch={**PLACES, "K": ["1/0", 75]}, links=links) == {"value.not-finite": "sketch.K"}
 
 
 RAM = {"ram": {"from": "K", "to": "C"}}
@@ -228,3 +230,13 @@ def test_a_derived_length_is_a_parameter_to_replace() -> None:
     with pytest.raises(ModelError) as caught:
         Document.model_validate(sketched()).replace(DD=80)
     assert "DC" in caught.value.findings[0].mend
+
+
+def test_a_length_isn_t_called_like_a_constant() -> None:
+    """The points p and i: a parameter can't be called pi."""
+    sketch = {"p": [0, 0], "i": [20, 35], **PLACES}
+    links = {**sketched()["links"], "crank": {"points": ["p", "i"]}, "coupler": {"points": ["i", "C", "P"]}}
+    links["frame"] = {"points": ["p", "D"]}
+    del sketch["A"], sketch["B"]
+    compiled = compiled_from(sketched(sketch=sketch, links=links))
+    assert np.hypot(*compiled.evaluate(["i.x", "i.y"], np.zeros(1))[:, 0]) == pytest.approx(np.hypot(20, 35) / 1000)

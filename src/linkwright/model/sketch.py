@@ -18,7 +18,7 @@ from linkwright.model.mechanism import Mechanism
 from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter
 from linkwright.model.pins import homes
 from linkwright.model.signals import near
-from linkwright.model.written import FrozenDict
+from linkwright.model.written import RESERVED, FrozenDict
 
 FRAME = "frame"
 WORD = re.compile(r"\bsketch\b")
@@ -52,7 +52,7 @@ class _Sketch:
 
     def named(self, name: str, value: Text) -> Text:
         """An expression by its name; in full where the name is taken by something that is no parameter."""
-        if name in self.m.tables:
+        if name in self.m.tables or name in RESERVED:
             return value
         self.derived.setdefault(name, Parameter(value=Expression(value)))
         return name
@@ -190,6 +190,8 @@ def _sound(m: Mechanism, drive: Drive) -> bool:
 
 def sketch_home(m: Mechanism, path: Path) -> Path | None:
     """Where a place that the sketch made stands in the file."""
+    if path[:3] == ("links", FRAME, "points") and path[3:4] and path[3] in m.sketch and FRAME in m.links:
+        return ("sketch", path[3]) if path[3] in sketched(m.links[FRAME]) else None
     if len(path) > 1 and path[0] in ("parameters", "assembly") and path[1] not in getattr(m, str(path[0])):
         return ("sketch", path[1]) if path[1] in m.sketch else ("sketch",)
     return None

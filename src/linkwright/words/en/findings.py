@@ -553,6 +553,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "'{name}' has no meaning in the limits study: one drive moves through its values at unit speed, without forces.",
         "Take positions, angles, travels and their rates; forces and times belong into the measures of a cycle.",
     ),
+    "study.cylinder-length": (
+        "{drive} is not free to move so far: at {value} {unit} the cylinder {name} would have to be {by} {length_unit} "
+        "{end} than it can be: {length} {length_unit} between its pins, where {limit} {length_unit} is the limit.",
+        "Read the range with that in mind; studies.limits.ranges gives a smaller one.",
+    ),
     "study.wide-range": (
         "The range of {drive} is wider than {limit} {unit}.",
         "Give a smaller range.",
