@@ -142,6 +142,7 @@ def test_spelling_out_leaves_nothing_to_spell_out() -> None:
         (("extends: lift,", "extends: lift, on: boom,"), "drive.on", "drives.raise"),
         (("extends: lift,", "turns: boom,"), "drive.on", "drives.raise"),
         (("length: [900, 1500]", "length: [1500, 900]"), "value.not-rising", "cylinders.lift.length"),
+        (("length: [900, 1500]", "length: [-900, 1500]"), "value.too-small", "cylinders.lift.length"),
         (("barrel: {mass: 40, com: 300}", "barrel: {mass: -40, com: 300}"), "value.too-small", "cylinders.lift.barrel"),
         (("barrel: {mass: 40, com: 300}", "barrel: {mass: 40}"), "file.missing", "cylinders.lift.barrel"),
         (

@@ -240,3 +240,14 @@ def test_a_length_isn_t_called_like_a_constant() -> None:
     del sketch["A"], sketch["B"]
     compiled = compiled_from(sketched(sketch=sketch, links=links))
     assert np.hypot(*compiled.evaluate(["i.x", "i.y"], np.zeros(1))[:, 0]) == pytest.approx(np.hypot(20, 35) / 1000)
+
+
+def test_a_wrong_place_is_told_once() -> None:
+    """And not for every length that is derived from it."""
+    drives = {"motor": {"turns": "crank", "on": "frame", "speed": "60 rpm", "start": 60}}
+    data = sketched(sketch={**PLACES, "B": ["C.x", 35], "P": [70, "C.x"]}, drives=drives)
+    _, found = examine(Document.model_validate(data))
+    assert [(f.code, f.element) for f in found] == [
+        ("expression.not-constant", "sketch.B"),
+        ("expression.not-constant", "sketch.P"),
+    ]

@@ -762,6 +762,7 @@ _TERMS: dict[str, str] = {
     "inertia": "moment of inertia",
     "number": "number",
     "radius": "radius",
+    "length": "shortest length",
     "period": "period",
     "within": "width of the band",
     # Why an expression can't be read.
