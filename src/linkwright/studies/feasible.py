@@ -129,6 +129,9 @@ def _cannot_assemble(run: Run, group: Group, start: float, stop: float, worst: f
     if any(drive.output for drive in compiled.mechanism.drives.values()):
         data |= {"worst": drive_value(run, worst)["value"], "time": f"{start:.6g}", "until": f"{stop:.6g}"}
         return Finding("motion.out-of-reach", ("links", group.links[0]), data)
+    low, far, high = (float(value) for value in (data["from"], drive_value(run, worst)["value"], data["to"]))
+    if not min(low, high) <= far <= max(low, high):  # the drive turns back on its way
+        data["to"] = f"{far:.6g}"
     return Finding("motion.cannot-assemble", ("links", group.links[0]), data)
 
 

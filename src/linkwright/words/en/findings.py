@@ -685,8 +685,9 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "motion.cannot-carry": (
         "At t = {time} s ({drive} = {value} {unit}) {group} is in a singular pose through which the motion can't be "
         "carried: the poses around don't tell its limit.",
-        "Let the drives move smoothly, without a rest or a jump of the acceleration, through that pose; or keep away "
-        "from it by other lengths or another range of the drives.",
+        "Let the drives move smoothly through that pose, without a rest or a jump of the acceleration, and the loads act "
+        "so, without an end of a window or a corner of a table there; or keep away from it by other lengths or another "
+        "range of the drives.",
     ),
     "motion.starts-at-change-point": (
         "The motion starts at a change point of {group} (t = {time} s, {drive} = {value} {unit}), where its two modes "
