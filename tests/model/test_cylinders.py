@@ -200,3 +200,11 @@ def test_points_that_the_file_doesn_t_have_aren_t_called_free() -> None:
     data = boom(cylinders={"lift": {"from": "K", "to": "M", "rod": {"mass": 3, "com": 0.4}}})
     said = {fact["name"]: fact["sentence"] for fact in facts(compiled_from(data))}
     assert said[say("fact.lone")] == say("fact.lone.text", points="tip")
+
+
+def test_what_a_run_finds_is_told_in_the_file_s_names() -> None:
+    """A cylinder whose pins meet on the way, run from Python."""
+    data = boom(drives={"hand": {"turns": "boom", "on": "frame", "speed": 1, "start": -1.5}})
+    data["links"]["frame"]["points"]["K"] = [2, 0]
+    job = lw.run(Document.model_validate(data | {"assembly": {}, "studies": {"cycle": {"duration": 2}}}))
+    assert [(f.code, f.path) for f in job.found] == [("motion.singular", ("cylinders", "lift"))]
