@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import textwrap
 from pathlib import Path
 from typing import Any
 
@@ -99,6 +100,20 @@ def test_what_stops_cycle_and_limits_is_told_once(write: Any) -> None:
     assert [(f.code, f.severity) for f in job.found] == [("motion.cannot-assemble", "error")]
     assert job.exit_code == 1
     assert job.summary["limits"]["motion"] is None
+
+
+def test_nor_is_it_told_twice_where_their_grids_see_it_otherwise(write: Any) -> None:
+    """A start in line: the cycle's steps and the finer ones of the limits find the gap's edge with other digits."""
+    text = """
+        linkwright: 1
+        units: {length: mm, angle: deg, time: s}
+        sketch: {A: [0, 0], B: [50, 0], C: [150, 0], D: [200, 0]}
+        links: {frame: {points: [A, D]}, crank: {points: [A, B]}, coupler: {points: [B, C]}, rocker: {points: [D, C]}}
+        drives: {motor: {turns: crank, on: frame, speed: 10, acceleration: 1, start: sketch}}
+        studies: {cycle: {duration: 1 s, samples: 100}, limits: {}}
+        """
+    job = lw.run(write(textwrap.dedent(text)))
+    assert [(f.code, f.severity) for f in job.found] == [("motion.cannot-assemble", "error")]
 
 
 def test_a_fine_grid_is_drawn_on_few_steps(write: Any) -> None:

@@ -18,6 +18,7 @@ from helpers.plain import Plain, document_of
 from helpers.random_mechanisms import Drawn, build, driven_elsewhere, mechanisms, sketched
 from linkwright import gallery
 from linkwright.graph.modes import MOST
+from linkwright.model.document import read_document
 from linkwright.model.mechanism import Document
 from linkwright.model.yaml_text import read_text
 from linkwright.structure import Driven, decompose
@@ -194,3 +195,14 @@ def test_a_dyad_whose_outer_pins_meet_is_told() -> None:
     assert not outcome.complete
     assert all(np.isfinite(list(mode.places.values())).all() for mode in outcome.modes)
     assert all(outcome.survey.places)
+
+
+def test_links_that_lie_on_each_other_are_no_mode() -> None:
+    """Peaucellier's two arms on one side: A and B meet, and the two bars to R turn about them freely."""
+    document, _ = read_document(gallery.text("peaucellier").encode())
+    assert document is not None
+    outcome = lw.modes(document)
+    assert len(outcome.modes) == 4
+    for mode in outcome.modes:
+        assert np.hypot(*np.subtract(mode.places["A"], mode.places["B"])) > 0.1
+    assert [len(circuit.ranges) for circuit in outcome.circuits] == [2, 2]

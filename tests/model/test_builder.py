@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import textwrap
+
 import numpy as np
 import pytest
 
-import linkwright
+import linkwright as lw
 from linkwright.model.builder import Builder
 from linkwright.model.document import dump, load, read_document
 from linkwright.model.findings import ModelError
@@ -142,5 +144,46 @@ def test_a_builder_may_go_on_after_it_has_built() -> None:
 
 
 def test_what_is_built_runs() -> None:
-    compiled = linkwright.compile(paper_feeder().build())
+    compiled = lw.compile(paper_feeder().build())
     assert compiled.structure.groups
+
+
+def test_a_sketch_with_all_that_acts_on_it_is_the_file_s() -> None:
+    """Every section that the short forms meet in, built and read back."""
+    built = (
+        Builder("boom")
+        .sketch({"O": [0, 0], "K": [300, -900]}, M=[1300, -100], tip="2600 at -5 deg")
+        .frame(["O", "K"])
+        .link("boom", ("O", "M", "tip"), mass=420, com=[1200, 0], inertia=3.1e8, N=[350, 250])
+        .cylinder("lift", "K", "M", length=[900, 1500], barrel={"mass": 40, "com": 300})
+        .drive("raise", extends="lift", output="boom", speed=2, acceleration=1, start="sketch")
+        .spring("help", "O", "M", in_=("frame", "boom"), stiffness=2, free=1200)
+        .counterweight("cw", "boom", 10, [-300, 0])
+        .window("far", 1250, 1400, of="lift.s")
+        .load("payload", "boom", at="tip", force=[0, -15], window="far")
+        .study("cycle", duration="1 s")
+        .build()
+    )
+    text = """
+        linkwright: 1
+        name: boom
+        units: {length: mm, angle: deg, mass: kg, time: s, force: N, torque: N*m}
+        sketch: {O: [0, 0], K: [300, -900], M: [1300, -100], tip: 2600 at -5 deg}
+        links:
+          frame: {points: [O, K]}
+          boom: {points: {O: sketch, M: sketch, tip: sketch, N: [350, 250]}, mass: 420, com: [1200, 0], inertia: 3.1e8}
+        cylinders:
+          lift: {from: K, to: M, length: [900, 1500], barrel: {mass: 40, com: 300}}
+        drives:
+          raise: {extends: lift, output: boom, speed: 2, acceleration: 1, start: sketch}
+        springs: {help: {from: O, to: M, in: [frame, boom], stiffness: 2, free: 1200}}
+        counterweights: {cw: {on: boom, mass: 10, at: [-300, 0]}}
+        windows: {far: {lift.s: [1250, 1400]}}
+        loads: {payload: {on: boom, at: tip, force: [0, -15], window: far}}
+        studies: {cycle: {duration: 1 s}}
+        """
+    read, _ = read_document(textwrap.dedent(text).encode())
+    assert built == read
+    assert read_document(dump(built).encode())[0] == built
+    assert lw.check(built) == []
+    assert lw.run(built).exit_code == 0

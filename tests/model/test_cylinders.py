@@ -14,8 +14,10 @@ from linkwright.model.builder import Builder
 from linkwright.model.document import dump, load, save
 from linkwright.model.mechanism import Document
 from linkwright.model.spelled import spell_out
+from linkwright.report.facts import facts
 from linkwright.results import Run, certify
 from linkwright.structure import Group
+from linkwright.words import say
 from model.given import DATA, changed, findings
 
 LOADER = (DATA / "loader.yaml").read_text(encoding="utf-8")
@@ -140,6 +142,7 @@ def test_spelling_out_leaves_nothing_to_spell_out() -> None:
         (("extends: lift,", "extends: lift, on: boom,"), "drive.on", "drives.raise"),
         (("extends: lift,", "turns: boom,"), "drive.on", "drives.raise"),
         (("length: [900, 1500]", "length: [1500, 900]"), "value.not-rising", "cylinders.lift.length"),
+        (("length: [900, 1500]", "length: [-900, 1500]"), "value.too-small", "cylinders.lift.length"),
         (("barrel: {mass: 40, com: 300}", "barrel: {mass: -40, com: 300}"), "value.too-small", "cylinders.lift.barrel"),
         (("barrel: {mass: 40, com: 300}", "barrel: {mass: 40}"), "file.missing", "cylinders.lift.barrel"),
         (
@@ -180,3 +183,28 @@ def test_a_place_on_a_link_of_a_cylinder_leads_to_its_line() -> None:
     _, (finding,) = examine(Document.model_validate(data))
     assert finding.code == "assembly.cannot-close"
     assert finding.path in (("cylinders", "lift"), ("links", "boom"))
+
+
+def test_the_end_of_a_uniform_part_takes_no_other_s_name() -> None:
+    """A point of that name would be pinned to it."""
+    data = boom(cylinders={"lift": {"from": "K", "to": "M", "rod": {"mass": 3, "com": 0.4}}})
+    data["links"]["boom"]["points"]["lift_rod_end"] = [1, 1]
+    _, found = examine(Document.model_validate(data))
+    assert [(f.code, f.element) for f in found] == [("name.taken", "cylinders.lift")]
+    data["cylinders"]["lift"]["rod"]["inertia"] = 0.1
+    assert examine(Document.model_validate(data))[1] == []
+
+
+def test_points_that_the_file_doesn_t_have_aren_t_called_free() -> None:
+    """A uniform rod's far end is made up for its inertia."""
+    data = boom(cylinders={"lift": {"from": "K", "to": "M", "rod": {"mass": 3, "com": 0.4}}})
+    said = {fact["name"]: fact["sentence"] for fact in facts(compiled_from(data))}
+    assert said[say("fact.lone")] == say("fact.lone.text", points="tip")
+
+
+def test_what_a_run_finds_is_told_in_the_file_s_names() -> None:
+    """A cylinder whose pins meet on the way, run from Python."""
+    data = boom(drives={"hand": {"turns": "boom", "on": "frame", "speed": 1, "start": -1.5}})
+    data["links"]["frame"]["points"]["K"] = [2, 0]
+    job = lw.run(Document.model_validate(data | {"assembly": {}, "studies": {"cycle": {"duration": 2}}}))
+    assert [(f.code, f.path) for f in job.found] == [("motion.singular", ("cylinders", "lift"))]

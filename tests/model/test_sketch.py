@@ -11,6 +11,7 @@ import pytest
 from helpers.compiled import compiled_from
 from linkwright.kernels import examine
 from linkwright.model.document import dump, load, save
+from linkwright.model.findings import ModelError
 from linkwright.model.mechanism import Document
 from linkwright.model.spelled import spell_out
 
@@ -193,3 +194,77 @@ def test_a_sketch_at_a_dead_centre_leaves_the_mode_open() -> None:
 
 def test_what_is_wrong_with_a_drawn_place_is_told_there() -> None:
     assert findings_of(sketch={**PLACES, "C": ["110 kg", 75]})["expression.units-conflict"] == "sketch.C"
+    links = {**sketched()["links"], **FOOT}
+    assert findings_of(sketch={**PLACES, "K": ["1/0", 75]}, links=links) == {"value.not-finite": "sketch.K"}
+
+
+RAM = {"ram": {"from": "K", "to": "C"}}
+DRAWN = {**PLACES, "K": [200, 60]}
+FOOT = {"frame": {"points": ["A", "D", "K"]}}
+
+
+@pytest.mark.parametrize(
+    ("drive", "value"),
+    [
+        ({"turns": "crank", "on": "frame", "output": "rocker"}, np.arctan2(75, -20)),
+        ({"turns": "crank", "on": "frame", "output": "ram"}, np.hypot(90, 15) / 1000),
+        ({"extends": "ram", "output": "crank"}, np.arctan2(35, 20)),
+        ({"extends": "ram", "output": "ram_barrel"}, np.pi - np.arctan2(15, 90)),
+        ({"turns": "ram_rod", "on": "rocker"}, np.pi - np.arctan2(15, 90) - np.arctan2(75, -20)),
+    ],
+)
+def test_a_law_for_an_output_starts_where_that_is_drawn(drive: dict[str, Any], value: float) -> None:
+    """The mechanism starts as drawn whichever drive moves it, and the drive's own value is another one."""
+    motor = {"speed": 0, "start": "sketch", **drive}
+    data = sketched(sketch=DRAWN, links={**sketched()["links"], **FOOT}, cylinders=RAM, drives={"motor": motor})
+    assert np.abs(places_at_start(data, list(DRAWN)) - list(DRAWN.values())).max() < 1e-9
+    law = compiled_from(data).laws["motor"](np.zeros(1))
+    assert law.d[0][0] == pytest.approx(value, rel=1e-14)
+
+
+@pytest.mark.parametrize("output", [{}, {"output": "rocker"}, {"output": "ram"}])
+def test_what_is_wrong_with_a_cylinder_isn_t_laid_to_the_sketch(output: dict[str, str]) -> None:
+    """A misspelled end is one finding, not one more on every `sketch` that hangs on it."""
+    drive = {"extends": "ram"} if output.get("output") != "ram" else {"turns": "crank", "on": "frame"}
+    motor = {**drive, **output, "speed": 0, "start": "sketch"}
+    links = {**sketched()["links"], **FOOT}
+    cylinders = {"ram": {"from": "KK", "to": "C"}}
+    found = findings_of(sketch=DRAWN, links=links, cylinders=cylinders, drives={"motor": motor})
+    assert "sketch.no-value" not in found
+    assert found["name.unknown"] == "cylinders.ram.from"
+
+
+def test_a_start_without_value_isn_t_an_unknown_parameter_too() -> None:
+    links = sketched()["links"]
+    links["crank"]["points"] = {"A": [0, 0], "B": [40, 0]}
+    assert findings_of(links=links) == {"sketch.no-value": "drives.motor.start"}
+
+
+def test_a_derived_length_is_a_parameter_to_replace() -> None:
+    document = Document.model_validate(sketched()).replace(DC=80)
+    assert document.parameters["DC"].value.text == "80"
+    assert document == Document.model_validate(sketched(parameters={"DC": 80}))
+    with pytest.raises(ModelError) as caught:
+        Document.model_validate(sketched()).replace(DD=80)
+    assert "DC" in caught.value.findings[0].mend
+
+
+def test_a_length_isn_t_called_like_a_constant() -> None:
+    """The points p and i: a parameter can't be called pi."""
+    sketch = {"p": [0, 0], "i": [20, 35], **PLACES}
+    links = {**sketched()["links"], "crank": {"points": ["p", "i"]}, "coupler": {"points": ["i", "C", "P"]}}
+    links["frame"] = {"points": ["p", "D"]}
+    del sketch["A"], sketch["B"]
+    compiled = compiled_from(sketched(sketch=sketch, links=links))
+    assert np.hypot(*compiled.evaluate(["i.x", "i.y"], np.zeros(1))[:, 0]) == pytest.approx(np.hypot(20, 35) / 1000)
+
+
+def test_a_wrong_place_is_told_once() -> None:
+    """And not for every length that is derived from it."""
+    drives = {"motor": {"turns": "crank", "on": "frame", "speed": "60 rpm", "start": 60}}
+    data = sketched(sketch={**PLACES, "B": ["C.x", 35], "P": [70, "C.x"]}, drives=drives)
+    _, found = examine(Document.model_validate(data))
+    assert [(f.code, f.element) for f in found] == [
+        ("expression.not-constant", "sketch.B"),
+        ("expression.not-constant", "sketch.P"),
+    ]

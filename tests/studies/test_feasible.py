@@ -76,6 +76,17 @@ def test_too_near_instead_of_too_far() -> None:
     assert failure.data["way"] == "less"
 
 
+def test_a_drive_that_turns_back_in_a_gap_is_told_how_far_it_went() -> None:
+    """From the gap's edge to the worst of it, not from the edge to the edge."""
+    drives = {"motor": {"turns": "crank", "on": "frame", "position": "60 deg*sin(360 deg*t/(1 s))"}}
+    studies = {"cycle": {"duration": "0.5 s"}}
+    (failure,) = cycle_of(four_bar(60, 30, 50, 100, drives=drives, studies=studies)).failures
+    assert failure.code == "motion.cannot-assemble"
+    edge = limit(60, 100, 80)
+    assert float(failure.data["from"]) == pytest.approx(math.degrees(edge), rel=1e-5)
+    assert float(failure.data["to"]) == pytest.approx(60, abs=1e-9)
+
+
 def test_two_gaps_in_one_turn() -> None:
     """Too far on the far side and too near on the near side."""
     drives = {"motor": {**CRANK, "start": "60 deg"}}

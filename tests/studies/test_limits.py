@@ -312,13 +312,48 @@ def test_a_slide_that_runs_away() -> None:
 
 def test_the_ends_of_a_cylinder_under_a_boom() -> None:
     """The pins of frame and boom in line with the hinge: OM - OK and OK + OM, to round-off."""
-    found, stretch = only(example("boom_cylinder"))
+    data = lw.load(EXAMPLES / "boom_cylinder.yaml").model_dump(by_alias=True, exclude_none=True)
+    del data["cylinders"]["lift"]["length"]
+    found, stretch = only(limits_of(data))
     base, arm = np.hypot(0.3, 0.9), np.hypot(1.3, 0.1)
     assert (found.low.kind, found.high.kind) == ("group", "group")
     assert found.low.value == pytest.approx(arm - base, abs=1e-12)
     assert found.high.value == pytest.approx(arm + base, abs=1e-12)
     # From folded to stretched the boom turns by half a turn.
     assert course(stretch, "boom.angle").stroke == pytest.approx(np.pi, abs=1e-6)
+
+
+def test_a_cylinder_moves_over_its_stroke() -> None:
+    """The boom's angle at both ends by the law of cosines; other ranges are there for the asking."""
+    outcome = example("boom_cylinder")
+    found, stretch = only(outcome)
+    assert (found.low.kind, found.high.kind, found.low.dead) == ("stroke", "stroke", False)
+    assert (found.low.value, found.high.value) == pytest.approx((0.9, 1.5), abs=1e-14)
+    base, arm = np.hypot(0.3, 0.9), np.hypot(1.3, 0.1)
+    swing = triangle(base, arm, 1.5) - triangle(base, arm, 0.9)
+    assert course(stretch, "boom.angle").stroke == pytest.approx(swing, abs=1e-12)
+    assert outcome.warnings == []
+    wide, _ = only(example("boom_cylinder", ranges={"raise": [800, 1600]}))
+    assert (wide.low.kind, wide.high.value) == ("window", pytest.approx(1.6, abs=1e-14))
+
+
+def test_a_drive_is_told_of_the_cylinders_that_it_takes_too_far() -> None:
+    """A damper from the rocker to the frame: its length follows the crank, whose turn it would not allow."""
+    data = four_bar(40, 120, 80, 100, studies={})
+    data["links"]["frame"]["points"]["G"] = [190, 60]
+    data["cylinders"] = {"damper": {"from": "G", "to": "B", "length": [60, 90]}}
+    outcome = limits_of(data)
+    found, stretch = only(outcome)
+    assert found.full
+    ends = course(stretch, "damper.s")
+    assert ends.low.value < 0.06
+    assert ends.high.value > 0.09
+    assert codes(outcome.warnings) == ["study.cylinder-length"] * 2
+    assert {w.severity for w in outcome.warnings} == {"warning"}
+    for warning, end in zip(outcome.warnings, (ends.low, ends.high), strict=True):
+        assert float(warning.data["length"]) == pytest.approx(end.value / MM, rel=1e-4)
+        assert float(warning.data["value"]) == pytest.approx(place(found, end.time) / DEG, abs=1e-3)
+        assert warning.path == ("cylinders", "damper", "length")
 
 
 P, B, Q = (np.array(place) / 1000 for place in ((55, 40), (60, 120), (180, 90)))

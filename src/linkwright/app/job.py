@@ -107,7 +107,8 @@ class Job:
     @property
     def found(self) -> list[Finding]:
         """What the studies found: why a run isn't whole, and warnings."""
-        return found(self.outcomes)
+        findings = found(self.outcomes)
+        return findings if self.examined.document is None else home(self.examined.document, findings)
 
     @property
     def exit_code(self) -> int:

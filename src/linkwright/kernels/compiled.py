@@ -204,7 +204,8 @@ def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled 
 
 
 def _said(finding: Finding, others: list[Finding]) -> bool:
-    return any(other.path == finding.path and other.code == finding.code for other in others)
+    """Whether a finding was made before. A law's `sketch` without value isn't an unknown parameter besides."""
+    return any(other.path == finding.path and other.code in (finding.code, "sketch.no-value") for other in others)
 
 
 def compile_mechanism(mechanism: Mechanism, folder: str | Path | None = None) -> Compiled:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any, Self
 
 from linkwright.model.document import parse_document
@@ -11,6 +11,8 @@ from linkwright.model.mechanism import VERSION, Document
 
 Point = Any
 """``[x, y]`` or ``"r at angle"``; numbers, or expressions as text."""
+Points = Mapping[str, Point] | Iterable[str] | None
+"""Points of a link by name; or the names alone, of points of the sketch."""
 
 
 class Builder:
@@ -44,14 +46,20 @@ class Builder:
             return self._put("parameters", name, value)
         return self._put("parameters", name, _given(value=value, tolerance=tolerance, note=note))
 
-    def frame(self, points: Mapping[str, Point] | None = None, **more: Point) -> Self:
+    def sketch(self, places: Mapping[str, Point] | None = None, **more: Point) -> Self:
+        """The places of points in the frame, at the start of the motion, instead of lengths."""
+        for name, place in {**(places or {}), **more}.items():
+            self._put("sketch", name, place)
+        return self
+
+    def frame(self, points: Points = None, **more: Point) -> Self:
         """The link that doesn't move, with its points."""
-        return self._put("links", "frame", {"points": {**(points or {}), **more}})
+        return self._put("links", "frame", {"points": _points(points, more)})
 
     def link(
         self,
         name: str,
-        points: Mapping[str, Point] | None = None,
+        points: Points = None,
         *,
         mass: Any = None,
         com: Point = None,
@@ -59,9 +67,9 @@ class Builder:
         shape: str | None = None,
         **more: Point,
     ) -> Self:
-        """A moving link. Points are given as a mapping, or by name (``B=["AB", 0]``)."""
+        """A moving link. Points are given as a mapping, by name (``B=["AB", 0]``), or as a list of sketched ones."""
         rest = _given(mass=mass, com=com, inertia=inertia, shape=shape)
-        return self._put("links", name, {"points": {**(points or {}), **more}, **rest})
+        return self._put("links", name, {"points": _points(points, more), **rest})
 
     def prismatic(self, name: str, first: tuple[str, str], second: tuple[str, str]) -> Self:
         """A slide: of each of two links its name and its line, such as ``("guide", "G at 90 deg")``."""
@@ -202,6 +210,11 @@ class Builder:
             self._twice.append(Finding("builder.twice", (section, name), {"name": name}))
         entries[name] = _listed(entry)
         return self
+
+
+def _points(points: Points, more: Mapping[str, Point]) -> dict[str, Point]:
+    given = points if isinstance(points, Mapping) else dict.fromkeys(points or (), "sketch")
+    return {**given, **more}
 
 
 def _given(**entries: Any) -> dict[str, Any]:

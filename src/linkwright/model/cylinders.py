@@ -50,12 +50,22 @@ def _part(link: str, pin: str, part: CylinderPart | None, sign: int) -> Link:
     data: dict[str, Any] = {"points": {pin: [0, 0]}}
     if part is not None:
         data["mass"] = part.mass
-        if part.inertia is not None:
+        if _uniform(part):  # as long as puts its centre where it is
+            data["points"][end_of(link)] = [_times(2 * sign, part.com), 0]
+            data["shape"] = f"rod {pin}-{end_of(link)}"
+        else:
             data |= {"com": [_times(sign, part.com), 0], "inertia": part.inertia}
-        else:  # uniform and slender: as long as puts its centre where it is
-            data["points"][f"{link}_end"] = [_times(2 * sign, part.com), 0]
-            data["shape"] = f"rod {pin}-{link}_end"
     return Link.model_validate(data)
+
+
+def _uniform(part: CylinderPart | None) -> bool:
+    """Whether a part is a slender uniform rod, with a point at its far end."""
+    return part is not None and part.inertia is None
+
+
+def end_of(link: str) -> str:
+    """The point at the far end of a barrel or rod."""
+    return f"{link}_end"
 
 
 def _times(factor: int, length: Expression) -> Any:
@@ -82,9 +92,11 @@ def cylinder_faults(m: Mechanism) -> Iterator[Finding]:
             yield Finding("cylinder.same-point", path, {"point": cylinder.to})
         if name in m.joints:
             yield _taken(path, name, "a-joint")
-        for link in links_of(name):
+        for link, part in zip(links_of(name), (cylinder.barrel, cylinder.rod), strict=True):
             if link in m.links:
                 yield _taken(path, link, "a-link")
+            if _uniform(part) and end_of(link) in points:
+                yield _taken(path, end_of(link), "a-point")
     slides = [*(name for name, _ in m.prismatic_joints()), *m.cylinders]
     for name, drive in m.drives.items():
         if drive.extends is not None and drive.extends not in slides:

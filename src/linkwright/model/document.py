@@ -15,6 +15,7 @@ from pydantic import ValidationError
 from linkwright.model.faults import findings_of
 from linkwright.model.findings import Finding, ModelError, Term
 from linkwright.model.mechanism import VERSION, Document
+from linkwright.model.sketch import with_sketch
 from linkwright.model.unknown import near
 from linkwright.model.yaml_text import MAX_FINDINGS, Source, read_text
 from linkwright.model.yaml_write import write_text
@@ -71,15 +72,15 @@ def load(path: str | Path) -> Document:
 def replaced(document: Document, parameters: Mapping[str, Any]) -> Document:
     """The document with other values of some parameters; see :meth:`Document.replace`."""
     data = plain(document)
-    known = data.get("parameters", {})
-    unknown = [name for name in parameters if name not in known]
+    known, declared = data.setdefault("parameters", {}), with_sketch(document).parameters
+    unknown = [name for name in parameters if name not in declared]
     if unknown:
         raise ModelError(
-            Finding("name.unknown-parameter", ("parameters", name), {"name": name, "near": near(name, [*known])})
+            Finding("name.unknown-parameter", ("parameters", name), {"name": name, "near": near(name, [*declared])})
             for name in unknown
         )
     for name, value in parameters.items():
-        known[name] = {**known[name], "value": value} if isinstance(known[name], dict) else value
+        known[name] = {**entry, "value": value} if isinstance(entry := known.get(name), dict) else value
     made = parse_document(data)
     assert made is not None
     return made

@@ -173,6 +173,8 @@ class Document(Mechanism):
     def replace(self, **parameters: float | str) -> Document:
         """The same document with other values of some parameters, numbers or expressions as in a file.
 
+        The lengths derived from a sketch are parameters too.
+
         Raises :class:`ModelError` for a name that is no parameter or a value that can't be read.
         """
         from linkwright.model.document import replaced

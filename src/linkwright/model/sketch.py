@@ -8,15 +8,17 @@ of the sketched places. A parameter of that name in the file takes its place.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import chain
 
+from linkwright.model.cylinders import links_of
 from linkwright.model.fields import AssemblyRule, Expression, Position
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import FRAME, Mechanism
-from linkwright.model.parts import Drive, Joint, Link, Parameter
+from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter
+from linkwright.model.pins import homes
 from linkwright.model.unknown import near
-from linkwright.model.written import FrozenDict
+from linkwright.model.written import RESERVED, FrozenDict
 
 WORD = re.compile(r"\bsketch\b")
 _SHORT = re.compile(r"[^\W\d_]\d*")
@@ -55,7 +57,7 @@ class _Sketch:
 
     def named(self, name: str, value: Text) -> Text:
         """An expression by its name; in full where the name is taken by something that is no parameter."""
-        if name in self.m.tables:
+        if name in self.m.tables or name in RESERVED:
             return value
         self.derived.setdefault(name, Parameter(value=Expression(value)))
         return name
@@ -118,24 +120,32 @@ class _Sketch:
         return drive.model_copy(update=update) if update else drive
 
     def value(self, drive: Drive) -> Text | None:
-        """A drive's value in the sketch: an angle between two links, a cylinder's length, a travel on the frame."""
-        if drive.turns:
-            angles = [self.axis(drive.turns), self.axis(drive.on)]
-            return None if None in angles else f"({angles[0]}) - ({angles[1]})"
-        if drive.extends in self.m.cylinders:
-            cylinder = self.m.cylinders[drive.extends]
-            ends = cylinder.from_, cylinder.to
-            return self.distance(*ends) if {*ends} <= self.m.sketch.keys() else None
-        wanted = [drive.slides, drive.on] if drive.slides else []
+        """What a drive prescribes, in the sketch: an angle between two links, a cylinder's length, a travel on the
+        frame; of a drive with an output, that of the output.
+        """
+        slide = drive.output or drive.extends
+        if slide in self.m.cylinders:
+            return self.between(self.m.cylinders[slide], self.distance)
+        wanted = [drive.slides, drive.on] if drive.slides and slide is None else []
         for name, joint in self.m.prismatic_joints():
-            if name == drive.extends or sorted(wanted) == sorted(joint.links):
+            if name == slide or sorted(wanted) == sorted(joint.links):
                 return self.travel(joint)
-        return None
+        pair = (drive.output, FRAME) if drive.output else (drive.turns, drive.on)
+        angles = [self.axis(link) for link in pair if link]
+        return None if None in angles or len(angles) < 2 else f"({angles[0]}) - ({angles[1]})"
+
+    def between(self, cylinder: Cylinder, value: Callable[[str, str], Text]) -> Text | None:
+        """Something of the way from one pin of a cylinder to the other, where both are sketched."""
+        ends = cylinder.from_, cylinder.to
+        return value(*ends) if {*ends} <= self.m.sketch.keys() else None
 
     def axis(self, link: str) -> Text | None:
         """The angle of a link's x axis in the sketch."""
         if link == FRAME:
             return "0"
+        for name, cylinder in self.m.cylinders.items():
+            if link in links_of(name):
+                return self.between(cylinder, self.angle)
         known = sketched(self.m.links[link])[:2] if link in self.m.links else []
         return self.angle(known[0], known[1]) if len(known) == 2 and {*known} <= self.m.sketch.keys() else None
 
@@ -169,14 +179,24 @@ def sketch_faults(m: Mechanism) -> Iterator[Finding]:
     for name, drive in m.drives.items():
         for key in ("start", "position"):
             law = getattr(drive, key)
-            if law is not None and "sketch" not in m.parameters and WORD.search(law.text):
-                known = {drive.turns, drive.on, drive.slides} - {None, ""} <= m.links.keys()
-                if known and (not m.sketch or _Sketch(m).value(drive) is None):
-                    yield Finding("sketch.no-value", ("drives", name, key), {"name": name})
+            asked = law is not None and "sketch" not in m.parameters and WORD.search(law.text) and _sound(m, drive)
+            if asked and (not m.sketch or _Sketch(m).value(drive) is None):
+                yield Finding("sketch.no-value", ("drives", name, key), {"name": name})
+
+
+def _sound(m: Mechanism, drive: Drive) -> bool:
+    """Whether all that a drive names is there: else that is its fault, whatever the sketch tells."""
+    links = {*m.links, *chain.from_iterable(map(links_of, m.cylinders))}
+    named = {drive.turns, drive.on, drive.slides, drive.extends, drive.output} - {None, ""}
+    cylinders = [m.cylinders[name] for name in named if name in m.cylinders]
+    ends = {end for cylinder in cylinders for end in (cylinder.from_, cylinder.to)}
+    return named <= links | m.cylinders.keys() | m.joints.keys() and ends <= homes(m).keys()
 
 
 def sketch_home(m: Mechanism, path: Path) -> Path | None:
     """Where a place that the sketch made stands in the file."""
+    if path[:3] == ("links", FRAME, "points") and path[3:4] and path[3] in m.sketch and FRAME in m.links:
+        return ("sketch", path[3]) if path[3] in sketched(m.links[FRAME]) else None
     if len(path) > 1 and path[0] in ("parameters", "assembly") and path[1] not in getattr(m, str(path[0])):
         return ("sketch", path[1]) if path[1] in m.sketch else ("sketch",)
     return None

@@ -25,8 +25,13 @@ class Spelled:
 
 
 def home(m: Mechanism, findings: Iterable[Finding]) -> list[Finding]:
-    """Findings on what a mechanism's short forms stand for, with their places as it is written."""
-    return [replace(f, path=cylinder_home(m, f.path) or sketch_home(m, f.path) or f.path) for f in findings]
+    """Findings on what a mechanism's short forms stand for, with their places as it is written.
+
+    What is wrong with a place of the sketch spoils the lengths derived from it too, and is told at the place alone.
+    """
+    found = [replace(f, path=cylinder_home(m, f.path) or sketch_home(m, f.path) or f.path) for f in findings]
+    told = {f.code for f in found if len(f.path) == 2 and f.path[0] == "sketch"}
+    return [f for f in found if f.path != ("sketch",) or f.code not in told]
 
 
 def spell_out(written: Mechanism) -> Spelled:

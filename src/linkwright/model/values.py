@@ -59,6 +59,10 @@ def _bodies(q: Quantities) -> Iterator[Finding]:
                 yield from least(("springs", name, key), "number", given, dimension, over)
         if spring.gas is not None and spring.progression is not None and q.value(spring.progression, u.PURE) <= 1:
             yield Finding("spring.progression", ("springs", name, "progression"), {})
+    for section in ("springs", "cylinders"):
+        for name, part in getattr(q.mechanism, section).items():
+            if part.length:
+                yield from least((section, name, "length"), "length", part.length[0], u.LENGTH, False)
     for name, table in q.mechanism.tables.items():
         if table.period is not None:
             yield from least(("tables", name, "period"), "period", table.period, u.PURE, True)

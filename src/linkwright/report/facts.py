@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from linkwright.kernels import Compiled
+from linkwright.model.cylinders import end_of, links_of
 from linkwright.report.data import Check, Fact
 from linkwright.results import Certificate
 from linkwright.structure import Driven, Group, Topology
@@ -31,6 +32,7 @@ def facts(compiled: Compiled) -> list[Fact]:
     if slides:
         lines.append(_fact("slides", "; ".join(slides)))
     pinned = {point for pin in topology.pins.values() for _, point in pin.members}
+    pinned |= {end_of(link) for name in m.cylinders for link in links_of(name)}  # no names of the file's
     lone = [point for point in compiled.quantities.signals.homes if point not in pinned]
     if lone:
         lines.append(_fact("lone", say("fact.lone.text", points=", ".join(lone))))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 import linkwright
@@ -103,7 +103,8 @@ def found(outcomes: Mapping[str, Any]) -> list[Finding]:
     """What the studies found: failures and warnings; no warning of what is another one's failure."""
     failures = [finding for outcome in outcomes.values() for finding in outcome.failures]
     warnings = [finding for outcome in outcomes.values() for finding in outcome.warnings]
-    return [*failures, *(finding for finding in warnings if replace(finding, severity="error") not in failures)]
+    told = {(finding.code, finding.path) for finding in failures}
+    return [*failures, *(finding for finding in warnings if (finding.code, finding.path) not in told)]
 
 
 def summary(document: Document, outcomes: Mapping[str, Any], findings: list[Finding]) -> dict[str, Any]:

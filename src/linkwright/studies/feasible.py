@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -133,6 +133,9 @@ def _cannot_assemble(run: Run, group: Group, start: float, stop: float, worst: f
     if any(drive.output for drive in run.compiled.mechanism.drives.values()):
         data |= {"worst": drive_value(run, worst)["value"], "time": f"{start:.6g}", "until": f"{stop:.6g}"}
         return Finding("motion.out-of-reach", ("links", group.links[0]), data)
+    low, far, high = (float(value) for value in (data["from"], drive_value(run, worst)["value"], data["to"]))
+    if not min(low, high) <= far <= max(low, high):  # the drive turns back on its way
+        data["to"] = f"{far:.6g}"
     return Finding("motion.cannot-assemble", ("links", group.links[0]), data)
 
 
@@ -170,7 +173,15 @@ def near(run: Run) -> list[Finding]:
 
 def strokes(run: Run) -> list[Finding]:
     """A finding for each cylinder that is shorter or longer in the run than it can be, at its worst."""
-    findings = []
+    return [
+        Finding("motion.cylinder-length", path, data | {"time": f"{time:.6g}"} | drive_value(run, time))
+        for path, time, data in overrun(run)
+    ]
+
+
+def overrun(run: Run) -> Iterator[tuple[tuple[str, ...], float, dict[str, Any]]]:
+    """The length of each cylinder that a run takes beyond its stroke: its place in the file, the worst time, by how
+    much."""
     quantities = run.compiled.quantities
     unit, size = quantities.unit_of(u.LENGTH)
     for name, cylinder in run.compiled.mechanism.cylinders.items():
@@ -183,12 +194,10 @@ def strokes(run: Run) -> list[Finding]:
             (int(np.argmax(length)), length.max() - high, high),
         ):
             if over > 1e-9 * high:
-                data: dict[str, Any] = {"name": name, "end": Term("shorter" if limit == low else "longer")}
+                data: dict[str, Any] = {"name": name, "length_unit": unit, "by": f"{over / size:.4g}"}
                 data |= {"length": f"{length[at] / size:.6g}", "limit": f"{limit / size:.6g}"}
-                data |= {"by": f"{over / size:.4g}", "length_unit": unit, "time": f"{t[at]:.6g}"}
-                path = ("cylinders", name, "length")
-                findings.append(Finding("motion.cylinder-length", path, data | drive_value(run, float(t[at]))))
-    return findings
+                data["end"] = Term("shorter" if limit == low else "longer")
+                yield ("cylinders", name, "length"), float(t[at]), data
 
 
 def _passed(run: Run, group: str, time: float) -> bool:

@@ -26,10 +26,11 @@ from linkwright.results import Result, Run
 from linkwright.structure import FRAME
 from linkwright.studies.cycle import CycleOptions, span
 from linkwright.studies.extremes import Course, Signals, Touch, Transmission, courses, touches, transmission
-from linkwright.studies.feasible import unassembled
+from linkwright.studies.feasible import overrun, unassembled
 from linkwright.studies.four_links import FourLinks, four_links
 from linkwright.studies.ranges import Range, ranges
 from linkwright.studies.registry import register
+from linkwright.studies.sweep import Sweep
 
 WIDEST = {True: 200 * math.pi, False: 1000.0}
 """The widest range of a drive that is looked at: a hundred turns, or so many times the mechanism's size."""
@@ -43,7 +44,7 @@ class LimitsOptions(Frozen):
     drives: tuple[NameField, ...] | None = Field(None, description="the drives to look at; all of them by default")
     ranges: Annotated[dict[NameField, Interval], freeze] = Field(
         default_factory=FrozenDict,
-        description="[low, high] of a drive's value; else one turn, or as far as a slide gets from its start",
+        description="[low, high] of a drive's value; else one turn, a cylinder's stroke, or as far as a slide gets",
     )
     signals: tuple[Expression, ...] = Field(
         (), max_length=200, description="expressions of positions and rates whose extremes are wanted as well"
@@ -131,6 +132,7 @@ class Limits:
             found = ranges(compiled, drive, edges, options.samples)
             forward = _forward(compiled, drive)
             outcome.drives.append(DriveLimits(drive, [(r, _swept(r, signals, forward)) for r in found]))
+            outcome.warnings += [finding for r in found for finding in _overrun(r.sweep)]
         if options.cycle is not None:
             _follow(outcome, options.cycle, signals)
         return outcome
@@ -150,6 +152,14 @@ def _stretch(
     run.change_points = tuple(touch.time for touch in meeting)
     flat = [*((touch.group, touch.time) for touch in meeting), *ends]
     return Stretch(run, courses(run, signals, full, forward), transmission(run, flat), meeting)
+
+
+def _overrun(sweep: Sweep) -> Iterator[Finding]:
+    """A warning for each cylinder that a drive takes beyond its stroke: the range is that of the links alone."""
+    unit, size = sweep.compiled.quantities.drive_unit(sweep.drive)
+    for path, time, data in overrun(sweep):
+        data |= {"drive": sweep.drive, "value": f"{(sweep.origin + time) / size:.6g}", "unit": unit}
+        yield Finding("study.cylinder-length", path, data, severity="warning")
 
 
 def _follow(outcome: LimitsOutcome, cycle: CycleOptions, signals: Signals) -> None:

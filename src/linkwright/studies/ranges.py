@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
+from linkwright.model import units as u
+from linkwright.model.cylinders import links_of
 from linkwright.model.findings import Finding
 from linkwright.results import Run
 from linkwright.results.stationary import crossings
@@ -32,7 +34,8 @@ class End:
     """One end of a range: the drive's value (rad or m) and why it ends there.
 
     ``kind`` is ``group`` (a dyad stretched or folded), ``cluster`` (a group that meets a singular pose), ``pole`` (a
-    group whose slide runs away) or ``window`` (nothing ends: no more was looked at). ``beyond`` says what fails.
+    group whose slide runs away), ``stroke`` (the cylinder's own) or ``window`` (nothing ends: no more was looked at).
+    ``beyond`` says what fails.
     """
 
     value: float
@@ -43,7 +46,7 @@ class End:
     @property
     def dead(self) -> bool:
         """Whether the mechanism can't go on here."""
-        return self.kind != "window"
+        return self.kind not in ("window", "stroke")
 
 
 @dataclass(frozen=True)
@@ -68,17 +71,37 @@ class _Gap:
 
 
 def ranges(compiled: Compiled, drive: str, window: Interval | None, samples: int) -> list[Range]:
-    """The ranges of a drive's value. Without a ``window``: in one turn, or as far as a slide gets from its start."""
+    """The ranges of a drive's value.
+
+    Without a ``window``: in one turn, over a cylinder's stroke, or as far as a slide gets from its start.
+    """
     moving = sweeping(compiled, drive)
     search = _Search(moving, drive, samples)
     if window is not None:
         return search.between(window[0] - search.origin, window[1] - search.origin)
     if compiled.mechanism.prescribed(drive).turns:
         return search.round()
+    if (ends := stroke(compiled, drive)) is not None:
+        return [_of_stroke(r) for r in search.between(ends[0] - search.origin, ends[1] - search.origin)]
     reach = OUTWARD * compiled.assembly.size()
     home = [r for r in search.between(-reach, reach) if r.sweep.start <= 0.0 <= r.sweep.stop]
     # How much is missing where the search happened to stop says nothing.
     return [replace(r, low=replace(r.low, beyond=None), high=replace(r.high, beyond=None)) for r in home]
+
+
+def stroke(compiled: Compiled, drive: str) -> Interval | None:
+    """The shortest and the longest length (m) of the cylinder that a drive prescribes, where the file says them."""
+    moved = compiled.mechanism.prescribed(drive)
+    for name, cylinder in compiled.mechanism.cylinders.items():
+        if {*links_of(name)} == {moved.link, moved.on} and cylinder.length is not None:
+            low, high = (compiled.quantities.value(edge, u.LENGTH) for edge in cylinder.length)
+            return low, high
+    return None
+
+
+def _of_stroke(found: Range) -> Range:
+    low, high = (replace(e, kind="stroke") if e.kind == "window" else e for e in (found.low, found.high))
+    return replace(found, low=low, high=high)
 
 
 class _Search:

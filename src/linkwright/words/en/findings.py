@@ -553,6 +553,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "'{name}' has no meaning in the limits study: one drive moves through its values at unit speed, without forces.",
         "Take positions, angles, travels and their rates; forces and times belong into the measures of a cycle.",
     ),
+    "study.cylinder-length": (
+        "{drive} is not free to move so far: at {value} {unit} the cylinder {name} would have to be {by} {length_unit} "
+        "{end} than it can be: {length} {length_unit} between its pins, where {limit} {length_unit} is the limit.",
+        "Read the range with that in mind; studies.limits.ranges gives a smaller one.",
+    ),
     "study.wide-range": (
         "The range of {drive} is wider than {limit} {unit}.",
         "Give a smaller range.",
@@ -680,8 +685,9 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "motion.cannot-carry": (
         "At t = {time} s ({drive} = {value} {unit}) {group} is in a singular pose through which the motion can't be "
         "carried: the poses around don't tell its limit.",
-        "Let the drives move smoothly, without a rest or a jump of the acceleration, through that pose; or keep away "
-        "from it by other lengths or another range of the drives.",
+        "Let the drives move smoothly through that pose, without a rest or a jump of the acceleration, and the loads act "
+        "so, without an end of a window or a corner of a table there; or keep away from it by other lengths or another "
+        "range of the drives.",
     ),
     "motion.starts-at-change-point": (
         "The motion starts at a change point of {group} (t = {time} s, {drive} = {value} {unit}), where its two modes "
@@ -757,6 +763,7 @@ _TERMS: dict[str, str] = {
     "inertia": "moment of inertia",
     "number": "number",
     "radius": "radius",
+    "length": "shortest length",
     "period": "period",
     "within": "width of the band",
     # Why an expression can't be read.

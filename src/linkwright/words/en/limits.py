@@ -32,6 +32,7 @@ LIMITS: dict[str, str] = {
     "limits.full_turn": "Turns fully.",
     "limits.no_range": "Can't move alone: it stands at a dead point.",
     "limits.end.window": "At {at} it goes on: no more was looked at.",
+    "limits.end.stroke": "At {at} the cylinder's stroke ends.",
     "limits.end.group": "At {at} {group} is stretched or folded.",
     "limits.end.cluster": "At {at} {group} meets a singular pose.",
     "limits.end.pole": "At {at} a slide of {group} runs away.",
