@@ -109,6 +109,7 @@ def test_nor_is_it_told_twice_where_their_grids_see_it_otherwise(write: Any) -> 
         units: {length: mm, angle: deg, time: s}
         sketch: {A: [0, 0], B: [50, 0], C: [150, 0], D: [200, 0]}
         links: {frame: {points: [A, D]}, crank: {points: [A, B]}, coupler: {points: [B, C]}, rocker: {points: [D, C]}}
+        assembly: {C: left of B-D}
         drives: {motor: {turns: crank, on: frame, speed: 10, acceleration: 1, start: sketch}}
         studies: {cycle: {duration: 1 s, samples: 100}, limits: {}}
         """
