@@ -88,6 +88,14 @@ def test_a_cylinder_that_only_follows_keeps_its_rod_in_front() -> None:
     assert compiled_from(data).evaluate(["lift.s"], T).max() < 0
 
 
+def test_a_cylinder_of_negative_length_is_no_mode() -> None:
+    data = boom(assembly={}, drives={"motor": {"turns": "boom", "on": "frame", "speed": 0.2, "start": 0.1}})
+    outcome = lw.modes(Document.model_validate(data))
+    assert len(outcome.modes) == 1
+    assert outcome.own == 0
+    assert outcome.complete
+
+
 def test_a_prismatic_joint_may_be_extended_too() -> None:
     data = written_out()
     data["drives"]["raise"] = {"extends": "lift", "speed": 0.1, "start": 1.5}

@@ -14,7 +14,6 @@ from linkwright.graph.clusters import assemble_cluster
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, Unknowns, solve_motion
 from linkwright.groups import Dyad, OuterPin
-from linkwright.model.cylinders import links_of
 from linkwright.model.fields import AssemblyRule
 from linkwright.model.findings import Finding
 from linkwright.model.quantities import Quantities
@@ -115,8 +114,7 @@ class _Assembler:
             elif len(signs) > 1:
                 self.note("assembly.contradiction", ("assembly", found[0][0]), rules=", ".join(n for n, _ in found))
             elif not found and group.inner.joint in self.quantities.mechanism.cylinders:
-                # A cylinder's rod comes out of its barrel at the front.
-                branch = 1.0 if group.sides[0][-1] == links_of(group.inner.joint)[0] else -1.0
+                branch = group.front
                 self.assembly.rules[group] = group.rule(branch)
             elif not found:
                 self.note(

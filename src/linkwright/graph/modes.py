@@ -168,7 +168,9 @@ class Explorer:
         touching = abs(float(dyad.root(1.0).reach)) < 1e-13
         self.singular = self.singular or touching
         options: list[Choice] = [1.0] if touching else [1.0, -1.0]
-        if self.goal is not None and not touching:
+        if group.inner.joint in self.structure.topology.mechanism.cylinders:
+            options = [group.front]  # no cylinder has a negative length
+        elif self.goal is not None and not touching:
             goal = self.goal[group.links[0]].axis.now
             axes = [dyad.solve(sign, 0).first.axis.now for sign in (1.0, -1.0)]
             options = options[:: 1 if axes[0].dot(goal) >= axes[1].dot(goal) else -1]

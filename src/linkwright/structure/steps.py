@@ -94,6 +94,11 @@ class Group:
         return len(REGISTRY[self.signature].rules) or 1
 
     @property
+    def front(self) -> float:
+        """The branch of an RPR in which its slide has the second link ahead of the first, as a cylinder its rod."""
+        return 1.0 if self.sides[0][-1] == self.inner.a else -1.0
+
+    @property
     def has_span(self) -> bool:
         """Whether it is a dyad whose pose is vague where a distance vanishes (:meth:`Dyad.span`)."""
         return REGISTRY[self.signature].span is not Dyad.span
