@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 
 import linkwright as lw
+from linkwright.results import certify
 from studies.models import CRANK, UNITS, codes, cycle_of, four_bar, job_of, refused, slider_crank, speakable
 
 RAISE = {"turns": "crank", "on": "frame", "position": "30 deg + 20 deg*t/(1 s)"}
@@ -287,3 +289,15 @@ def test_dead_masses_and_no_gravity_need_no_forces() -> None:
     assert outcome.result.certificate is not None
     assert outcome.result.certificate.equilibrium is None
     assert outcome.result["motor.torque"] == pytest.approx(0.0)
+
+
+@pytest.mark.parametrize("miss", [1e-6, np.nan])
+def test_a_run_whose_proof_fails_is_not_done(miss: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its figures are there, but the exit code says that they don't hold."""
+    monkeypatch.setattr("linkwright.studies.cycle.certify", lambda run: replace(certify(run), closure=miss))
+    job = job_of(slider_crank(**cycle(turns="1 motor")))
+    assert job.exit_code == 1
+    (failure,) = job.found
+    assert (failure.code, failure.element) == ("motion.unproven", "studies.cycle")
+    assert speakable(failure)
+    assert "closure of the joints" in failure.what

@@ -6,11 +6,10 @@ from linkwright.kernels import Compiled
 from linkwright.model.cylinders import end_of, links_of
 from linkwright.report.data import Check, Fact
 from linkwright.results import Certificate
+from linkwright.results.certificate import PROVEN
 from linkwright.structure import Driven, Group, Topology
 from linkwright.words import say
 
-PROVEN = 1e-9
-"""A residual below this holds: far under any drawing tolerance, far over round-off."""
 CLOSE = 1e-2
 """A foretold pose corrected by less than this (rad, or over the size) can't have been mistaken for another mode's."""
 FAR = 1e-3

@@ -16,6 +16,9 @@ from linkwright.words import say
 
 Array = NDArray[np.float64]
 
+PROVEN = 1e-9
+"""A residual below this holds: far under any drawing tolerance, far over round-off."""
+
 
 @dataclass(frozen=True)
 class Nearest:
@@ -58,9 +61,13 @@ class Certificate:
         every = {name: getattr(self, name) for name in ("closure", "equilibrium", "power", "work")}
         return {name: value for name, value in every.items() if value is not None}
 
-    def sound(self, tolerance: float = 1e-9) -> bool:
+    def sound(self, tolerance: float = PROVEN) -> bool:
         """Whether every residual is below ``tolerance``."""
-        return all(value < tolerance for value in self.residuals.values())
+        return not self.unproven(tolerance)
+
+    def unproven(self, tolerance: float = PROVEN) -> dict[str, float]:
+        """The residuals that aren't below ``tolerance``."""
+        return {name: value for name, value in self.residuals.items() if not value < tolerance}
 
 
 def certify(run: Run) -> Certificate:

@@ -12,7 +12,7 @@ from pydantic import Field, model_validator
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen, fault
-from linkwright.model.findings import Finding, ModelError
+from linkwright.model.findings import Finding, ModelError, Term
 from linkwright.results import Result, Run, certify
 from linkwright.studies.acting import outside, undefined
 from linkwright.studies.feasible import near, singular, strokes, unassembled
@@ -102,9 +102,19 @@ class Cycle:
             return CycleOutcome(Result(run, undecided))
         result = Result(run, certificate=certify(run))
         measures, faults = measure_all(run)
-        result.failures += [*faults, *strokes(run)]
+        result.failures += [*unproven(result), *faults, *strokes(run)]
         notes = [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
         return CycleOutcome(result, measures, [*notes, *outside(run)])
+
+
+def unproven(result: Result) -> list[Finding]:
+    """A finding for each proof of the certificate that fails: figures that can't be trusted."""
+    assert result.certificate is not None
+    failed = result.certificate.unproven().items()
+    path = ("studies", "cycle")
+    return [
+        Finding("motion.unproven", path, {"check": Term(name), "figure": f"{figure:.1e}"}) for name, figure in failed
+    ]
 
 
 def span(compiled: Compiled, options: CycleOptions) -> tuple[float, list[Finding]]:

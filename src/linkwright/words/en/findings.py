@@ -705,6 +705,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Make the lengths meet exactly where a parallelogram or the like is meant (and write through: keep), or keep "
         "farther away.",
     ),
+    "motion.unproven": (
+        "The results don't hold: {check} misses by {figure} of its size, where round-off leaves 1e-9 at most.",
+        "Look for dimensions of very different size, a point far away, or a pose all but singular; the report's "
+        "certificate tells more. If there is none, please report the model as a fault of linkwright.",
+    ),
     "motion.not-periodic": (
         "The motion isn't closed: after {period} the point {element} is {distance} {unit} from where it began.",
         "Correct the period, or give duration instead of period.",
@@ -747,6 +752,10 @@ _TERMS: dict[str, str] = {
     "a-joint": "a joint",
     "a-slide": "a prismatic joint",
     "a-cylinder": "a cylinder",
+    "closure": "the closure of the joints",
+    "equilibrium": "the equilibrium of the links",
+    "power": "the balance of power",
+    "work": "the balance of work and energy",
     "shorter": "shorter",
     "longer": "longer",
     "a-drive": "a drive",
