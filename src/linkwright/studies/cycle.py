@@ -107,14 +107,22 @@ class Cycle:
         return CycleOutcome(result, measures, [*notes, *outside(run)])
 
 
+CHECKS = {
+    "closure": Term("closure"),
+    "equilibrium": Term("equilibrium"),
+    "power": Term("power"),
+    "work": Term("work"),
+}
+
+
 def unproven(result: Result) -> list[Finding]:
     """A finding for each proof of the certificate that fails: figures that can't be trusted."""
     assert result.certificate is not None
-    failed = result.certificate.unproven().items()
-    path = ("studies", "cycle")
-    return [
-        Finding("motion.unproven", path, {"check": Term(name), "figure": f"{figure:.1e}"}) for name, figure in failed
-    ]
+    found = []
+    for name, figure in result.certificate.unproven().items():
+        data = {"check": CHECKS[name], "figure": f"{figure:.1e}" if figure == figure else Term("unknown-share")}
+        found.append(Finding("motion.unproven", ("studies", "cycle"), data))
+    return found
 
 
 def span(compiled: Compiled, options: CycleOptions) -> tuple[float, list[Finding]]:

@@ -756,6 +756,7 @@ _TERMS: dict[str, str] = {
     "equilibrium": "the equilibrium of the links",
     "power": "the balance of power",
     "work": "the balance of work and energy",
+    "unknown-share": "an unknown share",
     "shorter": "shorter",
     "longer": "longer",
     "a-drive": "a drive",
