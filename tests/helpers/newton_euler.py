@@ -206,7 +206,10 @@ class Oracle:
                 if not rate < 1e4 or steps > 5000:
                     raise np.linalg.LinAlgError("singular pose")
                 target = t if step == t - here.t else here.t + step
-                here = self.settle(here.q + step * here.v + 0.5 * step**2 * here.a, target)
+                foretold = here.q + step * here.v + 0.5 * step**2 * here.a
+                here = self.settle(foretold, target)
+                if not np.abs(here.q - foretold).max() < largest:  # no pose is near: Newton has gone to another
+                    raise np.linalg.LinAlgError("singular pose")
             found.append(here)
         return found
 
