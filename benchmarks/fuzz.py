@@ -12,22 +12,20 @@ from __future__ import annotations
 
 import argparse
 import contextlib
-import multiprocessing
 import random
 import re
-import signal
 import sys
 import time
 import traceback
 import warnings
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
 from mutations import mutated
-from patience import limited
+from patience import limited, spread
 
 from linkwright import gallery
 from linkwright.app.job import Examined, examine_document, perform, summary_text
@@ -133,16 +131,6 @@ def gaps(finding: Finding) -> Iterator[str]:
         yield f"{finding.code} has neither line nor element"
 
 
-def cases(seeds: Iterable[int], jobs: int) -> Iterator[Case]:
-    """The cases as they come, by some processes."""
-    if jobs == 1:
-        yield from map(tried, seeds)
-        return
-    quiet = (signal.SIGINT, signal.SIG_IGN)  # the parent takes the interrupt
-    with multiprocessing.Pool(jobs, signal.signal, quiet) as pool:
-        yield from pool.imap_unordered(tried, seeds, chunksize=50)
-
-
 def main() -> int:
     """Try the files, show how far it is, print the counts."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -159,7 +147,7 @@ def main() -> int:
     slowest = Case(-1)
     start = last = time.perf_counter()
     with contextlib.suppress(KeyboardInterrupt):
-        for case in cases(range(options.seed, options.seed + options.count), options.jobs):
+        for case in spread(tried, range(options.seed, options.seed + options.count), options.jobs, 50):
             done += 1
             codes.update(set(case.came))
             slowest = max(slowest, case, key=lambda c: c.seconds)

@@ -1,11 +1,24 @@
-"""An end to what takes too long."""
+"""An end to what takes too long; the same work on many seeds by some processes."""
 
 from __future__ import annotations
 
 import contextlib
+import multiprocessing
 import signal
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any, TypeVar
+
+T = TypeVar("T")
+
+
+def spread(work: Callable[[int], T], seeds: Iterable[int], jobs: int, chunk: int) -> Iterator[T]:
+    """What the work gives for each seed, as it comes, by some processes that take ``chunk`` seeds at a time."""
+    if jobs == 1:
+        yield from map(work, seeds)
+        return
+    quiet = (signal.SIGINT, signal.SIG_IGN)  # the parent takes the interrupt
+    with multiprocessing.Pool(jobs, signal.signal, quiet) as pool:
+        yield from pool.imap_unordered(work, seeds, chunksize=chunk)
 
 
 @contextlib.contextmanager

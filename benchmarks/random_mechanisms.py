@@ -19,19 +19,16 @@ from __future__ import annotations
 
 import argparse
 import contextlib
-import multiprocessing
-import signal
 import sys
 import time
 import traceback
 import warnings
 from collections import Counter
-from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
 from judge import Judge
-from patience import limited
+from patience import limited, spread
 from sketches import PERIOD, Sketch, sketch
 
 from linkwright.app.job import examine_document, perform
@@ -105,16 +102,6 @@ def run(s: Sketch, verdict: Verdict) -> None:
     verdict.faults += [f"{name} {value:.2g}" for name, value in certificate.residuals.items() if not value < limit]
 
 
-def verdicts(seeds: Iterable[int], jobs: int) -> Iterator[Verdict]:
-    """The verdicts as they come, by some processes."""
-    if jobs == 1:
-        yield from map(judged, seeds)
-        return
-    quiet = (signal.SIGINT, signal.SIG_IGN)  # the parent takes the interrupt
-    with multiprocessing.Pool(jobs, signal.signal, quiet) as pool:
-        yield from pool.imap_unordered(judged, seeds, chunksize=2)
-
-
 def table(found: list[Verdict]) -> str:
     """Counts by kind and by what came, the worst figures, the failures."""
     rows = ["all", *sorted({kind for v in found for kind in v.kinds})]
@@ -157,7 +144,7 @@ def main() -> int:
     found: list[Verdict] = []
     start = last = time.perf_counter()
     with contextlib.suppress(KeyboardInterrupt):
-        for verdict in verdicts(range(options.seed, options.seed + options.count), options.jobs):
+        for verdict in spread(judged, range(options.seed, options.seed + options.count), options.jobs, 2):
             found.append(verdict)
             if verdict.faults:
                 print(f"\r{fault(verdict)}", file=sys.stderr)

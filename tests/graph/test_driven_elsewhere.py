@@ -14,8 +14,7 @@ from hypothesis import strategies as st
 
 from helpers.compiled import compiled_of
 from helpers.examples import UNITS
-from helpers.expected import expected_angles, expected_forces, expected_motion, oracle_states, worst
-from helpers.newton_euler import Oracle, State
+from helpers.expected import expected_angles, expected_forces, expected_motion, regular_states, worst
 from helpers.plain import Plain, document_of
 from helpers.random_mechanisms import DURATION, Seeded, build, driven_elsewhere, sketched
 from linkwright.kernels import compile_mechanism
@@ -44,18 +43,6 @@ def stated(plain: Plain) -> Plain:
     return sketched(plain, [*dyads, *(link for cluster in structure.clusters for link in cluster.links)])
 
 
-def followed(plain: Plain) -> tuple[Oracle, list[State]]:
-    """The oracle's states, where none is near a singular pose."""
-    try:
-        oracle, states = oracle_states(plain, T)
-    except np.linalg.LinAlgError:
-        assume(False)
-        raise
-    assume(all(np.isfinite(s.q).all() and np.abs(s.a).max() < 50 for s in states))
-    assume(min(oracle.regularity(s) for s in states) > 0.03)
-    return oracle, states
-
-
 @pytest.mark.parametrize("chain", CHAINS)
 @settings(max_examples=8)
 @given(seed=st.integers(0, 10**6))
@@ -63,7 +50,7 @@ def test_motion_and_forces(chain: str, seed: int) -> None:
     """Motion to 1e-9, forces to 1e-9 of the largest; the certificate agrees."""
     source = Seeded(seed)
     plain = stated(driven_elsewhere(build(chain, source), source))
-    oracle, states = followed(plain)
+    oracle, states = regular_states(plain, T)
     compiled = compiled_of(plain)
     for order, rows in expected_motion(oracle, states).items():
         error, name = worst(compiled.evaluate(list(rows), T), rows, 1.0)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from hypothesis import assume
 from numpy.typing import NDArray
 
 from helpers.newton_euler import Extra, Oracle, State
@@ -18,6 +19,18 @@ def oracle_states(plain: Plain, t: Array, extra: Sequence[Extra] = ()) -> tuple[
     """The oracle and its states at increasing times."""
     oracle = Oracle(plain, extra)
     return oracle, oracle.follow(t)
+
+
+def regular_states(plain: Plain, t: Array) -> tuple[Oracle, list[State]]:
+    """The oracle's states; a drawn mechanism that comes near a singular pose is left out."""
+    try:
+        oracle, states = oracle_states(plain, t)
+    except np.linalg.LinAlgError:
+        assume(False)
+        raise
+    assume(all(np.isfinite(s.q).all() and np.abs(s.a).max() < 50 for s in states))
+    assume(min(oracle.regularity(s) for s in states) > 0.03)
+    return oracle, states
 
 
 def expected_motion(oracle: Oracle, states: Sequence[State]) -> dict[str, Rows]:

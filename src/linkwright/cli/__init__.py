@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import io
 import sys
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -34,7 +36,6 @@ _json = click.option("--json", "as_json", is_flag=True, help=say("cli.json"))
 def run(file: Path, out: Path | None, netcdf: bool, as_json: bool) -> None:
     """Perform a file's studies."""
     from linkwright import app
-    from linkwright.app.job import summary_text
     from linkwright.cli import show
 
     examined = app.examine_file(file)
@@ -43,12 +44,22 @@ def run(file: Path, out: Path | None, netcdf: bool, as_json: bool) -> None:
         if examined.document is not None and job.outcomes:
             folder = out or file.with_name(f"{file.stem}_linkwright")
             _writing(folder, job, netcdf)
+    _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
+
+
+def _end(
+    file: Path, examined: Examined, as_json: bool, data: Callable[[], Any], tell: Callable[[], None], code: int
+) -> None:
+    """What came out of a command, as JSON or for people, and its exit code."""
+    from linkwright.app.job import summary_text
+    from linkwright.cli import show
+
     if as_json:
-        show.plain(summary_text(job.summary))
+        show.plain(summary_text(data()))
     else:
         show.findings(examined, file)
-        show.job(job, file)
-    sys.exit(job.exit_code)
+        tell()
+    sys.exit(code)
 
 
 def _writing(folder: Path, job: Job, netcdf: bool) -> None:
@@ -68,16 +79,11 @@ def _writing(folder: Path, job: Job, netcdf: bool) -> None:
 def check(file: Path, as_json: bool) -> None:
     """Examine a file."""
     from linkwright import app
-    from linkwright.app.job import summary_text
     from linkwright.cli import show
 
     examined: Examined = app.examine_file(file)
-    if as_json:
-        show.plain(summary_text(show.check_data(examined)))
-    else:
-        show.findings(examined, file)
-        show.structure(examined)
-    sys.exit(examined.exit_code)
+    tell = partial(show.structure, examined)
+    _end(file, examined, as_json, partial(show.check_data, examined), tell, examined.exit_code)
 
 
 @cli.command(help=say("cli.modes"))
@@ -86,17 +92,11 @@ def check(file: Path, as_json: bool) -> None:
 def modes(file: Path, as_json: bool) -> None:
     """Find a file's assembly modes."""
     from linkwright import app
-    from linkwright.app.job import summary_text
     from linkwright.cli import show
 
     with show.working(file, "modes", quiet=as_json):
         done = app.modes_of_file(file)
-    if as_json:
-        show.plain(summary_text(done.summary))
-    else:
-        show.findings(done.examined, file)
-        show.modes(done)
-    sys.exit(done.exit_code)
+    _end(file, done.examined, as_json, lambda: done.summary, lambda: show.modes(done), done.exit_code)
 
 
 @cli.command(help=say("cli.limits"))
@@ -105,18 +105,12 @@ def modes(file: Path, as_json: bool) -> None:
 def limits(file: Path, as_json: bool) -> None:
     """Perform the limits study alone."""
     from linkwright import app
-    from linkwright.app.job import summary_text
     from linkwright.cli import show
 
     examined = app.examine_file(file, only="limits")
     with show.working(file, "limits", quiet=as_json):
         job = app.perform(examined)
-    if as_json:
-        show.plain(summary_text(job.summary))
-    else:
-        show.findings(examined, file)
-        show.job(job, file)
-    sys.exit(job.exit_code)
+    _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
 
 
 @cli.command(help=say("cli.new"))

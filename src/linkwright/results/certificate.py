@@ -82,7 +82,7 @@ def certify(run: Run) -> Certificate:
         closure=closure(reports),
         equilibrium=equilibrium(reports) if loaded else None,
         power=power(reports) if loaded else None,
-        work=work(run) if loaded else None,
+        work=work(run, slight(reports)) if loaded else None,
         mobility=3 * len(topology.moving) - constraints,
         gruebler=topology.gruebler,
         rank=constraints,
@@ -158,12 +158,15 @@ def slight(r: Reports) -> float:
     return 1e-6 * max(forces, default=0.0) * max(speeds, default=0.0)
 
 
-def work(run: Run) -> float:
-    """Work of drives and loads against the change of energy, by Gauss quadrature on panels halved until each stands."""
+def work(run: Run, slight: float) -> float:
+    """Work of drives and loads against the change of energy, by Gauss quadrature on panels halved until each stands.
+
+    ``slight`` is the power (W) that may be all round-off.
+    """
     names = [f"energy.{kind}" for kind in run.compiled.quantities.signals.energies]
     energy = run.compiled.evaluate(names, np.array([run.start, run.stop]))
     change = float(energy.sum(axis=0) @ np.array([-1.0, 1.0]))
-    least = slight(Reports(run.compiled, run.t)) * (run.stop - run.start)
+    least = slight * (run.stop - run.start)
     edges = np.union1d(np.linspace(run.start, run.stop, min(run.grid, MAX_PANELS) + 1), run.breaks)
     lows, highs = edges[:-1], edges[1:]
     total, here, panels = np.zeros(2), worked(run, lows, highs), lows.size
