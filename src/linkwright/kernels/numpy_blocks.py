@@ -56,6 +56,11 @@ class NumpyKernel:
         self.block = _Stage(program.block)
         self.closures = [_Stage(stage.closure) for stage in program.solves]
 
+    @classmethod
+    def available(cls) -> bool:
+        """NumPy is always there."""
+        return True
+
     def run(self, x: Array, p: Array, out: Array | None = None) -> Array:
         """All outputs at all poses.
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from typing import ClassVar, Protocol
+from importlib import import_module
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.program import Program
+from linkwright.model.findings import Finding, ModelError
 from linkwright.notation.registry import Registry
 
 Array = NDArray[np.float64]
@@ -22,7 +24,12 @@ class Kernel(Protocol):
     name: ClassVar[str]
     program: Program
 
-    def __init__(self, program: Program) -> None: ...
+    def __init__(self, program: Program) -> None:
+        """Raises :class:`ModelError` where a package that the kernel needs isn't installed."""
+
+    @classmethod
+    def available(cls) -> bool:
+        """Whether the packages that the kernel needs are installed; nothing is imported to find out."""
 
     def run(self, x: Array, p: Array, out: Array | None = None) -> Array:
         """All outputs at all poses, (outputs, poses), in SI: from the per-pose inputs x (inputs, poses) and the
@@ -40,6 +47,15 @@ def register(cls: type[Kernel]) -> type[Kernel]:
     """Register a kernel under its name; a second one of the same name is an error."""
     KERNELS[cls.name] = cls
     return cls
+
+
+def required(package: str, extra: str) -> Any:
+    """A package that only some kernels need, imported; ``extra`` is what brings it."""
+    try:
+        return import_module(package)
+    except ImportError:
+        data = {"package": package, "extra": extra}
+        raise ModelError([Finding("file.needs-package", (), data)]) from None
 
 
 def flattened(kernel: Kernel, x: Array, p: Array, out: Array, block: int) -> Array:
