@@ -76,9 +76,7 @@ def _solve(jax: Any, stage: NewtonStage, x: Sequence[Any], p: Any) -> list[Any]:
         y = [jnp.broadcast_to(row, shape) for row in _rows(jnp, stage.closure, rows, p)]
         steps = _steps(jnp, jnp.stack(y[n:]).reshape(n, n, *shape), jnp.stack(y[:n]))
         new = u - steps
-        reach = [
-            jnp.abs(steps[i]) / jnp.maximum(stage.scale[i], jnp.abs(new[i]) * stage.sliding[i]) for i in range(n)
-        ]
+        reach = [jnp.abs(steps[i]) / jnp.maximum(stage.scale[i], jnp.abs(new[i]) * stage.sliding[i]) for i in range(n)]
         still = moved >= SOLVED  # NaN is as good as solved: it stays
         return count + 1, jnp.where(still, new, u), jnp.where(still, reduce(jnp.maximum, reach), moved)
 
@@ -92,20 +90,24 @@ def _solve(jax: Any, stage: NewtonStage, x: Sequence[Any], p: Any) -> list[Any]:
 
 def _steps(jnp: Any, slope: Any, gap: Any) -> Any:
     """Newton's step at each pose, (n, ...), by elimination with row pivots; NaN where the slopes are singular or
-    unknown. Written out, as a batch of small systems is no work for a library of large ones."""
+    unknown. Written out, number by number: a batch of small systems is no work for a library of large ones."""
     n = len(gap)
     known = jnp.isfinite(slope).all(axis=(0, 1)) & jnp.isfinite(gap).all(axis=0)
-    rows = jnp.concatenate([slope, gap[:, None]], axis=1)
+    rows = [[*slope[i], gap[i]] for i in range(n)]
     done = []
-    for k in range(n):
-        best = jnp.argmax(jnp.abs(rows[:, 0]), axis=0)[None, None]
-        pivot = jnp.take_along_axis(rows, best, axis=0)[0]
-        rest = jnp.where(jnp.arange(1, n - k).reshape(-1, *[1] * (rows.ndim - 1)) == best, rows[:1], rows[1:])
-        first = jnp.where(pivot[0] == 0, jnp.nan, pivot[0])
-        rows = rest[:, 1:] - rest[:, :1] / first * pivot[None, 1:]
-        done.append((first, pivot[1:]))
+    for _ in range(n):
+        first, rest = rows[0], []
+        for row in rows[1:]:
+            larger = jnp.abs(row[0]) > jnp.abs(first[0])
+            rest.append([jnp.where(larger, a, b) for a, b in zip(first, row, strict=True)])
+            first = [jnp.where(larger, b, a) for a, b in zip(first, row, strict=True)]
+        pivot, tail = jnp.where(first[0] == 0, jnp.nan, first[0]), first[1:]
+        rows = [[b - row[0] / pivot * a for a, b in zip(tail, row[1:], strict=True)] for row in rest]
+        done.append((pivot, tail))
     step: list[Any] = []
-    for first, row in reversed(done):
-        value = row[-1] - sum((a * b for a, b in zip(row[:-1], step, strict=True)), start=0.0 * first)
-        step.insert(0, value / first)
+    for pivot, tail in reversed(done):
+        value = tail[-1]
+        for a, b in zip(tail[:-1], step, strict=True):
+            value = value - a * b
+        step.insert(0, value / pivot)
     return jnp.where(known, jnp.stack(step), jnp.nan)
