@@ -50,9 +50,9 @@ class Reduction:
         jnp = self.kernel.jax.numpy
         shape = jnp.broadcast_shapes(x.shape[1:], p.shape[1:])
         inside = jnp.arange(shape[0])[:, None] < count
+        values = [jnp.broadcast_to(y, shape) for y in outputs(self.kernel.jax, self.kernel.program, x, p)]
         rows = []
-        for row in outputs(self.kernel.jax, self.kernel.program, x, p):
-            y = jnp.broadcast_to(row, shape)
+        for y in self.kernel.jax.lax.optimization_barrier(values):  # else each sum may compute its values anew
             counts = inside & ~jnp.isnan(y)
             n = counts.sum(axis=0).astype(float)
             mean = jnp.where(counts, y, 0.0).sum(axis=0) / jnp.maximum(n, 1.0)

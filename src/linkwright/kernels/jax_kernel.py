@@ -23,7 +23,7 @@ TILES: dict[str, tuple[int, int]] = {"cpu": (256, 32)}
 TILE = 8192, 64
 """The same of accelerators, whose blocks are to be large."""
 OPTIONS: dict[str, dict[str, Any]] = {
-    # Fused loops compute shared parts once for each output: on a CPU, three times the time (docs/performance.md).
+    # Fused loops compute shared parts once for each output: on a CPU, twice the time or more (docs/performance.md).
     "cpu": {"xla_disable_hlo_passes": "fusion,cpu-instruction-fusion"}
 }
 """How XLA compiles, by platform."""
