@@ -163,7 +163,7 @@ def test_reduced_on_the_device(samples: int, poses: int) -> None:
 
 @needs_jax
 def test_what_never_closes_counts_nothing() -> None:
-    compiled, kernel = varied()
+    compiled, _ = varied()
     p = lengths(5, 0.0)
     p[compiled.graph.parameters.index("c")] = 0.05
     found = reduction()(compiled.inputs(np.zeros(2)), p)
