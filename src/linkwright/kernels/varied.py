@@ -175,7 +175,7 @@ class Varied:
         nominal, width = self.compiled.quantities.parameters, MAX_ORDER + 2
         for i, drive in enumerate(self.graph.drives):
             law = self.compiled.laws[drive]
-            given: dict[str, float | Array] = {name: nominal[name] for name in law.names - self.varying - {"t"}}
+            given: dict[str, float | Array] = {name: nominal[name] for name in law.names - self.varying}
             given |= {name: p[self.row[name], :, None] for name in law.names & self.varying}
             for k, row in enumerate(law.at(t, given).d, start=i * width):
                 x[k] = row
