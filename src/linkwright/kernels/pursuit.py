@@ -101,7 +101,7 @@ class Pursued:
     def coordinates(self, p: Array, t: Array) -> Array:
         """At times ``t`` (times,), from pose to pose, or (samples, times), from a grid: (coordinates, samples, times);
         NaN from the time on from which a sample can't be followed, and before the start."""
-        return self._along(p, t) if t.ndim == 1 else self._from_grid(p, t)
+        return self._kept("poses", (p, t), lambda: self._along(p, t)) if t.ndim == 1 else self._from_grid(p, t)
 
     def _started(self, p: Array) -> Array:
         """At t = 0, by continuation in the parameters."""
