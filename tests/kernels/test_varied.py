@@ -252,6 +252,20 @@ def test_clusters_do_not_jump(poses: int) -> None:
     assert followed > 6
 
 
+NARROW = [0.030962952337340865, 0.1449854480452313, 0.17424971721174706, 0.17169816544048153]
+
+
+def test_a_singular_pose_is_not_stepped_over() -> None:
+    """At t = 0.4268 this sample's mode ends, and 1e-5 s later another one begins, 0.05 rad away with its determinant of
+    the same sign: whatever the poses asked for, no step leads across."""
+    varied = Varied(compile_mechanism(class_four()), list("rpqw"))
+    p = varied.parameters(np.array([NARROW]).T)
+    for poses in (10, 50, 361, 721):
+        t = np.linspace(0, 1, poses)
+        found = varied.evaluate(["E.x"], p, t)[0, 0]
+        assert np.array_equal(np.isfinite(found), t < 0.4268)
+
+
 def test_poses_in_any_order() -> None:
     varied = Varied(compile_mechanism(class_four()), ["r", "w"])
     p, t = varied.parameters(spread(varied, 0.05)), np.linspace(0, 1, 13)
