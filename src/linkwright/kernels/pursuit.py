@@ -121,7 +121,8 @@ class Pursued:
 
     def coordinates(self, p: Array, t: Array) -> Array:
         """At times ``t`` (times,), from pose to pose, or (samples, times), from a grid: (coordinates, samples, times);
-        NaN from the time on from which a sample can't be followed, and before the start."""
+        NaN from where a sample can't be followed, before the start, and at times that are no numbers."""
+        t = np.where(np.isfinite(t), t, -1.0)
         return self._kept("poses", (p, t), lambda: self._along(p, t)) if t.ndim == 1 else self._from_grid(p, t)
 
     def _started(self, p: Array) -> Array:
@@ -163,7 +164,7 @@ class Pursued:
         span = np.where(to > 0, np.exp2(np.ceil(np.log2(np.maximum(to, np.finfo(float).tiny)))), 0.0)
         step = (span / GRID)[:, None]
         laid = self._kept("grid", (p, span), lambda: self._along(p, step * np.arange(GRID + 1)))
-        k = np.clip(np.floor(t / np.maximum(step, np.finfo(float).tiny)), 0, GRID).astype(int)
+        k = np.clip(np.floor(np.maximum(t, 0.0) / np.maximum(step, np.finfo(float).tiny)), 0, GRID).astype(int)
         u = np.take_along_axis(laid, k[None], axis=2).reshape(len(laid), -1)
 
         def place(which: NDArray[np.intp], there: Array) -> tuple[Array, Array]:
