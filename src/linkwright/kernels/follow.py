@@ -34,17 +34,36 @@ class Path:
     end: float | None = None
 
 
-class Follower:
+class Corrector:
+    """Newton on one cluster, from inputs in which the coordinates of earlier clusters stand already."""
+
+    def __init__(self, graph: Graph, cluster: Cluster, size: float, kernel: str) -> None:
+        self.cluster, self.n = cluster, len(cluster.free)
+        self.rows = graph.coordinates(cluster)
+        self.solver: Kernel = KERNELS[kernel](graph.solving(cluster))
+        self.scale = np.array(cluster.units(size))
+        self.slides = 1.0 - np.array(cluster.turning, dtype=float)
+
+    def moved(self, step: Array, u: Array) -> Array:
+        """The largest step of a pose's coordinates: (poses,), in rad, and of slides over the size or where it is more
+        over how far they are out, so that one that runs away doesn't do so in ever smaller steps."""
+        size = np.maximum(self.scale[:, None], np.abs(u) * self.slides[:, None])
+        return np.asarray(np.abs(step / size).max(axis=0))
+
+    def newton(self, x: Array, start: Array, p: Array) -> Array:
+        """Newton on all poses at once."""
+        x = x.copy()
+        x[self.rows] = start
+        return self.solver.run(x, p)
+
+
+class Follower(Corrector):
     """Supplies the coordinates of one cluster, from inputs in which those of earlier clusters stand already."""
 
     def __init__(self, graph: Graph, cluster: Cluster, start: list[float], size: float, kernel: str) -> None:
-        n = len(cluster.free)
-        self.cluster, self.n = cluster, n
-        self.rows = graph.coordinates(cluster)
-        self.solver: Kernel = KERNELS[kernel](graph.solving(cluster))
-        self.motion: Kernel = KERNELS[kernel](graph.program([f"rate:{cluster.label}:{i}" for i in range(n)]))
-        self.scale = np.array(cluster.units(size))
-        self.slides = 1.0 - np.array(cluster.turning, dtype=float)
+        super().__init__(graph, cluster, size, kernel)
+        rates = [f"rate:{cluster.label}:{i}" for i in range(self.n)]
+        self.motion: Kernel = KERNELS[kernel](graph.program(rates))
         self.start = np.array(start)
         self.path = Path()
         self.correction = 0.0  # the most that Newton moved a foretold coordinate (rad, or over the size)
@@ -60,18 +79,6 @@ class Follower:
         """The same, as they lie between the solved poses of the path."""
         self.extend(float(t.max(initial=0.0)), p, at)
         return self.between(t)
-
-    def moved(self, step: Array, u: Array) -> Array:
-        """The largest step of a pose's coordinates: (poses,), in rad, and of slides over the size or where it is more
-        over how far they are out, so that one that runs away doesn't do so in ever smaller steps."""
-        size = np.maximum(self.scale[:, None], np.abs(u) * self.slides[:, None])
-        return np.asarray(np.abs(step / size).max(axis=0))
-
-    def newton(self, x: Array, start: Array, p: Array) -> Array:
-        """Newton on all poses at once."""
-        x = x.copy()
-        x[self.rows] = start
-        return self.solver.run(x, p)
 
     def extend(self, to: float, p: Array, at: Callable[[Array], Array]) -> None:
         """Lay the path up to a time."""

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -20,10 +21,29 @@ from linkwright.model.quantities import Quantities, column_unit
 from linkwright.notation import MAX_ORDER, Jet
 
 Array = NDArray[np.float64]
-Law = Callable[[Array], Jet]
+Parameters = Mapping[str, Any]
+"""Values (SI) by name: numbers, or arrays that broadcast with the times."""
 
 ORDER = MAX_ORDER + 1
 MAX_ROWS = 100_000
+
+
+@dataclass(frozen=True)
+class Law:
+    """A drive's value and rates (SI): ``of(times (s), parameters, strict)``; where it has none, NaN, or if ``strict``
+    :class:`ModelError`. ``names`` are the parameters on which it depends."""
+
+    of: Callable[[Array, Parameters, bool], Jet]
+    parameters: Parameters
+    names: frozenset[str] = frozenset()
+
+    def __call__(self, t: Array) -> Jet:
+        """At the nominal parameters."""
+        return self.of(t, self.parameters, True)
+
+    def at(self, t: Array, parameters: Parameters) -> Jet:
+        """At other parameters; NaN where it has no value."""
+        return self.of(t, parameters, False)
 
 
 def drive_laws(quantities: Quantities, folder: Path | None) -> tuple[dict[str, Law], list[Finding]]:
@@ -72,11 +92,8 @@ class _Reader:
             assert drive.start is not None
             assert drive.speed is not None
             change = u.ALPHA if turning else u.ACCELERATION
-            return constant_acceleration(
-                self.quantities.value(drive.start, dimension),
-                self.quantities.value(drive.speed, rate),
-                0.0 if drive.acceleration is None else self.quantities.value(drive.acceleration, change),
-            )
+            given = [(drive.start, dimension), (drive.speed, rate), (drive.acceleration, change)]
+            return self._constant([self.quantities.bind(e, of) for e, of in given if e is not None])
         path = ("drives", name, "position")
         node = self.quantities.bind(drive.position, dimension)
         for part in nodes(node):
@@ -97,34 +114,47 @@ class _Reader:
             return None
         return law
 
-    def _expression(self, drive: str, node: Node) -> Law:
-        parameters, tables = self.quantities.parameters, self.tables
+    def _law(self, of: Callable[[Array, Parameters, bool], Jet], *parts: Node) -> Law:
+        names = {n.text for part in parts for n in nodes(part) if isinstance(n, Name)}
+        return Law(of, self.quantities.parameters, frozenset(names & self.quantities.parameters.keys()))
 
-        def law(t: Array) -> Jet:
+    def _constant(self, parts: list[Node]) -> Law:
+        def law(t: Array, parameters: Parameters, strict: bool) -> Jet:
+            with np.errstate(all="ignore"):
+                return uniform(t, *(evaluate(node, lambda name: parameters[name.text]) for node in parts))
+
+        return self._law(law, *parts)
+
+    def _expression(self, drive: str, node: Node) -> Law:
+        tables = self.tables
+
+        def law(t: Array, parameters: Parameters, strict: bool) -> Jet:
             time = Jet([t, np.ones_like(t), *[np.zeros_like(t)] * (ORDER - 1)])
 
-            def named(name: Name) -> Any:
+            def given(name: Name) -> Any:
                 return time if name.text == "t" else parameters[name.text]
 
             def called(call: Call) -> Jet:
                 table = tables[call.name]
                 assert table is not None
-                argument = evaluate(call.args[0], named, called)
-                return table(argument if isinstance(argument, Jet) else Jet.constant(argument, ORDER))
+                argument = evaluate(call.args[0], given, called)
+                ask = table if strict else table.or_nan
+                return ask(argument if isinstance(argument, Jet) else Jet.constant(argument, ORDER))
 
             try:
                 with np.errstate(all="ignore"):
-                    value = evaluate(node, named, called)
+                    value = evaluate(node, given, called)
             except OutsideTable as error:
                 data = {"drive": drive, "at": error.at, "low": error.low, "high": error.high}
                 raise ModelError([Finding("drive.outside-table", ("drives", drive, "position"), data)]) from None
             except ZeroDivisionError:
                 value = np.nan
             jet = value if isinstance(value, Jet) else Jet.constant(value, ORDER)
-            _must_be_finite(drive, t, jet)
+            if strict:
+                _must_be_finite(drive, t, jet)
             return jet
 
-        return law
+        return self._law(law, node)
 
     def _table(self, name: str, path: tuple[str | int, ...]) -> bool:
         if name not in self.tables:
@@ -140,15 +170,16 @@ class _Reader:
         return table is not None
 
 
+def uniform(t: Array, start: Any, speed: Any, acceleration: Any = 0.0) -> Jet:
+    """A value that changes with constant acceleration; value and speed are those at t = 0."""
+    zero = np.zeros_like(t)
+    value = start + speed * t + acceleration / 2 * t**2
+    return Jet([value, speed + acceleration * t, zero + acceleration, *[zero] * (ORDER - 2)])
+
+
 def constant_acceleration(start: float, speed: float, acceleration: float = 0.0) -> Law:
     """A drive of constant acceleration, or of constant speed; value and speed are those at t = 0."""
-
-    def law(t: Array) -> Jet:
-        zero = np.zeros_like(t)
-        value = start + speed * t + acceleration / 2 * t**2
-        return Jet([value, speed + acceleration * t, zero + acceleration, *[zero] * (ORDER - 2)])
-
-    return law
+    return Law(lambda t, parameters, strict: uniform(t, start, speed, acceleration), {})
 
 
 def _must_be_finite(drive: str, t: Array, jet: Jet) -> None:

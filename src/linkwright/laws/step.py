@@ -17,7 +17,8 @@ def step5(x: Any, x0: Any, h0: Any, x1: Any, h1: Any) -> Any:
     """
     if isinstance(x1 - x0, int | float) and x1 == x0:
         return (h0 + h1) * np.nan
-    u = (x - x0) / (x1 - x0)
+    width = x1 - x0
+    u = (x - x0) / (np.where(width == 0, np.nan, width) if isinstance(width, np.ndarray) else width)
     if isinstance(u, Jet):
         zero, one = Jet.constant(0.0, u.order), Jet.constant(1.0, u.order)
         u = zero.where(u.d[0] <= 0, one.where(u.d[0] >= 1, u))

@@ -17,6 +17,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from linkwright.laws.step import step5
 from linkwright.model.parser import ExpressionError, parse
 from linkwright.model.trees import (
@@ -70,6 +72,8 @@ def _pick(name: str, numbers: Callable[[Any, Any], Any]) -> Callable[..., Any]:
             return _elementary(name)(a, b)
         if type(a).__module__.startswith("casadi") or type(b).__module__.startswith("casadi"):
             return call({"minimum": "fmin", "maximum": "fmax"}[name], a, b)
+        if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
+            return call(name, a, b)
         return numbers(a, b)
 
     return apply

@@ -116,11 +116,13 @@ class Jet:
     def __rtruediv__(self, other: Scalar) -> Jet:
         return Jet.constant(other, self.order) / self
 
-    def __pow__(self, power: float | Jet) -> Jet:
+    def __pow__(self, power: Any) -> Jet:
         if isinstance(power, Jet):
             if all(is_zero(d) for d in power.d[1:]) and np.ndim(power.d[0]) == 0:
                 return self ** float(power.d[0])
             return (self.log() * power).exp()
+        if isinstance(power, np.ndarray):
+            return self._powers(power)
         if power == 0:
             return Jet.constant(1.0, self.order)
         if power == int(power) and 0 < power <= 4:
@@ -130,8 +132,15 @@ class Jet:
             return product
         return self.chain(self.d[0] ** power, lambda f: power * f ** (power - 1))
 
-    def __rpow__(self, base: float) -> Jet:
-        return (self * float(np.log(base))).exp()
+    def _powers(self, power: np.ndarray) -> Jet:
+        """A power that differs from sample to sample."""
+        found = self.chain(self.d[0] ** power, lambda f: power * f._powers(power - 1))
+        for whole in range(5):  # here the chain meets 0/0 where the base is 0
+            found = (self**whole).where(power == whole, found)
+        return found
+
+    def __rpow__(self, base: Scalar) -> Jet:
+        return self.__mul__(call("log", base)).exp()
 
     def chain(self, value: Scalar, slope: Callable[[Jet], Jet]) -> Jet:
         """g(f) from its value and g'(f): (g(f))' = g'(f) f', taken one order lower each time."""
