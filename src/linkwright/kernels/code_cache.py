@@ -17,6 +17,7 @@ import shutil
 import sys
 import tempfile
 from collections.abc import Callable
+from importlib.abc import InspectLoader
 from pathlib import Path
 from types import ModuleType
 
@@ -93,10 +94,23 @@ def _made(where: Path, source: str, read: Callable[[Path, str], ModuleType], nam
         path.write_text(source, encoding="utf-8")
         return read(path, name)
     except OSError:  # no room for the source or for its machine code: nothing is kept
-        module = sys.modules[name] = ModuleType(name)
+        loader = _Text(source)
+        spec = importlib.util.spec_from_loader(name, loader)
+        assert spec is not None
+        module = sys.modules[name] = importlib.util.module_from_spec(spec)
         module.__dict__["CACHE"] = False
-        exec(compile(source, "<kernel>", "exec"), module.__dict__)
+        loader.exec_module(module)
         return module
+
+
+class _Text(InspectLoader):
+    """A module from its text alone."""
+
+    def __init__(self, source: str) -> None:
+        self.source = source
+
+    def get_source(self, fullname: str) -> str:
+        return self.source
 
 
 def _files(place: Path) -> dict[str, str]:

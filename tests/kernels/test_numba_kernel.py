@@ -1,0 +1,184 @@
+"""The Numba kernel's forms against the NumPy kernel, Newton included; its stores past the cache."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from helpers.compiled import compiled_from
+from helpers.examples import heavy_four_bar
+from linkwright.graph.program import Program
+from linkwright.kernels import Compiled, compile_mechanism
+from linkwright.kernels.numba_kernel import PAST, NumbaKernel
+from linkwright.kernels.numba_source import LANES, LONGEST, Source
+from linkwright.kernels.numpy_blocks import NumpyKernel
+from linkwright.kernels.spread import EVEN, FEWEST, spread, stretches
+from linkwright.model.document import load
+
+pytest.importorskip("numba")
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+NAMES = ["C.x", "rocker.angle", "rocker.alpha", "D.x", "motor.torque", "B.vx"]
+
+
+@pytest.fixture(scope="module")
+def four_bar() -> Compiled:
+    data = heavy_four_bar(parameters={"a": 1.0, "b": 3.0, "c": 3.0, "d": 4.0, "m": 2.0})
+    points = data["links"]
+    points["crank"]["points"]["B"] = ["a", 0]
+    points["coupler"]["points"]["C"] = ["b", 0]
+    points["rocker"]["points"]["C"] = ["c", 0]
+    points["frame"]["points"]["D"] = ["d", 0]
+    points["coupler"]["mass"] = "m"
+    return compiled_from(data)
+
+
+@pytest.fixture(scope="module")
+def kernel(four_bar: Compiled) -> NumbaKernel:
+    return NumbaKernel(four_bar.graph.program(NAMES))
+
+
+def close(found: np.ndarray, expected: np.ndarray) -> None:
+    """To 1e-13 of each row's largest magnitude, or of 1."""
+    axes = tuple(range(1, expected.ndim))
+    assert np.array_equal(np.isnan(found), np.isnan(expected))
+    scale = np.maximum(1.0, np.nanmax(np.abs(expected), axis=axes, keepdims=True))
+    assert np.nanmax(np.abs(found - expected) / scale) < 1e-13
+
+
+def samples(compiled: Compiled, count: int) -> np.ndarray:
+    random = np.random.default_rng(3)
+    return compiled.parameters[:, None] * random.uniform(0.97, 1.03, (compiled.parameters.size, count))
+
+
+@pytest.mark.parametrize("poses", [1, 47, 48, LANES, 3 * LANES + 5])
+def test_samples_over_shared_poses(poses: int, four_bar: Compiled, kernel: NumbaKernel) -> None:
+    x, p = four_bar.inputs(np.linspace(0.1, 6.0, poses)), samples(four_bar, 5)
+    expected = NumpyKernel(kernel.program).over(x, p)
+    close(kernel.over(x, p), expected)
+    own = np.repeat(x[:, None], 5, axis=1)
+    close(kernel.over(own, p), expected)
+    close(kernel.run(own.reshape(len(x), -1), np.repeat(p, poses, axis=1)).reshape(expected.shape), expected)
+
+
+def test_a_sample_is_the_same_alone(four_bar: Compiled, kernel: NumbaKernel) -> None:
+    x, p = four_bar.inputs(np.linspace(0.1, 6.0, 200)), samples(four_bar, 7)
+    every = kernel.over(x, p)
+    for i in (0, 3, 6):
+        assert np.array_equal(kernel.over(x, p[:, i : i + 1])[:, 0], every[:, i])
+    assert np.array_equal(kernel.over(x[:, 50:150], p), every[:, :, 50:150])
+
+
+def test_poses_that_cannot_close_are_nan(four_bar: Compiled, kernel: NumbaKernel) -> None:
+    x, p = four_bar.inputs(np.linspace(0.1, 6.0, 100)), samples(four_bar, 3)
+    p[1, 1] = 0.1  # a coupler too short to reach
+    found = kernel.over(x, p)
+    assert np.isnan(found[0, 1]).sum() > 50
+    close(found, NumpyKernel(kernel.program).over(x, p))
+
+
+def test_angles_too_large_to_be_reduced_are_nan(four_bar: Compiled, kernel: NumbaKernel) -> None:
+    x = four_bar.inputs(np.array([0.1, 0.2]))
+    x[0, 1] = 2e8
+    found = kernel.run(x, four_bar.parameters)
+    assert np.isfinite(found[:, 0]).all()
+    assert np.isnan(found[0, 1])
+
+
+@pytest.mark.parametrize("offset", [0, 1, 5])
+def test_stores_past_the_cache(offset: int, four_bar: Compiled, kernel: NumbaKernel) -> None:
+    """Large outputs, from an aligned address and not: the same bits as small ones, and nothing beside them."""
+    poses = PAST // (8 * len(NAMES)) // 8 * 8 + 8
+    x = np.tile(four_bar.inputs(np.linspace(0.1, 6.0, 1000)), -(-poses // 1000))[:, :poses]
+    room = np.full((len(NAMES), poses + 16), 7.0)
+    out = room[:, offset : offset + poses]
+    kernel.run(x, four_bar.parameters, out)
+    small = kernel.run(np.ascontiguousarray(x[:, :1000]), four_bar.parameters)
+    assert np.array_equal(out[:, :1000], small)
+    assert np.array_equal(out[:, -1000:], kernel.run(np.ascontiguousarray(x[:, -1000:]), four_bar.parameters))
+    assert (room[:, :offset] == 7.0).all()
+    assert (room[:, offset + poses :] == 7.0).all()
+
+
+@pytest.mark.parametrize("workers", [1, 2, 3])
+def test_threads_give_the_same_bits(workers: int, four_bar: Compiled, kernel: NumbaKernel) -> None:
+    x = four_bar.inputs(np.linspace(0.1, 60.0, 3 * FEWEST + 17))
+    assert np.array_equal(spread(kernel, x, four_bar.parameters, workers=workers), kernel.run(x, four_bar.parameters))
+
+
+@pytest.mark.parametrize("poses", [0, 1, FEWEST - 1, 2 * FEWEST, 10 * FEWEST + 3])
+def test_stretches_cover_the_poses(poses: int) -> None:
+    for workers in (1, 2, 5):
+        parts = stretches(poses, workers)
+        assert len(parts) <= workers
+        assert [i for part in parts for i in range(poses)[part]] == list(range(poses))
+        assert all(part.start % EVEN == 0 for part in parts)
+
+
+def chain(dyads: int) -> dict[str, Any]:
+    """Four-bars one after another: the rocker of each drives the next."""
+    data = heavy_four_bar()
+    points, rocker = data["links"]["frame"]["points"], "rocker"
+    for k in range(dyads - 1):
+        x = 4 + 4.0 * (k + 1)
+        points[f"G{k}"] = [x, 0]
+        data["links"][rocker]["points"][f"E{k}"] = [0.9, 0.3]
+        data["links"][f"bar{k}"] = {"points": {f"E{k}": [0, 0], f"F{k}": [4, 0]}, "mass": 1, "shape": f"rod E{k}-F{k}"}
+        data["links"][f"arm{k}"] = {
+            "points": {f"G{k}": [0, 0], f"F{k}": [1.5, 0]},
+            "mass": 1,
+            "shape": f"rod G{k}-F{k}",
+        }
+        data["assembly"][f"F{k}"] = f"left of E{k}-G{k}"
+        rocker = f"arm{k}"
+    return data
+
+
+def test_long_programs_are_split() -> None:
+    """Functions of at most some 500 instructions, whose values pass over rows that are used again."""
+    compiled = compiled_from(chain(4))
+    program = compiled.graph.program(["motor.torque", "F2.x", "arm2.alpha"])
+    source = Source(program, "apart")
+    text = str(source)
+    longest = max(part.count("\n") for part in text.split("def block_own")[1:])
+    assert text.count("def block_own") > 1
+    assert longest < LONGEST + 100
+    t = np.linspace(0.1, 6.0, 300)
+    x = compiled.inputs(t)
+    close(NumbaKernel(program).run(x, compiled.parameters), NumpyKernel(program).run(x, compiled.parameters))
+
+
+def solving(name: str) -> tuple[Compiled, Program, list[int], np.ndarray]:
+    """An example with a group beyond the dyads, the program that solves it, its rows, inputs solved already."""
+    compiled = compile_mechanism(load(EXAMPLES / f"{name}.yaml"))
+    program = compiled.graph.solving(compiled.structure.clusters[0])
+    rows = list(program.solves[0].rows)
+    return compiled, program, rows, compiled.inputs(np.linspace(0.0, 0.7, 300))
+
+
+@pytest.mark.parametrize("name", ["sauer_platform", "class_four"])
+def test_newton_in_the_kernel(name: str) -> None:
+    """From starts that are 0.1 % off to the solution; what can't be solved is NaN; no pose has a say in another."""
+    compiled, program, rows, solved = solving(name)
+    random, scale = np.random.default_rng(0), np.array(program.solves[0].scale)[:, None]
+    x = solved.copy()
+    x[rows] += 1e-3 * scale * random.standard_normal((len(rows), x.shape[1]))
+    x[rows[0], 7], x[rows[0], 9] = np.nan, np.inf
+    kernel, plain = NumbaKernel(program), NumpyKernel(program)
+    found, p = kernel.run(x, compiled.parameters), compiled.parameters
+    expected = plain.run(x, p)
+    assert np.isnan(found[:, [7, 9]]).all()
+    assert np.isnan(expected[:, [7, 9]]).all()
+    others = np.delete(np.arange(x.shape[1]), [7, 9])
+    assert np.abs((found - solved[rows])[:, others] / scale).max() < 1e-12
+    assert np.abs((expected - solved[rows])[:, others] / scale).max() < 1e-12
+    assert np.array_equal(kernel.run(x[:, 20:60], p), found[:, 20:60])
+    assert np.array_equal(plain.run(x[:, 20:60], p), expected[:, 20:60])
+    # Samples share the starts and are solved each for its own parameters.
+    both = np.stack([p, p * (1 + 1e-4)], axis=1)
+    over, twin = kernel.over(x[:, 10:], both), plain.over(x[:, 10:], both)
+    assert np.array_equal(over[:, 0], found[:, 10:])
+    assert np.abs((over - twin) / scale[:, None]).max() < 1e-12
