@@ -15,7 +15,7 @@ import casadi as ca
 
 from linkwright.graph.actions import Actions
 from linkwright.graph.geometry import Geometry, widest
-from linkwright.graph.program import ExpressionStage, Program
+from linkwright.graph.program import ExpressionStage, NewtonStage, Program
 from linkwright.graph.view import LETTERS, LINK_ORDERS, SLIDE_ORDERS, View
 from linkwright.model.expressions import Call, Name, parse
 from linkwright.model.quantities import Quantities
@@ -31,7 +31,7 @@ class Graph:
     quantities: Quantities
     structure: Structure
     _views: dict[int, View] = field(default_factory=dict)
-    _programs: dict[tuple[tuple[str, ...], bool], Program] = field(default_factory=dict)
+    _programs: dict[tuple[tuple[str, ...], bool, bool], Program] = field(default_factory=dict)
 
     @cached_property
     def drives(self) -> tuple[str, ...]:
@@ -92,27 +92,52 @@ class Graph:
         assert isinstance(node, Name | Call)
         return self.quantities.signals.find(node)
 
-    def program(self, names: Sequence[str], rates: bool = False) -> Program:
+    def program(self, names: Sequence[str], rates: bool = False, solve: bool = False) -> Program:
         """The program of the named signals; with ``rates``, each followed by its time derivative.
 
+        The inputs have the clusters' coordinates, or with ``solve`` only starts from which the program solves them.
         Names are signals, or the internal rows ``reach:GROUP``, ``determinant:GROUP``, ``LINK:cos``, ``LINK:sin``,
         ``load/NAME``, ``window/NAME``, ``argument/NUMBER``, ``raw/NAME``.
         """
-        key = (tuple(names), rates)
+        key = (tuple(names), rates, solve)
         if key not in self._programs:
             self._programs[key] = self._build(*key)
         return self._programs[key]
 
-    def _build(self, names: tuple[str, ...], rates: bool) -> Program:
+    def solving(self, cluster: Cluster) -> Program:
+        """The program that solves one cluster, from inputs in which the earlier ones stand already."""
+        view, rows = self._view(0), self.coordinates(cluster)
+        block = ExpressionStage.from_rows(view.x, view.p, [view.x[row] for row in rows])
+        names = tuple(self.inputs[row] for row in rows)
+        return Program((self.newton(cluster),), block, self.inputs, self.parameters, names)
+
+    def newton(self, cluster: Cluster) -> NewtonStage:
+        """The stage that solves a cluster."""
+        view = self._view(0)
+        closure = ExpressionStage.from_rows(view.x, view.p, [view.row(name) for name in self.closure(cluster)])
+        sliding = tuple(not turns for turns in cluster.turning)
+        return NewtonStage(tuple(self.coordinates(cluster)), closure, tuple(cluster.units(self.size or 1.0)), sliding)
+
+    def _solves(self, block: ExpressionStage) -> tuple[NewtonStage, ...]:
+        """The Newton stages on which a block depends."""
+        kept: list[NewtonStage] = []
+        used = block.used[0]
+        for cluster in reversed(self.structure.clusters):
+            if used.intersection(self.coordinates(cluster)):
+                kept.insert(0, self.newton(cluster))
+                used |= kept[0].closure.used[0]
+        return tuple(kept)
+
+    def _build(self, names: tuple[str, ...], rates: bool, solve: bool) -> Program:
         order = max((self.order_of(name) for name in names), default=0)
         view = self._view(max(order, 1) if rates and self.structure.clusters else order)
         rows = [ca.SX(view.row(name)) for name in names]
         if rates:
             slopes = ca.jtimes(ca.vertcat(*rows), view.x, self._flow(view))
             rows = [part for i, row in enumerate(rows) for part in (row, slopes[i])]
-        stage = ExpressionStage.from_rows(view.x, view.p, rows)
+        block = ExpressionStage.from_rows(view.x, view.p, rows)
         outputs = tuple(part for name in names for part in ((name, f"d({name})") if rates else (name,)))
-        return Program((stage,), self.inputs, self.parameters, outputs)
+        return Program(self._solves(block) if solve else (), block, self.inputs, self.parameters, outputs)
 
     def _flow(self, view: View) -> Any:
         """The rate of change of the inputs in time."""

@@ -262,7 +262,7 @@ class Explorer:
     def search(self, cluster: Cluster) -> list[list[float]]:
         """Solutions of a cluster from many starts."""
         n, graph = len(cluster.free), self.graph
-        function = graph.program(graph.closure(cluster)).stages[0].function
+        function = graph.program(graph.closure(cluster)).block.function
         rows = graph.coordinates(cluster)
         parameters = np.array([self.quantities.parameters[name] for name in graph.parameters])
         known = self.inputs()

@@ -1,7 +1,8 @@
 """Programs: what a kernel runs, as a list of stages with named inputs and outputs.
 
-Stages are of three kinds: a block of straight-line expressions, a Newton solve of a higher group, a pivoted
-linear solve. Mechanisms of dyads need the first kind only, which is the one defined here.
+Stages are of two kinds: a block of straight-line expressions, and a Newton solve of a higher group's closure. A
+mechanism of dyads is a single block. The linear systems of rates and forces stay in the block, as a sparse QR
+written out: it keeps its digits, and costs no more than a solve in a stage of its own (docs/performance.md).
 """
 
 from __future__ import annotations
@@ -42,14 +43,20 @@ class ExpressionStage:
         return int(self.function.size1_in(0))
 
     @cached_property
+    def rows(self) -> int:
+        """The number of output rows."""
+        return int(self.function.size1_out(0))
+
+    @cached_property
     def slots(self) -> int:
         """The number of work slots."""
         return int(self.function.sz_w())
 
     @cached_property
-    def used(self) -> frozenset[int]:
-        """The per-pose inputs on which something depends."""
-        return frozenset(i.args[1] for i in self.instructions if i.op == ca.OP_INPUT and i.args[0] == 0)
+    def used(self) -> tuple[frozenset[int], frozenset[int]]:
+        """The per-pose inputs and the parameters on which something depends."""
+        read = [i.args for i in self.instructions if i.op == ca.OP_INPUT]
+        return frozenset(row for k, row in read if k == 0), frozenset(row for k, row in read if k == 1)
 
     @cached_property
     def instructions(self) -> tuple[Instruction, ...]:
@@ -67,14 +74,55 @@ class ExpressionStage:
 
 
 @dataclass(frozen=True)
-class Program:
-    """Stages, the names of per-pose inputs, of parameters, and of outputs."""
+class NewtonStage:
+    """A higher group's closure solved by Newton: the input ``rows`` hold the start and are replaced by the solution.
 
-    stages: tuple[ExpressionStage, ...]
+    ``closure`` computes what each of the n closures misses, then its n slopes, row by row. Steps are measured over
+    ``scale`` (1 rad, or the mechanism's size), those of ``sliding`` coordinates over their own magnitude where that is
+    more. A pose is solved when a step falls below :data:`SOLVED`; one whose last step of :data:`MOST_STEPS` isn't
+    below :data:`ACCEPTED`, or whose slopes are singular, comes out as NaN.
+    """
+
+    rows: tuple[int, ...]
+    closure: ExpressionStage
+    scale: tuple[float, ...]
+    sliding: tuple[bool, ...]
+
+
+SOLVED, ACCEPTED, MOST_STEPS = 1e-14, 1e-10, 30
+
+
+@dataclass(frozen=True)
+class Program:
+    """Stages, the names of per-pose inputs, of parameters, and of outputs.
+
+    The Newton stages come first, in the order in which they can be solved; the last stage is the block of the outputs.
+    """
+
+    solves: tuple[NewtonStage, ...]
+    block: ExpressionStage
     inputs: tuple[str, ...]
     parameters: tuple[str, ...]
     outputs: tuple[str, ...]
 
+    @cached_property
+    def used(self) -> tuple[frozenset[int], frozenset[int]]:
+        """The per-pose inputs and the parameters on which something depends."""
+        stages = [self.block, *(stage.closure for stage in self.solves)]
+        starts = frozenset(row for stage in self.solves for row in stage.rows)
+        return starts.union(*(s.used[0] for s in stages)), frozenset().union(*(s.used[1] for s in stages))
+
+    @cached_property
+    def size(self) -> int:
+        """The number of instructions of all stages."""
+        return sum(len(s.instructions) for s in (self.block, *(stage.closure for stage in self.solves)))
+
     def __call__(self, x: np.ndarray, p: np.ndarray) -> np.ndarray:
         """One pose by CasADi's own virtual machine: the reference that emitters are held to."""
-        return np.asarray(self.stages[0].function(x, p)).ravel()
+        x = np.array(x, dtype=float)
+        for stage in self.solves:
+            rows, n = list(stage.rows), len(stage.rows)
+            for _ in range(MOST_STEPS):
+                y = np.asarray(stage.closure.function(x, p)).ravel()
+                x[rows] -= np.linalg.solve(y[n:].reshape(n, n), y[:n])
+        return np.asarray(self.block.function(x, p)).ravel()

@@ -107,7 +107,7 @@ class Compiled:
         if key not in self._kernels:
             self._kernels[key] = KERNELS[self.kernel](self.graph.program(*key))
         program = self.graph.program(*key)
-        actions = any(row >= self.supply.first for row in program.stages[0].used)
+        actions = any(row >= self.supply.first for row in program.used[0])
         return self._kernels[key].run(self.inputs(t, actions=actions), self.parameters)
 
     def _limits(self, passage: Passage, names: tuple[str, ...], t: Array, rates: bool) -> Array:

@@ -41,7 +41,7 @@ class Follower:
         n = len(cluster.free)
         self.cluster, self.n = cluster, n
         self.rows = graph.coordinates(cluster)
-        self.closure: Kernel = KERNELS[kernel](graph.program(graph.closure(cluster)))
+        self.solver: Kernel = KERNELS[kernel](graph.solving(cluster))
         self.motion: Kernel = KERNELS[kernel](graph.program([f"rate:{cluster.label}:{i}" for i in range(n)]))
         self.scale = np.array(cluster.units(size))
         self.slides = 1.0 - np.array(cluster.turning, dtype=float)
@@ -65,25 +65,9 @@ class Follower:
 
     def newton(self, x: Array, start: Array, p: Array) -> Array:
         """Newton on all poses at once."""
-        u, x = start.copy(), x.copy()
-        for _ in range(30):
-            x[self.rows] = u
-            y = self.closure.run(x, p)
-            gap, slope = y[: self.n], y[self.n :].reshape(self.n, self.n, -1)
-            known = np.isfinite(y).all(axis=0)
-            step = np.zeros_like(u)
-            try:
-                step[:, known] = np.linalg.solve(slope[:, :, known].transpose(2, 0, 1), gap[:, known].T[..., None])[
-                    ..., 0
-                ].T
-            except np.linalg.LinAlgError:
-                return np.full_like(u, np.nan)
-            u = u - step
-            worst = self.moved(step, u)
-            if worst.max(initial=0.0) < 1e-14:
-                break
-        u[:, ~(worst < 1e-10)] = np.nan
-        return u
+        x = x.copy()
+        x[self.rows] = start
+        return self.solver.run(x, p)
 
     def extend(self, to: float, p: Array, at: Callable[[Array], Array]) -> None:
         """Lay the path up to a time."""

@@ -1,24 +1,30 @@
 """The NumPy emitter: a program's instructions as ufunc calls over blocks of poses, written into work slots.
 
-Nothing is compiled. What depends on the parameters alone is computed once per call, on plain numbers; the rest
-runs over blocks small enough for the work slots to stay in cache.
+Nothing is compiled. What depends on the parameters alone is computed once per call, on plain numbers, or once a
+sample where they vary; what depends on the pose's inputs alone once a pose for all samples of a block. Blocks are small
+enough for the work slots to stay in cache.
 """
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
-from typing import Any
+from typing import Any, ClassVar
 
 import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.program import ExpressionStage, Instruction, Program
-from linkwright.kernels.registry import register
+from linkwright.kernels.newton import solve
+from linkwright.kernels.registry import flattened, register
 
 Array = NDArray[np.float64]
 
 BLOCK = 2048
+X, P, XP = 1, 2, 3
+"""What a value depends on: the pose's inputs, the sample's parameters, both; its row has one axis or both."""
+Shapes = dict[int, tuple[int, ...]]
 
 _UNARY: dict[int, Any] = {
     ca.OP_NEG: np.negative, ca.OP_SQRT: np.sqrt, ca.OP_SIN: np.sin, ca.OP_COS: np.cos, ca.OP_TAN: np.tan,
@@ -33,64 +39,109 @@ _BINARY: dict[int, Any] = {
     ca.OP_LT: np.less, ca.OP_LE: np.less_equal, ca.OP_EQ: np.equal, ca.OP_NE: np.not_equal,
     ca.OP_AND: np.logical_and, ca.OP_OR: np.logical_or,
 }  # fmt: skip
-Operand = float | int
-"""A uniform number, or the index of a row of the block."""
+Row = tuple[int, int]
+"""A row of a block: what it depends on and its number; inputs are numbered from -1 down, parameters after them."""
+Operand = float | Row
+"""A uniform number, or a row."""
 
 
 @register
 class NumpyKernel:
     """Runs a program over arrays of poses. ``run`` wants every input row of the program, in its order."""
 
-    name = "numpy"
+    name: ClassVar[str] = "numpy"
 
     def __init__(self, program: Program) -> None:
         self.program = program
-        self._plan: tuple[bytes, _Plan] | None = None
-        self._block: _Block | None = None
+        self.block = _Stage(program.block)
+        self.closures = [_Stage(stage.closure) for stage in program.solves]
+
+    @classmethod
+    def available(cls) -> bool:
+        """NumPy is always there."""
+        return True
 
     def run(self, x: Array, p: Array, out: Array | None = None) -> Array:
         """All outputs at all poses.
 
-        Parameters: ``x`` (inputs, poses) the per-pose inputs, ``p`` (parameters,), both in SI. Returns
-        (outputs, poses), written into ``out`` when given. At poses where a group can't close its rows come out
+        Parameters: ``x`` (inputs, poses) the per-pose inputs, ``p`` (parameters,) or (parameters, poses), both in SI.
+        Returns (outputs, poses), written into ``out`` when given. At poses where a group can't close its rows come out
         as NaN and its ``reach`` row is negative; the results turn that into a typed failure.
         """
-        poses = x.shape[1]
         if out is None:
-            out = np.empty((len(self.program.outputs), poses))
-        plan = self._planned(np.ascontiguousarray(p))
-        size = max(1, min(BLOCK, poses))
-        block = self._blocked(plan, size)
-        with np.errstate(all="ignore"):
-            for start in range(0, poses, size):
-                if start + size > poses:
-                    block = _Block(plan, poses - start)
-                block.run(x[:, start : start + size], out[:, start : start + size])
+            out = np.empty((len(self.program.outputs), x.shape[1]))
+        x = solve(self.program.solves, self.closures, x, p)
+        self.block.run(x, p, out)
         return out
 
-    def _planned(self, p: Array) -> _Plan:
-        key = p.tobytes()
-        if self._plan is None or self._plan[0] != key:
-            self._plan = key, _Plan(self.program.stages[0], p)
-        return self._plan[1]
+    def over(self, x: Array, p: Array, out: Array | None = None) -> Array:
+        """All outputs of all samples at all poses.
 
-    def _blocked(self, plan: _Plan, size: int) -> _Block:
-        """A block of the size; the last one is kept, for searches that ask for few poses many times."""
-        if self._block is None or self._block.plan is not plan or self._block.size != size:
-            self._block = _Block(plan, size)
-        return self._block
+        Parameters: ``x`` (inputs, poses), the same for all samples, or (inputs, samples, poses); ``p`` (parameters,
+        samples). Returns (outputs, samples, poses).
+        """
+        if out is None:
+            out = np.empty((len(self.program.outputs), p.shape[1], x.shape[-1]))
+        if self.program.solves:
+            return flattened(self, x, p, out, BLOCK)
+        self.block.over(x, p, out)
+        return out
+
+
+class _Stage:
+    """A block of expressions as a plan of calls, kept for the last parameters and shape of blocks of each thread."""
+
+    def __init__(self, stage: ExpressionStage) -> None:
+        self.stage, self.kept = stage, threading.local()
+
+    def run(self, x: Array, p: Array, out: Array | None = None) -> Array:
+        """The rows over poses."""
+        poses = x.shape[1]
+        if out is None:
+            out = np.empty((self.stage.rows, poses))
+        uniform = p if p.ndim == 1 else None
+        for start in range(0, poses, BLOCK):
+            part = slice(start, start + BLOCK)
+            block = self._block(uniform, (X, X), {X: (min(BLOCK, poses - start),)})
+            block.run(x[:, part], p if uniform is not None else p[:, part], out[:, part])
+        return out
+
+    def over(self, x: Array, p: Array, out: Array) -> None:
+        """The rows over samples and poses."""
+        samples, poses = out.shape[1:]
+        width = max(1, min(BLOCK, poses))
+        height = max(1, BLOCK // width)
+        for first in range(0, samples, height):
+            some = slice(first, first + height)
+            tall = min(height, samples - first)
+            for start in range(0, poses, width):
+                part, wide = slice(start, start + width), min(width, poses - start)
+                block = self._block(None, (X if x.ndim == 2 else XP, P), {X: (wide,), P: (tall, 1), XP: (tall, wide)})
+                inputs = x[:, part] if x.ndim == 2 else x[:, some, part]
+                block.run(inputs, p[:, some, None], out[:, some, part])
+
+    def _block(self, p: Array | None, kinds: tuple[int, int], shapes: Shapes) -> _Block:
+        """A block for uniform parameters, or for those of each pose or sample; the last one is kept."""
+        kept, about = self.kept.__dict__, (None if p is None else p.tobytes(), kinds)
+        if kept.get("about") != about:
+            kept.update(about=about, plan=_Plan(self.stage, p, kinds), shapes=None)
+        if kept["shapes"] != shapes:
+            kept.update(shapes=shapes, block=_Block(kept["plan"], shapes))
+        block: _Block = kept["block"]
+        return block
 
 
 class _Plan:
-    """A stage with its uniform part done: ``work`` is what is left per pose, over rows of a block.
+    """A stage with its uniform part done: ``work`` is what is left, over rows of a block.
 
-    A block's rows are the work slots, then the inputs. An instruction of ``work`` is (function, operands, row).
+    An instruction of ``work`` is (function, operands, row).
     """
 
-    def __init__(self, stage: ExpressionStage, p: Array) -> None:
-        self.p, self.slots, self.inputs = p, stage.slots, stage.inputs
-        self.work: list[tuple[Callable[..., Any], tuple[Operand, ...], int]] = []
+    def __init__(self, stage: ExpressionStage, p: Array | None, kinds: tuple[int, int]) -> None:
+        self.p, self.kinds = p, kinds
+        self.work: list[tuple[Callable[..., Any], tuple[Operand, ...], Row]] = []
         self.outputs: list[tuple[int, int, Operand]] = []  # (place in work, output, its operand)
+        self.inputs: dict[Row, tuple[int, int]] = {}  # the rows that are copied in, by (0: x, 1: p; its row)
         self.holds: dict[int, Operand] = {}  # what each slot stands for while the list is read
         with np.errstate(all="ignore"):
             for instruction in stage.instructions:
@@ -101,7 +152,12 @@ class _Plan:
             self.holds[i.out] = i.value
         elif i.op == ca.OP_INPUT:
             which, row = i.args
-            self.holds[i.out] = float(self.p[row]) if which == 1 else self.slots + row
+            if which == 1 and self.p is not None:
+                self.holds[i.out] = float(self.p[row])
+                return
+            to = self.kinds[which], -1 - 2 * row - which
+            self.inputs[to] = which, row
+            self.holds[i.out] = to
         elif i.op == ca.OP_OUTPUT:
             self.outputs.append((len(self.work) + len(self.outputs), i.out, self.holds[i.args[0]]))
         else:
@@ -109,11 +165,14 @@ class _Plan:
 
     def compute(self, i: Instruction) -> None:
         function, operands = self.lookup(i)
-        if all(isinstance(o, float) for o in operands):
+        kind = 0
+        for operand in operands:
+            kind |= 0 if isinstance(operand, float) else operand[0]
+        if not kind:
             self.holds[i.out] = float(function(*operands))
         else:
-            self.work.append((function, tuple(operands), i.out))
-            self.holds[i.out] = i.out
+            self.work.append((function, tuple(operands), (kind, i.out)))
+            self.holds[i.out] = kind, i.out
 
     def lookup(self, i: Instruction) -> tuple[Callable[..., Any], list[Operand]]:
         first = self.holds[i.args[0]]
@@ -140,22 +199,24 @@ def _if_else_zero(condition: Any, value: Any, out: Array | None = None) -> Any:
 class _Block:
     """The rows of one block, and the calls bound to them."""
 
-    def __init__(self, plan: _Plan, size: int) -> None:
-        self.plan, self.size = plan, size
-        rows = np.empty((plan.slots + plan.inputs, size))
-        self.x = rows[plan.slots :]
-        self.results = [rows[o] if isinstance(o, int) else o for _, _, o in plan.outputs]
+    def __init__(self, plan: _Plan, shapes: Shapes) -> None:
+        self.plan = plan
+        rows = {row: np.empty(shapes[row[0]]) for row in {*plan.inputs, *(to for _, _, to in plan.work)}}
+        self.inputs = [(rows[row], *source) for row, source in plan.inputs.items()]
+        self.results = [o if isinstance(o, float) else rows[o] for _, _, o in plan.outputs]
         self.calls: list[tuple[Callable[..., Any], tuple[Any, ...]]] = [
-            (function, (*(rows[o] if isinstance(o, int) else o for o in operands), rows[to]))
+            (function, (*(o if isinstance(o, float) else rows[o] for o in operands), rows[to]))
             for function, operands, to in plan.work
         ]
         for place, _, _ in plan.outputs:
             self.calls.insert(place, (np.copyto, ()))
 
-    def run(self, x: Array, out: Array) -> None:
+    def run(self, x: Array, p: Array, out: Array) -> None:
         """Compute the block's poses; results are copied out where the list says, as slots are used again."""
-        np.copyto(self.x, x)
+        for to, which, row in self.inputs:
+            np.copyto(to, (x, p)[which][row])
         for (place, output, _), result in zip(self.plan.outputs, self.results, strict=True):
             self.calls[place] = np.copyto, (out[output], result)
-        for function, args in self.calls:
-            function(*args)
+        with np.errstate(all="ignore"):
+            for function, args in self.calls:
+                function(*args)

@@ -2,26 +2,42 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from importlib import import_module
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.program import Program
+from linkwright.model.findings import Finding, ModelError
 from linkwright.notation.registry import Registry
 
 Array = NDArray[np.float64]
 
 
 class Kernel(Protocol):
-    """What every emitter gives: ``run`` over poses."""
+    """What every emitter gives. A kernel runs on one thread, lets others run meanwhile, and may be called from several.
 
-    name: str
+    The figures of a pose don't depend on how many others are computed with it, to the last bit.
+    """
 
-    def __init__(self, program: Program) -> None: ...
+    name: ClassVar[str]
+    program: Program
+
+    def __init__(self, program: Program) -> None:
+        """Raises :class:`ModelError` where a package that the kernel needs isn't installed."""
+
+    @classmethod
+    def available(cls) -> bool:
+        """Whether the packages that the kernel needs are installed; nothing is imported to find out."""
 
     def run(self, x: Array, p: Array, out: Array | None = None) -> Array:
-        """All outputs (rows) at all poses (columns) from the per-pose inputs x and the parameters p, in SI."""
+        """All outputs at all poses, (outputs, poses), in SI: from the per-pose inputs x (inputs, poses) and the
+        parameters p, (parameters,) or (parameters, poses)."""
+
+    def over(self, x: Array, p: Array, out: Array | None = None) -> Array:
+        """All outputs of all samples at all poses, (outputs, samples, poses), in SI: from inputs x that samples share,
+        (inputs, poses), or have each, (inputs, samples, poses), and parameters p (parameters, samples)."""
 
 
 KERNELS: Registry[type[Kernel]] = Registry()
@@ -31,3 +47,25 @@ def register(cls: type[Kernel]) -> type[Kernel]:
     """Register a kernel under its name; a second one of the same name is an error."""
     KERNELS[cls.name] = cls
     return cls
+
+
+def required(package: str, extra: str) -> Any:
+    """A package that only some kernels need, imported; ``extra`` is what brings it."""
+    try:
+        return import_module(package)
+    except ImportError:
+        data = {"package": package, "extra": extra}
+        raise ModelError([Finding("file.needs-package", (), data)]) from None
+
+
+def flattened(kernel: Kernel, x: Array, p: Array, out: Array, block: int) -> Array:
+    """What ``over`` gives, by ``run`` over all pairs of samples and poses, some ``block`` of them at a time."""
+    samples, poses = out.shape[1:]
+    step = max(1, block // max(poses, 1))
+    for first in range(0, samples, step):
+        some = slice(first, first + step)
+        count = min(step, samples - first)
+        inputs = np.broadcast_to(x[:, None, :], (len(x), count, poses)) if x.ndim == 2 else x[:, some]
+        parameters = np.repeat(p[:, some], poses, axis=1)
+        out[:, some] = kernel.run(inputs.reshape(len(x), -1), parameters).reshape(len(out), count, poses)
+    return out
