@@ -8,14 +8,11 @@ from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.graph.program import Program
-from linkwright.kernels import KERNELS
-from linkwright.model.findings import ModelError
+from linkwright.kernels import KERNELS, Compiled, Kernel
 
 Array = NDArray[np.float64]
 
@@ -62,52 +59,53 @@ def timed(action: Callable[[], object]) -> float:
 
 
 class Threads:
-    """A kernel over the pose axis in equal parts, a thread and a kernel of its own for each.
+    """A kernel over the pose axis in equal parts, a thread for each."""
 
-    Kernels may keep work space between calls, so that threads don't share one.
-    """
-
-    def __init__(self, kernel: str, program: Program, threads: int) -> None:
-        self.kernels = [KERNELS[kernel](program) for _ in range(threads)]
+    def __init__(self, kernel: Kernel, threads: int) -> None:
+        self.kernel, self.threads = kernel, threads
         self.pool = ThreadPoolExecutor(threads) if threads > 1 else None
 
     def run(self, x: Array, p: Array, out: Array) -> Array:
         """All outputs (outputs, poses), written into ``out``."""
         if self.pool is None:
-            return self.kernels[0].run(x, p, out)
-        bounds = np.linspace(0, x.shape[1], len(self.kernels) + 1).astype(int)
-        parts = [
-            self.pool.submit(kernel.run, x[:, a:b], p, out[:, a:b])
-            for kernel, (a, b) in zip(self.kernels, pairwise(bounds), strict=True)
-        ]
+            return self.kernel.run(x, p, out)
+        bounds = pairwise(np.linspace(0, x.shape[1], self.threads + 1).astype(int))
+        parts = [self.pool.submit(self.kernel.run, x[:, a:b], p, out[:, a:b]) for a, b in bounds]
         for part in parts:
             part.result()
         return out
 
 
-def linkwright_ways(
-    compiled: Any, names: Sequence[str], t: Array, samples: Array, skipped: list[str], threads: Sequence[int] = (1, 2)
-) -> Iterator[Way]:
-    """Every kernel that is here over the times ``t`` (s), its outputs at the times ``samples``.
+def kernels(skipped: list[str]) -> Iterator[type[Kernel]]:
+    """Every kernel whose packages are installed; the others are noted."""
+    for name in KERNELS:
+        if KERNELS[name].available():
+            yield KERNELS[name]
+        else:
+            skipped.append(f"kernel {name}: its package isn't installed")
 
-    The inputs are ready and ``out`` is there; the last way of each kernel goes from times to fresh outputs.
+
+def linkwright_ways(
+    compiled: Compiled, names: Sequence[str], t: Array, samples: Array, skipped: list[str]
+) -> Iterator[Way]:
+    """Every kernel over the times ``t`` (s) on one and two threads, its outputs at the times ``samples``.
+
+    The inputs are ready and ``out`` is there; the last way of each kernel goes from times to new arrays.
     """
     program, p = compiled.graph.program(names), compiled.parameters
     x, few, out = compiled.inputs(t), compiled.inputs(samples), np.empty((len(names), t.size))
-    for name in KERNELS:
-        try:
-            spreads = {n: Threads(name, program, n) for n in threads}
-            spreads[threads[0]].run(few, p, np.empty((len(names), samples.size)))
-        except (ImportError, ModelError) as error:
-            skipped.append(f"kernel {name}: {error}")
-            continue
+    for kind in kernels(skipped):
+        kernel = kind(program)
+        for threads in (1, 2):
+            spread = Threads(kernel, threads)
 
-        def run(spread: Threads) -> tuple[float, Array]:
-            return timed(lambda: spread.run(x, p, out)), spread.run(few, p, np.empty((len(names), samples.size)))
+            def ready(spread: Threads = spread) -> tuple[float, Array]:
+                return timed(lambda: spread.run(x, p, out)), spread.run(few, p, np.empty((len(names), samples.size)))
 
-        def whole(spread: Threads) -> tuple[float, Array]:
-            return timed(lambda: spread.run(compiled.inputs(t), p, np.empty_like(out))), run(spread)[1]
+            yield Way("linkwright", f"{kernel.name}, {threads} thread{'s' * (threads > 1)}", t.size, ready)
 
-        for n, spread in spreads.items():
-            yield Way("linkwright", f"{name}, {n} thread{'s' * (n > 1)}", t.size, lambda s=spread: run(s))
-        yield Way("linkwright", f"{name}, {n} threads, from times to new arrays", t.size, lambda s=spread: whole(s))
+        def whole(spread: Threads = spread) -> tuple[float, Array]:
+            seconds = timed(lambda: spread.run(compiled.inputs(t), p, np.empty_like(out)))
+            return seconds, spread.run(few, p, np.empty((len(names), samples.size)))
+
+        yield Way("linkwright", f"{kernel.name}, 2 threads, from times to new arrays", t.size, whole)

@@ -8,7 +8,6 @@ settings (full Newton, index 3, other linear solvers, no adaptive steps) came ou
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -95,7 +94,7 @@ class Model:
             body = self.mbs.AddObject(eu.ObjectRigidBody2D(mass=mass, inertia=inertia, nodeNumber=node))
         else:
             node = self.mbs.AddNode(eu.NodePoint2D(referenceCoordinates=at[:2], initialVelocities=v[:2]))
-            body = self.mbs.AddObject(eu.ObjectMassPoint2D(physicsMass=mass, nodeNumber=node))
+            body = self.mbs.AddObject(eu.ObjectMassPoint2D(mass=mass, nodeNumber=node))
         self.nodes[link], self.bodies[link] = node, body
         centre = self.mbs.AddMarker(eu.MarkerBodyPosition(bodyNumber=body, localPosition=[0, 0, 0]))
         self.mbs.AddLoad(eu.LoadForceVector(markerNumber=centre, loadVector=[0, -mass * 9.80665, 0]))
@@ -176,8 +175,3 @@ def integrated(steps: int) -> Way:
         return seconds, np.array([*motion, *-a[:2], *-c[:2], -slide[0], -motor[0]])
 
     return Way("Exudyn", f"Newmark, {steps} steps a turn", steps, run, steps)
-
-
-def ways(steps: int) -> Iterator[Way]:
-    """The one that comes to 0.01 N at 1800 steps a turn."""
-    yield integrated(steps)

@@ -1,11 +1,13 @@
 """linkwright against other engines: ``python benchmarks/peers.py [--json] [--poses 1000000] [--rounds 5]``.
 
+Needs the extra ``peers``; an engine that isn't installed is left out, and said.
+
 The paper feeder's 18 outputs (positions, rates, reactions, torque) against Exudyn and MuJoCo, a four-bar against
 pylinkage's compiled path. All take turns, in rounds: times are medians, ratios those of the rounds. Errors are the
-largest at 60 poses of a turn, against 50 digits (exact.py). An engine that isn't installed is left out, and said.
+largest at 60 poses of a turn, against 50 digits (exact.py).
 
-A pose of Exudyn or MuJoCo is a step of integration in time. Those with small errors need many steps a turn; ``of 200``
-is the ratio where 200 poses a turn are wanted.
+A pose of Exudyn or MuJoCo is a step of integration in time, and small errors need many steps a turn: ``of 200`` is the
+ratio where 200 poses a turn are wanted.
 """
 
 from __future__ import annotations
@@ -31,6 +33,8 @@ STEPS = 1800
 WANTED = 200
 POSITIONS = ["B.x", "B.y", "C.x", "C.y"]
 RATES = [f"{point}.{k}{axis}" for point in "BC" for k in ("", "v", "a") for axis in "xy"]
+SHOWN = {"position_mm": "mm", "acceleration_m_s2": "m/s2", "force_N": "N", "torque_Nm": "N m"}
+"""The errors that the tables show."""
 Figures = dict[str, Any]
 
 
@@ -76,7 +80,7 @@ def feeder(poses: int, rounds: int, steps: int, skipped: list[str]) -> Figures:
     if there("exudyn", skipped):
         import feeder_exudyn
 
-        ways += feeder_exudyn.ways(steps)
+        ways.append(feeder_exudyn.integrated(steps))
     if there("mujoco", skipped):
         import feeder_mujoco
 
@@ -90,8 +94,8 @@ def four_bars(poses: int, rounds: int, skipped: list[str]) -> Iterator[tuple[str
     t = np.arange(1, poses + 1) / poses
     pick = np.linspace(0, poses - 1, 60).astype(int)
     for what, names in (("four_bar_positions", POSITIONS), ("four_bar_rates", RATES)):
-        ways = list(linkwright_ways(compiled, names, t, t[pick], skipped if names is POSITIONS else []))
-        if there("pylinkage", skipped if names is POSITIONS else []):
+        ways = list(linkwright_ways(compiled, names, t, t[pick], skipped))
+        if all(there(package, skipped) for package in ("pylinkage", "numba")):
             import four_bar_pylinkage
 
             ways.append(four_bar_pylinkage.way(poses, pick, names is RATES))
@@ -143,9 +147,6 @@ def lines(figures: Figures) -> Iterator[str]:
             yield line + ", ".join(f"{'none' if e is None else f'{e:.1e}'} {SHOWN[unit]}" for unit, e in off)
         yield ""
     yield from (f"left out: {reason}" for reason in figures["skipped"])
-
-
-SHOWN = {"position_mm": "mm", "acceleration_m_s2": "m/s2", "force_N": "N", "torque_Nm": "N m"}
 
 
 def main() -> None:

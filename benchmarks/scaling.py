@@ -1,11 +1,12 @@
 """Time against the number of links: ``python benchmarks/scaling.py [--json] [--largest 40] [--poses 20000]``.
 
 Chains of 2 to 40 dyads: a crank rocks the first of a row of parallelograms, each driven by the rocker before it. All
-links have mass; outputs are each rocker's joint with its acceleration and reaction on the frame, and the drive's torque.
-The rockers turn like the crank, whatever the length of the chain: that is what the poses are held to.
+links have mass; outputs are each rocker's joint, angular acceleration and force from the frame, and the drive's torque.
+The rockers turn like the crank, whatever the length of the chain, so that the last joint's height and the torque have
+closed forms: the largest error of both, over their largest magnitude, stands beside the times.
 
-Of each kernel: building it (its first run included) and run time, on one thread and on two. A kernel that keeps what it
-has built in the user's cache folder is given an empty one.
+Of each kernel: building it (its first run included), run time on one thread, how much faster two are. A kernel that
+keeps what it has built in the user's cache folder is given an empty one.
 """
 
 from __future__ import annotations
@@ -18,16 +19,15 @@ import sys
 import tempfile
 import time
 from collections.abc import Iterator
-from pathlib import Path
+from functools import partial
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
-from contest import Threads, timed
+from contest import Array, Threads, kernels
 from run import median
 
 import linkwright as lw
-from linkwright.kernels import KERNELS
-from linkwright.model.findings import ModelError
 
 SIZES = (2, 5, 10, 20, 40)
 SWING = 0.5
@@ -59,48 +59,69 @@ def outputs(dyads: int) -> list[str]:
     return [*(name.format(i) for i in range(1, dyads + 1) for name in each), "motor.torque"]
 
 
+def exact(dyads: int, q: Array, alpha: Array) -> Array:
+    """The height of the last joint (m) and the drive's torque (N m), in closed form.
+
+    The rockers turn about their ends (m r^2 / 3), the couplers go round in circles of radius r.
+    """
+    r = 0.3
+    inertia = ((dyads + 1) / 3 + dyads * 0.5) * r**2
+    return np.array([r * np.sin(q), inertia * alpha + 9.80665 * r * ((dyads + 1) / 2 + dyads * 0.5) * np.cos(q)])
+
+
 def measure(dyads: int, poses: int, repeats: int) -> Row:
     """The figures of one chain."""
     document, names = chain(dyads), outputs(dyads)
     start = time.perf_counter()
     compiled = lw.compile(document)
     program = compiled.graph.program(names)
-    instructions = len(program.stages[0].instructions)
-    row: Row = {"dyads": dyads, "instructions": instructions, "graph_s": time.perf_counter() - start, "kernels": {}}
-    x, out = compiled.inputs(np.linspace(0.0, 1.0, poses)), np.empty((len(names), poses))
-    for name in KERNELS:
-        say(f"{dyads} dyads, {instructions} instructions: {name}")
-        found: dict[str, Any] = {}
-
-        def build(kernel: str = name, found: dict[str, Any] = found) -> None:
-            found["alone"] = Threads(kernel, program, 1)
-            found["alone"].run(x[:, :64], compiled.parameters, out[:, :64])
-
-        try:
-            seconds = timed(build)
-        except (ImportError, ModelError) as error:
-            say(f"{name} left out: {error}")
-            continue
-        both = Threads(name, program, 2)
-        times = [
-            median(lambda s=spread: s.run(x, compiled.parameters, out), repeats) for spread in (found["alone"], both)
-        ]
-        row["kernels"][name] = {
-            "build_s": seconds,
-            "ns_per_pose": 1e9 * times[0] / poses,
-            "ns_per_pose_and_dyad": 1e9 * times[0] / poses / dyads,
-            "threads_2_faster": times[0] / times[1],
-            "error_m": off(out, x, compiled),
-        }
+    row: Row = {"dyads": dyads, "instructions": program.size, "graph_s": time.perf_counter() - start, "kernels": {}}
+    x, p, out = compiled.inputs(np.linspace(0.0, 1.0, poses)), compiled.parameters, np.empty((len(names), poses))
+    true = exact(dyads, x[0], x[2])
+    skipped: list[str] = []
+    for kind in kernels(skipped):
+        start = time.perf_counter()
+        kernel = kind(program)
+        kernel.run(x[:, :64], p, out[:, :64])
+        figures = {"build_s": time.perf_counter() - start}
+        spreads = [Threads(kernel, n) for n in (1, 2)]
+        times = [median(partial(spread.run, x, p, out), repeats) / poses for spread in spreads]
+        off = np.abs(out[[-4, -1]] - true).max(axis=1) / np.abs(true).max(axis=1)
+        figures |= {"ns_per_pose": 1e9 * times[0], "ns_per_pose_and_dyad": 1e9 * times[0] / dyads}
+        row["kernels"][kernel.name] = {**figures, "two_threads": times[0] / times[1], "error": float(off.max())}
+        say(f"{dyads} dyads, {program.size} instructions, {kernel.name}: {figures['build_s']:.3g} s to build")
+    for reason in skipped:
+        say(f"left out: {reason}")
     return row
 
 
-def off(out: np.ndarray, x: np.ndarray, compiled: Any) -> float:
-    """How far the last rocker's joint is from where the crank's angle puts it (m)."""
-    angle, last = x[0], max(compiled.quantities.parameters)
-    return 0.0
+def table(rows: list[Row]) -> Iterator[str]:
+    """The figures as a table."""
+    yield "dyads  instructions  graph s  kernel      build s   ns/pose  ns/pose/dyad  2 threads  error"
+    for row in rows:
+        for name, f in row["kernels"].items():
+            left = f"{row['dyads']:5d}{row['instructions']:14d}{row['graph_s']:9.3f}  {name:10s}"
+            times = f"{f['build_s']:9.3g}{f['ns_per_pose']:10.4g}{f['ns_per_pose_and_dyad']:14.4g}"
+            yield f"{left}{times}{f['two_threads']:11.2f}  {f['error']:.0e}"
 
 
 def say(text: str) -> None:
     """Progress, apart from the figures."""
     print(text, file=sys.stderr, flush=True)
+
+
+def main() -> None:
+    """Print the figures, as a table or as JSON."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--json", action="store_true", help="print JSON")
+    parser.add_argument("--largest", type=int, default=SIZES[-1], help="dyads of the longest chain")
+    parser.add_argument("--poses", type=int, default=20_000, help="poses of a run")
+    parser.add_argument("--repeats", type=int, default=5, help="runs that the medians are taken of")
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder, patch.dict(os.environ, XDG_CACHE_HOME=folder):
+        rows = [measure(n, options.poses, options.repeats) for n in SIZES if n <= options.largest]
+    print(json.dumps(rows, indent=2) if options.json else "\n".join(table(rows)))
+
+
+if __name__ == "__main__":
+    main()
