@@ -125,13 +125,13 @@ def integrated(integrator: str, steps: int, hold: float) -> Way:
 
 
 def set_states(compiled: Compiled, poses: int, samples: Array) -> Way:
-    """Poses, rates and accelerations from linkwright, one after the other, at ``poses`` times of a turn."""
+    """Poses, rates and accelerations from linkwright at the samples, each as often as makes ``poses`` of them."""
     import mujoco
 
     made = model("Euler", 1e-3, 2e-3, closed=False)
     data = mujoco.MjData(made)
-    steps = poses // 60
-    t = np.repeat(samples, steps)
+    often = poses // samples.size
+    t = np.repeat(samples, often)
     states = []
     for names in (STATE, RATES, SECOND):
         rows = compiled.evaluate(names, t)
@@ -147,7 +147,7 @@ def set_states(compiled: Compiled, poses: int, samples: Array) -> Way:
 
     def run() -> tuple[float, Array]:
         seconds = timed(loop)
-        found = outputs(sensors[::steps], power[::steps] / SPEED)
+        found = outputs(sensors[::often], power[::often] / SPEED)
         found[12:17] = np.nan
         return seconds, found
 
