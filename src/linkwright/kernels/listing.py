@@ -1,0 +1,64 @@
+"""A block's instructions as values, each made once, for emitters that write code."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import inf
+
+import casadi as ca
+
+from linkwright.graph.program import ExpressionStage
+
+X, P = 1, 2
+"""What a value depends on, as bits: the pose's inputs, the parameters."""
+
+
+@dataclass(frozen=True)
+class Value:
+    """A value: a constant's ``number``, an input's ``source`` (0: x, 1: p; its row), or ``op`` of earlier values."""
+
+    op: int
+    args: tuple[int, ...] = ()
+    number: float = 0.0
+    source: tuple[int, int] | None = None
+
+    @property
+    def constant(self) -> bool:
+        return self.op == ca.OP_CONST
+
+
+class Listing:
+    """The values of a block in order, and which of them are its output rows.
+
+    ``needs[i]`` says on what value i depends; of an input row among ``solved`` on both, as Newton makes it.
+    """
+
+    def __init__(self, stage: ExpressionStage, solved: frozenset[int] = frozenset()) -> None:
+        self.values: list[Value] = []
+        self.needs: list[int] = []
+        outputs: dict[int, int] = {}
+        holds: dict[int, int] = {}
+        for i in stage.instructions:
+            if i.op == ca.OP_OUTPUT:
+                outputs[i.out] = holds[i.args[0]]
+                continue
+            if i.op == ca.OP_CONST:
+                value, needs = Value(i.op, number=i.value), 0
+            elif i.op == ca.OP_INPUT:
+                which, row = i.args
+                needs = P if which else X | P if row in solved else X
+                value = Value(i.op, source=(which, row))
+            else:
+                args = tuple(holds[slot] for slot in i.args)
+                value, needs = Value(i.op, args), 0
+                for arg in args:
+                    needs |= self.needs[arg]
+            holds[i.out] = len(self.values)
+            self.values.append(value)
+            self.needs.append(needs)
+        self.outputs = [outputs[row] for row in range(stage.rows)]
+
+
+def spelled(number: float) -> str:
+    """A number as an emitter writes it; the names ``inf`` and ``nan`` have to be there."""
+    return repr(number) if abs(number) < inf else "nan" if number != number else "inf" if number > 0 else "-inf"

@@ -1,0 +1,400 @@
+"""The text of a compiled kernel: a program as Python functions that Numba turns into machine code.
+
+A function runs over a block of :data:`LANES` poses, whose rows (inputs, values that pass from one function to the
+next, outputs) lie in one array ``w`` at places known when it is compiled; so the compiler sees that no two overlap, and
+the loop over lanes becomes vector instructions. The number of lanes never varies, so every pose goes through the same
+instructions, wherever it stands. What is the same for all poses of a sample is computed once a sample, into ``c``; in
+the ``over`` form what is the same for all samples once a pose.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+
+import casadi as ca
+
+from linkwright.graph.program import ACCEPTED, MOST_STEPS, SOLVED, NewtonStage, Program
+from linkwright.kernels.elementary import source as functions_text
+from linkwright.kernels.listing import Listing, P, Value, X, spelled
+
+LANES = 128
+LONGEST = 400
+"""The most instructions of one function: the compiler's time grows with the square of its length."""
+
+SCALAR, SHARED, OWN = "scalar", "shared", "own"
+FORMS = {
+    "apart": {0: SCALAR, X: OWN, P: SCALAR, X | P: OWN},
+    "each": {0: SCALAR, X: OWN, P: OWN, X | P: OWN},
+    "over": {0: SCALAR, X: SHARED, P: SCALAR, X | P: OWN},
+}
+"""Where a value is computed, by what it depends on: once a sample; for each pose, once for all samples; for both.
+
+apart: inputs of each sample and pose, parameters of each sample; each: both of each pose; over: inputs of each pose,
+parameters of each sample."""
+
+_OPERATORS: dict[int, str] = {
+    ca.OP_ADD: "{0} + {1}", ca.OP_SUB: "{0} - {1}", ca.OP_MUL: "{0} * {1}", ca.OP_DIV: "{0} / {1}",
+    ca.OP_NEG: "-{0}", ca.OP_SQ: "{0} * {0}", ca.OP_TWICE: "2.0 * {0}", ca.OP_INV: "1.0 / {0}", ca.OP_ASSIGN: "{0}",
+    ca.OP_SQRT: "math.sqrt({0})", ca.OP_FABS: "math.fabs({0})", ca.OP_FLOOR: "np.floor({0})",
+    ca.OP_POW: "{0} ** {1}", ca.OP_CONSTPOW: "{0} ** {1}",
+    ca.OP_LT: "1.0 if {0} < {1} else 0.0", ca.OP_LE: "1.0 if {0} <= {1} else 0.0",
+    ca.OP_EQ: "1.0 if {0} == {1} else 0.0", ca.OP_NE: "1.0 if {0} != {1} else 0.0",
+    ca.OP_NOT: "1.0 if {0} == 0.0 else 0.0", ca.OP_AND: "1.0 if ({0} != 0.0) & ({1} != 0.0) else 0.0",
+    ca.OP_OR: "1.0 if ({0} != 0.0) | ({1} != 0.0) else 0.0", ca.OP_IF_ELSE_ZERO: "{1} if {0} != 0.0 else 0.0",
+}  # fmt: skip
+_CALLS: dict[int, str] = {
+    ca.OP_SIN: "sin", ca.OP_COS: "cos", ca.OP_TAN: "tan", ca.OP_ASIN: "asin", ca.OP_ACOS: "acos", ca.OP_ATAN: "atan",
+    ca.OP_ATAN2: "atan2", ca.OP_EXP: "exp", ca.OP_LOG: "log", ca.OP_SIGN: "sign", ca.OP_COPYSIGN: "copysign",
+    ca.OP_FMIN: "fmin", ca.OP_FMAX: "fmax", ca.OP_HYPOT: "hypot",
+}  # fmt: skip
+_OF_TWO = ("atan2", "copysign", "fmin", "fmax", "hypot")
+Key = tuple[str, int] | tuple[str, str, int]
+
+
+@dataclass
+class _Rows:
+    """Numbered places of rows or scalars; those given back are used again."""
+
+    places: dict[Key, int] = field(default_factory=dict)
+    free: list[int] = field(default_factory=list)
+    count: int = 0
+
+    def __getitem__(self, key: Key) -> int:
+        if key not in self.places:
+            if not self.free:
+                self.free.append(self.count)
+                self.count += 1
+            self.places[key] = self.free.pop()
+        return self.places[key]
+
+    def run(self, keys: Iterable[Key]) -> int:
+        """New places for some keys, side by side; the first of them."""
+        first = self.count
+        for key in keys:
+            self.places[key], self.count = self.count, self.count + 1
+        return first
+
+    def release(self, key: Key) -> None:
+        self.free.append(self.places.pop(key))
+
+
+class Source:
+    """The generated text of a program in one of the :data:`FORMS`, with what its caller has to know."""
+
+    def __init__(self, program: Program, form: str) -> None:
+        self.program, self.form = program, FORMS[form]
+        solved = frozenset(row for stage in program.solves for row in stage.rows)
+        main = Listing(program.block, solved)
+        listings = [Listing(stage.closure, solved) for stage in program.solves]
+        self.rows, self.scalars, self.calls = _Rows(), _Rows(), set[str]()
+        self.text: list[str] = []
+        inputs, parameters = program.used
+        # What samples share first, so that it can be loaded apart from the starts of Newton.
+        split = sorted(inputs - solved) if self.form[X] == SHARED else sorted(inputs)
+        self.x_rows, self.start_rows = split, sorted(inputs - set(split))
+        self.p_rows = sorted(parameters) if self.form[P] == OWN else []
+        self.rows.run(("x", row) for row in [*self.x_rows, *self.start_rows])
+        self.rows.run(("p", row) for row in self.p_rows)
+        self.out = self.rows.run(("out", k) for k in range(len(main.outputs)))
+        steps: dict[str, list[str]] = {SCALAR: [], SHARED: [], OWN: []}
+        for k, (stage, listing) in enumerate(zip(program.solves, listings, strict=True)):
+            misses = self.rows.run((f"y{k}", i) for i in range(len(listing.outputs)))
+            made = self._functions(f"closure{k}_", listing, f"y{k}")
+            steps[SCALAR] += made[SCALAR]
+            steps[SHARED] += made[SHARED]
+            steps[OWN].append(self._newton(k, stage, made[OWN], misses))
+        made = self._functions("block_", main, "out")
+        for place, names in made.items():
+            steps[place] += names
+        self.text.append(self._entry(steps))
+
+    def __str__(self) -> str:
+        head = _HEAD.format(lanes=LANES, width=max(self.rows.count, 1), scalars=max(self.scalars.count, 1))
+        return "\n\n".join([head, functions_text(sorted(self.calls), "@njit(**FLAGS)"), *self.text]) + "\n"
+
+    def _functions(self, tag: str, listing: Listing, out: str) -> dict[str, list[str]]:
+        """Write the functions of a block; their names by place. Outputs go to the rows ``out``."""
+        return _Block(self, tag, listing, out).write()
+
+    def _newton(self, k: int, stage: NewtonStage, closure: Sequence[str], misses: int) -> str:
+        """Write the function that solves a stage in its rows; its name."""
+        n = len(stage.rows)
+        state = self.rows.run([(f"newton{k}", 0), (f"newton{k}", 1)])
+        rows = tuple(self.rows["x", row] for row in stage.rows)
+        self.text.append(
+            _NEWTON.format(
+                name=f"newton{k}",
+                n=n,
+                closed=state,
+                moved=state + 1,
+                misses=misses,
+                closure="\n        ".join(f"{name}(w, c)" for name in closure) or "pass",
+                rows=_tuple(rows),
+                scale=_tuple(stage.scale),
+                sliding=_tuple([float(slides) for slides in stage.sliding]),
+                steps=MOST_STEPS,
+                solved=SOLVED,
+                accepted=ACCEPTED,
+            )
+        )
+        return f"newton{k}"
+
+    def _entry(self, steps: dict[str, list[str]]) -> str:
+        def calls(names: Sequence[str], arguments: str, indent: int) -> str:
+            return ("\n" + " " * indent).join(f"{name}({arguments})" for name in names) or "pass"
+
+        def load(first: int, array: str, rows: Sequence[int], stride: str, place: str) -> str:
+            return f"load(w, {first}, {array}, {_tuple(rows)}, {stride}, {place}, m)" if rows else "pass"
+
+        shared = self.form[X] == SHARED
+        starts = len(self.x_rows)
+        return (_OVER if shared else _APART).format(
+            scalars=calls(steps[SCALAR], "p, pr, s, c[s]", 8),
+            shared=calls(steps[SHARED], "w, c[0]", 8),
+            own=calls(steps[OWN], "w, c[s]", 12),
+            load_x=load(0, "x", self.x_rows, "xr", "b" if shared else "s * xs + b"),
+            load_start=load(starts, "x", self.start_rows, "xr", "b"),
+            load_p=load(starts, "p", self.p_rows, "pr", "b"),
+            out=self.out,
+            rows=len(self.program.outputs),
+        )
+
+
+class _Block:
+    """The functions of one block of expressions."""
+
+    def __init__(self, source: Source, tag: str, listing: Listing, out: str) -> None:
+        self.source, self.tag, self.listing, self.out = source, tag, listing, out
+        self.places = [source.form[needs] for needs in listing.needs]
+        self.chunks: dict[str, list[list[int]]] = {SCALAR: [], SHARED: [], OWN: []}
+        self.chunk_of: dict[int, tuple[str, int]] = {}
+        for i, value in enumerate(listing.values):
+            if value.source is None if self.places[i] != SCALAR else not value.constant:
+                chunks = self.chunks[self.places[i]]
+                if not chunks or len(chunks[-1]) >= LONGEST:
+                    chunks.append([])
+                chunks[-1].append(i)
+                self.chunk_of[i] = self.places[i], len(chunks) - 1
+        # Outputs that are inputs, constants or scalars are written in a chunk of their place.
+        self.writes: dict[tuple[str, int], list[tuple[int, int]]] = {}
+        for k, i in enumerate(listing.outputs):
+            place = OWN if self.places[i] == SCALAR else self.places[i]
+            if not self.chunks[place]:
+                self.chunks[place].append([])
+            at = self.chunk_of.get(i, (place, 0))
+            self.writes.setdefault(at if at[0] == place else (place, 0), []).append((k, i))
+        order = {SCALAR: 0, SHARED: 1, OWN: 2}
+        self.last: dict[int, tuple[int, int]] = {}
+        self.users: dict[int, set[tuple[str, int]]] = {}
+        for i, at in self.chunk_of.items():
+            for arg in listing.values[i].args[: _arity(listing.values[i])]:
+                self.users.setdefault(arg, set()).add(at)
+        for at, written in self.writes.items():
+            for _, i in written:
+                self.users.setdefault(i, set()).add(at)
+        for i, users in self.users.items():
+            self.last[i] = max((order[place], n) for place, n in users)
+
+    def write(self) -> dict[str, list[str]]:
+        made: dict[str, list[str]] = {}
+        for rank, place in enumerate((SCALAR, SHARED, OWN)):
+            made[place] = []
+            for n, chunk in enumerate(self.chunks[place]):
+                name = f"{self.tag}{place}{n}"
+                made[place].append(name)
+                self.source.text.append(self._function(name, place, n, chunk))
+                for i, last in self.last.items():
+                    key = ("v", self.tag, i)
+                    if place == OWN and last == (rank, n) and self.places[i] == OWN and key in self.source.rows.places:
+                        self.source.rows.release(key)
+        return made
+
+    def _function(self, name: str, place: str, n: int, chunk: list[int]) -> str:
+        reads: dict[int, str] = {}
+        heads: dict[int, str] = {}
+
+        def operand(i: int) -> str:
+            value = self.listing.values[i]
+            if value.constant:
+                return spelled(value.number)
+            if self.chunk_of.get(i) != (place, n):
+                if place == SCALAR or self.places[i] == SCALAR:
+                    heads[i] = f"c[{self.source.scalars['v', self.tag, i]}]"
+                else:
+                    reads[i] = f"w[{self._row(i, value) * LANES} + i]"
+            return f"v{i}"
+
+        body, ends = [], []
+        for i in chunk:
+            body.append(f"v{i} = {self._expression(self.listing.values[i], operand)}")
+            if self.users.get(i, set()) - {(place, n)}:
+                if place == SCALAR:
+                    ends.append(f"c[{self.source.scalars['v', self.tag, i]}] = v{i}")
+                else:
+                    ends.append(f"w[{self.source.rows['v', self.tag, i] * LANES} + i] = v{i}")
+        for k, i in self.writes.get((place, n), []):
+            ends.append(f"w[{self.source.rows[self.out, k] * LANES} + i] = {operand(i)}")
+        first = [f"v{i} = {text}" for i, text in heads.items()]
+        lines = [*(f"v{i} = {text}" for i, text in reads.items()), *body, *ends]
+        if place == SCALAR:
+            return f"@njit(**FLAGS)\ndef {name}(p, pr, s, c):\n    " + "\n    ".join([*first, *lines] or ["pass"])
+        return f"@njit(**FLAGS)\ndef {name}(w, c):\n    " + "\n    ".join(
+            [*first, "for i in range(LANES):", *(f"    {line}" for line in lines)]
+        )
+
+    def _row(self, i: int, value: Value) -> int:
+        if value.source is not None:
+            which, row = value.source
+            return self.source.rows["p" if which else "x", row]
+        return self.source.rows["v", self.tag, i]
+
+    def _expression(self, value: Value, operand: Callable[[int], str]) -> str:
+        if value.source is not None:  # a parameter of the sample
+            return f"p[{value.source[1]} * pr + s]"
+        args = [operand(i) for i in value.args[: _arity(value)]]
+        if value.op in _OPERATORS:
+            return _OPERATORS[value.op].format(*args)
+        if value.op not in _CALLS:
+            raise NotImplementedError(f"the Numba kernel has no instruction {value.op}")
+        self.source.calls.add(_CALLS[value.op])
+        return f"{_CALLS[value.op]}({', '.join(args)})"
+
+
+def _arity(value: Value) -> int:
+    """How many of the arguments count: CasADi lists the one of a square or a double twice."""
+    return 2 if "{1}" in _OPERATORS.get(value.op, "") or _CALLS.get(value.op) in _OF_TWO else min(1, len(value.args))
+
+
+def _tuple(values: Sequence[float | int]) -> str:
+    return "(" + ", ".join(map(repr, values)) + ("," if len(values) == 1 else "") + ")"
+
+
+_HEAD = '''"""Written by linkwright; see linkwright.kernels.numba_source."""
+import math
+import numpy as np
+from numba import njit
+from linkwright.kernels.stream import WIDTH, fence, stream
+
+CACHE = "CACHE" not in globals()
+LANES, ROWS, SCALARS = {lanes}, {width}, {scalars}
+FLAGS = dict(nogil=True, error_model="numpy", fastmath={{"contract", "arcp", "nsz"}})
+inf, nan = math.inf, math.nan
+
+
+@njit(**FLAGS)
+def load(w, first, x, rows, stride, place, m):
+    for k in range(len(rows)):
+        start = rows[k] * stride + place
+        row = x[start : start + m]
+        to = w[(first + k) * LANES : (first + k + 1) * LANES]
+        for i in range(m):
+            to[i] = row[i]
+        for i in range(m, LANES):
+            to[i] = row[0]
+
+
+@njit(**FLAGS)
+def store(w, first, rows, out, stride, place, m, past):
+    for k in range(rows):
+        start = k * stride + place
+        to = out[start : start + m]
+        row = w[(first + k) * LANES : (first + k + 1) * LANES]
+        if past and m == LANES:
+            for i in range(0, LANES, WIDTH):
+                stream(to, i, row, i)
+        else:
+            for i in range(m):
+                to[i] = row[i]
+
+
+@njit(**FLAGS)
+def eliminate(a, n):
+    """Solve the n equations a[:, :n] y = a[:, n] with the largest pivots; y comes out in a[:, n]."""
+    for k in range(n):
+        best = k
+        for r in range(k + 1, n):
+            if math.fabs(a[r, k]) > math.fabs(a[best, k]):
+                best = r
+        for q in range(k, n + 1):
+            a[k, q], a[best, q] = a[best, q], a[k, q]
+        for r in range(k + 1, n):
+            f = a[r, k] / a[k, k]
+            for q in range(k, n + 1):
+                a[r, q] -= f * a[k, q]
+    for k in range(n - 1, -1, -1):
+        for q in range(k + 1, n):
+            a[k, n] -= a[k, q] * a[q, n]
+        a[k, n] /= a[k, k]'''
+
+_NEWTON = """@njit(**FLAGS)
+def {name}(w, c):
+    rows, scale, sliding = {rows}, {scale}, {sliding}
+    a = np.empty(({n}, {n} + 1))
+    closed = w[{closed} * LANES : ({closed} + 1) * LANES]
+    moved = w[{moved} * LANES : ({moved} + 1) * LANES]
+    for i in range(LANES):
+        closed[i] = 0.0
+        moved[i] = inf
+    for _ in range({steps}):
+        {closure}
+        left = 0
+        for i in range(LANES):
+            if closed[i] == 0.0:
+                for r in range({n}):
+                    a[r, {n}] = w[({misses} + r) * LANES + i]
+                    for q in range({n}):
+                        a[r, q] = w[({misses} + {n} + r * {n} + q) * LANES + i]
+                eliminate(a, {n})
+                largest = 0.0
+                for r in range({n}):
+                    u = w[rows[r] * LANES + i] - a[r, {n}]
+                    w[rows[r] * LANES + i] = u
+                    step = math.fabs(a[r, {n}]) / max(scale[r], math.fabs(u) * sliding[r])
+                    if step != step or step > largest:
+                        largest = step
+                moved[i] = largest
+                if largest >= {solved}:
+                    left += 1
+                else:
+                    closed[i] = 1.0
+        if left == 0:
+            break
+    for i in range(LANES):
+        if not moved[i] < {accepted}:
+            for r in range({n}):
+                w[rows[r] * LANES + i] = nan"""
+
+_SIGNATURE = (
+    "void(float64[::1], int64, int64, float64[::1], int64, float64[::1], int64, int64, int64, int64, int64, boolean)"
+)
+_APART = f'''@njit("{_SIGNATURE}", cache=CACHE, **FLAGS)
+def run(x, xr, xs, p, pr, out, orow, os, samples, poses, lead, past):
+    w = np.zeros(ROWS * LANES)
+    c = np.zeros((samples, SCALARS))
+    for s in range(samples):
+        {{scalars}}
+        b = 0
+        while b < poses:
+            m = min(LANES, poses - b) if b or not lead else lead
+            {{load_x}}
+            {{load_p}}
+            {{own}}
+            store(w, {{out}}, {{rows}}, out, orow, s * os + b, m, past)
+            b += m
+    fence()'''
+_OVER = f'''@njit("{_SIGNATURE}", cache=CACHE, **FLAGS)
+def run(x, xr, xs, p, pr, out, orow, os, samples, poses, lead, past):
+    w = np.zeros(ROWS * LANES)
+    c = np.zeros((samples, SCALARS))
+    for s in range(samples):
+        {{scalars}}
+    for b in range(0, poses, LANES):
+        m = min(LANES, poses - b)
+        {{load_x}}
+        {{shared}}
+        for s in range(samples):
+            {{load_start}}
+            {{own}}
+            store(w, {{out}}, {{rows}}, out, orow, s * os + b, m, past)
+    fence()'''
