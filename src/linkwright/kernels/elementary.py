@@ -6,7 +6,9 @@ double arithmetic, square roots, selects (``a if c else b`` of values already th
 double's bits. So Python can run it as its own twin, and an emitter can paste its text (``source``) into what it
 compiles. Allowed flags: contract, arcp, nsz. Reassociation would break the reductions, nnan and ninf the selects.
 
-NaN in gives NaN out, but for ``fmin`` and ``fmax``. The sign of a zero has no meaning.
+NaN in gives NaN out, but for ``fmin`` and ``fmax``. The sign of a zero has no meaning. The tests allow
+errors of 1 to 1.75 units in the last place; ``python tests/kernels/test_elementary.py 20000`` finds up to 1.24 (atan2),
+1.21 (tan), 1.17 (atan), 1.14 (hypot), 1.12 (acos), 0.84 (exp), 0.76 (sin), 0.75 (log), 0.74 (cos), 0.69 (asin).
 
 Sources: W. J. Cody, W. Waite, Software Manual for the Elementary Functions, Prentice-Hall 1980 (reduction in parts);
 S. L. Moshier, Cephes Mathematical Library (minimax forms of sine and cosine); Sun Microsystems, fdlibm 5.3 (minimax

@@ -59,7 +59,7 @@ class NumbaKernel:
         poses = x.shape[1]
         if out is None:
             out = np.empty((len(self.program.outputs), poses))
-        self._call("apart" if p.ndim == 1 else "each", x[:, None], p.reshape(len(p), -1), out[:, None])
+        self._call("apart" if p.ndim == 1 else "each", x[:, None], p if p.ndim == 2 else p[:, None], out[:, None])
         return out
 
     def over(self, x: Array, p: Array, out: Array | None = None) -> Array:

@@ -111,7 +111,7 @@ class Source:
 
     def __str__(self) -> str:
         head = _HEAD.format(lanes=LANES, width=max(self.rows.count, 1), scalars=max(self.scalars.count, 1))
-        return "\n\n".join([head, functions_text(sorted(self.calls), "@njit(**FLAGS)"), *self.text]) + "\n"
+        return "\n\n".join([head, functions_text(sorted(self.calls), "@njit(forceinline=True, **FLAGS)"), *self.text]) + "\n"
 
     def _functions(self, tag: str, listing: Listing, out: str) -> dict[str, list[str]]:
         """Write the functions of a block; their names by place. Outputs go to the rows ``out``."""
