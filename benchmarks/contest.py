@@ -37,9 +37,9 @@ class Way:
         """The median time of a pose (ns)."""
         return 1e9 * statistics.median(self.each())
 
-    def ratio(self, other: Way) -> float:
-        """How many times longer a pose takes than in another way: the median of the rounds."""
-        return statistics.median(a / b for a, b in zip(self.each(), other.each(), strict=True))
+    def ratios(self, other: Way) -> list[float]:
+        """How many times longer a pose takes than in another way, round by round."""
+        return [a / b for a, b in zip(self.each(), other.each(), strict=True)]
 
 
 def contest(ways: Sequence[Way], rounds: int) -> None:

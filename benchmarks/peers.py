@@ -18,6 +18,7 @@ import json
 import math
 import os
 import platform
+import statistics
 from collections.abc import Iterator, Sequence
 from typing import Any
 
@@ -65,7 +66,9 @@ def compared(names: Sequence[str], ways: Sequence[Way], true: Array, rounds: int
     rows = []
     for way in ways:
         assert way.found is not None
-        row = {"engine": way.engine, "how": way.how, "ns_per_pose": way.ns(), "ratio": way.ratio(best)}
+        ratios = way.ratios(best)
+        row = {"engine": way.engine, "how": way.how, "ns_per_pose": way.ns(), "ratio": statistics.median(ratios)}
+        row["ratio_range"] = [min(ratios), max(ratios)]
         if way.steps:
             row["ratio_of_200"] = row["ratio"] * way.steps / WANTED
         rows.append({**row, "errors": errors(names, way.found, true)})
