@@ -107,7 +107,7 @@ def test_typing_sees_what_is_loaded() -> None:
 
 def test_the_registered_names() -> None:
     assert set(REGISTRY) == {"RRR", "RRP", "RPR", "PRP", "RPP"}
-    assert set(KERNELS) == {"numpy"}
+    assert set(KERNELS) == {"jax", "numpy"}
     assert set(STUDIES) == {"cycle", "limits", "modes"}
 
 

@@ -1,4 +1,4 @@
-"""The NumPy kernel against CasADi's own evaluation of the same program, and its blocks."""
+"""The NumPy kernel, and every other, against CasADi's own evaluation of the same program, and its blocks."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from hypothesis import given, settings
 
 from helpers.compiled import compiled_from, compiled_of, regular
 from helpers.examples import feeder, four_bar, heavy_four_bar
+from helpers.kernels import every, examples
 from helpers.random_mechanisms import DURATION, mechanisms
 from linkwright.kernels import KERNELS, Compiled, compile_mechanism
 from linkwright.kernels.numpy_blocks import BLOCK
@@ -28,11 +29,11 @@ def all_names(compiled: Compiled) -> list[str]:
     return names
 
 
-@pytest.mark.parametrize("kernel", sorted(KERNELS))
+@pytest.mark.parametrize("kernel", every())
 def test_kernel_agrees_with_casadi(kernel: str) -> None:
     """Every signal and its rate, at every pose, to round-off: 1e-13 of the row's size or of 1."""
 
-    @settings(max_examples=30)
+    @settings(max_examples=examples(kernel))
     @given(mechanisms())
     def check(plain: Any) -> None:
         compiled = compiled_of(plain)
@@ -47,7 +48,7 @@ def test_kernel_agrees_with_casadi(kernel: str) -> None:
     check()
 
 
-@pytest.mark.parametrize("kernel", sorted(KERNELS))
+@pytest.mark.parametrize("kernel", every())
 def test_kernel_agrees_with_casadi_on_loads_and_springs(kernel: str) -> None:
     """Windows, tables, whole turns, functions: to 1e-12 of the row's size or of 1."""
     compiled = compile_mechanism(load(Path(__file__).parents[1] / "model" / "data" / "sprung.yaml"))
@@ -72,48 +73,51 @@ def program_and_inputs(compiled: Compiled, poses: int) -> tuple[Any, np.ndarray,
     return compiled.graph.program(names), compiled.inputs(t), compiled.parameters
 
 
-@pytest.mark.parametrize("kernel", sorted(KERNELS))
+@pytest.mark.parametrize("kernel", every())
 @pytest.mark.parametrize("poses", [1, 2, BLOCK - 1, BLOCK, BLOCK + 1, 2 * BLOCK, 2 * BLOCK + 3])
 def test_blocks_do_not_show(kernel: str, poses: int, loaded: Compiled) -> None:
     """The figures of a pose do not depend on how many others are computed with it, to the last bit."""
     program, x, p = program_and_inputs(loaded, poses)
-    found = KERNELS[kernel](program).run(x, p)
-    whole = KERNELS[kernel](program).run(program_and_inputs(loaded, 2 * BLOCK + 3)[1], p)
+    engine = KERNELS[kernel](program)
+    found = engine.run(x, p)
+    whole = engine.run(program_and_inputs(loaded, 2 * BLOCK + 3)[1], p)
     assert found.shape == (len(program.outputs), poses)
     assert np.array_equal(found, whole[:, :poses])
     for i in {0, poses // 2, poses - 1}:
-        assert np.array_equal(KERNELS[kernel](program).run(x[:, i : i + 1], p)[:, 0], found[:, i])
+        assert np.array_equal(engine.run(x[:, i : i + 1], p)[:, 0], found[:, i])
 
 
-@pytest.mark.parametrize("kernel", sorted(KERNELS))
+@pytest.mark.parametrize("kernel", every())
 def test_out_is_written_and_returned(kernel: str, loaded: Compiled) -> None:
     program, x, p = program_and_inputs(loaded, BLOCK + 7)
     out = np.full((len(program.outputs), BLOCK + 7), np.nan)
     kept = x.copy()
-    found = KERNELS[kernel](program).run(x, p, out=out)
+    engine = KERNELS[kernel](program)
+    found = engine.run(x, p, out=out)
     assert found is out
-    assert np.array_equal(out, KERNELS[kernel](program).run(x, p))
+    assert np.array_equal(out, engine.run(x, p))
     assert np.array_equal(x, kept)
 
 
-@pytest.mark.parametrize("kernel", sorted(KERNELS))
+@pytest.mark.parametrize("kernel", every())
 def test_out_may_be_part_of_a_larger_array(kernel: str, loaded: Compiled) -> None:
     program, x, p = program_and_inputs(loaded, 50)
     large = np.zeros((len(program.outputs) + 2, 120))
-    KERNELS[kernel](program).run(x, p, out=large[1:-1, 10:110:2])
-    assert np.array_equal(large[1:-1, 10:110:2], KERNELS[kernel](program).run(x, p))
+    engine = KERNELS[kernel](program)
+    engine.run(x, p, out=large[1:-1, 10:110:2])
+    assert np.array_equal(large[1:-1, 10:110:2], engine.run(x, p))
     assert not large[0].any()
     assert not large[:, :10].any()
     assert not large[:, 11:110:2].any()
 
 
-@pytest.mark.parametrize("kernel", sorted(KERNELS))
+@pytest.mark.parametrize("kernel", every())
 def test_no_poses_give_no_figures(kernel: str, loaded: Compiled) -> None:
     program, x, p = program_and_inputs(loaded, 4)
     assert KERNELS[kernel](program).run(x[:, :0], p).shape == (len(program.outputs), 0)
 
 
-@pytest.mark.parametrize("kernel", sorted(KERNELS))
+@pytest.mark.parametrize("kernel", every())
 def test_one_kernel_serves_other_parameters(kernel: str) -> None:
     """What depends on the parameters alone is kept between runs, and made anew when they change."""
     data = four_bar(parameters={"r": 1.0})
@@ -130,7 +134,7 @@ def test_one_kernel_serves_other_parameters(kernel: str) -> None:
     assert np.abs(first - other).max() > 0.01
 
 
-@pytest.mark.parametrize("kernel", sorted(KERNELS))
+@pytest.mark.parametrize("kernel", every())
 def test_a_pose_that_cannot_close_is_nan_alone(kernel: str) -> None:
     """A rocker too short to be reached: NaN there and a negative reach, no warning, other poses untouched."""
     compiled = compiled_from(four_bar(2, 3, 1.2, 4))
@@ -147,7 +151,7 @@ def test_a_pose_that_cannot_close_is_nan_alone(kernel: str) -> None:
     assert np.isfinite(found[3]).all()
 
 
-@pytest.mark.parametrize("kernel", sorted(KERNELS))
+@pytest.mark.parametrize("kernel", every())
 def test_constant_outputs_fill_their_rows(kernel: str) -> None:
     compiled = compiled_from(heavy_four_bar())
     found = KERNELS[kernel](compiled.graph.program(["A.x", "D.x", "A.vx", "motor.alpha"])).run(

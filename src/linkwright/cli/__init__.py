@@ -113,6 +113,34 @@ def limits(file: Path, as_json: bool) -> None:
     _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
 
 
+@cli.command(help=say("cli.bench"))
+@_file
+@click.option("--poses", type=click.IntRange(1, 10**9), default=1_000_000, show_default=True, help=say("cli.poses"))
+@click.option("--output", "outputs", multiple=True, metavar="SIGNAL", help=say("cli.outputs"))
+@click.option("--kernel", "kernels", multiple=True, metavar="NAME", help=say("cli.kernels"))
+@click.option("--threads", type=click.IntRange(1, 1024), help=say("cli.threads"))
+@_json
+def bench(
+    file: Path, poses: int, outputs: tuple[str, ...], kernels: tuple[str, ...], threads: int | None, as_json: bool
+) -> None:
+    """Time the kernels on a file."""
+    from linkwright import app
+    from linkwright.cli import show
+
+    examined = app.examine_file(file)
+    with show.working(file, "bench", quiet=as_json):
+        done = app.bench_file(examined, outputs, poses, threads or 0, kernels)
+    code = examined.exit_code
+    _end(
+        file,
+        examined,
+        as_json,
+        lambda: done.as_dict() if done else show.check_data(examined),
+        lambda: show.bench(done),
+        code,
+    )
+
+
 @cli.command(help=say("cli.new"))
 @click.argument("name", required=False)
 @click.option("--list", "as_list", is_flag=True, help=say("cli.list"))

@@ -14,7 +14,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from linkwright.app import Examined, Job, ModesJob
+from linkwright.app import Bench, Examined, Job, ModesJob
 from linkwright.model.findings import Finding
 from linkwright.model.units import TIME
 from linkwright.report.data import MeasureValue
@@ -29,7 +29,7 @@ out = Console(highlight=False, soft_wrap=True)
 wide = out if out.is_terminal else Console(highlight=False, soft_wrap=True, width=120)  # a pipe has no width
 err = Console(stderr=True, highlight=False, soft_wrap=True)
 
-_NUMBERS = ("value", "figure")
+_NUMBERS = ("value", "figure", "cold", "pose", "ratio", "deviation")
 _STYLES = {"error": "bold red", "warning": "bold yellow"}
 
 
@@ -182,6 +182,23 @@ def _limits(outcome: LimitsOutcome) -> None:
 def cannot_write(folder: Path, error: OSError) -> None:
     """The folder can't be written to."""
     finding(Finding("file.unwritable", data={"file": str(folder), "reason": error.strerror or str(error)}))
+
+
+def bench(done: Bench | None) -> None:
+    """The kernels' times, and what they stand against."""
+    if done is None:
+        return
+    fill = f"{done.fill_ns_per_pose:.3g}"
+    counts = {"outputs": len(done.outputs), "instructions": done.instructions, "threads": done.threads}
+    out.print(say("cli.bench.work", poses=done.poses, fill=fill, **counts))
+    table = _table("kernel", "cold", "pose", "ratio", "deviation")
+    for name, times in done.kernels.items():
+        ratio = times.ns_per_pose / done.fill_ns_per_pose
+        numbers = (f"{times.cold_s:.3f}", f"{times.ns_per_pose:.3g}", f"{ratio:.3g}", f"{times.deviation:.1e}")
+        table.add_row(name, *numbers)
+    out.print(table)
+    if done.missing:
+        out.print(say("cli.bench.missing", names=", ".join(done.missing)))
 
 
 def gallery() -> None:

@@ -1,6 +1,6 @@
 """Kernels: programs turned into code that runs over many poses; a mechanism compiled for them."""
 
-from linkwright.kernels import numba_kernel, numpy_blocks  # noqa: F401  (register themselves)
+from linkwright.kernels import jax_kernel, numba_kernel, numpy_blocks  # noqa: F401  (register themselves)
 from linkwright.kernels.compiled import Compiled, Prepared, compile_mechanism, examine, prepare
 from linkwright.kernels.registry import KERNELS, Kernel
 

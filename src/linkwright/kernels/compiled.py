@@ -57,9 +57,10 @@ class Compiled:
         self.followers = [Follower(self.graph, c, starts[c], size, self.kernel) for c in self.structure.clusters]
         self.supply = Supply(self.graph, self.tables, self.kernel)
 
-    def inputs(self, t: Array, clusters: int | None = None, actions: bool = True) -> Array:
+    def inputs(self, t: Array, clusters: int | None = None, actions: bool = True, starts: bool = False) -> Array:
         """The per-pose inputs at times ``t`` (s): (inputs, poses), in SI; only the first ``clusters`` in place, those
-        of loads and springs only where ``actions``."""
+        of loads and springs only where ``actions``. With ``starts``, the clusters' coordinates are only near their
+        solutions, for a program that solves them."""
         width = MAX_ORDER + 2
         x = np.empty((len(self.graph.inputs), t.size))
         for i, drive in enumerate(self.graph.drives):
@@ -68,7 +69,8 @@ class Compiled:
             x[i] = self.assembly.branches[group] * self.passages.sign(group.label, t)
         x[self.graph.first_unknown :] = np.nan
         for i, follower in enumerate(self.followers[:clusters]):
-            x[follower.rows] = follower.solve(x, t, self.parameters, partial(self.inputs, clusters=i))
+            follow = follower.foretell if starts else follower.solve
+            x[follower.rows] = follow(x, t, self.parameters, partial(self.inputs, clusters=i))
         if clusters is None and actions:
             self.supply.fill(x, t, self.parameters, partial(self.inputs, actions=False))
         return x

@@ -51,11 +51,15 @@ class Follower:
 
     def solve(self, x: Array, t: Array, p: Array, at: Callable[[Array], Array]) -> Array:
         """The coordinates at times ``t``: (coordinates, times), NaN past the path's end. ``at`` gives inputs."""
-        self.extend(float(t.max(initial=0.0)), p, at)
-        start = self.between(t)
+        start = self.foretell(x, t, p, at)
         found = self.newton(x, start, p)
         self.correction = max(self.correction, float(np.nan_to_num(self.moved(found - start, found)).max(initial=0.0)))
         return found
+
+    def foretell(self, x: Array, t: Array, p: Array, at: Callable[[Array], Array]) -> Array:
+        """The same, as they lie between the solved poses of the path."""
+        self.extend(float(t.max(initial=0.0)), p, at)
+        return self.between(t)
 
     def moved(self, step: Array, u: Array) -> Array:
         """The largest step of a pose's coordinates: (poses,), in rad, and of slides over the size or where it is more

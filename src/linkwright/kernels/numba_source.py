@@ -111,7 +111,10 @@ class Source:
 
     def __str__(self) -> str:
         head = _HEAD.format(lanes=LANES, width=max(self.rows.count, 1), scalars=max(self.scalars.count, 1))
-        return "\n\n".join([head, functions_text(sorted(self.calls), "@njit(forceinline=True, **FLAGS)"), *self.text]) + "\n"
+        return (
+            "\n\n".join([head, functions_text(sorted(self.calls), "@njit(forceinline=True, **FLAGS)"), *self.text])
+            + "\n"
+        )
 
     def _functions(self, tag: str, listing: Listing, out: str) -> dict[str, list[str]]:
         """Write the functions of a block; their names by place. Outputs go to the rows ``out``."""
@@ -119,20 +122,16 @@ class Source:
 
     def _newton(self, k: int, stage: NewtonStage, closure: Sequence[str], misses: int) -> str:
         """Write the function that solves a stage in its rows; its name."""
-        n = len(stage.rows)
         state = self.rows.run([(f"newton{k}", 0), (f"newton{k}", 1)])
-        rows = tuple(self.rows["x", row] for row in stage.rows)
+        rows = [self.rows["x", row] * LANES for row in stage.rows]
         self.text.append(
             _NEWTON.format(
                 name=f"newton{k}",
-                n=n,
-                closed=state,
-                moved=state + 1,
-                misses=misses,
+                closed=state * LANES,
+                moved=(state + 1) * LANES,
                 closure="\n        ".join(f"{name}(w, c)" for name in closure) or "pass",
-                rows=_tuple(rows),
-                scale=_tuple(stage.scale),
-                sliding=_tuple([float(slides) for slides in stage.sliding]),
+                step="\n            ".join(_step(stage, rows, misses, state * LANES)),
+                lost="\n        ".join(f"w[{row} + i] = w[{row} + i] if solved else nan" for row in rows),
                 steps=MOST_STEPS,
                 solved=SOLVED,
                 accepted=ACCEPTED,
@@ -266,6 +265,40 @@ def _arity(value: Value) -> int:
     return 2 if "{1}" in _OPERATORS.get(value.op, "") or _CALLS.get(value.op) in _OF_TWO else min(1, len(value.args))
 
 
+def _step(stage: NewtonStage, rows: Sequence[int], misses: int, closed: int) -> list[str]:
+    """The lines of one of Newton's steps at a pose: elimination with the largest pivots, without a branch, so that
+    it runs over all lanes at once. ``rows``, ``misses`` and ``closed`` say where in w the coordinates, the closures'
+    figures and what is solved lie."""
+    n = len(rows)
+    lines = []
+    for r in range(n):
+        lines.append(f"a{r}_{n} = w[{(misses + r) * LANES} + i]")
+        lines += [f"a{r}_{q} = w[{(misses + n + r * n + q) * LANES} + i]" for q in range(n)]
+    for k in range(n):
+        for r in range(k + 1, n):
+            lines.append(f"less = math.fabs(a{k}_{k}) < math.fabs(a{r}_{k})")
+            for q in range(k, n + 1):
+                lines.append(f"high = a{r}_{q} if less else a{k}_{q}")
+                lines.append(f"a{r}_{q} = a{k}_{q} if less else a{r}_{q}")
+                lines.append(f"a{k}_{q} = high")
+        for r in range(k + 1, n):
+            lines.append(f"f = a{r}_{k} / a{k}_{k}")
+            lines += [f"a{r}_{q} = a{r}_{q} - f * a{k}_{q}" for q in range(k + 1, n + 1)]
+    for k in reversed(range(n)):
+        known = "".join(f" - a{k}_{q} * s{q}" for q in range(k + 1, n))
+        lines.append(f"s{k} = (a{k}_{n}{known}) / a{k}_{k}")
+    lines += [f"u{k} = w[{row} + i]" for k, row in enumerate(rows)]
+    lines.append(f"open = w[{closed} + i] == 0.0")
+    lines.append("moved = 0.0")
+    for k, (row, scale, slides) in enumerate(zip(rows, stage.scale, stage.sliding, strict=True)):
+        lines.append(f"n{k} = u{k} - s{k}")
+        size = f"({scale} if math.fabs(n{k}) < {scale} else math.fabs(n{k}))" if slides else f"{scale}"
+        lines.append(f"share = math.fabs(s{k}) / {size}")
+        lines.append("moved = share if (share != share) | (share > moved) else moved")
+        lines.append(f"w[{row} + i] = n{k} if open else u{k}")
+    return lines
+
+
 def _tuple(values: Sequence[float | int]) -> str:
     return "(" + ", ".join(map(repr, values)) + ("," if len(values) == 1 else "") + ")"
 
@@ -305,65 +338,27 @@ def store(w, first, rows, out, stride, place, m, past):
                 stream(to, i, row, i)
         else:
             for i in range(m):
-                to[i] = row[i]
-
-
-@njit(**FLAGS)
-def eliminate(a, n):
-    """Solve the n equations a[:, :n] y = a[:, n] with the largest pivots; y comes out in a[:, n]."""
-    for k in range(n):
-        best = k
-        for r in range(k + 1, n):
-            if math.fabs(a[r, k]) > math.fabs(a[best, k]):
-                best = r
-        for q in range(k, n + 1):
-            a[k, q], a[best, q] = a[best, q], a[k, q]
-        for r in range(k + 1, n):
-            f = a[r, k] / a[k, k]
-            for q in range(k, n + 1):
-                a[r, q] -= f * a[k, q]
-    for k in range(n - 1, -1, -1):
-        for q in range(k + 1, n):
-            a[k, n] -= a[k, q] * a[q, n]
-        a[k, n] /= a[k, k]'''
+                to[i] = row[i]'''
 
 _NEWTON = """@njit(**FLAGS)
 def {name}(w, c):
-    rows, scale, sliding = {rows}, {scale}, {sliding}
-    a = np.empty(({n}, {n} + 1))
-    closed = w[{closed} * LANES : ({closed} + 1) * LANES]
-    moved = w[{moved} * LANES : ({moved} + 1) * LANES]
     for i in range(LANES):
-        closed[i] = 0.0
-        moved[i] = inf
+        w[{closed} + i] = 0.0
+        w[{moved} + i] = inf
     for _ in range({steps}):
         {closure}
-        left = 0
         for i in range(LANES):
-            if closed[i] == 0.0:
-                for r in range({n}):
-                    a[r, {n}] = w[({misses} + r) * LANES + i]
-                    for q in range({n}):
-                        a[r, q] = w[({misses} + {n} + r * {n} + q) * LANES + i]
-                eliminate(a, {n})
-                largest = 0.0
-                for r in range({n}):
-                    u = w[rows[r] * LANES + i] - a[r, {n}]
-                    w[rows[r] * LANES + i] = u
-                    step = math.fabs(a[r, {n}]) / max(scale[r], math.fabs(u) * sliding[r])
-                    if step != step or step > largest:
-                        largest = step
-                moved[i] = largest
-                if largest >= {solved}:
-                    left += 1
-                else:
-                    closed[i] = 1.0
-        if left == 0:
+            {step}
+            w[{moved} + i] = moved if open else w[{moved} + i]
+            w[{closed} + i] = 0.0 if open & (moved >= {solved}) else 1.0
+        left = False
+        for i in range(LANES):
+            left |= w[{closed} + i] == 0.0
+        if not left:
             break
     for i in range(LANES):
-        if not moved[i] < {accepted}:
-            for r in range({n}):
-                w[rows[r] * LANES + i] = nan"""
+        solved = w[{moved} + i] < {accepted}
+        {lost}"""
 
 _SIGNATURE = (
     "void(float64[::1], int64, int64, float64[::1], int64, float64[::1], int64, int64, int64, int64, int64, boolean)"

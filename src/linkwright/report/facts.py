@@ -108,7 +108,7 @@ def checks(certificate: Certificate, time_text: str) -> list[Check]:
         steps, worst = (max(column) for column in zip(*c.followed.values(), strict=True))
         groups = ", ".join(c.followed)
         lines.append(_proof("followed", f"{worst:.1e}", worst < CLOSE, groups=groups, steps=steps))
-    return [*lines, _proof("kernel", str(c.poses), True, poses=c.poses, kernel=c.kernel)]
+    return [*lines, _proof("kernel", str(c.poses), True, poses=c.poses, kernel=c.kernel, reason=c.choice.reason)]
 
 
 def _proof(name: str, figure: str, ok: bool, **data: object) -> Check:

@@ -37,8 +37,8 @@ class Reports:
         self.mechanism, self.topology = compiled.mechanism, compiled.structure.topology
         self.geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
         self.contacts = compiled.quantities.signals.contacts
-        names = self._names()
-        self.rows: dict[str, Array] = dict(zip(names, compiled.evaluate(names, t), strict=True))
+        self.names = self._names()
+        self.rows: dict[str, Array] = dict(zip(self.names, compiled.evaluate(self.names, t), strict=True))
 
     def _names(self) -> list[str]:
         moving, drives = self.topology.moving, self.mechanism.drives

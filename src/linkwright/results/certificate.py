@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.kernels.choice import Choice, choose
 from linkwright.results.audit import Reports
 from linkwright.results.quadrature import panel_points
 from linkwright.results.run import Run
@@ -53,7 +54,12 @@ class Certificate:
     changes: dict[str, tuple[float, ...]]  # of groups carried through change points: when their branch changes (s)
     followed: dict[str, tuple[int, float]]  # of groups solved by Newton: steps of the path, largest correction
     poses: int
-    kernel: str
+    choice: Choice  # of the kernel, and why
+
+    @property
+    def kernel(self) -> str:
+        """The kernel's name."""
+        return self.choice.kernel
 
     @property
     def residuals(self) -> dict[str, float]:
@@ -95,7 +101,7 @@ def certify(run: Run) -> Certificate:
         changes={group: times for group, times in changes.items() if times},
         followed={f.cluster.label: (len(f.path.t) - 1, f.correction) for f in compiled.followers},
         poses=reports.count,
-        kernel=compiled.kernel,
+        choice=choose(compiled.graph.program(reports.names), reports.count),
     )
 
 

@@ -248,6 +248,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "'{name}' has no instant centre relative to itself.",
         "Name two different links: pole({name}, frame).x.",
     ),
+    "kernel.unknown": (
+        "There is no kernel '{name}'.",
+        "Choose one of {known}.",
+    ),
     "signal.unknown": (
         "'{name}' isn't a signal.",
         "Write POINT.x, LINK.angle, JOINT.s, DRIVE.torque, force(LINK, LINK).x, com(LINK).x or pole(LINK, LINK).x; "

@@ -1,0 +1,56 @@
+"""Which kernel a piece of work is given, and why: the one that should be done first, what it costs to compile included.
+
+A choice depends on the size of the work and on what is installed, not on what happens to be compiled already, so that
+a study gives the same figures when it is run again.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from linkwright.graph.program import Program
+from linkwright.kernels.registry import KERNELS
+from linkwright.words import say
+
+NUMPY = 0.45e-9
+"""Seconds of an instruction at a pose, by NumPy over blocks (docs/performance.md, as the next two)."""
+NUMBA = 0.06e-9
+"""The same of machine code on one thread."""
+START, COMPILE = 1.5, 5e-3
+"""Seconds to load the compiler, and of an instruction to be compiled."""
+
+
+@dataclass(frozen=True)
+class Choice:
+    """A kernel's name and why it was chosen: a key of the catalogue with its data.
+
+    ``poses`` counts samples times poses; ``instructions`` are those of the program.
+    """
+
+    kernel: str
+    poses: int
+    instructions: int
+    key: str = "kernel.small"
+
+    @property
+    def reason(self) -> str:
+        """Why, in words."""
+        return say(self.key, kernel=self.kernel, poses=f"{self.poses:.4g}", instructions=self.instructions)
+
+
+def choose(program: Program, poses: int, workers: int = 1, wish: str = "auto") -> Choice:
+    """The kernel for a program at so many poses on so many threads; ``wish`` names one that is asked for.
+
+    Raises :class:`ModelError` where the one asked for needs a package that isn't installed.
+    """
+    size = program.size
+    if wish != "auto":
+        KERNELS[wish](program)
+        return Choice(wish, poses, size, "kernel.wished")
+    plain = NUMPY * size * poses
+    compiled = START + COMPILE * size + NUMBA * size * poses / max(workers, 1)
+    if plain <= compiled:
+        return Choice("numpy", poses, size)
+    if not KERNELS["numba"].available():
+        return Choice("numpy", poses, size, "kernel.missing")
+    return Choice("numba", poses, size, "kernel.large")

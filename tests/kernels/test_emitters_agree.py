@@ -1,0 +1,103 @@
+"""Every emitter against CasADi's own evaluation of the same program: all examples, and seeded random mechanisms.
+
+To max(1e-11, 1e-13/d^2) of the signal's largest magnitude in the run, d the smallest normalised determinant of a group
+at the pose: round-off that a group magnifies by 1/d in its rates, and once more in theirs. Poses beyond REGULAR are
+left out, as at a change point there is no figure to agree on.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from helpers.compiled import compiled_of, conditioning
+from helpers.kernels import every
+from helpers.random_mechanisms import DURATION, RECIPES, Seeded, build
+from linkwright.graph.program import Program
+from linkwright.kernels import KERNELS, Compiled, compile_mechanism
+from linkwright.model.document import load
+from linkwright.studies.cycle import CycleOptions, span
+
+EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.yaml"))
+REGULAR = 1e-3
+Case = tuple[Program, np.ndarray, np.ndarray, np.ndarray, np.ndarray]
+
+
+def names_of(compiled: Compiled) -> list[str]:
+    """What the measures ask for, and some of the forces, torques and accelerations."""
+    every = [signal.text for signal in compiled.quantities.signals.all() if signal.attribute != "arm"]
+    asked = " ".join(str(measure) for measure in compiled.mechanism.measures.values())
+    forces = [name for name in every if name.startswith("force(")]
+    rates = [name for name in every if name.endswith((".torque", ".force", ".alpha"))]
+    return list(dict.fromkeys([*(name for name in every if name in asked), *forces[:4], *rates[:4]]))
+
+
+def case_of(compiled: Compiled, names: list[str], t: np.ndarray) -> Case:
+    """A program that solves what it can itself, its inputs at regular poses, CasADi's figures, the bounds of errors."""
+    program = compiled.graph.program(names, rates=True, solve=True)
+    labels = [f"determinant:{each.label}" for each in (*compiled.structure.groups, *compiled.structure.clusters)]
+    x, p, d = compiled.inputs(t), compiled.parameters, np.ones(t.size)
+    if labels:
+        d = np.abs(compiled.closed(labels, t)).min(axis=0)
+    x, d = x[:, ~(d < REGULAR)], d[~(d < REGULAR)]
+    closed = compiled.graph.program(names, rates=True)
+    expected = np.array([closed(pose, p) for pose in x.T]).T
+    return program, x, p, expected, np.maximum(1e-11, 1e-13 / d**2)
+
+
+@cache
+def of_example(path: Path) -> Case:
+    document = load(path)
+    compiled = compile_mechanism(document, path.parent)
+    length, wrong = span(compiled, CycleOptions.model_validate(document.studies["cycle"]))
+    assert not wrong
+    return case_of(compiled, names_of(compiled), np.linspace(0.0, length, 25))
+
+
+def agrees(kernel: str, case: Case) -> None:
+    program, x, p, expected, bounds = case
+    found = KERNELS[kernel](program).run(x, p)
+    unknown = np.isnan(expected)
+    assert np.array_equal(np.isnan(found), unknown)
+    assert not unknown.all()
+    largest = np.abs(np.where(unknown, 0.0, expected)).max(axis=1, keepdims=True)
+    late = (np.where(unknown, 0.0, np.abs(found - expected)) > np.where(unknown, 0.0, bounds * largest)).any(axis=1)
+    assert not late.any(), [program.outputs[i] for i in np.flatnonzero(late)]
+
+
+@pytest.mark.parametrize("kernel", every())
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_on_every_example(kernel: str, path: Path) -> None:
+    agrees(kernel, of_example(path))
+
+
+@cache
+def of_recipe(recipe: str) -> Case:
+    """The first seed whose mechanism stays away from singular poses."""
+    t = np.linspace(0.0, DURATION, 9)
+    for seed in range(50):
+        compiled = compiled_of(build(recipe, Seeded(seed)))
+        worst, reach = conditioning(compiled, t)
+        if worst > 0.02 and reach > 0.0:
+            return case_of(compiled, names_of(compiled), t)
+    raise AssertionError(recipe)
+
+
+@pytest.mark.parametrize("kernel", every())
+@pytest.mark.parametrize("recipe", RECIPES)
+def test_on_random_mechanisms(kernel: str, recipe: str) -> None:
+    agrees(kernel, of_recipe(recipe))
+
+
+def test_a_wrong_figure_is_seen() -> None:
+    program, x, p, expected, bounds = of_example(EXAMPLES[0].with_stem("paper_feeder"))
+    row = program.outputs.index("motor.torque")
+    pose = int(np.argmax(np.abs(expected[row])))
+    wrong = expected.copy()
+    wrong[row, pose] *= 1 + 1e-10
+    agrees("numpy", (program, x, p, expected, bounds))
+    with pytest.raises(AssertionError, match=r"motor\.torque"):
+        agrees("numpy", (program, x, p, wrong, bounds))
