@@ -5,14 +5,13 @@ from __future__ import annotations
 import statistics
 import time
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.kernels import KERNELS, Compiled, Kernel
+from linkwright.kernels.spread import spread
 
 Array = NDArray[np.float64]
 
@@ -58,24 +57,6 @@ def timed(action: Callable[[], object]) -> float:
     return time.perf_counter() - start
 
 
-class Threads:
-    """A kernel over the pose axis in equal parts, a thread for each."""
-
-    def __init__(self, kernel: Kernel, threads: int) -> None:
-        self.kernel, self.threads = kernel, threads
-        self.pool = ThreadPoolExecutor(threads) if threads > 1 else None
-
-    def run(self, x: Array, p: Array, out: Array) -> Array:
-        """All outputs (outputs, poses), written into ``out``."""
-        if self.pool is None:
-            return self.kernel.run(x, p, out)
-        bounds = pairwise(np.linspace(0, x.shape[1], self.threads + 1).astype(int))
-        parts = [self.pool.submit(self.kernel.run, x[:, a:b], p, out[:, a:b]) for a, b in bounds]
-        for part in parts:
-            part.result()
-        return out
-
-
 def kernels(skipped: list[str]) -> Iterator[type[Kernel]]:
     """Every kernel whose packages are installed; the others are noted."""
     for name in KERNELS:
@@ -97,15 +78,13 @@ def linkwright_ways(
     for kind in kernels(skipped):
         kernel = kind(program)
         for threads in (1, 2):
-            spread = Threads(kernel, threads)
 
-            def ready(spread: Threads = spread) -> tuple[float, Array]:
-                return timed(lambda: spread.run(x, p, out)), spread.run(few, p, np.empty((len(names), samples.size)))
+            def ready(kernel: Kernel = kernel, threads: int = threads) -> tuple[float, Array]:
+                return timed(lambda: spread(kernel, x, p, out, threads)), kernel.run(few, p)
 
             yield Way("linkwright", f"{kernel.name}, {threads} thread{'s' * (threads > 1)}", t.size, ready)
 
-        def whole(spread: Threads = spread) -> tuple[float, Array]:
-            seconds = timed(lambda: spread.run(compiled.inputs(t), p, np.empty_like(out)))
-            return seconds, spread.run(few, p, np.empty((len(names), samples.size)))
+        def whole(kernel: Kernel = kernel) -> tuple[float, Array]:
+            return timed(lambda: spread(kernel, compiled.inputs(t), p, workers=2)), kernel.run(few, p)
 
         yield Way("linkwright", f"{kernel.name}, 2 threads, from times to new arrays", t.size, whole)

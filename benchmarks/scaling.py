@@ -24,10 +24,11 @@ from typing import Any
 from unittest.mock import patch
 
 import numpy as np
-from contest import Array, Threads, kernels
+from contest import Array, kernels
 from run import median
 
 import linkwright as lw
+from linkwright.kernels.spread import spread
 
 SIZES = (2, 5, 10, 20, 40)
 SWING = 0.5
@@ -84,8 +85,7 @@ def measure(dyads: int, poses: int, repeats: int) -> Row:
         kernel = kind(program)
         kernel.run(x[:, :64], p, out[:, :64])
         figures = {"build_s": time.perf_counter() - start}
-        spreads = [Threads(kernel, n) for n in (1, 2)]
-        times = [median(partial(spread.run, x, p, out), repeats) / poses for spread in spreads]
+        times = [median(partial(spread, kernel, x, p, out, n), repeats) / poses for n in (1, 2)]
         off = np.abs(out[[-4, -1]] - true).max(axis=1) / np.abs(true).max(axis=1)
         figures |= {"ns_per_pose": 1e9 * times[0], "ns_per_pose_and_dyad": 1e9 * times[0] / dyads}
         row["kernels"][kernel.name] = {**figures, "two_threads": times[0] / times[1], "error": float(off.max())}

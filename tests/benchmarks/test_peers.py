@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 import sys
 from types import SimpleNamespace
 from typing import Any
@@ -132,18 +131,6 @@ def test_the_largest_error_of_each_kind_counts() -> None:
     true = np.array([[1.0, 2.5], [3.25, 4.5], [1.0, 1.0], [1.0, 2.0]])
     off = peers.errors(["C.x", "C.y", "force(a, b).x", "force(a, b).y"], found, true)
     assert off == {"position_mm": 500.0, "force_N": None}
-
-
-def test_threads_give_the_same_to_the_last_bit() -> None:
-    compiled = lw.compile(peers.four_bar())
-    kernel = KERNELS["numpy"](compiled.graph.program(peers.RATES))
-    x = compiled.inputs(np.linspace(0.0, 1.0, 5001))
-    out = [
-        contest.Threads(kernel, n).run(x, compiled.parameters, np.full((len(peers.RATES), 5001), math.nan))
-        for n in (1, 2, 3)
-    ]
-    assert np.array_equal(out[0], out[1])
-    assert np.array_equal(out[0], out[2])
 
 
 def test_ratios_are_those_of_the_rounds() -> None:
