@@ -4,8 +4,36 @@ Knows nothing of mechanisms. A :class:`Work` opens as a :class:`Task`, whose ato
 a :class:`Sink` takes in theirs; so no runner and no size of block changes a bit of what comes out.
 """
 
+from linkwright.blocks.carry import Carried, Progress, carry
+from linkwright.blocks.checkpoint import Checkpoint
+from linkwright.blocks.cluster import Cluster
+from linkwright.blocks.histogram import Histogram
+from linkwright.blocks.moments import Moments
 from linkwright.blocks.reductions import Reduction, Tallies
+from linkwright.blocks.runners import RUNNERS, Runner, Threads
+from linkwright.blocks.sinks import Folding, Together
 from linkwright.blocks.streams import generator
 from linkwright.blocks.work import UNIT, Cut, Sink, Task, Work
 
-__all__ = ["UNIT", "Cut", "Reduction", "Sink", "Tallies", "Task", "Work", "generator"]
+__all__ = [
+    "RUNNERS",
+    "UNIT",
+    "Carried",
+    "Checkpoint",
+    "Cluster",
+    "Cut",
+    "Folding",
+    "Histogram",
+    "Moments",
+    "Progress",
+    "Reduction",
+    "Runner",
+    "Sink",
+    "Tallies",
+    "Task",
+    "Threads",
+    "Together",
+    "Work",
+    "carry",
+    "generator",
+]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import hashlib
 import io
 import zipfile
@@ -63,9 +64,22 @@ class Checkpoint:
         return Saved(following, arrays)
 
     def write(self, following: int, arrays: Arrays) -> None:
-        """Replace the file: ``following`` is the next atom. Raises :class:`OSError`; the old file then stands."""
+        """Replace the file: ``following`` is the next atom.
+
+        Raises :class:`~linkwright.model.findings.ModelError` where it can't; the old file then stands.
+        """
         stream = io.BytesIO()
         np.savez(stream, key=np.array(self.key), next=np.array(following), **arrays)  # type: ignore[arg-type]
         body = stream.getvalue()
         head = FORMAT + b" " + hashlib.sha256(body).hexdigest().encode()
-        write_aside(self.path, head + b"\n" + body)
+        try:
+            write_aside(self.path, head + b"\n" + body)
+        except OSError as error:
+            raise unsaved(self.path, error) from None
+
+
+def unsaved(path: Path, error: OSError) -> ModelError:
+    """What to say where something can't be written."""
+    full = error.errno in (errno.ENOSPC, errno.EDQUOT)
+    data = {"file": str(path), "reason": error.strerror or str(error)}
+    return ModelError([Finding("blocks.no-space" if full else "blocks.unwritable", (), data)])

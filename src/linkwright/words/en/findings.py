@@ -140,12 +140,12 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Put back a copy of it, or start the study anew, which writes over the file.",
     ),
     "blocks.no-space": (
-        "There is no space left to write to {file}: {reason}.",
-        "Make space and start the same study again: it goes on from the {atoms} atoms that are saved.",
+        "There is no space left for {file}: {reason}.",
+        "Make space and start the same study again: it goes on from what is saved.",
     ),
     "blocks.unwritable": (
         "Can't write to {file}: {reason}.",
-        "Mend that and start the same study again: it goes on from the {atoms} atoms that are saved.",
+        "Mend that and start the same study again: it goes on from what is saved.",
     ),
     "blocks.cluster-unreachable": (
         "No Dask scheduler answers at {address}: {reason}.",
