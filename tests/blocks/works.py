@@ -14,6 +14,7 @@ import numpy as np
 
 from linkwright.blocks import UNIT, Cut, Folding, Histogram, Moments, Tallies, generator
 from linkwright.blocks.checkpoint import Checkpoint
+from linkwright.blocks.store import Stored, Variable
 
 CUT = Cut(3 * UNIT + 77, 70)
 """Four units in three ranges of poses: twelve atoms."""
@@ -86,3 +87,19 @@ def folding(work: Noise, path: Path | None = None) -> Folding:
 def bits(results: Any) -> dict[str, bytes]:
     """All figures as bytes."""
     return {f"{name}.{key}": value.tobytes() for name, figures in results.items() for key, value in figures.items()}
+
+
+def storing(work: Noise, path: Path, **options: Any) -> Stored:
+    """A store for the work."""
+    angles = np.arange(work.cut.poses) / 10
+    variables = [
+        Variable("a", unit="mm"),
+        Variable("b"),
+        Variable("pose", ("pose",), "rad", coordinate=True),
+    ]
+    return Stored(path, work.key, work.cut, variables, {"pose": angles}, **options)
+
+
+def files(path: Path) -> dict[str, bytes]:
+    """All files of a store with their bytes."""
+    return {str(p.relative_to(path)): p.read_bytes() for p in sorted(path.rglob("*")) if p.is_file()}

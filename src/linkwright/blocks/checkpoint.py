@@ -57,7 +57,7 @@ class Checkpoint:
             with np.load(io.BytesIO(body), allow_pickle=False) as stored:
                 arrays = dict(stored)
             key, following = str(arrays.pop("key")), int(arrays.pop("next"))
-        except (ValueError, KeyError, zipfile.BadZipFile):
+        except (ValueError, KeyError, EOFError, AttributeError, zipfile.BadZipFile):
             raise ModelError([Finding("blocks.corrupt", (), {"file": str(self.path)})]) from None
         if key != self.key:
             raise ModelError([Finding("blocks.other-work", (), {"file": str(self.path)})])
