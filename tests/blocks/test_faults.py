@@ -116,6 +116,21 @@ def test_no_scheduler_at_an_address(address: str, tmp_path: Path, monkeypatch: p
     assert outcome.atoms == 0
 
 
+def test_a_scheduler_without_workers(monkeypatch: pytest.MonkeyPatch) -> None:
+    distributed = pytest.importorskip("distributed")
+    monkeypatch.setattr(cluster_module, "IDLE", 0.2)
+    monkeypatch.setattr(cluster_module, "RECOUNT", 0.0)
+    empty = distributed.LocalCluster(
+        n_workers=0, processes=False, dashboard_address=None, protocol="tcp", host="127.0.0.1"
+    )
+    runner = Cluster(empty.scheduler_address)
+    outcome = carry(Noise(), folding(Noise()), runner)
+    runner.close()
+    empty.close(timeout=5)
+    assert outcome.error is not None
+    assert outcome.error.code == "blocks.cluster-idle"
+
+
 # The process is killed or interrupted.
 
 

@@ -133,6 +133,7 @@ def test_counts_between_edges() -> None:
 REDUCTIONS = {
     "moments": lambda outputs, fast: Moments(fast=fast),
     "histogram": lambda outputs, fast: Histogram([EDGES[i % 2] for i in range(outputs)], fast=fast),
+    "even": lambda outputs, fast: Histogram([np.linspace(-2, 2, 31)] * outputs, fast=fast),
 }
 
 
@@ -165,6 +166,19 @@ def test_sums_are_taken_one_after_the_other() -> None:
     y = values(1, UNIT, 1, 0.0)
     d = y[0, :, 0] - y[0, 0, 0]
     assert state(Moments(), y)["offset"][0, 0] == reduce(lambda a, b: a + b, d.tolist()) / UNIT != d.sum() / UNIT
+
+
+@pytest.mark.parametrize(
+    "edges", [np.linspace(0, 1, 11), np.linspace(-1e-3, 7e5, 1001), [0.0, 1e-9, 1.0], [0.0, 3e-310]]
+)
+def test_values_on_edges_and_beside_them(edges: Any) -> None:
+    """Each edge, and the doubles next to it, counts where NumPy counts it, in both twins."""
+    pytest.importorskip("numba")
+    e = np.asarray(edges)
+    y = np.concatenate([e, np.nextafter(e, -np.inf), np.nextafter(e, np.inf), [-1e300, 1e300]]).reshape(1, -1, 1)
+    plain, fast = (state(Histogram([e], fast=f), y) for f in (False, True))
+    assert same_bits(plain, fast)
+    assert np.array_equal(Histogram([e]).result(fast)["counts"][0, :, 0], np.histogram(y, e)[0])
 
 
 def test_tallies_keep_several_apart() -> None:

@@ -23,6 +23,8 @@ PATIENCE = 10.0
 """Seconds in which a scheduler must answer."""
 RECOUNT = 2.0
 """Seconds after which the workers are counted anew."""
+IDLE = 60.0
+"""Seconds without any worker after which a study gives up."""
 
 
 @register
@@ -35,7 +37,7 @@ class Cluster:
     def __init__(self, address: str) -> None:
         self.address = address
         self._client: Any = None
-        self._workers, self._counted = 1, -RECOUNT
+        self._workers, self._counted, self._seen = 0, -RECOUNT, time.monotonic()
 
     @property
     def client(self) -> Any:
@@ -51,11 +53,20 @@ class Cluster:
 
     @property
     def workers(self) -> int:
-        """The threads of all workers, counted anew every few seconds; 1 while there is none yet."""
+        """The threads of all workers; 1 while there is none yet."""
+        self._count()
+        return max(self._workers, 1)
+
+    def _count(self) -> None:
+        """Count the workers' threads anew every few seconds; none for long is a finding."""
         now = time.monotonic()
-        if now > self._counted + RECOUNT:
-            self._workers, self._counted = max(sum(self.client.nthreads().values()), 1), now
-        return self._workers
+        if now < self._counted + RECOUNT:
+            return
+        self._workers, self._counted = sum(self.client.nthreads().values()), now
+        if self._workers:
+            self._seen = now
+        elif now > self._seen + IDLE:
+            raise ModelError([Finding("blocks.cluster-idle", (), {"address": self.address, "seconds": f"{IDLE:.0f}"})])
 
     def results(
         self, work: Work, task: Task, atoms: range, block: int, stop: Callable[[], bool]
@@ -78,6 +89,7 @@ class Cluster:
                 while not window[0][1].done() and client.status == "running":
                     if stop():
                         return
+                    self._count()
                     news.wait(LOOK)
                     news.clear()
                 ready = []

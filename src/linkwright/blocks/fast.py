@@ -80,18 +80,24 @@ def moments(
 def histogram(y: Any, edges: Any, slots: Any, missing: Any) -> None:
     """Count in ``y`` (outputs, samples, poses), in place; ``edges`` (outputs, edges) bound the slots between them."""
     outputs, samples, poses = y.shape
+    last = edges.shape[1] - 1
     for o in range(outputs):
+        low, per = edges[o, 0], last / (edges[o, last] - edges[o, 0])
+        even = True  # the slot can be reckoned, but for a step or two that rounding takes
+        for k in range(last + 1):
+            even = even and abs((edges[o, k] - low) * per - k) < 0.5
         for i in range(samples):
             for j in range(poses):
                 v = y[o, i, j]
                 if not abs(v) < np.inf:
                     missing[o, j] += 1
                     continue
-                low, high = 0, edges.shape[1]
-                while low < high:
-                    middle = (low + high) // 2
-                    if v < edges[o, middle]:
-                        high = middle
-                    else:
-                        low = middle + 1
-                slots[o, low, j] += 1
+                if even:
+                    slot = int(min(max((v - low) * per + 1.0, 0.0), last + 1.0))
+                    while slot > 0 and v < edges[o, slot - 1]:
+                        slot -= 1
+                    while slot <= last and v >= edges[o, slot]:
+                        slot += 1
+                else:
+                    slot = np.searchsorted(edges[o], v, side="right")
+                slots[o, slot, j] += 1

@@ -155,6 +155,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The connection to the Dask scheduler at {address} is lost.",
         "Start the scheduler and its workers again, then the same study: it goes on from what is saved.",
     ),
+    "blocks.cluster-idle": (
+        "The Dask scheduler at {address} has had no workers for {seconds} s.",
+        "Start workers ('dask worker {address}'), then the same study: it goes on from what is saved.",
+    ),
     "blocks.workers-died": (
         "Several workers of the cluster died over the same atoms ({first} to {last}).",
         "Look into the workers' logs; often it is memory: give each worker more of it, or fewer threads.",
