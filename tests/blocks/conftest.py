@@ -12,7 +12,7 @@ import pytest
 def cluster() -> Iterator[Any]:
     distributed = pytest.importorskip("distributed")
     made = distributed.LocalCluster(
-        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, host="127.0.0.1"
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0", host="127.0.0.1"
     )
     yield made
     made.close(timeout=5)

@@ -6,10 +6,13 @@ worker that has it dies it is made again. What a dying worker had in hand Dask h
 
 from __future__ import annotations
 
+import asyncio
 import logging
 import time
 from collections import deque
 from collections.abc import Callable, Generator, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from itertools import takewhile
 from threading import Event
 from typing import Any
 from uuid import uuid4
@@ -45,8 +48,10 @@ class Cluster:
         if self._client is None:
             distributed = needed("distributed", "cluster")
             try:
+                with ThreadPoolExecutor(1) as pool:  # whoever calls may have a loop of his own at work
+                    pool.submit(asyncio.run, _asked(self.address)).result()
                 self._client = distributed.Client(self.address, timeout=PATIENCE, set_as_default=False)
-            except (OSError, ValueError, TypeError) as error:
+            except (OSError, ValueError) as error:
                 data = {"address": self.address, "reason": str(error) or type(error).__name__}
                 raise ModelError([Finding("blocks.cluster-unreachable", (), data)]) from None
         return self._client
@@ -62,7 +67,11 @@ class Cluster:
         now = time.monotonic()
         if now < self._counted + RECOUNT:
             return
-        self._workers, self._counted = sum(self.client.nthreads().values()), now
+        client = self.client
+        try:
+            self._workers, self._counted = sum(client.nthreads().values()), now
+        except OSError:
+            raise self._lost() from None
         if self._workers:
             self._seen = now
         elif now > self._seen + IDLE:
@@ -92,35 +101,30 @@ class Cluster:
                     self._count()
                     news.wait(LOOK)
                     news.clear()
-                ready = []
-                while window and window[0][1].done():
-                    ready.append(window.popleft())
-                for done in self._gathered(ready):
-                    yield from done
+                yield from self._gathered(window)
         finally:
             _forget(client, [handle, *(future for _, future in window)])
 
-    def _gathered(self, ready: list[tuple[range, Any]]) -> list[Results]:
-        """The results of finished blocks."""
+    def _gathered(self, window: deque[tuple[range, Any]]) -> Results:
+        """The results of the first blocks, as far as they are finished; raises the fault of the very first one."""
         distributed = needed("distributed", "cluster")
-        if not ready or self._client.status != "running":
+        some, first = window[0]
+        if self._client.status != "running" or first.status in ("cancelled", "lost"):
             raise self._lost()
-        for some, future in ready:
-            if future.status in ("cancelled", "lost"):
-                raise self._lost()
-            if future.status == "error":
-                error = future.exception()
-                if isinstance(error, distributed.KilledWorker):
-                    data = {"first": some[0], "last": some[-1]}
-                    raise ModelError([Finding("blocks.workers-died", (), data)])
-                raise error
+        futures = (future for _, future in window)
+        ready = list(takewhile(lambda future: future.status == "finished", futures)) or [first]
         try:
-            gathered: list[Results] = self._client.gather([future for _, future in ready])
-        except (OSError, distributed.CancelledError):
+            gathered: list[Results] = self._client.gather(ready)
+        except distributed.KilledWorker:
+            raise ModelError([Finding("blocks.workers-died", (), {"first": some[0], "last": some[-1]})]) from None
+        except (distributed.CancelledError, distributed.comm.CommClosedError):
             raise self._lost() from None
-        return gathered
+        for _ in ready:
+            window.popleft()
+        return [one for results in gathered for one in results]
 
     def _lost(self) -> ModelError:
+        self.close()
         return ModelError([Finding("blocks.cluster-lost", (), {"address": self.address})])
 
     def close(self) -> None:
@@ -136,6 +140,14 @@ class Cluster:
         finally:
             log.setLevel(level)
             self._client = None
+
+
+async def _asked(address: str) -> None:
+    """See whether a scheduler answers: a client that got no answer can't be closed safely, so none is made."""
+    distributed = needed("distributed", "cluster")
+    options = distributed.Security().get_connection_args("client")
+    comm = await distributed.comm.connect(address, timeout=PATIENCE, **options)
+    await comm.close()
 
 
 def _same(work: Work) -> Work:
