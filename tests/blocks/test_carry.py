@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Any
+from uuid import uuid4
 
 import numpy as np
 import pytest
@@ -227,3 +229,21 @@ def test_a_task_is_opened_once_and_the_last_few_kept() -> None:
         opened(Once(seed=seed))
     opened(Once(seed=100))
     assert count == 6
+
+
+class Opening(Noise):
+    """Leaves a file each time it is opened."""
+
+    def open(self) -> Any:
+        assert self.fault is not None
+        (self.fault / f"{os.getpid()}-{uuid4()}").touch()
+        return super().open()
+
+
+def test_a_worker_opens_a_work_once(cluster: Any, tmp_path: Path) -> None:
+    work = Opening(fault=tmp_path)
+    runner = Cluster(cluster.scheduler_address)
+    assert carry(work, folding(work), runner, block=1).done
+    pids = [path.name.split("-")[0] for path in tmp_path.iterdir()]
+    assert 2 <= len(pids) == len(set(pids)) <= 1 + len(runner.client.nthreads())
+    runner.close()

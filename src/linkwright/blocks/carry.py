@@ -61,8 +61,8 @@ def carry(
     """Perform the atoms that the sink lacks, in blocks of so many; save every so many seconds and at the end.
 
     The runner is threads of this process unless another is given. Neither it nor ``block`` changes the results. An
-    interrupt (Ctrl-C) stops handing out atoms, waits for those at work and saves; a second one leaves at once, with
-    what was last saved. Findings of the runner and of the sink's files come back as ``error``.
+    interrupt (Ctrl-C) stops handing out atoms, waits for those at work and saves; a second one gives up what isn't
+    saved. Findings of the runner and of the sink's files come back as ``error``.
     """
     loop = _Loop(sink, runner or Threads(), progress, every)
     error: Finding | None = None

@@ -14,7 +14,8 @@ from linkwright.blocks.work import Arrays, Cut, Sink
 class Folding:
     """Folds the states that atoms give (those of :class:`~linkwright.blocks.reductions.Tallies`), unit after unit.
 
-    With a checkpoint it goes on where that one stands; without, it starts at the first atom and saves nothing.
+    With a checkpoint it goes on where that one stands; without, it starts at the first atom and saves nothing. The
+    checkpoint's key must tell of the reductions too. Their names have no points.
     """
 
     def __init__(self, cut: Cut, reductions: Mapping[str, Reduction], checkpoint: Checkpoint | None = None) -> None:
