@@ -13,36 +13,13 @@ import numpy as np
 from linkwright.blocks.packages import needed
 
 numba = needed("numba", "fast")
+STRIP = 1 << 13
+"""Values of a strip, which is gone through pose by pose while it is in the cache."""
 F = TypeVar("F", bound=Callable[..., Any])
 
 
 def _compiled(function: F) -> F:
     return cast(F, numba.njit(nogil=True, error_model="numpy")(function))
-
-
-# Each of these loops touches few arrays: with more, LLVM gives up proving that they don't overlap, and vectorising.
-
-
-@_compiled
-def _sums(v: Any, shift: Any, sum_: Any, square: Any, count: Any) -> None:
-    for j in range(v.size):
-        d = v[j] - shift[j] if abs(v[j]) < np.inf else 0.0
-        sum_[j] += d
-        square[j] += d * d
-    for j in range(v.size):
-        count[j] += 1 if abs(v[j]) < np.inf else 0
-
-
-@_compiled
-def _extremes(v: Any, at: int, least: Any, least_at: Any, most: Any, most_at: Any) -> None:
-    for j in range(v.size):
-        low = v[j] if abs(v[j]) < np.inf else np.inf
-        least_at[j] = at if low < least[j] else least_at[j]
-        least[j] = low if low < least[j] else least[j]
-    for j in range(v.size):
-        high = v[j] if abs(v[j]) < np.inf else -np.inf
-        most_at[j] = at if high > most[j] else most_at[j]
-        most[j] = high if high > most[j] else most[j]
 
 
 @_compiled
@@ -61,19 +38,30 @@ def moments(
 ) -> None:
     """Count in ``y`` (outputs, samples, poses), in place."""
     outputs, samples, poses = y.shape
+    rows = max(STRIP // max(poses, 1), 16)
     for o in range(outputs):
-        for j in range(poses):
-            missing[o, j] += samples + count[o, j]
-            if count[o, j] == 0:
-                for i in range(samples):
-                    if abs(y[o, i, j]) < np.inf:
-                        shift[o, j] = y[o, i, j]
-                        break
-        for i in range(samples):
-            _sums(y[o, i], shift[o], sum_[o], square[o], count[o])
-            _extremes(y[o, i], first + i, least[o], least_at[o], most[o], most_at[o])
-        for j in range(poses):
-            missing[o, j] -= count[o, j]
+        for start in range(0, samples, rows):
+            stop = min(start + rows, samples)
+            for j in range(poses):
+                n, a, s, q = count[o, j], shift[o, j], sum_[o, j], square[o, j]
+                low, low_at, high, high_at = least[o, j], least_at[o, j], most[o, j], most_at[o, j]
+                before = n
+                for i in range(start, stop):
+                    v = y[o, i, j]
+                    if abs(v) < np.inf:
+                        if n == 0:
+                            a = v
+                        n += 1
+                        d = v - a
+                        s += d
+                        q += d * d
+                        if v < low:
+                            low, low_at = v, first + i
+                        if v > high:
+                            high, high_at = v, first + i
+                count[o, j], shift[o, j], sum_[o, j], square[o, j] = n, a, s, q
+                missing[o, j] += stop - start - (n - before)
+                least[o, j], least_at[o, j], most[o, j], most_at[o, j] = low, low_at, high, high_at
 
 
 @_compiled
