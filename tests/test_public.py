@@ -152,12 +152,13 @@ LEVELS = {
     "structure": 4,
     "graph": 5,
     "kernels": 6,
-    "results": 7,
-    "studies": 8,
-    **dict.fromkeys(("report", "export"), 9),
-    "app": 10,
-    "cli": 11,
-    "__main__": 12,
+    "blocks": 7,
+    "results": 8,
+    "studies": 9,
+    **dict.fromkeys(("report", "export"), 10),
+    "app": 11,
+    "cli": 12,
+    "__main__": 13,
 }
 # The side floors know of nothing but what is named here.
 SIDES = {"notation": set(), "words": set(), "gallery": set(), "laws": {"notation"}}

@@ -39,6 +39,7 @@ TITLES = {
     "file": "The file",
     "builder": "The builder",
     "gallery": "The gallery",
+    "blocks": "Large studies",
     "units": "Units",
     "expression": "Expressions",
     "parameters": "Parameters",

@@ -130,6 +130,39 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The gallery has no model called '{name}'.",
         "Write one of these: {near}. 'linkwright new' lists all.",
     ),
+    # Large studies.
+    "blocks.other-work": (
+        "The file {file} keeps the state of another study: the model, the options or the version differ.",
+        "Give this study another file, put back what it was begun with, or start anew, which writes over the file.",
+    ),
+    "blocks.corrupt": (
+        "The file {file} keeps the state of a study, but it is damaged.",
+        "Put back a copy of it, or start the study anew, which writes over the file.",
+    ),
+    "blocks.no-space": (
+        "There is no space left for {file}: {reason}.",
+        "Make space and start the same study again: it goes on from what is saved.",
+    ),
+    "blocks.unwritable": (
+        "Can't write to {file}: {reason}.",
+        "Mend that and start the same study again: it goes on from what is saved.",
+    ),
+    "blocks.cluster-unreachable": (
+        "No Dask scheduler answers at {address}: {reason}.",
+        "Check the address (such as tcp://host:8786), and that 'dask scheduler' runs there and a firewall lets it through.",
+    ),
+    "blocks.cluster-lost": (
+        "The connection to the Dask scheduler at {address} is lost.",
+        "Start the scheduler and its workers again, then the same study: it goes on from what is saved.",
+    ),
+    "blocks.cluster-idle": (
+        "The Dask scheduler at {address} has had no workers for {seconds} s.",
+        "Start workers ('dask worker {address}'), then the same study: it goes on from what is saved.",
+    ),
+    "blocks.workers-died": (
+        "Several workers of the cluster died over the same atoms ({first} to {last}).",
+        "Look into the workers' logs; often it is memory: give each worker more of it, or fewer threads.",
+    ),
     # Units and expressions.
     "units.wrong": (
         "'{word}' isn't a unit of {base}.",

@@ -144,5 +144,7 @@ TEXTS: dict[str, str] = {
     "cli.met": "met",
     "cli.not_met": "NOT met",
     "cli.working": "{study}: {file}",
+    "cli.rate": "{rate} poses/s",
+    "cli.left": ", {time} left",
     "cli.interrupted": "Interrupted. What is written already is whole.",
 }

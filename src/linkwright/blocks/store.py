@@ -1,0 +1,137 @@
+"""Results larger than memory: a Zarr store (format 3), written atom by atom, that xarray reads.
+
+An atom is one chunk of each variable, written before the atom counts as done; a chunk that was written but not yet
+counted when a study ended is written again. The count stands beside the store, in ``NAME.checkpoint``.
+"""
+
+from __future__ import annotations
+
+import re
+import warnings
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from linkwright.blocks.checkpoint import Checkpoint, unsaved
+from linkwright.blocks.packages import needed
+from linkwright.blocks.work import UNIT, Arrays, Cut
+from linkwright.model.findings import Finding, ModelError
+
+_UNFIT = re.compile(r"[^\w.,@+()-]|^__")
+
+
+@dataclass(frozen=True)
+class Variable:
+    """An array of the store: its name, its dimensions (``sample``, ``pose``, both), its unit ("" for none).
+
+    ``coordinate`` says that it tells where the others stand, such as the angles of poses or the samples' dimensions.
+    """
+
+    name: str
+    dims: tuple[str, ...] = ("sample", "pose")
+    unit: str = ""
+    coordinate: bool = False
+
+
+class Stored:
+    """A sink that writes each atom's arrays, named as the variables, into a Zarr store at ``path``.
+
+    An atom gives float64 arrays (samples, poses), or (samples,) where the variable has no ``pose``; those over poses
+    alone stand in ``fixed`` and are written at the start, as may others be. Where the store is there already, it is
+    gone on with, if its checkpoint has the same ``key``; ``anew`` begins it again and writes over it. NaN stands where
+    nothing is written yet. Raises :class:`~linkwright.model.findings.ModelError`.
+    """
+
+    def __init__(
+        self,
+        path: Path,
+        key: str,
+        cut: Cut,
+        variables: Sequence[Variable],
+        fixed: Mapping[str, ArrayLike] | None = None,
+        attributes: Mapping[str, Any] | None = None,
+        anew: bool = False,
+    ) -> None:
+        self._path, self._cut = path, cut
+        self._checkpoint = Checkpoint(path.with_name(f"{path.name}.checkpoint"), key, anew)
+        self._variables, self._fixed = tuple(variables), dict(fixed or {})
+        zarr = needed("zarr", "cluster")
+        saved = self._checkpoint.read()
+        if saved is None and path.exists() and not anew:
+            raise ModelError([Finding("file.exists", (), {"file": str(path)})])
+        self.next = 0 if saved is None else saved.next
+        if self.next == 0:
+            self.save()
+            try:
+                self._arrays = self._made(zarr, dict(attributes or {}))
+            except OSError as error:
+                raise unsaved(path, error) from None
+            return
+        try:
+            group = zarr.open_group(path, mode="r+")
+            self._arrays = {v.name: group[stored_name(v.name)] for v in self._variables}
+        except (OSError, KeyError, ValueError):
+            raise ModelError([Finding("blocks.corrupt", (), {"file": str(path)})]) from None
+
+    def _made(self, zarr: Any, attributes: dict[str, Any]) -> dict[str, Any]:
+        sizes = {"sample": self._cut.samples, "pose": self._cut.poses}
+        pieces = {"sample": max(min(UNIT, self._cut.samples), 1), "pose": self._cut.width}
+        located = " ".join(stored_name(v.name) for v in self._variables if v.coordinate and v.dims != (v.name,))
+        group = zarr.open_group(self._path, mode="w", zarr_format=3, attributes=attributes)
+        arrays: dict[str, Any] = {}
+        for v in self._variables:
+            attributes = {"long_name": v.name, "units": v.unit or "1"}
+            if located and not v.coordinate:
+                attributes["coordinates"] = located
+            array = arrays[v.name] = group.create_array(
+                stored_name(v.name),
+                shape=tuple(sizes[dim] for dim in v.dims),
+                chunks=tuple(pieces[dim] for dim in v.dims),
+                dtype="float64",
+                fill_value=np.nan,
+                compressors=None,  # measured values hardly shrink, and packing them costs more than writing them
+                dimension_names=v.dims,
+                attributes=attributes,
+            )
+            if v.name in self._fixed:
+                array[...] = np.asarray(self._fixed[v.name], dtype=np.float64)
+        with warnings.catch_warnings():  # not in the format's text yet, but what xarray looks for
+            warnings.simplefilter("ignore")
+            zarr.consolidate_metadata(self._path)
+        return arrays
+
+    def take(self, atom: int, result: Arrays) -> None:
+        """Write the arrays of atom ``next``."""
+        at = {"sample": self._cut.sample_slice(atom), "pose": self._cut.pose_slice(atom)}
+        for v in self._variables:
+            if v.name in self._fixed or ("pose" not in v.dims and self._cut.range(atom)):
+                continue
+            try:
+                self._arrays[v.name][tuple(at[dim] for dim in v.dims)] = result[v.name]
+            except OSError as error:
+                self._clear(atom)
+                raise unsaved(self._path, error) from None
+        self.next = atom + 1
+
+    def _clear(self, atom: int) -> None:
+        """Take back an atom that couldn't be written whole: the space lets the count be saved."""
+        at = {"sample": self._cut.unit(atom), "pose": self._cut.range(atom)}
+        for v in self._variables:
+            if v.name not in self._fixed and "pose" in v.dims:
+                chunk = Path(self._path, stored_name(v.name), "c", *(str(at[dim]) for dim in v.dims))
+                with suppress(OSError):
+                    chunk.unlink()
+
+    def save(self) -> None:
+        """Count what is written."""
+        self._checkpoint.write(self.next, {})
+
+
+def stored_name(name: str) -> str:
+    """The name that a variable has in the store: letters of any script and ``.,@+()-_``, others spelled ``_u002f``."""
+    return _UNFIT.sub(lambda match: "".join(f"_u{ord(letter):04x}" for letter in match[0]), name.strip())
