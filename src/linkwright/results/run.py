@@ -153,9 +153,19 @@ class Run:
             count *= 2
 
 
-def combined(compiled: Compiled, node: Node, t: Array, rows: Mapping[str, Sequence[Array]], order: int) -> Jet:
-    """An expression (bound to SI) at times ``t`` to an order of derivatives, from the signals' ``rows``."""
-    parameters = compiled.quantities.parameters
+def combined(
+    compiled: Compiled,
+    node: Node,
+    t: Array,
+    rows: Mapping[str, Sequence[Array]],
+    order: int,
+    given: Mapping[str, Any] | None = None,
+) -> Jet:
+    """An expression (bound to SI) at times ``t`` to an order of derivatives, from the signals' ``rows``.
+
+    ``given`` are parameters other than the nominal ones: numbers, or arrays that broadcast with the times.
+    """
+    parameters = compiled.quantities.parameters if given is None else given
     time = Jet([t, np.ones_like(t)]).cut(order)
 
     def named(name: Name) -> Any:

@@ -28,6 +28,22 @@ def stationary(rates: Callable[[Array], tuple[Array, Array]], start: float, stop
     return _roots(lambda at: rates(at)[1], _settled(look, start, stop, steps))
 
 
+def fineness(rates: Callable[[Array], tuple[Array, Array]], start: float, stop: float, steps: int) -> list[int]:
+    """The steps on which the count of each row's brackets has stayed the same twice; :data:`MAX_STEPS` if never."""
+    counts: list[list[int]] = []
+    steps = min(max(steps, FIRST_STEPS), LATEST_FIRST)
+    found: dict[int, int] = {}
+    while True:
+        t = np.linspace(start, stop, steps + 1)
+        counts.append([len(_brackets(t, v, s)) for v, s in zip(*rates(t), strict=True)])
+        for row, last in enumerate(zip(*counts[-3:], strict=True)):
+            if row not in found and len(last) == 3 and len(set(last)) == 1:
+                found[row] = steps
+        if len(found) == len(counts[0]) or steps >= MAX_STEPS:
+            return [found.get(row, MAX_STEPS) for row in range(len(counts[0]))]
+        steps *= 2
+
+
 def magnitude(values: Array, slopes: Array) -> tuple[Array, Array]:
     """Magnitudes with their rates, so that a passage through zero is a turning point too."""
     with np.errstate(invalid="ignore"):
@@ -73,26 +89,29 @@ def _sign_changes(t: Array, f: Array) -> Array:
 
 
 def _roots(f: Callable[[Array], Array], brackets: list[Array]) -> list[Array]:
-    """One root in each bracket of each row, all at once (Chandrupatla)."""
+    """One root in each bracket of each row, all at once."""
     rows = np.repeat(np.arange(len(brackets)), [len(b) for b in brackets])
     if rows.size == 0:
         return [np.empty(0) for _ in brackets]
-    from scipy.optimize.elementwise import find_root
-
-    ends = np.concatenate(brackets)
 
     def chosen(t: Array, row: NDArray[np.intp]) -> Array:
-        found = f(t.ravel())[row.ravel(), np.arange(t.size)].reshape(t.shape)
-        return np.asarray(np.nan_to_num(found, posinf=HUGE, neginf=-HUGE))
+        return np.asarray(f(t)[row, np.arange(t.size)])
 
-    result = find_root(
-        chosen,
-        (ends[:, 0], ends[:, 1]),
-        args=(rows,),
-        tolerances={"xatol": 0.0, "xrtol": 4e-16, "fatol": 0.0, "frtol": 0.0},
-    )
-    x, lost = result.x, np.isnan(result.x)
-    if lost.any():  # an end whose sign is round-off had the other one when it was looked at again: it is the root
-        heights = np.abs([chosen(end, rows) for end in ends.T])
-        x = np.where(lost, np.where(heights[0] < heights[1], ends[:, 0], ends[:, 1]), x)
+    x = bracketed(chosen, rows, *np.concatenate(brackets).T)
     return [np.sort(x[rows == row]) for row in range(len(brackets))]
+
+
+def bracketed(f: Callable[[Array, NDArray[np.intp]], Array], rows: NDArray[np.intp], low: Array, high: Array) -> Array:
+    """One root of ``f(t, row)`` in each bracket (n,), all at once and each by itself (Chandrupatla)."""
+    from scipy.optimize.elementwise import find_root
+
+    def finite(t: Array, row: NDArray[np.intp]) -> Array:
+        return np.asarray(np.nan_to_num(f(t.ravel(), row.ravel()), posinf=HUGE, neginf=-HUGE)).reshape(t.shape)
+
+    tolerances = {"xatol": 0.0, "xrtol": 4e-16, "fatol": 0.0, "frtol": 0.0}
+    result = find_root(finite, (low, high), args=(rows,), tolerances=tolerances)
+    x, lost = np.asarray(result.x), np.isnan(result.x)
+    if lost.any():  # an end whose sign is round-off had the other one when it was looked at again: it is the root
+        heights = np.abs([finite(end[lost], rows[lost]) for end in (low, high)])
+        x[lost] = np.where(heights[0] < heights[1], low[lost], high[lost])
+    return x
