@@ -91,6 +91,8 @@ class Bunch:
 
     def _at(self, what: What, who: Who, t: Array, order: int) -> tuple[Array, ...]:
         names, rows = self.names([what]), {}
+        if not t.size:
+            return (t,) * (order + 1)
         if names:
             y = self.varied.at(names, self.p[:, who], t[:, None], rates=bool(order)).reshape(len(names), -1, t.size)
             for name, row in zip(names, y, strict=True):
@@ -137,9 +139,11 @@ class Bunch:
 
     def turning(self, what: What, found: Changes, some: NDArray[np.bool_] | slice = slice(None)) -> tuple[Who, Array]:
         """Samples and times at which a curve turns, from changes of its rate's sign, or some of them."""
-        who = found.who[some]
-        low, high = self.t[who, found.before[some]], self.t[who, found.after[some]]
-        return who, self._roots(lambda t, row: self.rates(what, row, t)[1], who, low, high)
+        who, i, j = found.who[some], found.before[some], found.after[some]
+        value, rate = self.on_grid(what)
+        low, high = self.t[who, i], self.t[who, j]
+        first = _turn(value[who, j] - value[who, i], (high - low) * rate[who, i], (high - low) * rate[who, j])
+        return who, self._roots(lambda t, row: self.rates(what, row, t)[1], who, low, high, first)
 
     def crossings(self, what: What, f: Callable[[Array, Who | None], Array] | None = None) -> tuple[Who, Array]:
         """Samples and times at which a curve changes sign, or ``f(values, samples)`` of it; of the whole grid where
@@ -149,8 +153,10 @@ class Bunch:
         low, high = self.t[found.who, found.before], self.t[found.who, found.after]
         return found.who, self._roots(lambda t, row: f(self.values(what, row, t), row), found.who, low, high)
 
-    def _roots(self, f: Callable[[Array, Who], Array], who: Who, low: Array, high: Array) -> Array:
-        return bracketed(f, who, low, high) if who.size else np.empty(0)
+    def _roots(
+        self, f: Callable[[Array, Who], Array], who: Who, low: Array, high: Array, first: Array | float = 0.5
+    ) -> Array:
+        return bracketed(f, who, low, high, first) if who.size else np.empty(0)
 
     @cached_property
     def length(self) -> Array:
@@ -181,3 +187,10 @@ def changes(f: Array, counts: NDArray[np.bool_] | None = None) -> Changes:
     before, after = last[who, after], after + 1
     turned = (f[who, before] > 0) != (f[who, after] > 0)
     return Changes(who[turned], before[turned], after[turned])
+
+
+def _turn(rise: Array, before: Array, after: Array) -> Array:
+    """Where the cubic that rises so over a bracket of width 1, with these slopes at its ends, turns."""
+    a, b = 3 * (before + after - 2 * rise), 6 * rise - 4 * before - 2 * after
+    with np.errstate(all="ignore"):
+        return np.asarray(2 * before / (np.copysign(np.sqrt(b * b - 4 * a * before), before) - b))

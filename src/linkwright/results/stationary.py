@@ -8,9 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Rows = NDArray[np.intp]
 
 FIRST_STEPS, LATEST_FIRST, MAX_STEPS = 1 << 6, 1 << 13, 1 << 15
 HUGE = 1e150
+MOST_LOOKS = 200
+EDGE = 1e-3
+"""A first look is no nearer to an end of its bracket than this share of it."""
 NOISE = 1e-10
 """A rate below this share of its largest magnitude doesn't count as a sign."""
 
@@ -94,24 +98,56 @@ def _roots(f: Callable[[Array], Array], brackets: list[Array]) -> list[Array]:
     if rows.size == 0:
         return [np.empty(0) for _ in brackets]
 
-    def chosen(t: Array, row: NDArray[np.intp]) -> Array:
+    def chosen(t: Array, row: Rows) -> Array:
         return np.asarray(f(t)[row, np.arange(t.size)])
 
     x = bracketed(chosen, rows, *np.concatenate(brackets).T)
     return [np.sort(x[rows == row]) for row in range(len(brackets))]
 
 
-def bracketed(f: Callable[[Array, NDArray[np.intp]], Array], rows: NDArray[np.intp], low: Array, high: Array) -> Array:
-    """One root of ``f(t, row)`` in each bracket (n,), all at once and each by itself (Chandrupatla)."""
-    from scipy.optimize.elementwise import find_root
+def bracketed(
+    f: Callable[[Array, Rows], Array], rows: Rows, low: Array, high: Array, first: Array | float = 0.5
+) -> Array:
+    """One root of ``f(t, row)`` in each bracket (n,), each by itself to round-off; ``first`` is where to look first,
+    as a share of it.
 
-    def finite(t: Array, row: NDArray[np.intp]) -> Array:
-        return np.asarray(np.nan_to_num(f(t.ravel(), row.ravel()), posinf=HUGE, neginf=-HUGE)).reshape(t.shape)
+    Inverse quadratic interpolation where it is safe, else bisection: Chandrupatla, Advances in Engineering Software
+    28 (1997) 145, as written out by Scherer, Computational Physics (2010), 6.1.7.3.
+    """
 
-    tolerances = {"xatol": 0.0, "xrtol": 4e-16, "fatol": 0.0, "frtol": 0.0}
-    result = find_root(finite, (low, high), args=(rows,), tolerances=tolerances)
-    x, lost = np.asarray(result.x), np.isnan(result.x)
-    if lost.any():  # an end whose sign is round-off had the other one when it was looked at again: it is the root
-        heights = np.abs([finite(end[lost], rows[lost]) for end in (low, high)])
-        x[lost] = np.where(heights[0] < heights[1], low[lost], high[lost])
-    return x
+    def finite(t: Array, row: Rows) -> Array:
+        return np.asarray(np.nan_to_num(f(t, row), posinf=HUGE, neginf=-HUGE))
+
+    found = np.empty(low.shape)
+    a, b, c = low, high, high
+    fa, fb = finite(a, rows), finite(b, rows)
+    fc = fb
+    share = np.broadcast_to(np.clip(np.nan_to_num(first, nan=0.5), EDGE, 1 - EDGE), low.shape)
+    tolerance = 4e-16 * np.maximum(np.abs(low), np.abs(high))
+    open_ = np.arange(low.size)  # the brackets that are looked at, and which of them aren't closed yet
+    # An end whose sign is round-off had the other one when it was looked at before: it is the root.
+    going = fa * fb < 0
+    found[:] = np.where(np.abs(fa) <= np.abs(fb), a, b)
+    for _ in range(MOST_LOOKS):
+        if not going.any():
+            break
+        if 2 * np.count_nonzero(going) < going.size:  # rarely, as kernels like calls of the same size
+            some = going
+            open_, rows, share, tolerance = open_[some], rows[some], share[some], tolerance[some]
+            a, b, c, fa, fb, fc, going = (v[some] for v in (a, b, c, fa, fb, fc, going))
+        x = a + share * (b - a)
+        fx = finite(x, rows)
+        same = np.sign(fx) == np.sign(fa)
+        c, fc = np.where(same, a, b), np.where(same, fa, fb)
+        b, fb = np.where(same, b, a), np.where(same, fb, fa)
+        a, fa = x, fx
+        found[open_[going]] = np.where(np.abs(fa) <= np.abs(fb), a, b)[going]
+        width = np.abs(b - a)
+        going = going & (width > tolerance) & (fa != 0)
+        with np.errstate(all="ignore"):
+            xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
+            safe = (phi**2 < xi) & ((1 - phi) ** 2 < 1 - xi)
+            inverse = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
+            least = 0.5 * tolerance / width
+            share = np.where(safe, np.clip(inverse, least, 1 - least), 0.5)
+    return found

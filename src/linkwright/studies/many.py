@@ -40,7 +40,7 @@ Mask = NDArray[np.bool_]
 
 MOST_STEPS = 1 << 12
 """The finest grid that samples share."""
-CHUNK = 1 << 16
+CHUNK = 1 << 17
 """Poses of the grid that are looked at together."""
 LABELS = {"extremes": ("min", "max")}
 EXTREMES = {"max": {"": 1.0}, "min": {"": -1.0}, "extremes": {"min": -1.0, "max": 1.0}, "span": {"min": -1.0, "max": 1.0}}
