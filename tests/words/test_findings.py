@@ -57,6 +57,7 @@ TITLES = {
     "window": "Windows",
     "measure": "Measures",
     "study": "Studies",
+    "varied": "Many parameter sets",
     "structure": "Structure",
     "assembly": "Assembly",
     "motion": "Motion",

@@ -263,8 +263,10 @@ def shortfall_at(
     drives: Mapping[str, float],
     failing: Group,
     unknowns: Unknowns,
+    parameters: Mapping[str, float] | None = None,
 ) -> tuple[float, float]:
-    """The distance (m) that a group must span at a pose at which it can't close, and the nearest that it can."""
+    """The distance (m) that a group must span at a pose at which it can't close, and the nearest that it can; at the
+    nominal ``parameters`` or at others."""
     found: list[tuple[float, float]] = []
 
     def branch(group: Group, dyad: Dyad) -> float:
@@ -273,7 +275,7 @@ def shortfall_at(
             raise _CannotStart
         return branches.get(group, 1.0)
 
-    geometry = Geometry(quantities, quantities.parameters)
+    geometry = Geometry(quantities, quantities.parameters if parameters is None else parameters)
     with suppress(_CannotStart, ZeroDivisionError), np.errstate(all="ignore"):
         solve_motion(structure, geometry, {name: Jet([value]) for name, value in drives.items()}, branch, unknowns)
     return found[0] if found else (math.nan, math.nan)

@@ -34,28 +34,15 @@ class Path:
     end: float | None = None
 
 
-class Follower:
-    """Supplies the coordinates of one cluster, from inputs in which those of earlier clusters stand already."""
+class Corrector:
+    """Newton on one cluster, from inputs in which the coordinates of earlier clusters stand already."""
 
-    def __init__(self, graph: Graph, cluster: Cluster, start: list[float], size: float, kernel: str) -> None:
-        n = len(cluster.free)
-        self.cluster, self.n = cluster, n
+    def __init__(self, graph: Graph, cluster: Cluster, size: float, kernel: str) -> None:
+        self.cluster, self.n = cluster, len(cluster.free)
         self.rows = graph.coordinates(cluster)
         self.solver: Kernel = KERNELS[kernel](graph.solving(cluster))
-        self.motion: Kernel = KERNELS[kernel](graph.program([f"rate:{cluster.label}:{i}" for i in range(n)]))
         self.scale = np.array(cluster.units(size))
         self.slides = 1.0 - np.array(cluster.turning, dtype=float)
-        self.start = np.array(start)
-        self.path = Path()
-        self.correction = 0.0  # the most that Newton moved a foretold coordinate (rad, or over the size)
-
-    def solve(self, x: Array, t: Array, p: Array, at: Callable[[Array], Array]) -> Array:
-        """The coordinates at times ``t``: (coordinates, times), NaN past the path's end. ``at`` gives inputs."""
-        self.extend(float(t.max(initial=0.0)), p, at)
-        start = self.between(t)
-        found = self.newton(x, start, p)
-        self.correction = max(self.correction, float(np.nan_to_num(self.moved(found - start, found)).max(initial=0.0)))
-        return found
 
     def moved(self, step: Array, u: Array) -> Array:
         """The largest step of a pose's coordinates: (poses,), in rad, and of slides over the size or where it is more
@@ -68,6 +55,26 @@ class Follower:
         x = x.copy()
         x[self.rows] = start
         return self.solver.run(x, p)
+
+
+class Follower(Corrector):
+    """Supplies the coordinates of one cluster, from inputs in which those of earlier clusters stand already."""
+
+    def __init__(self, graph: Graph, cluster: Cluster, start: list[float], size: float, kernel: str) -> None:
+        super().__init__(graph, cluster, size, kernel)
+        rates = [f"rate:{cluster.label}:{i}" for i in range(self.n)]
+        self.motion: Kernel = KERNELS[kernel](graph.program(rates))
+        self.start = np.array(start)
+        self.path = Path()
+        self.correction = 0.0  # the most that Newton moved a foretold coordinate (rad, or over the size)
+
+    def solve(self, x: Array, t: Array, p: Array, at: Callable[[Array], Array]) -> Array:
+        """The coordinates at times ``t``: (coordinates, times), NaN past the path's end. ``at`` gives inputs."""
+        self.extend(float(t.max(initial=0.0)), p, at)
+        start = self.between(t)
+        found = self.newton(x, start, p)
+        self.correction = max(self.correction, float(np.nan_to_num(self.moved(found - start, found)).max(initial=0.0)))
+        return found
 
     def extend(self, to: float, p: Array, at: Callable[[Array], Array]) -> None:
         """Lay the path up to a time."""

@@ -38,7 +38,7 @@ def _solve(stage: NewtonStage, closure: Closure, x: Array, p: Array) -> None:
     for _ in range(MOST_STEPS):
         y = closure.run(x[:, open_], p if p.ndim == 1 else p[:, open_])
         gap, slope = y[:n].T, y[n:].reshape(n, n, -1).transpose(2, 0, 1)
-        step = _steps(slope, gap)
+        step = steps(slope, gap)
         u = x[np.ix_(rows, open_)] - step
         x[np.ix_(rows, open_)] = u
         moved[open_] = np.abs(step / np.maximum(scale, np.abs(u) * sliding)).max(axis=0)
@@ -48,7 +48,7 @@ def _solve(stage: NewtonStage, closure: Closure, x: Array, p: Array) -> None:
     x[np.ix_(rows, np.flatnonzero(~(moved < ACCEPTED)))] = np.nan
 
 
-def _steps(slope: Array, gap: Array) -> Array:
+def steps(slope: Array, gap: Array) -> Array:
     """Newton's step at each pose, (n, poses); NaN where the slopes are singular or unknown."""
     step = np.full(gap.shape, np.nan)
     known = np.asarray(np.isfinite(slope).all(axis=(1, 2)) & np.isfinite(gap).all(axis=1))

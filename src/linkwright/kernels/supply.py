@@ -12,6 +12,7 @@ from linkwright.graph.graph import Graph
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.laws import TableLaw
 from linkwright.model import units as u
+from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet, angles
 from linkwright.notation.angles import MAX_TURN, whole_turns
 
@@ -36,9 +37,10 @@ class Supply:
             program = graph.program([f"argument/{i}" for i in which], rates=True)
             self.levels.append((which, KERNELS[kernel](program)))
 
-    def home(self, name: str) -> float | None:
-        """The angle (rad) near which a torsional spring starts: its free angle, or the middle of its table."""
-        quantities = self.graph.quantities
+    def home(self, name: str, quantities: Quantities | None = None) -> float | None:
+        """The angle (rad) near which a torsional spring starts: its free angle, or the middle of its table; the
+        nominal one, or that of other quantities."""
+        quantities = quantities or self.graph.quantities
         spring = quantities.mechanism.springs.get(name)
         if spring is None:
             return None
@@ -53,8 +55,12 @@ class Supply:
             x[self.rows["t"]] = t
         for name, turns in self.turns.items():
             x[self.rows[f"turns/{name}"]] = turns(x, t, p, at)
+        self.look_up(x, lambda kernel: kernel.run(x, p))
+
+    def look_up(self, x: Array, ask: Callable[[Kernel], Array]) -> None:
+        """Put the answers of tables into ``x`` (inputs, ...); ``ask`` runs the kernel of the arguments."""
         for which, kernel in self.levels:
-            answers = kernel.run(x, p).reshape(len(which), 2, t.size)
+            answers = ask(kernel).reshape(len(which), 2, *x.shape[1:])
             for i, argument in zip(which, answers, strict=True):
                 lookup = self.graph.actions.lookups[i]
                 table = self.tables[lookup.table]

@@ -8,16 +8,23 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterator, Sequence
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.kernels.compiled import Compiled
+from linkwright.kernels.failing import Failures, causes
+from linkwright.kernels.pursuit import Pursued, Pursuit
 from linkwright.kernels.registry import KERNELS, Kernel
+from linkwright.kernels.supply import Supply
+from linkwright.kernels.turning import turns_of
+from linkwright.model.check import check_values
 from linkwright.model.findings import Finding, raise_errors
-from linkwright.model.sampled import Sampled, dependent
+from linkwright.model.sampled import Sampled, dependent, names_in
 from linkwright.model.unknown import near
 from linkwright.notation import MAX_ORDER
+from linkwright.structure import Group
 
 Array = NDArray[np.float64]
 
@@ -34,29 +41,47 @@ class Varied:
 
     def __init__(self, compiled: Compiled, names: Sequence[str]) -> None:
         self.compiled, self.graph, self.names = compiled, compiled.graph, tuple(names)
-        raise_errors(self._refused())
         self.varying = dependent(compiled.quantities, frozenset(self.names))
+        raise_errors(self._refused())
+        self.causes = causes(compiled.structure)
         self.row = {name: i for i, name in enumerate(self.graph.parameters)}
         self._kernels: dict[tuple[tuple[str, ...], bool, str], Kernel] = {}
+        self._pursued: dict[str, Pursued] = {}
+        self._supplies: dict[str, Supply] = {}
 
-    def _refused(self) -> list[Finding]:
-        known = self.graph.parameters
-        unknown = [name for name in self.names if name not in known]
-        return [
-            Finding("name.unknown-parameter", ("parameters", name), {"name": name, "near": near(name, known)})
-            for name in unknown
-        ]
+    def _refused(self) -> Iterator[Finding]:
+        """Why these parameters can't be varied."""
+        quantities, known = self.compiled.quantities, self.graph.parameters
+        for name in self.names:
+            if name not in known:
+                yield Finding("name.unknown-parameter", ("parameters", name), {"name": name, "near": near(name, known)})
+        if self.names and self.compiled.passages.every:
+            yield Finding("varied.passage", ("studies", "cycle", "through"), {"names": ", ".join(self.names)})
+        for name, table in quantities.mechanism.tables.items():
+            cells = [*chain.from_iterable(table.points or ()), *([table.period] if table.period else [])]
+            held = {part for cell in cells for part in names_in(cell.node)} & self.varying
+            if held:
+                yield Finding("varied.table", ("tables", name), {"table": name, "names": ", ".join(sorted(held))})
 
     def parameters(self, values: Array) -> Array:
         """All parameters (parameters, samples) from the values of the varied ones, (names, samples), both in SI.
 
         Those that are expressions of varied ones follow. A sample with which the model makes no sense comes out as NaN.
         """
-        values = np.asarray(values, dtype=float)
-        sampled = Sampled(self.compiled.quantities, dict(zip(self.names, values, strict=True)))
-        p = sampled.rows(values.shape[1])
-        p[:, np.broadcast_to(sampled.wrong, values.shape[1])] = np.nan
+        sampled = self._sampled(values)
+        check_values(sampled)
+        p = sampled.rows()
+        p[:, sampled.wrong] = np.nan
         return p
+
+    def faults(self, values: Array) -> list[Finding]:
+        """What the model's own checks of numbers say of some samples, (names, samples): each fault once."""
+        sampled = self._sampled(values)
+        return [*sampled.findings, *check_values(sampled)]
+
+    def _sampled(self, values: Array) -> Sampled:
+        given = dict(zip(self.names, np.asarray(values, dtype=float), strict=True))
+        return Sampled(self.compiled.quantities, given, np.shape(values)[1])
 
     def kernel(self, signals: Sequence[str], rates: bool = False, kernel: str = "numpy") -> Kernel:
         """The kernel of some signals, kept."""
@@ -88,42 +113,106 @@ class Varied:
         found = self._evaluate(self.kernel(signals, rates, kernel), p, np.asarray(t, dtype=float), None)
         return found.reshape(len(signals), 2, *t.shape) if rates else found
 
+    def failures(self, p: Array, t: Array, kernel: str = "numpy") -> Failures:
+        """Which samples can't be assembled or followed at some of the times ``t`` (s), and why."""
+        t = np.asarray(t, dtype=float)
+        first = np.full((len(self.causes), p.shape[1]), np.inf)
+        first[0, np.isnan(p).any(axis=0)] = t[0] if t.size else 0.0
+        if t.size:
+            labels = [cause.of.label for cause in self.causes if isinstance(cause.of, Group)]
+            engine = self.kernel([f"reach:{label}" for label in labels], kernel=kernel) if labels else None
+            used = frozenset(range(len(self.graph.motion_inputs)))
+            for some in _chunks(p.shape[1], t.size):
+                x = self.inputs(p[:, some], t, used, kernel)
+                reach = dict(zip(labels, engine.over(x, p[:, some]), strict=True)) if engine else {}
+                for row, cause in zip(first[1:, some], self.causes[1:], strict=True):
+                    bad = cause.fails(self.graph, x, reach)
+                    row[:] = np.where(bad.any(axis=1), t[bad.argmax(axis=1)], np.inf)
+        met = np.where(np.isfinite(first).any(axis=0), first.argmin(axis=0), -1)
+        return Failures(first.min(axis=0), met)
+
+    def finding(self, cause: int, count: int, samples: int, sample: int, time: float, values: Array) -> Finding:
+        """That ``count`` of ``samples`` fail by one of the causes; the first is number ``sample``, at a time (s), with
+        ``values`` (names,) of the varied parameters."""
+        data = {"count": count, "samples": samples, "sample": sample, "time": f"{time:.6g}"}
+        return self.causes[cause].finding(self, data, time, np.asarray(values, dtype=float))
+
     def _evaluate(self, kernel: Kernel, p: Array, t: Array, out: Array | None) -> Array:
         samples, times = p.shape[1], t.shape[-1]
         if out is None:
             out = np.empty((len(kernel.program.outputs), samples, times))
-        shared = t.ndim == 1 and not self._own()
-        if shared:
-            kernel.over(self.inputs(p, t), p, out)
+        used = kernel.program.used[0]
+        if t.ndim == 1 and not self._own(used):
+            kernel.over(self._drives(p, t), p, out)
         else:
             for some in _chunks(samples, times):
-                kernel.over(self.inputs(p[:, some], t if t.ndim == 1 else t[some]), p[:, some], out[:, some])
+                x = self.inputs(p[:, some], t if t.ndim == 1 else t[some], used, kernel.name)
+                kernel.over(x, p[:, some], out[:, some])
         out[:, np.isnan(p).any(axis=0)] = np.nan
         return out
 
-    def _own(self) -> bool:
-        """Whether samples have inputs of their own."""
-        return any(law.names & self.varying for law in self.compiled.laws.values())
+    def _own(self, used: frozenset[int]) -> bool:
+        """Whether samples have used inputs of their own."""
+        laws = any(law.names & self.varying for law in self.compiled.laws.values())
+        return laws or any(row >= self.graph.first_unknown for row in used)
 
-    def inputs(self, p: Array, t: Array) -> Array:
-        """The per-pose inputs: (inputs, times) where all samples share them, or (inputs, samples, times)."""
-        shape = t.shape if t.ndim == 1 and not self._own() else (p.shape[1], t.shape[-1])
-        x = np.full((len(self.graph.inputs), *shape), np.nan)
-        self._laws(x, p, t)
-        first = len(self.graph.drives) * (MAX_ORDER + 2)
-        for i, group in enumerate(self.graph.branched, start=first):
-            x[i] = self.compiled.assembly.branches[group]
+    def inputs(self, p: Array, t: Array, used: frozenset[int], kernel: str) -> Array:
+        """The per-pose inputs at times ``t`` (times,) or (samples, times), as far as they are ``used``: (inputs,
+        samples, times)."""
+        x = self._drives(p, t, (p.shape[1], t.shape[-1]))
+        first = len(self.graph.motion_inputs)
+        actions = any(row >= first for row in used)
+        if self.compiled.structure.clusters and (actions or any(row >= self.graph.first_unknown for row in used)):
+            pursued = self.pursued(kernel)
+            x[pursued.rows] = pursued.coordinates(p, t)
+        if actions:
+            self._supply(x, p, t, kernel)
         return x
 
-    def _laws(self, x: Array, p: Array, t: Array) -> None:
-        """Put the drives' values and rates into the inputs."""
-        nominal = self.compiled.quantities.parameters
+    def _drives(self, p: Array, t: Array, shape: tuple[int, ...] | None = None) -> Array:
+        """The inputs with the drives' values and rates and the branches alone: (inputs, *shape)."""
+        x = np.full((len(self.graph.inputs), *(shape or t.shape)), np.nan)
+        nominal, width = self.compiled.quantities.parameters, MAX_ORDER + 2
         for i, drive in enumerate(self.graph.drives):
             law = self.compiled.laws[drive]
             given: dict[str, float | Array] = {name: nominal[name] for name in law.names - self.varying - {"t"}}
             given |= {name: p[self.row[name], :, None] for name in law.names & self.varying}
-            for k, row in enumerate(law.at(t, given).d, start=i * (MAX_ORDER + 2)):
+            for k, row in enumerate(law.at(t, given).d, start=i * width):
                 x[k] = row
+        for i, group in enumerate(self.graph.branched, start=len(self.graph.drives) * width):
+            x[i] = self.compiled.assembly.branches[group]
+        return x
+
+    def pursued(self, kernel: str) -> Pursued:
+        """What follows the clusters with a kernel, kept."""
+        if kernel not in self._pursued:
+            with _MAKING:
+                assembly, clusters = self.compiled.assembly, self.compiled.structure.clusters
+                pursuit = Pursuit(self.graph, clusters, assembly.size(), kernel)
+                start = np.concatenate([assembly.starts[cluster] for cluster in clusters])
+                self._pursued[kernel] = Pursued(pursuit, start, self.compiled.parameters, self._drives)
+        return self._pursued[kernel]
+
+    def supplied(self, kernel: str) -> Supply:
+        """The kernels of what loads and springs need, kept."""
+        if kernel not in self._supplies:
+            with _MAKING:
+                self._supplies[kernel] = Supply(self.graph, self.compiled.tables, kernel)
+        return self._supplies[kernel]
+
+    def _supply(self, x: Array, p: Array, t: Array, kernel: str) -> None:
+        """Put the inputs of loads and springs into those of the motion."""
+        supply, quantities = self.supplied(kernel), self.compiled.quantities
+        x[supply.first :] = 0.0
+        if "t" in supply.rows:
+            x[supply.rows["t"]] = t
+        motion = frozenset(range(supply.first))
+        for name, turns in supply.turns.items():
+            home = supply.home(name, Sampled(quantities, dict(zip(self.row, p, strict=True)), p.shape[1]))
+            x[supply.rows[f"turns/{name}"]] = turns_of(
+                turns.kernel, home, x, t, p, lambda p, t: self.inputs(p, t, motion, kernel)
+            )
+        supply.look_up(x, lambda of: of.over(x, p))
 
 
 def _chunks(samples: int, times: int) -> Iterator[slice]:

@@ -101,9 +101,16 @@ class Quantities:
         node = self.bind(expression, dimension)
         try:
             with np.errstate(all="ignore"):
-                return float(evaluate(node, lambda name: self.parameters[name.text]))
+                return self._plain(evaluate(node, lambda name: self.parameters[name.text]))
         except (KeyError, ExpressionError):
             raise self._explained(expression) or DimensionError("expression.not-constant", name="") from None
+
+    def _plain(self, value: Any) -> float:
+        return float(value)
+
+    def bad(self, wrong: Any) -> bool:
+        """Whether something is wrong with a value; of many samples, with some."""
+        return bool(wrong)
 
     def _explained(self, expression: Expression) -> DimensionError | None:
         """What is wrong with the names of an expression that should be constant."""

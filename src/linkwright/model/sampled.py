@@ -8,10 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model.expressions import Name, Node, evaluate, nodes
-from linkwright.model.fields import Expression
+from linkwright.model.expressions import Name, Node, nodes
+from linkwright.model.findings import Finding
 from linkwright.model.quantities import LARGEST, Quantities
-from linkwright.model.units import Dimension
 
 Array = NDArray[np.float64]
 
@@ -31,39 +30,36 @@ def names_in(node: Node) -> set[str]:
 
 
 class Sampled(Quantities):
-    """A mechanism's numbers with some parameters given as arrays (samples,) in SI, and all others that depend on
-    them: values come out as arrays then, as plain numbers where nothing varies.
+    """A mechanism's numbers with some parameters given as arrays (samples,) in SI: values that depend on them come out
+    as arrays. A parameter given so takes the place of its own expression.
 
-    A parameter given so takes the place of its own expression.
+    ``wrong`` (samples,) collects those of which a check finds some value bad.
     """
 
-    def __init__(self, nominal: Quantities, given: Mapping[str, Array]) -> None:
+    def __init__(self, nominal: Quantities, given: Mapping[str, Array], samples: int) -> None:
         self.__dict__.update(nominal.__dict__)
-        self.varying = dependent(nominal, frozenset(given))
-        self.parameters = dict(nominal.parameters)
+        self.samples, self.wrong = samples, np.zeros(samples, dtype=bool)
+        self.findings, self.parameters = [], dict(nominal.parameters)
+        varying = dependent(nominal, frozenset(given))
         for name in self.order:
             if name in given:
-                self.parameters[name] = np.asarray(given[name], dtype=float)  # type: ignore[assignment]
-            elif name in self.varying:
+                self.parameters[name] = given[name]  # type: ignore[assignment]
+            elif name in varying:
                 expression = self.mechanism.parameters[name].value
                 self.parameters[name] = self.value(expression, self.dimensions.of(name))
+            if self.bad(np.logical_not(np.abs(self.parameters[name]) < LARGEST)):
+                data = {"text": self.mechanism.parameters[name].value.text[:60]}
+                self.findings.append(Finding("parameters.value", ("parameters", name), data))
 
-    def value(self, expression: Expression, dimension: Dimension | None) -> Any:
-        """The value in SI: (samples,) where it varies, else a number; NaN or infinite where it has none."""
-        node = self.bind(expression, dimension)
-        if not names_in(node) & self.varying:
-            return super().value(expression, dimension)
-        with np.errstate(all="ignore"):
-            return evaluate(node, lambda name: self.parameters[name.text])
+    def _plain(self, value: Any) -> Any:
+        return value
 
-    def rows(self, samples: int) -> Array:
+    def bad(self, wrong: Any) -> bool:
+        """Whether something is wrong with the value of some sample; these are noted."""
+        self.wrong |= wrong
+        return bool(np.any(wrong))
+
+    def rows(self) -> Array:
         """All parameters, in their order: (parameters, samples)."""
-        return np.array([np.broadcast_to(value, samples) for value in self.parameters.values()]).reshape(-1, samples)
-
-    @property
-    def wrong(self) -> NDArray[np.bool_]:
-        """The samples of which some parameter has no number to compute with."""
-        found: NDArray[np.bool_] = np.zeros((), dtype=bool)
-        for name in self.varying:
-            found = found | ~(np.abs(self.parameters[name]) < LARGEST)
-        return found
+        rows = [np.broadcast_to(value, self.samples) for value in self.parameters.values()]
+        return np.array(rows).reshape(-1, self.samples)

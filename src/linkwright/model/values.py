@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+import numpy as np
+
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression
@@ -18,7 +20,7 @@ CONSTANT = (Scope.CONSTANT, Scope.LOAD)
 
 
 def check_values(quantities: Quantities) -> list[Finding]:
-    """Faults of numbers. The quantities are free of findings."""
+    """Faults of numbers. The quantities are free of findings; they may be those of many samples."""
     constant = [place for place in quantities.places if place.scope in CONSTANT]
     bad = [finding for place in constant for finding in _finite(quantities, place)]
     return bad or [finding for part in (_bodies, _rods, _intervals) for finding in part(quantities)]
@@ -29,15 +31,15 @@ def _finite(q: Quantities, place: Place) -> Iterator[Finding]:
         value = q.value(place.expression, q.dimensions.resolve(place.wanted))
     except DimensionError:
         return
-    if not abs(value) < LARGEST:
+    if q.bad(np.logical_not(np.abs(value) < LARGEST)):
         yield Finding("value.not-finite", place.path, {"text": place.expression.text[:60]})
 
 
 def _bodies(q: Quantities) -> Iterator[Finding]:
     def least(path: tuple[Any, ...], term: str, of: Expression, dimension: Dimension, over: bool) -> Iterator[Finding]:
         value, (unit, size) = q.value(of, dimension), q.unit_of(dimension)
-        if value < 0 or (over and value == 0):
-            data = {"what": Term(term), "value": f"{value / size:.6g}", "unit": unit}
+        if q.bad(wrong := np.less_equal(value, 0) if over else np.less(value, 0)):
+            data = {"what": Term(term), "value": f"{np.extract(wrong, value)[0] / size:.6g}", "unit": unit}
             yield Finding("value.too-small", path, data)
 
     for name, link in q.mechanism.links.items():
@@ -57,7 +59,8 @@ def _bodies(q: Quantities) -> Iterator[Finding]:
             if isinstance(given, Expression) and key != "preload" and not (key == "free" and spring.torsional):
                 over = key in ("gas", "exponent")
                 yield from least(("springs", name, key), "number", given, dimension, over)
-        if spring.gas is not None and spring.progression is not None and q.value(spring.progression, u.PURE) <= 1:
+        progression = spring.progression if spring.gas is not None else None
+        if progression is not None and q.bad(np.less_equal(q.value(progression, u.PURE), 1)):
             yield Finding("spring.progression", ("springs", name, "progression"), {})
     for section in ("springs", "cylinders"):
         for name, part in getattr(q.mechanism, section).items():
@@ -80,7 +83,7 @@ def _rods(q: Quantities) -> Iterator[Finding]:
                 for point in link.shape.points
             ]
             alike = len({link.points[point].polar for point in link.shape.points}) == 1
-            if alike and ends[0] == ends[1]:
+            if alike and q.bad(np.logical_and(*map(np.equal, *ends))):
                 points = "-".join(link.shape.points)
                 yield Finding("value.rod", ("links", name, "shape"), {"points": points})
 
@@ -116,6 +119,6 @@ def _rising(
     equal: bool = False,
 ) -> Iterator[Finding]:
     low, high = (q.value(edge, dimension) for edge in edges)
-    if not (low < high or (equal and low == high)):
+    if q.bad(np.logical_not(low <= high if equal else low < high)):
         data = {"low": edges[0].text[:40], "high": edges[1].text[:40]}
         yield Finding("value.not-rising", path, data)

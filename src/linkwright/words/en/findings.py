@@ -562,6 +562,34 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The range of {drive} is wider than {limit} {unit}.",
         "Give a smaller range.",
     ),
+    # Many parameter sets of one mechanism.
+    "varied.passage": (
+        "The motion goes on through a change point (through: keep), which another value of {names} would move.",
+        "Vary the parameters of a motion without change points.",
+    ),
+    "varied.table": (
+        "The table {table} holds expressions of {names}, which vary; a table is the same for all samples.",
+        "Write the table's numbers out, or don't vary what it depends on.",
+    ),
+    "varied.values": (
+        "{count} of {samples} samples have values that the model can't take; in the first one, {sample}: {what}",
+        "Narrow the ranges of the varied parameters.",
+    ),
+    "varied.drive": (
+        "In {count} of {samples} samples the law of {drive} has no finite value; in the first one, {sample}, at "
+        "t = {time} s.",
+        "Narrow the ranges of the parameters in its position, or change the law.",
+    ),
+    "varied.cannot-assemble": (
+        "{count} of {samples} samples can't be put together; the first one, {sample}, at t = {time} s: there {joints} of "
+        "{links} come {distance} {unit} apart, {by} {unit} {way} than the links can span ({limit} {unit}).",
+        "Narrow the ranges of the varied lengths, or count on the samples that are left.",
+    ),
+    "varied.stuck": (
+        "{count} of {samples} samples can't be followed; in the first one, {sample}, the group {group} can't be followed "
+        "to t = {time} s: on the way from the nominal pose it reaches a singular one.",
+        "Narrow the ranges of the varied parameters, or count on the samples that are left.",
+    ),
     "study.none": (
         "The file asks for no study.",
         "Add one, for example studies: {{cycle: {{period: 1.5 s, samples: 200}}}}.",

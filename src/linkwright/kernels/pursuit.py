@@ -1,0 +1,151 @@
+"""Following the clusters of many samples at once, each by steps of its own: in the parameters from the nominal start
+pose to that of the sample, and in time from pose to pose.
+
+A step foretells the coordinates by one linear step of Newton's method and lets Newton correct them; it is taken only
+where the correction is small (:data:`CLOSE`), and halved else, so that no sample jumps to another mode. What becomes
+of a sample doesn't depend on the others.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.graph.graph import Graph
+from linkwright.kernels.follow import CLOSE, PATIENCE, Corrector
+from linkwright.kernels.newton import steps
+from linkwright.kernels.registry import KERNELS, Kernel
+from linkwright.structure import Cluster
+
+Array = NDArray[np.float64]
+Place = Callable[[NDArray[np.intp], Array], tuple[Array, Array]]
+"""Of some samples, each somewhere on its way: the inputs (inputs, samples) and parameters (parameters, samples)."""
+
+STRIDE = 0.5
+"""The most that a step may move a coordinate (rad, or lengths over the size)."""
+GRID = 128
+"""Poses of the grid from which samples go to times of their own."""
+
+
+class _Joined(Corrector):
+    """Newton on one cluster, foretold by the closure's slopes."""
+
+    def __init__(self, graph: Graph, cluster: Cluster, size: float, kernel: str) -> None:
+        super().__init__(graph, cluster, size, kernel)
+        self.closure: Kernel = KERNELS[kernel](graph.program(graph.closure(cluster)))
+
+    def step(self, x: Array, p: Array) -> Array:
+        """Put the coordinates into the inputs, which hold those of a pose nearby: how far off the foretold ones were,
+        over what is allowed, (poses,); NaN where there is no solution."""
+        u, n = x[self.rows], self.n
+        y = self.closure.run(x, p)
+        guess = u - steps(y[n:].reshape(n, n, -1).transpose(2, 0, 1), y[:n].T)
+        x[self.rows] = found = self.newton(x, guess, p)
+        return np.maximum(self.moved(found - guess, found) / CLOSE, self.moved(found - u, found) / STRIDE)
+
+
+class Pursuit:
+    """The clusters of a mechanism, joined: coordinates ``u`` are (coordinates, samples), cluster by cluster."""
+
+    def __init__(self, graph: Graph, clusters: tuple[Cluster, ...], size: float, kernel: str) -> None:
+        self.joined = [_Joined(graph, cluster, size, kernel) for cluster in clusters]
+        self.rows = [row for joined in self.joined for row in joined.rows]
+
+    def reach(self, place: Place, u: Array, now: Array, target: Array, least: Array) -> Array:
+        """The coordinates at ``target`` (samples,), from those at ``now`` where that is less; NaN where steps shorter
+        than ``least`` would be needed."""
+        u, now, step = u.copy(), now.copy(), target - now
+        todo = np.flatnonzero(np.isfinite(u).all(axis=0) & (now < target))
+        while todo.size:
+            there = np.minimum(now[todo] + step[todo], target[todo])
+            x, p = place(todo, there)
+            x[self.rows] = u[:, todo]
+            off = np.zeros(todo.size)
+            for joined in self.joined:
+                off = np.maximum(off, joined.step(x, p))  # keeps NaN
+            good = off < 1
+            here, length = todo[good], there - now[todo]
+            u[:, here], now[here] = x[self.rows][:, good], there[good]
+            step[todo] = length * np.where(good, np.where(off < 1 / 3, 1.5, 1.0), 0.5)
+            u[:, todo[~good & (step[todo] < least[todo])]] = np.nan
+            todo = todo[(now[todo] < target[todo]) & np.isfinite(u[0, todo])]
+        return u
+
+
+class Pursued:
+    """The coordinates of all clusters of many samples, from the nominal ``start`` pose and parameters on.
+
+    ``drives(p, t, shape)`` gives the inputs without the clusters' coordinates.
+    """
+
+    def __init__(self, pursuit: Pursuit, start: Array, nominal: Array, drives: Callable[..., Array]) -> None:
+        self.pursuit, self.start, self.nominal, self.drives = pursuit, start, nominal, drives
+        self.rows = pursuit.rows
+        self.kept = threading.local()
+
+    def coordinates(self, p: Array, t: Array) -> Array:
+        """At times ``t`` (times,), from pose to pose, or (samples, times), from a grid: (coordinates, samples, times);
+        NaN from the time on from which a sample can't be followed, and before the start."""
+        return self._along(p, t) if t.ndim == 1 else self._from_grid(p, t)
+
+    def _started(self, p: Array) -> Array:
+        """At t = 0, by continuation in the parameters."""
+
+        def place(which: NDArray[np.intp], share: Array) -> tuple[Array, Array]:
+            goal, nominal = p[:, which], self.nominal[:, None]
+            there = np.where(share < 1, nominal + share * (goal - nominal), goal)
+            return self._inputs(there, np.zeros_like(share)), there
+
+        samples = p.shape[1]
+        u = np.where(np.isfinite(p).all(axis=0), np.repeat(self.start[:, None], samples, axis=1), np.nan)
+        return self.pursuit.reach(place, u, np.zeros(samples), np.ones(samples), np.full(samples, PATIENCE))
+
+    def _inputs(self, p: Array, t: Array) -> Array:
+        """The inputs of samples at one time each."""
+        return self.drives(p, t[:, None], (t.size, 1))[..., 0]
+
+    def _along(self, p: Array, t: Array) -> Array:
+        """From pose to pose; ``t`` is (times,) or (samples, times)."""
+        samples = p.shape[1]
+
+        def place(which: NDArray[np.intp], there: Array) -> tuple[Array, Array]:
+            return self._inputs(p[:, which], there), p[:, which]
+
+        own = np.broadcast_to(t, (samples, t.shape[-1]))
+        least = PATIENCE * own.max(axis=1, initial=0.0)
+        u, now = self._kept("start", (p,), lambda: self._started(p)), np.zeros(samples)
+        found = np.empty((len(u), *own.shape))
+        for k in np.argsort(t, kind="stable") if t.ndim == 1 else range(t.shape[1]):
+            u = self.pursuit.reach(place, u, now, own[:, k], least)
+            now = np.maximum(now, own[:, k])
+            found[:, :, k] = np.where(own[:, k] >= 0, u, np.nan)
+        return found
+
+    def _from_grid(self, p: Array, t: Array) -> Array:
+        """From the poses of a grid, each sample's as long as its latest time asks for (rounded up to a power of 2)."""
+        samples, times = t.shape
+        to = t.max(axis=1, initial=0.0)
+        span = np.where(to > 0, np.exp2(np.ceil(np.log2(np.maximum(to, np.finfo(float).tiny)))), 0.0)
+        step = (span / GRID)[:, None]
+        laid = self._kept("grid", (p, span), lambda: self._along(p, step * np.arange(GRID + 1)))
+        k = np.clip(np.floor(t / np.maximum(step, np.finfo(float).tiny)), 0, GRID).astype(int)
+        u = np.take_along_axis(laid, k[None], axis=2).reshape(len(laid), -1)
+
+        def place(which: NDArray[np.intp], there: Array) -> tuple[Array, Array]:
+            own = p[:, which // times]
+            return self._inputs(own, there), own
+
+        least = PATIENCE * np.repeat(span, times)
+        found = self.pursuit.reach(place, u, (step * k).ravel(), t.ravel(), least)
+        return np.where(t >= 0, found.reshape(-1, samples, times), np.nan)
+
+    def _kept(self, name: str, about: tuple[Array, ...], make: Callable[[], Array]) -> Array:
+        """What was made last in this thread, where it was made of the same."""
+        key = tuple(array.tobytes() for array in about)
+        if getattr(self.kept, name, (None,))[0] != key:
+            setattr(self.kept, name, (key, make()))
+        found: Array = getattr(self.kept, name)[1]
+        return found
