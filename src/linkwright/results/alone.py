@@ -31,7 +31,7 @@ class _Sample(Compiled):
 
 
 def alone(varied: Varied, run: Run, p: Array, stop: float) -> Run:
-    """A run of the sample with the parameters ``p`` (parameters,) up to ``stop`` (s), as closely looked at as ``run``."""
+    """A run of the sample ``p`` (parameters,) up to ``stop`` (s), looked at as closely as ``run``."""
     found = Run(_Sample(varied, p), run.start, stop, run.steps)
     found.grid = run.grid
     return found

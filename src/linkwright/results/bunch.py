@@ -29,6 +29,8 @@ What = Node | str
 
 MOST_TURN = 1.5
 """A sample that turns further (rad) between two places of the grid is not made continuous."""
+TOUCH = 1e-9
+"""How far beyond its places a root between them is looked for, over their distance."""
 
 
 class Bunch:
@@ -51,7 +53,9 @@ class Bunch:
             (self.samples, steps + 1),
         )
         rows = dict(zip(varied.graph.parameters, p, strict=True))
-        self.quantities = Sampled(varied.compiled.quantities, {n: rows[n] for n in rows if n in varied.varying})
+        self.quantities = Sampled(
+            varied.compiled.quantities, {n: rows[n] for n in rows if n in varied.varying}, self.samples
+        )
         self._rows: dict[str, tuple[Array, Array]] = {}
         self._angles: dict[str, Array] = {}
 
@@ -94,14 +98,33 @@ class Bunch:
         if not t.size:
             return (t,) * (order + 1)
         if names:
-            y = self.varied.at(names, self.p[:, who], t[:, None], rates=bool(order)).reshape(len(names), -1, t.size)
-            for name, row in zip(names, y, strict=True):
+            for name, row in zip(names, self._asked(names, who, t, bool(order)), strict=True):
                 if self._wrapped(name):
                     row[0] += 2 * np.pi * whole_turns(row[0], self._near(name, who, t))
                 rows[name] = tuple(row)
         own = self.quantities.parameters.items()
         given = {name: value[who] if isinstance(value, np.ndarray) else value for name, value in own}
         return self._combined(what, t, rows, given, order)
+
+    def _asked(self, names: Sequence[str], who: Who, t: Array, rates: bool) -> Array:
+        """Rows at times of some samples: (names, 1 or 2, n)."""
+        shape = (len(names), 2 if rates else 1, -1)
+        if not self._pursued:
+            return self.varied.at(names, self.p[:, who], t[:, None], rates).reshape(shape)
+        # What is followed from the start is followed once for all samples if they stay together.
+        order = np.argsort(who, kind="stable")
+        counts = np.bincount(who, minlength=self.samples)
+        column = np.empty_like(who)
+        column[order] = np.arange(who.size) - np.repeat(np.cumsum(counts) - counts, counts)
+        times = np.repeat(self.stop[:, None], counts.max() + 1, axis=1)
+        times[who, column] = t
+        return self.varied.at(names, self.p, times, rates).reshape(*shape[:2], *times.shape)[:, :, who, column]
+
+    @cached_property
+    def _pursued(self) -> bool:
+        """Whether some of the motion is followed from its start on."""
+        compiled = self.run.compiled
+        return bool(compiled.structure.clusters) or bool(compiled.graph.actions.turning)
 
     def names(self, what: Sequence[What]) -> list[str]:
         """The rows that some curves are made of."""
@@ -141,22 +164,26 @@ class Bunch:
         """Samples and times at which a curve turns, from changes of its rate's sign, or some of them."""
         who, i, j = found.who[some], found.before[some], found.after[some]
         value, rate = self.on_grid(what)
-        low, high = self.t[who, i], self.t[who, j]
-        first = _turn(value[who, j] - value[who, i], (high - low) * rate[who, i], (high - low) * rate[who, j])
-        return who, self._roots(lambda t, row: self.rates(what, row, t)[1], who, low, high, first)
+        width = self.t[who, j] - self.t[who, i]
+        first = _turn(value[who, j] - value[who, i], width * rate[who, i], width * rate[who, j])
+        return who, self._roots(lambda t, row: self.rates(what, row, t)[1], who, i, j, first)
 
     def crossings(self, what: What, f: Callable[[Array, Who | None], Array] | None = None) -> tuple[Who, Array]:
         """Samples and times at which a curve changes sign, or ``f(values, samples)`` of it; of the whole grid where
         the samples are None."""
         f = f or (lambda values, _: values)
         found = changes(f(self.on_grid(what)[0], None))
-        low, high = self.t[found.who, found.before], self.t[found.who, found.after]
-        return found.who, self._roots(lambda t, row: f(self.values(what, row, t), row), found.who, low, high)
+        who = found.who
+        return who, self._roots(lambda t, row: f(self.values(what, row, t), row), who, found.before, found.after)
 
     def _roots(
-        self, f: Callable[[Array, Who], Array], who: Who, low: Array, high: Array, first: Array | float = 0.5
+        self, f: Callable[[Array, Who], Array], who: Who, before: Who, after: Who, first: Array | float = 0.5
     ) -> Array:
-        return bracketed(f, who, low, high, first) if who.size else np.empty(0)
+        """Roots between places of the grid, and a touch further: a jump at a place may lie on either side of it."""
+        low, high = self.t[who, before], self.t[who, after]
+        touch = TOUCH * (high - low)
+        low, high = np.maximum(low - touch, self.start), np.minimum(high + touch, self.stop[who])
+        return bracketed(f, who, low, high, first) if who.size else low
 
     @cached_property
     def length(self) -> Array:

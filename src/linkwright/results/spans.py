@@ -25,7 +25,7 @@ class Spans:
     @property
     def some(self) -> Mask:
         """Which samples have an interval: (samples,)."""
-        return np.isfinite(self.low).any(axis=1)
+        return np.asarray(np.isfinite(self.low).any(axis=1))
 
     def flat(self) -> tuple[Who, Array, Array]:
         """All intervals one after another: sample, start, end."""
@@ -57,7 +57,9 @@ class Spans:
     @property
     def last(self) -> Array:
         """Where the last interval ends (s), NaN without one."""
-        return np.fmax.reduce(self.high, axis=1, initial=-np.inf, where=np.isfinite(self.high))
+        if not self.high.size:
+            return np.full(len(self.high), np.nan)
+        return np.asarray(np.fmax.reduce(self.high, axis=1))
 
 
 def spans(bunch: Bunch, name: str | None) -> Spans:
@@ -68,13 +70,13 @@ def spans(bunch: Bunch, name: str | None) -> Spans:
     quantities = bunch.quantities
     window = quantities.mechanism.windows[name]
     if isinstance(window, tuple):
-        low, high = (quantities.value(edge, u.TIME) for edge in window)
-        low, high = np.maximum(low, start), np.minimum(high, stop)
+        edges = [quantities.value(edge, u.TIME) for edge in window]
+        low, high = np.maximum(edges[0], start), np.minimum(edges[1], stop)
         who = np.flatnonzero(low < high)
         return _packed(who, low[who], high[who], bunch.samples)
-    ((text, edges),) = window.items()
+    ((text, sides),) = window.items()
     dimension = quantities.dimensions.dimension(parse(text))
-    low, high = (np.broadcast_to(quantities.value(edge, dimension), bunch.samples) for edge in edges)
+    low, high = (np.broadcast_to(quantities.value(edge, dimension), bunch.samples) for edge in sides)
     return _within(bunch, text, low, high, turning=dimension == u.ANGLE)
 
 

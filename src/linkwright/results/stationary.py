@@ -133,8 +133,8 @@ def bracketed(
             break
         if 2 * np.count_nonzero(going) < going.size:  # rarely, as kernels like calls of the same size
             some = going
-            open_, rows, share, tolerance = open_[some], rows[some], share[some], tolerance[some]
-            a, b, c, fa, fb, fc, going = (v[some] for v in (a, b, c, fa, fb, fc, going))
+            open_, rows, going = open_[some], rows[some], going[some]
+            a, b, c, fa, fb, fc, share, tolerance = (v[some] for v in (a, b, c, fa, fb, fc, share, tolerance))
         x = a + share * (b - a)
         fx = finite(x, rows)
         same = np.sign(fx) == np.sign(fa)

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from linkwright.kernels.varied import Varied
 from linkwright.model.check import WHERE
-from linkwright.model.expressions import Name, Node, parse
+from linkwright.model.expressions import Node, parse
 from linkwright.model.mechanism import Measure
 from linkwright.model.places import figure
 from linkwright.results import Run
@@ -43,7 +43,8 @@ MOST_STEPS = 1 << 12
 CHUNK = 1 << 17
 """Poses of the grid that are looked at together."""
 LABELS = {"extremes": ("min", "max")}
-EXTREMES = {"max": {"": 1.0}, "min": {"": -1.0}, "extremes": {"min": -1.0, "max": 1.0}, "span": {"min": -1.0, "max": 1.0}}
+BOTH = {"min": -1.0, "max": 1.0}
+EXTREMES = {"max": {"": 1.0}, "min": {"": -1.0}, "extremes": BOTH, "span": BOTH}
 POWERS = {"mean": 1, "path": 1, "rms": 2}
 
 
@@ -86,8 +87,7 @@ class Measuring:
         self.measures = {name: measures[name] for name in (measures if names is None else names)}
         self.trees = {key: tree for name in self.measures for key, tree in bound(self.quantities, name).items()}
         self.rows = self._rows()
-        kept = kinks(run.compiled)
-        self.kinks = kept
+        self.kinks = kinks(run.compiled)
         self.single = [name for name, measure in self.measures.items() if self._singly(name, measure)]
         self.steps = self._steps()
         self.panels = self._panels()
@@ -99,7 +99,8 @@ class Measuring:
         structure = self.run.compiled.structure
         found = [f"reach:{group.label}" for group in structure.groups if group.modes > 1]
         found += [f"span:{group.label}" for group in structure.groups if group.has_span]
-        return found + [f"determinant:{group.label}" for group in (*structure.groups, *structure.clusters)]
+        labels = [*(group.label for group in structure.groups), *(cluster.label for cluster in structure.clusters)]
+        return found + [f"determinant:{label}" for label in labels]
 
     def _of(self, name: str) -> list[Node]:
         """The expressions of a measure, that of its window among them."""
@@ -211,7 +212,7 @@ class _Taken:
         """Which samples can't be assembled all along their run, or come to a singular pose."""
         bunch = self.bunch
         whole = self.window(None)
-        failed = np.isnan(bunch.p).any(axis=0)
+        failed = np.asarray(np.isnan(bunch.p).any(axis=0))
         for row in self.measuring.rows:
             value, _ = bunch.on_grid(row)
             least, limit = np.abs(value).min(axis=1), SINGULAR
@@ -227,7 +228,7 @@ class _Taken:
         asks: dict[Node, dict[tuple[str | None, float], None]] = {}
         for tree, window, sign in self.wanted():
             asks.setdefault(tree, {})[window, sign] = None
-        found = {}
+        found: dict[tuple[Node, str | None, float], Figures] = {}
         for tree, places in asks.items():
             figures = peaks(self.bunch, tree, [(self.window(window), sign) for window, sign in places])
             found |= {(tree, *place): figure for place, figure in zip(places, figures, strict=True)}
@@ -317,7 +318,7 @@ class _Taken:
         dimension = quantities.dimensions.resolve(figure(name, measure))
         low = -np.inf if requirement.low is None else quantities.value(requirement.low, dimension)
         high = np.inf if requirement.high is None else quantities.value(requirement.high, dimension)
-        return np.logical_and.reduce([(low <= f.values) & (f.values <= high) for f in found.values()])
+        return np.asarray(np.logical_and.reduce([(low <= f.values) & (f.values <= high) for f in found.values()]))
 
 
 def _sign(measure: Measure) -> float:

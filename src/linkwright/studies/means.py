@@ -55,14 +55,12 @@ def mean(bunch: Bunch, what: What, spans: Spans, power: int, panels: int, kinks:
     shares = (bunch.values(what, np.repeat(who, 8), times) ** power * weights).reshape(-1, 8)
     length = np.bincount(owner, b - a, bunch.samples)
     with np.errstate(invalid="ignore"):
-        total, size = (
-            np.bincount(who, part.sum(axis=1), bunch.samples) / length for part in (shares, np.abs(shares))
-        )
+        total, size = (np.bincount(who, part.sum(axis=1), bunch.samples) / length for part in (shares, np.abs(shares)))
     return total, size
 
 
 def _inside(owner: Who, a: Array, b: Array, kinks: Corners, samples: int) -> Iterator[tuple[Who, Array]]:
-    """The corners that lie inside spans, with their spans: the first span of each sample, then the second, and so on."""
+    """The corners inside spans, with their spans: those of each sample's first span, then of the second, and so on."""
     who, t = kinks
     counts = np.bincount(owner, minlength=samples)
     first = np.cumsum(counts) - counts

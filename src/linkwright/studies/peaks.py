@@ -15,8 +15,11 @@ Array = NDArray[np.float64]
 
 STILL = 1e-11
 """A curve whose rate lets it vary by less than this share of its size only varies by round-off."""
-OVER = 2.0
-"""How far beyond the tangents at both ends of a bracket an extreme in it is looked for, over their own overshoot."""
+OVER, HOLLOW = 2.0, 0.25
+"""How far beyond the ends of a bracket an extreme in it may lie, over where their tangents meet; and besides, over what
+the flatter one makes over the bracket."""
+SLACK = 1e-9
+"""Brackets are searched that may come so near to the best, over the curve's size."""
 
 
 @dataclass(frozen=True)
@@ -41,20 +44,20 @@ def peaks(bunch: Bunch, what: What, asks: Sequence[tuple[Spans, float]]) -> list
         who, t = np.concatenate([who, who]), np.concatenate([a, b])
         ends[id(spans)] = who, t, bunch.values(what, who, t)
         inside[id(spans)] = spans.grid(bunch.t)
-    wanted = np.zeros(found.who.size, dtype=bool)
+    wanted, slack = np.zeros(found.who.size, dtype=bool), SLACK * np.abs(value).max(axis=1)
     for spans, sign in asks:
         best = np.where(inside[id(spans)], sign * value, -np.inf).max(axis=1)
         who, _, height = ends[id(spans)]
         np.fmax.at(best, who, sign * height)
         low, high = bunch.t[found.who, found.before], bunch.t[found.who, found.after]
-        wanted |= spans.touched(found.who, low, high) & ~(limits[sign] < best[found.who])
+        wanted |= spans.touched(found.who, low, high) & ~(limits[sign] < (best - slack)[found.who])
     who, t = bunch.turning(what, found, wanted)
     height = bunch.values(what, who, t)
     figures = []
     for spans, sign in asks:
         own = spans.within(who, t)
-        candidates = zip(ends[id(spans)], (who[own], t[own], height[own]), strict=True)
-        figure = _highest(*(np.concatenate(part) for part in candidates), sign, bunch.samples)
+        candidates = list(zip(ends[id(spans)], (who[own], t[own], height[own]), strict=True))
+        figure = _highest(bunch.samples, sign, *(np.concatenate(part) for part in candidates))
         known = (np.isfinite(value) | ~inside[id(spans)]).all(axis=1)
         figures.append(Figures(np.where(known, figure.values, np.nan), np.where(known, figure.times, np.nan)))
     return figures
@@ -67,19 +70,24 @@ def turns(bunch: Bunch, value: Array, rate: Array) -> Changes:
 
 
 def _limit(bunch: Bunch, found: Changes, value: Array, rate: Array, sign: float) -> Array:
-    """What the curve, times ``sign``, can't exceed in each bracket; -inf where it has its extreme the other way."""
+    """What the curve, times ``sign``, can't exceed in each bracket; -inf where it has its extreme the other way.
+
+    Where it is concave it stays below its tangents at both ends. It may have a corner, with a little of a hollow
+    before it; where an end lies above the other's tangent nothing is known.
+    """
     who = found.who
     (a, f, df), (b, g, dg) = (
         (bunch.t[who, i], sign * value[who, i], sign * rate[who, i]) for i in (found.before, found.after)
     )
     with np.errstate(all="ignore"):
-        meeting = (g - f + df * a - dg * b) / (df - dg)
-        ends = np.maximum(f, g)
-        limit = ends + OVER * (f + df * (meeting - a) - ends)
-    return np.where(df > 0, np.where(np.isnan(limit), np.inf, limit), -np.inf)
+        width, ends = b - a, np.maximum(f, g)
+        over = f + df * (g - f - dg * width) / (df - dg) - ends
+        limit = ends + OVER * over + HOLLOW * width * np.minimum(df, -dg)
+        hollow = ~((g <= f + df * width) & (f <= g - dg * width))
+    return np.where(df > 0, np.where(hollow | np.isnan(limit), np.inf, limit), -np.inf)
 
 
-def _highest(who: Who, t: Array, height: Array, sign: float, samples: int) -> Figures:
+def _highest(samples: int, sign: float, who: Who, t: Array, height: Array) -> Figures:
     """Each sample's largest candidate times ``sign``, the first of equals; NaN with one that isn't finite."""
     order = np.lexsort((t, -sign * height, who))
     owner, first = np.unique(who[order], return_index=True)
