@@ -31,12 +31,11 @@ MAX_ROWS = 100_000
 @dataclass(frozen=True)
 class Law:
     """A drive's value and rates (SI): ``of(times (s), parameters, strict)``; where it has none, NaN, or if ``strict``
-    :class:`ModelError`. ``names`` are the parameters on which it depends, ``tables`` the tables that it asks."""
+    :class:`ModelError`. ``names`` are the parameters on which it depends."""
 
     of: Callable[[Array, Parameters, bool], Jet]
     parameters: Parameters
     names: frozenset[str] = frozenset()
-    tables: frozenset[str] = frozenset()
 
     def __call__(self, t: Array) -> Jet:
         """At the nominal parameters."""
@@ -115,12 +114,16 @@ class _Reader:
             return None
         return law
 
+    def _law(self, of: Callable[[Array, Parameters, bool], Jet], *parts: Node) -> Law:
+        names = {n.text for part in parts for n in nodes(part) if isinstance(n, Name)}
+        return Law(of, self.quantities.parameters, frozenset(names & self.quantities.parameters.keys()))
+
     def _constant(self, parts: list[Node]) -> Law:
         def law(t: Array, parameters: Parameters, strict: bool) -> Jet:
             with np.errstate(all="ignore"):
                 return uniform(t, *(evaluate(node, lambda name: parameters[name.text]) for node in parts))
 
-        return Law(law, self.quantities.parameters, named(*parts))
+        return self._law(law, *parts)
 
     def _expression(self, drive: str, node: Node) -> Law:
         tables = self.tables
@@ -151,7 +154,7 @@ class _Reader:
                 _must_be_finite(drive, t, jet)
             return jet
 
-        return Law(law, self.quantities.parameters, named(node), asked(node))
+        return self._law(law, node)
 
     def _table(self, name: str, path: tuple[str | int, ...]) -> bool:
         if name not in self.tables:
@@ -165,16 +168,6 @@ class _Reader:
             self.findings.append(Finding("drive.linear-table", path, {"table": name}))
             return False
         return table is not None
-
-
-def named(*trees: Node) -> frozenset[str]:
-    """The parameters (and the time) that stand in some trees."""
-    return frozenset(part.text for tree in trees for part in nodes(tree) if isinstance(part, Name))
-
-
-def asked(tree: Node) -> frozenset[str]:
-    """The functions and tables that a tree asks."""
-    return frozenset(part.name for part in nodes(tree) if isinstance(part, Call))
 
 
 def uniform(t: Array, start: Any, speed: Any, acceleration: Any = 0.0) -> Jet:

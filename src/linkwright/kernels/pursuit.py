@@ -54,25 +54,37 @@ class Pursuit:
         self.joined = [_Joined(graph, cluster, size, kernel) for cluster in clusters]
         self.rows = [row for joined in self.joined for row in joined.rows]
 
-    def reach(self, place: Place, u: Array, now: Array, target: Array, least: Array) -> Array:
-        """The coordinates at ``target`` (samples,), from those at ``now`` where that is less; NaN where steps shorter
-        than ``least`` would be needed."""
-        u, now, step = u.copy(), now.copy(), target - now
-        todo = np.flatnonzero(np.isfinite(u).all(axis=0) & (now < target))
-        while todo.size:
-            there = np.minimum(now[todo] + step[todo], target[todo])
+    def reach(self, place: Place, u: Array, now: Array, targets: Array, least: Array) -> Array:
+        """The coordinates at ``targets`` (samples, targets), ascending, from ``u`` (coordinates, samples) at ``now``:
+        (coordinates, samples, targets); NaN before ``now``, and from where steps shorter than ``least`` are needed.
+
+        Samples don't wait for each other: one that needs many short steps falls behind.
+        """
+        samples, count = targets.shape
+        found = np.full((len(u), samples, count), np.nan)
+        u, now, step = u.copy(), now.copy(), np.full(samples, np.inf)
+        ahead = (targets < now[:, None]).sum(axis=1)  # of each sample, the target to go for
+        goals = np.hstack([targets, np.full((samples, 1), np.inf)])
+        met = todo = np.flatnonzero(np.isfinite(u).all(axis=0))
+        while True:
+            while (met := met[goals[met, ahead[met]] <= now[met]]).size:
+                found[:, met, ahead[met]] = u[:, met]
+                ahead[met] += 1
+                step[met] = np.inf
+            todo = todo[(ahead[todo] < count) & np.isfinite(u[0, todo])]
+            if not todo.size:
+                return found
+            there = np.minimum(now[todo] + step[todo], goals[todo, ahead[todo]])
             x, p = place(todo, there)
             x[self.rows] = u[:, todo]
             off = np.zeros(todo.size)
             for joined in self.joined:
                 off = np.maximum(off, joined.step(x, p))  # keeps NaN
             good = off < 1
-            here, length = todo[good], there - now[todo]
-            u[:, here], now[here] = x[self.rows][:, good], there[good]
+            met, length = todo[good], there - now[todo]
+            u[:, met], now[met] = x[self.rows][:, good], there[good]
             step[todo] = length * np.where(good, np.where(off < 1 / 3, 1.5, 1.0), 0.5)
             u[:, todo[~good & (step[todo] < least[todo])]] = np.nan
-            todo = todo[(now[todo] < target[todo]) & np.isfinite(u[0, todo])]
-        return u
 
 
 class Pursued:
@@ -89,7 +101,7 @@ class Pursued:
     def coordinates(self, p: Array, t: Array) -> Array:
         """At times ``t`` (times,), from pose to pose, or (samples, times), from a grid: (coordinates, samples, times);
         NaN from the time on from which a sample can't be followed, and before the start."""
-        return self._along(p, t) if t.ndim == 1 else self._from_grid(p, t)
+        return self._kept("poses", (p, t), lambda: self._along(p, t)) if t.ndim == 1 else self._from_grid(p, t)
 
     def _started(self, p: Array) -> Array:
         """At t = 0, by continuation in the parameters."""
@@ -101,7 +113,8 @@ class Pursued:
 
         samples = p.shape[1]
         u = np.where(np.isfinite(p).all(axis=0), np.repeat(self.start[:, None], samples, axis=1), np.nan)
-        return self.pursuit.reach(place, u, np.zeros(samples), np.ones(samples), np.full(samples, PATIENCE))
+        once = np.ones((samples, 1))
+        return self.pursuit.reach(place, u, np.zeros(samples), once, np.full(samples, PATIENCE))[..., 0]
 
     def _inputs(self, p: Array, t: Array) -> Array:
         """The inputs of samples at one time each."""
@@ -114,15 +127,13 @@ class Pursued:
         def place(which: NDArray[np.intp], there: Array) -> tuple[Array, Array]:
             return self._inputs(p[:, which], there), p[:, which]
 
-        own = np.broadcast_to(t, (samples, t.shape[-1]))
+        order = np.argsort(t, axis=-1, kind="stable")
+        own = np.broadcast_to(np.take_along_axis(t, order, axis=-1), (samples, t.shape[-1]))
+        start = self._kept("start", (p,), lambda: self._started(p))
         least = PATIENCE * own.max(axis=1, initial=0.0)
-        u, now = self._kept("start", (p,), lambda: self._started(p)), np.zeros(samples)
-        found = np.empty((len(u), *own.shape))
-        for k in np.argsort(t, kind="stable") if t.ndim == 1 else range(t.shape[1]):
-            u = self.pursuit.reach(place, u, now, own[:, k], least)
-            now = np.maximum(now, own[:, k])
-            found[:, :, k] = np.where(own[:, k] >= 0, u, np.nan)
-        return found
+        found = self.pursuit.reach(place, start, np.zeros(samples), own, least)
+        back = np.broadcast_to(np.argsort(order, axis=-1), own.shape)
+        return np.take_along_axis(found, back[None], axis=2)
 
     def _from_grid(self, p: Array, t: Array) -> Array:
         """From the poses of a grid, each sample's as long as its latest time asks for (rounded up to a power of 2)."""
@@ -139,8 +150,8 @@ class Pursued:
             return self._inputs(own, there), own
 
         least = PATIENCE * np.repeat(span, times)
-        found = self.pursuit.reach(place, u, (step * k).ravel(), t.ravel(), least)
-        return np.where(t >= 0, found.reshape(-1, samples, times), np.nan)
+        found = self.pursuit.reach(place, u, (step * k).ravel(), t.reshape(-1, 1), least)
+        return found.reshape(-1, samples, times)
 
     def _kept(self, name: str, about: tuple[Array, ...], make: Callable[[], Array]) -> Array:
         """What was made last in this thread, where it was made of the same."""

@@ -7,8 +7,9 @@ those of the nominal parameters.
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from itertools import chain
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +28,8 @@ from linkwright.notation import MAX_ORDER
 from linkwright.structure import Group
 
 Array = NDArray[np.float64]
+Key = TypeVar("Key", bound=Hashable)
+Made = TypeVar("Made")
 
 CHUNK = 1 << 18
 """Poses of which the inputs are held at once."""
@@ -86,10 +89,7 @@ class Varied:
     def kernel(self, signals: Sequence[str], rates: bool = False, kernel: str = "numpy") -> Kernel:
         """The kernel of some signals, kept."""
         key = (tuple(signals), rates, kernel)
-        if key not in self._kernels:
-            with _MAKING:
-                self._kernels[key] = KERNELS[kernel](self.graph.program(*key[:2]))
-        return self._kernels[key]
+        return _kept(self._kernels, key, lambda: KERNELS[kernel](self.graph.program(*key[:2])))
 
     def evaluate(
         self,
@@ -163,7 +163,7 @@ class Varied:
         first = len(self.graph.motion_inputs)
         actions = any(row >= first for row in used)
         if self.compiled.structure.clusters and (actions or any(row >= self.graph.first_unknown for row in used)):
-            pursued = self.pursued(kernel)
+            pursued = _kept(self._pursued, kernel, lambda: self._pursuing(kernel))
             x[pursued.rows] = pursued.coordinates(p, t)
         if actions:
             self._supply(x, p, t, kernel)
@@ -175,7 +175,7 @@ class Varied:
         nominal, width = self.compiled.quantities.parameters, MAX_ORDER + 2
         for i, drive in enumerate(self.graph.drives):
             law = self.compiled.laws[drive]
-            given: dict[str, float | Array] = {name: nominal[name] for name in law.names - self.varying - {"t"}}
+            given: dict[str, float | Array] = {name: nominal[name] for name in law.names - self.varying}
             given |= {name: p[self.row[name], :, None] for name in law.names & self.varying}
             for k, row in enumerate(law.at(t, given).d, start=i * width):
                 x[k] = row
@@ -183,26 +183,17 @@ class Varied:
             x[i] = self.compiled.assembly.branches[group]
         return x
 
-    def pursued(self, kernel: str) -> Pursued:
-        """What follows the clusters with a kernel, kept."""
-        if kernel not in self._pursued:
-            with _MAKING:
-                assembly, clusters = self.compiled.assembly, self.compiled.structure.clusters
-                pursuit = Pursuit(self.graph, clusters, assembly.size(), kernel)
-                start = np.concatenate([assembly.starts[cluster] for cluster in clusters])
-                self._pursued[kernel] = Pursued(pursuit, start, self.compiled.parameters, self._drives)
-        return self._pursued[kernel]
-
-    def supplied(self, kernel: str) -> Supply:
-        """The kernels of what loads and springs need, kept."""
-        if kernel not in self._supplies:
-            with _MAKING:
-                self._supplies[kernel] = Supply(self.graph, self.compiled.tables, kernel)
-        return self._supplies[kernel]
+    def _pursuing(self, kernel: str) -> Pursued:
+        """What follows the clusters with a kernel."""
+        assembly, clusters = self.compiled.assembly, self.compiled.structure.clusters
+        pursuit = Pursuit(self.graph, clusters, assembly.size(), kernel)
+        start = np.concatenate([assembly.starts[cluster] for cluster in clusters])
+        return Pursued(pursuit, start, self.compiled.parameters, self._drives)
 
     def _supply(self, x: Array, p: Array, t: Array, kernel: str) -> None:
         """Put the inputs of loads and springs into those of the motion."""
-        supply, quantities = self.supplied(kernel), self.compiled.quantities
+        supply = _kept(self._supplies, kernel, lambda: Supply(self.graph, self.compiled.tables, kernel))
+        quantities = self.compiled.quantities
         x[supply.first :] = 0.0
         if "t" in supply.rows:
             x[supply.rows["t"]] = t
@@ -213,6 +204,15 @@ class Varied:
                 turns.kernel, home, x, t, p, lambda p, t: self.inputs(p, t, motion, kernel)
             )
         supply.look_up(x, lambda of: of.over(x, p))
+
+
+def _kept(made: dict[Key, Made], key: Key, make: Callable[[], Made]) -> Made:
+    """What is made once for a key."""
+    if key not in made:
+        with _MAKING:
+            if key not in made:
+                made[key] = make()
+    return made[key]
 
 
 def _chunks(samples: int, times: int) -> Iterator[slice]:

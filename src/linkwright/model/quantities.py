@@ -30,6 +30,8 @@ LARGEST = 1e40
 class Quantities:
     """Binds a mechanism's expressions to SI. ``findings`` says what doesn't fit; values need none of them."""
 
+    samples: int | None = None  # of how many sets of parameter values
+
     def __init__(self, mechanism: Mechanism) -> None:
         self.mechanism = mechanism
         self.signals = Signals(mechanism)

@@ -36,6 +36,8 @@ class Sampled(Quantities):
     ``wrong`` (samples,) collects those of which a check finds some value bad.
     """
 
+    samples: int
+
     def __init__(self, nominal: Quantities, given: Mapping[str, Array], samples: int) -> None:
         self.__dict__.update(nominal.__dict__)
         self.samples, self.wrong = samples, np.zeros(samples, dtype=bool)
@@ -62,4 +64,4 @@ class Sampled(Quantities):
     def rows(self) -> Array:
         """All parameters, in their order: (parameters, samples)."""
         rows = [np.broadcast_to(value, self.samples) for value in self.parameters.values()]
-        return np.array(rows).reshape(-1, self.samples)
+        return np.array(rows).reshape(len(rows), self.samples)

@@ -20,10 +20,12 @@ CONSTANT = (Scope.CONSTANT, Scope.LOAD)
 
 
 def check_values(quantities: Quantities) -> list[Finding]:
-    """Faults of numbers. The quantities are free of findings; they may be those of many samples."""
+    """Faults of numbers. The quantities are free of findings; of those of many samples, each sample is looked at."""
     constant = [place for place in quantities.places if place.scope in CONSTANT]
     bad = [finding for place in constant for finding in _finite(quantities, place)]
-    return bad or [finding for part in (_bodies, _rods, _intervals) for finding in part(quantities)]
+    if bad and quantities.samples is None:
+        return bad
+    return [*bad, *(finding for part in (_bodies, _rods, _intervals) for finding in part(quantities))]
 
 
 def _finite(q: Quantities, place: Place) -> Iterator[Finding]:
