@@ -7,8 +7,7 @@ that are small differences of the samples' parameters.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -18,6 +17,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from kernels.test_varied import class_four, platform
 from linkwright.kernels import Compiled, compile_mechanism
 from linkwright.kernels.varied import Varied
 from linkwright.model.document import load, replaced
@@ -27,7 +27,7 @@ from linkwright.results import Run
 from linkwright.studies.cycle import CycleOptions, span
 from linkwright.studies.many import Many, Measuring, measure_many
 from linkwright.studies.measures import MeasureResult, bound, measure_all
-from studies.models import CRANK, four_bar, slider_crank
+from studies.models import four_bar, slider_crank
 
 Array = NDArray[np.float64]
 ROOT = Path(__file__).parents[2]
@@ -118,6 +118,12 @@ def batch(data: Mapping[str, Any], **values: Sequence[float]) -> Batch:
     return Batch(Document.model_validate(dict(data)), [*values], np.array([*values.values()], dtype=float))
 
 
+def bits(many: Many) -> list[bytes]:
+    """All that is known of each sample."""
+    rows = [row for found in many.figures.values() for f in found.values() for row in (f.values, f.times)]
+    return [column.tobytes() for column in np.array([*rows, many.failed, *many.met.values()], dtype=float).T.copy()]
+
+
 # Against runs of their own.
 
 
@@ -149,6 +155,18 @@ def test_measures_that_go_through_a_run_of_each_sample(path: str) -> None:
     one = Batch.round_nominal(path, 0.002, 2)
     assert one.measuring.single
     one.check()
+
+
+@pytest.mark.parametrize("made", [platform, class_four])
+def test_clusters(made: Callable[[], Document]) -> None:
+    """Groups that Newton's method solves, followed from the start of each sample."""
+    document = made()
+    quantities = compile_mechanism(document).quantities
+    names = [*quantities.parameters]
+    shares = 1 + np.random.default_rng(0).uniform(-0.005, 0.005, (len(names), 3))
+    some = Batch(document, names, np.array([*quantities.parameters.values()])[:, None] * shares)
+    assert not some.check().failed.any()
+    assert bits(some.measuring.of(some.p[:, 1:])) == bits(some.measuring.of(some.p))[1:]
 
 
 def test_a_drive_with_dwells() -> None:
@@ -325,12 +343,6 @@ def test_a_measure_without_a_finite_value_has_none() -> None:
 
 
 # One with another.
-
-
-def bits(many: Many) -> list[bytes]:
-    """All that is known of each sample."""
-    rows = [row for found in many.figures.values() for f in found.values() for row in (f.values, f.times)]
-    return [column.tobytes() for column in np.array([*rows, many.failed, *many.met.values()], dtype=float).T.copy()]
 
 
 @pytest.mark.parametrize(
