@@ -268,6 +268,18 @@ def test_angles_run_on() -> None:
     assert values(some, span="rod.angle") == near(np.arcsin((R + E) / L) + np.arcsin((R - E) / L))
 
 
+def test_samples_too_fast_for_the_grid() -> None:
+    """A drag link that turns 70 times where the nominal one turns once, and sweeps 70 whole turns."""
+    drive = {"turns": "crank", "on": "frame", "speed": "n", "start": "0 deg"}
+    measures = {"swept": {"span": "rocker.angle"}, "last": {"value": "rocker.angle", "where": "end", "wrap": [0, 360]}}
+    data = four_bar(80, 70, 80, 30, drives={"motor": drive}, measures=measures)
+    data["parameters"] |= {"n": "60 rpm"}
+    data["studies"] = {"cycle": {"duration": "1 s", "samples": 60}}
+    n = np.array([1.0, 70.0, 2.0])
+    many = batch(data, n=2 * np.pi * n).check()
+    assert many.figures["swept"][""].values == near(2 * np.pi * n, 1e-10)
+
+
 def test_spans_of_their_own() -> None:
     """A turn at another speed takes another time."""
     drive = {"turns": "crank", "on": "frame", "speed": "n", "start": "0 deg"}

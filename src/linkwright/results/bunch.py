@@ -28,7 +28,7 @@ What = Node | str
 """An expression bound to SI, or a row of the program such as ``reach:GROUP``."""
 
 MOST_TURN = 1.5
-"""A sample that turns further (rad) between two places of the grid is not made continuous."""
+"""A sample of which an angle turns further (rad) between two places of the grid can't be made continuous on it."""
 TOUCH = 1e-9
 """How far beyond its places a root between them is looked for, over their distance."""
 
@@ -58,6 +58,8 @@ class Bunch:
         )
         self._rows: dict[str, tuple[Array, Array]] = {}
         self._angles: dict[str, Array] = {}
+        self.fast = np.zeros(self.samples, dtype=bool)
+        """Which samples turn further than :data:`MOST_TURN`: their angles are NaN."""
 
     # Values.
 
@@ -146,6 +148,7 @@ class Bunch:
         turned, _ = angles.steps(self.t, angle, rate)
         near = np.concatenate([angle[:, :1], angle[:, :1] + np.cumsum(turned, axis=1)], axis=1)
         fast = np.abs(rate).max(axis=1) * (self.stop - self.start) > MOST_TURN * self.steps
+        self.fast |= fast
         self._angles[name] = np.where(fast[:, None], np.nan, near)
         return np.asarray(angle + 2 * np.pi * whole_turns(angle, self._angles[name]))
 

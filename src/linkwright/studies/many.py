@@ -6,8 +6,8 @@ needs. (A run of its own doubles its grid for itself; here two turning points of
 of the grid are missed.) Windows, jumps and corners follow each sample's own parameters.
 
 One sample after the other goes through a run of its own: ``dwell`` and ``straightness``; measures of instant centres;
-of forces, where loads act in windows only, and means of forces, where loads ask tables of straight lines; and what
-the nominal run needs a very fine grid for.
+of forces, where loads act in windows only, and means of forces, where loads ask tables of straight lines; what the
+nominal run needs a very fine grid for; and all measures of samples that turn too fast for the grid.
 """
 
 from __future__ import annotations
@@ -113,7 +113,7 @@ class Measuring:
 
     def _singly(self, name: str, measure: Measure) -> bool:
         """Whether a measure is taken of one sample after the other."""
-        if measure.reduction in ("dwell", "straightness"):
+        if measure.reduction not in (*EXTREMES, *POWERS, "value"):
             return True
         signals = [self.graph.signal(text) for text in self.run.signals_of(self._of(name))]
         if any(signal.kind == "pole" for signal in signals):
@@ -190,16 +190,18 @@ class _Taken:
     def many(self) -> Many:
         """All of them."""
         asked = self.measuring
-        many = Many(self.failed())
         self.extremes = self.all_extremes()
-        singly = self.singly(np.flatnonzero(~many.failed))
+        many = Many(self.failed())
         for name, measure in asked.measures.items():
-            found = singly[name] if name in singly else self.figures(name, measure)
-            for label, figures in found.items():
-                found[label] = self.shown(name, measure, figures, many.failed)
-            many.figures[name] = found
+            many.figures[name] = self.blank(measure) if name in asked.single else self.figures(name, measure)
+        self.singly(many, asked.single, ~many.failed)
+        self.singly(many, [name for name in asked.measures if name not in asked.single], self.bunch.fast & ~many.failed)
+        for name, found in many.figures.items():
+            for figures in found.values():
+                unknown = many.failed | ~np.isfinite(figures.values)
+                figures.values[unknown] = figures.times[unknown] = np.nan
             if name in self.bunch.quantities.mechanism.require:
-                many.met[name] = self.verdict(name, measure, found)
+                many.met[name] = self.verdict(name, asked.measures[name], found)
         return many
 
     def window(self, name: str | None) -> Spans:
@@ -245,8 +247,28 @@ class _Taken:
             if f"{name} where" in trees:
                 yield trees[f"{name} where"], measure.window, _sign(measure)
 
+    def blank(self, measure: Measure) -> dict[str, Figures]:
+        """The labels of a measure, without figures yet."""
+        size = self.bunch.samples
+        return {
+            label: Figures(np.full(size, np.nan), np.full(size, np.nan))
+            for label in LABELS.get(measure.reduction, ("",))
+        }
+
     def figures(self, name: str, measure: Measure) -> dict[str, Figures]:
-        """A measure's figures by label."""
+        """A measure's figures by label, in its range of angles."""
+        found = self.reduced(name, measure)
+        values = {label: figures.values for label, figures in found.items()}
+        if measure.wrap is not None:
+            quantities = self.bunch.quantities
+            dimension = quantities.dimensions.resolve(figure(name, measure))
+            low, high = (quantities.value(edge, dimension) for edge in measure.wrap)
+            with np.errstate(invalid="ignore"):
+                values = {label: low + (value - low) % (high - low) for label, value in values.items()}
+        return {label: Figures(values[label].copy(), figures.times.copy()) for label, figures in found.items()}
+
+    def reduced(self, name: str, measure: Measure) -> dict[str, Figures]:
+        """A measure's figures as its reduction gives them."""
         tree, signs = self.measuring.trees[name], EXTREMES.get(measure.reduction)
         if measure.reduction == "value":
             return {"": self.placed(name, measure)}
@@ -283,33 +305,16 @@ class _Taken:
             values = values * np.bincount(owner, b - a, bunch.samples)
         return Figures(values, np.full_like(values, np.nan))
 
-    def singly(self, who: NDArray[np.intp]) -> dict[str, dict[str, Figures]]:
-        """Those that are taken of one sample after the other."""
-        names, bunch = self.measuring.single, self.bunch
-        found: dict[str, dict[str, Figures]] = {}
-        for name in names:
-            labels = LABELS.get(self.measuring.measures[name].reduction, ("",))
-            blank = np.full((len(labels), 2, bunch.samples), np.nan)
-            found[name] = {label: Figures(*rows) for label, rows in zip(labels, blank, strict=True)}
-        for i in who if names else ():
+    def singly(self, many: Many, names: Sequence[str], some: Mask) -> None:
+        """Put in what is taken of some samples one after the other."""
+        bunch = self.bunch
+        for i in np.flatnonzero(some) if names else ():
             run = alone(bunch.varied, bunch.run, bunch.p[:, i], float(bunch.stop[i]))
             for result in measure_all(run, names)[0]:
-                for f in result.found:
-                    figures = found[result.name][f.label]
-                    figures.values[i] = f.value
-                    figures.times[i] = np.nan if f.time is None else f.time
-        return found
-
-    def shown(self, name: str, measure: Measure, figures: Figures, failed: Mask) -> Figures:
-        """Figures in the measure's range of angles, NaN where the sample fails or there is no finite value."""
-        values, quantities = figures.values, self.bunch.quantities
-        if measure.wrap is not None and name not in self.measuring.single:
-            dimension = quantities.dimensions.resolve(figure(name, measure))
-            low, high = (quantities.value(edge, dimension) for edge in measure.wrap)
-            with np.errstate(invalid="ignore"):
-                values = low + (values - low) % (high - low)
-        known = np.isfinite(values) & ~failed
-        return Figures(np.where(known, values, np.nan), np.where(known, figures.times, np.nan))
+                found = {f.label: f for f in result.found}
+                for label, figures in many.figures[result.name].items():
+                    value, time = (found[label].value, found[label].time) if label in found else (np.nan, None)
+                    figures.values[i], figures.times[i] = value, np.nan if time is None else time
 
     def verdict(self, name: str, measure: Measure, found: dict[str, Figures]) -> Mask:
         """Which samples meet the requirement on a measure."""
