@@ -13,7 +13,7 @@ import pytest
 from numpy.typing import NDArray
 
 from helpers.examples import four_bar
-from linkwright.kernels import Compiled, compile_mechanism, varied
+from linkwright.kernels import KERNELS, Compiled, compile_mechanism, varied
 from linkwright.kernels.passages import Passage, Passages
 from linkwright.kernels.varied import Varied
 from linkwright.model.document import load, parse_document, plain, replaced
@@ -252,12 +252,18 @@ def test_clusters_do_not_jump(poses: int) -> None:
     assert followed > 6
 
 
-def test_poses_in_any_order() -> None:
-    varied = Varied(compile_mechanism(class_four()), ["r", "w"])
-    p, t = varied.parameters(spread(varied, 0.05)), np.linspace(0, 1, 13)
-    order = np.random.default_rng(3).permutation(t.size)
-    signals = ["E.x", "top.angle"]
-    assert np.array_equal(varied.evaluate(signals, p, t[order]), varied.evaluate(signals, p, t)[..., order])
+NARROW = [0.030962952337340865, 0.1449854480452313, 0.17424971721174706, 0.17169816544048153]
+
+
+def test_a_singular_pose_is_not_stepped_over() -> None:
+    """At t = 0.4268 this sample's mode ends, and 1e-5 s later another one begins, 0.05 rad away with its determinant of
+    the same sign: whatever the poses asked for, no step leads across."""
+    varied = Varied(compile_mechanism(class_four()), list("rpqw"))
+    p = varied.parameters(np.array([NARROW]).T)
+    for poses in (10, 50, 361, 721):
+        t = np.linspace(0, 1, poses)
+        found = varied.evaluate(["E.x"], p, t)[0, 0]
+        assert np.array_equal(np.isfinite(found), t < 0.4268)
 
 
 CUT = [
@@ -265,6 +271,38 @@ CUT = [
     (sprung, [*SPRUNG_UNITS], ["motor.torque", "wound.angle"]),
     (class_four, ["r", "p", "w"], ["E.x", "motor.torque"]),
 ]
+
+
+@pytest.mark.parametrize("kernel", sorted(KERNELS))
+@pytest.mark.parametrize(("made", "names", "signals"), [*CUT[:1], (class_four, ["r", "w"], ["E.x", "E.vx"])])
+def test_kernels_agree(made: Callable[[], Document], names: list[str], signals: list[str], kernel: str) -> None:
+    varied = Varied(compile_mechanism(made()), names)
+    p, t = varied.parameters(spread(varied, 0.02)), np.linspace(0, 0.5, 12)
+    expected = varied.evaluate(signals, p, t)
+    own = varied.at(signals, p, np.tile(t, (5, 1)), kernel=kernel)
+    for found in (own, varied.evaluate(signals, p, t, kernel=kernel)):
+        assert np.abs(found - expected).max() <= 1e-10 * np.abs(expected).max()
+    assert np.array_equal(varied.failures(p, t, kernel).cause, np.full(5, -1))
+
+
+@pytest.mark.parametrize(("made", "names", "signals"), CUT)
+def test_a_time_that_is_no_number_gives_no_figure(
+    made: Callable[[], Document], names: list[str], signals: list[str]
+) -> None:
+    """Whoever looks for the times of some samples need not leave the others out."""
+    varied = Varied(compile_mechanism(made(), EXAMPLES), names)
+    p, t = varied.parameters(spread(varied, 0.01, samples=3)), np.array([[0.1, np.nan], [0.2, 0.3], [np.nan, np.nan]])
+    found = varied.at(signals, p, t)
+    assert np.array_equal(np.isnan(found), np.broadcast_to(np.isnan(t), found.shape))
+    assert np.array_equal(varied.at(signals, p[:, :1], t[:1, :1]), found[:, :1, :1])
+
+
+def test_poses_in_any_order() -> None:
+    varied = Varied(compile_mechanism(class_four()), ["r", "w"])
+    p, t = varied.parameters(spread(varied, 0.05)), np.linspace(0, 1, 13)
+    order = np.random.default_rng(3).permutation(t.size)
+    signals = ["E.x", "top.angle"]
+    assert np.array_equal(varied.evaluate(signals, p, t[order]), varied.evaluate(signals, p, t)[..., order])
 
 
 @pytest.mark.parametrize(("made", "names", "signals"), CUT)
@@ -352,14 +390,18 @@ def test_values_that_make_no_sense_give_no_figures() -> None:
     assert [fault.code for fault in varied.faults(values[:, [0, 1]])] == ["value.too-small"]
 
 
-def test_a_law_without_a_value_is_told() -> None:
-    motor = {"turns": "crank", "on": "frame", "position": "sqrt(a - t/(1 s))"}
-    varied = Varied(compile_mechanism(document(four_bar(parameters={"a": 3}, drives={"motor": motor}))), ["a"])
-    p, t = varied.parameters(np.array([[3.0, 1.0]])), np.linspace(0, 2, 21)
+@pytest.mark.parametrize(("position", "until"), [("sqrt(a - t/(1 s))", 1), ("curve(t/(1 s)/a)", 2)])
+def test_a_law_without_a_value_is_told(position: str, until: float) -> None:
+    """A root of something negative; a table asked beyond its end at 2."""
+    tables = {"curve": {"points": [[0, 0.1], [0.3, 0.2], [0.5, 0.4], [0.8, 0.5], [2, 0.9]]}}
+    motor = {"turns": "crank", "on": "frame", "position": position}
+    made = document(four_bar(parameters={"a": 3}, tables=tables, drives={"motor": motor}))
+    varied = Varied(compile_mechanism(made), ["a"])
+    p, t = varied.parameters(np.array([[3.0, 1.0]])), np.linspace(0.05, 2.55, 26)
     failures = varied.failures(p, t)
     assert failures.time[0] == np.inf
-    assert failures.time[1] == pytest.approx(1.0)
-    assert np.isnan(varied.evaluate(["C.x"], p, t)[0, 1, 11:]).all()
+    assert failures.time[1] == t[t > until][0]
+    assert np.array_equal(np.isnan(varied.evaluate(["C.x"], p, t)[0, 1]), t > until)
     assert varied.finding(int(failures.cause[1]), 1, 2, 1, 1.0, np.array([1.0])).code == "varied.drive"
 
 

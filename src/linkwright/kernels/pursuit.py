@@ -1,9 +1,9 @@
 """Following the clusters of many samples at once, each by steps of its own: in the parameters from the nominal start
 pose to that of the sample, and in time from pose to pose.
 
-A step foretells the coordinates by one linear step of Newton's method and lets Newton correct them; it is taken only
-where the correction is small (:data:`CLOSE`), and halved else, so that no sample jumps to another mode. What becomes
-of a sample doesn't depend on the others.
+A step foretells the coordinates with the closures' slopes where it begins, and lets Newton correct them; it is taken
+only where the correction is small (:data:`CLOSE`), and halved else, so that no sample jumps to another mode. What
+becomes of a sample doesn't depend on the others.
 """
 
 from __future__ import annotations
@@ -37,14 +37,25 @@ class _Joined(Corrector):
         super().__init__(graph, cluster, size, kernel)
         self.closure: Kernel = KERNELS[kernel](graph.program(graph.closure(cluster)))
 
-    def step(self, x: Array, p: Array) -> Array:
-        """Put the coordinates into the inputs, which hold those of a pose nearby: how far off the foretold ones were,
-        over what is allowed, (poses,); NaN where there is no solution."""
-        u, n = x[self.rows], self.n
-        y = self.closure.run(x, p)
-        guess = u - steps(y[n:].reshape(n, n, -1).transpose(2, 0, 1), y[:n].T)
+    def closed(self, x: Array, p: Array) -> tuple[Array, Array]:
+        """What the closures miss, (n, poses), and their slopes, (poses, n, n)."""
+        y, n = self.closure.run(x, p), self.n
+        return y[:n], y[n:].reshape(n, n, -1).transpose(2, 0, 1)
+
+    def step(self, x: Array, p: Array, slopes: Array) -> tuple[Array, Array]:
+        """Put the coordinates into the inputs, which hold those of poses nearby, where the ``slopes`` are known.
+
+        Gives how far off foretold ones are, over what is allowed, (poses,), NaN where there is no solution; and the
+        slopes there. Forth and back are looked at, as a step that ends on another mode may look small one way.
+        """
+        u = x[self.rows]
+        missed = self.closed(x, p)[0].T
+        guess = u - steps(slopes, missed)
         x[self.rows] = found = self.newton(x, guess, p)
-        return np.maximum(self.moved(found - guess, found) / CLOSE, self.moved(found - u, found) / STRIDE)
+        ending = self.closed(x, p)[1]
+        back = found + steps(ending, missed)
+        off = np.maximum(self.moved(found - guess, found), self.moved(back - u, found))
+        return np.maximum(off / CLOSE, self.moved(found - u, found) / STRIDE), ending
 
 
 class Pursuit:
@@ -66,6 +77,11 @@ class Pursuit:
         ahead = (targets < now[:, None]).sum(axis=1)  # of each sample, the target to go for
         goals = np.hstack([targets, np.full((samples, 1), np.inf)])
         met = todo = np.flatnonzero(np.isfinite(u).all(axis=0))
+        slopes = [np.full((samples, joined.n, joined.n), np.nan) for joined in self.joined]
+        x, p = place(todo, now[todo])
+        x[self.rows] = u[:, todo]
+        for joined, known in zip(self.joined, slopes, strict=True):
+            known[todo] = joined.closed(x, p)[1]
         while True:
             while (met := met[goals[met, ahead[met]] <= now[met]]).size:
                 found[:, met, ahead[met]] = u[:, met]
@@ -78,9 +94,14 @@ class Pursuit:
             x, p = place(todo, there)
             x[self.rows] = u[:, todo]
             off = np.zeros(todo.size)
-            for joined in self.joined:
-                off = np.maximum(off, joined.step(x, p))  # keeps NaN
+            ends = []
+            for joined, known in zip(self.joined, slopes, strict=True):
+                far, ending = joined.step(x, p, known[todo])
+                off = np.maximum(off, far)  # keeps NaN
+                ends.append(ending)
             good = off < 1
+            for known, ending in zip(slopes, ends, strict=True):
+                known[todo[good]] = ending[good]
             met, length = todo[good], there - now[todo]
             u[:, met], now[met] = x[self.rows][:, good], there[good]
             step[todo] = length * np.where(good, np.where(off < 1 / 3, 1.5, 1.0), 0.5)
@@ -100,7 +121,8 @@ class Pursued:
 
     def coordinates(self, p: Array, t: Array) -> Array:
         """At times ``t`` (times,), from pose to pose, or (samples, times), from a grid: (coordinates, samples, times);
-        NaN from the time on from which a sample can't be followed, and before the start."""
+        NaN from where a sample can't be followed, before the start, and at times that are no numbers."""
+        t = np.where(np.isfinite(t), t, -1.0)
         return self._kept("poses", (p, t), lambda: self._along(p, t)) if t.ndim == 1 else self._from_grid(p, t)
 
     def _started(self, p: Array) -> Array:
@@ -142,7 +164,7 @@ class Pursued:
         span = np.where(to > 0, np.exp2(np.ceil(np.log2(np.maximum(to, np.finfo(float).tiny)))), 0.0)
         step = (span / GRID)[:, None]
         laid = self._kept("grid", (p, span), lambda: self._along(p, step * np.arange(GRID + 1)))
-        k = np.clip(np.floor(t / np.maximum(step, np.finfo(float).tiny)), 0, GRID).astype(int)
+        k = np.clip(np.floor(np.maximum(t, 0.0) / np.maximum(step, np.finfo(float).tiny)), 0, GRID).astype(int)
         u = np.take_along_axis(laid, k[None], axis=2).reshape(len(laid), -1)
 
         def place(which: NDArray[np.intp], there: Array) -> tuple[Array, Array]:

@@ -36,7 +36,7 @@ def turns_of(kernel: Kernel, home: Any, x: Array, t: Array, p: Array, motion: Mo
         for first in range(0, todo.size, height):
             some = todo[first : first + height]
             times = t if t.ndim == 1 else t[some]
-            grid = times.max(axis=-1, initial=0.0, keepdims=True) * np.linspace(0.0, 1.0, steps + 1)
+            grid = np.fmax.reduce(times, axis=-1, initial=0.0, keepdims=True) * np.linspace(0.0, 1.0, steps + 1)
             raw, rate = kernel.over(motion(p[:, some], grid), p[:, some])
             path, largest = _path(raw, rate, grid)
             if home is not None:
@@ -58,6 +58,6 @@ def _path(angle: Array, rate: Array, grid: Array) -> tuple[Array, Array]:
 def _between(path: Array, rate: Array, grid: Array, t: Array) -> Array:
     """The angles at times between, from the grid's last ones before."""
     step = np.maximum(grid[..., 1:2], np.finfo(float).tiny)
-    k = np.broadcast_to(np.clip(t // step, 0, grid.shape[-1] - 1).astype(int), (len(path), t.shape[-1]))
+    k = np.broadcast_to(np.clip(np.nan_to_num(t // step), 0, grid.shape[-1] - 1).astype(int), (len(path), t.shape[-1]))
     here, slope = np.take_along_axis(path, k, axis=1), np.take_along_axis(rate, k, axis=1)
     return np.asarray(here + slope * (t - step * k))
