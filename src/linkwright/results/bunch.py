@@ -39,8 +39,10 @@ class Bunch:
     ``stop`` (samples,) are the ends of their spans (s) where these differ.
     """
 
-    def __init__(self, varied: Varied, run: Run, p: Array, steps: int, stop: Array | None = None) -> None:
-        self.varied, self.run, self.p, self.steps = varied, run, p, steps
+    def __init__(
+        self, varied: Varied, run: Run, p: Array, steps: int, stop: Array | None = None, kernel: str = "numpy"
+    ) -> None:
+        self.varied, self.run, self.p, self.steps, self.kernel = varied, run, p, steps, kernel
         self.samples = p.shape[1]
         self.start = run.start
         self.stop = np.full(self.samples, run.stop) if stop is None else stop
@@ -70,9 +72,9 @@ class Bunch:
             return
         shape = (len(names), 2, self.samples, self.steps + 1)
         if self.shared:
-            y = self.varied.evaluate(names, self.p, self.t[0], rates=True).reshape(shape)
+            y = self.varied.evaluate(names, self.p, self.t[0], True, self.kernel).reshape(shape)
         else:
-            y = self.varied.at(names, self.p, np.ascontiguousarray(self.t), rates=True)
+            y = self.varied.at(names, self.p, np.ascontiguousarray(self.t), True, self.kernel)
         for name, (value, rate) in zip(names, y, strict=True):
             if self._wrapped(name):
                 value = self._track(name, value, rate)
@@ -112,7 +114,7 @@ class Bunch:
         """Rows at times of some samples: (names, 1 or 2, n)."""
         shape = (len(names), 2 if rates else 1, -1)
         if not self._pursued:
-            return self.varied.at(names, self.p[:, who], t[:, None], rates).reshape(shape)
+            return self.varied.at(names, self.p[:, who], t[:, None], rates, self.kernel).reshape(shape)
         # What is followed from the start is followed once for all samples if they stay together.
         order = np.argsort(who, kind="stable")
         counts = np.bincount(who, minlength=self.samples)
@@ -120,7 +122,9 @@ class Bunch:
         column[order] = np.arange(who.size) - np.repeat(np.cumsum(counts) - counts, counts)
         times = np.repeat(self.stop[:, None], counts.max() + 1, axis=1)
         times[who, column] = t
-        return self.varied.at(names, self.p, times, rates).reshape(*shape[:2], *times.shape)[:, :, who, column]
+        return self.varied.at(names, self.p, times, rates, self.kernel).reshape(*shape[:2], *times.shape)[
+            :, :, who, column
+        ]
 
     @cached_property
     def _pursued(self) -> bool:

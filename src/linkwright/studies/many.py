@@ -80,8 +80,8 @@ def measure_many(
 class Measuring:
     """What the nominal run tells of how to measure many others; :meth:`of` may be called from several threads."""
 
-    def __init__(self, varied: Varied, run: Run, names: Sequence[str] | None = None) -> None:
-        self.varied, self.run = varied, run
+    def __init__(self, varied: Varied, run: Run, names: Sequence[str] | None = None, kernel: str = "numpy") -> None:
+        self.varied, self.run, self.kernel = varied, run, kernel
         self.quantities, self.graph = run.compiled.quantities, run.compiled.graph
         measures = self.quantities.mechanism.measures
         self.measures = {name: measures[name] for name in (measures if names is None else names)}
@@ -143,7 +143,7 @@ class Measuring:
         """The panels of each mean; measures that need too many go to the others."""
         found: dict[str, int] = {}
         nominal = self.run.compiled.parameters[:, None]
-        bunch = Bunch(self.varied, self.run, nominal, self.steps)
+        bunch = Bunch(self.varied, self.run, nominal, self.steps, kernel=self.kernel)
         for name, measure in self.measures.items():
             if measure.reduction not in POWERS or name in self.single:
                 continue
@@ -168,7 +168,9 @@ class Measuring:
         parts = []
         for first in range(0, p.shape[1], step):
             some = slice(first, first + step)
-            bunch = Bunch(self.varied, self.run, p[:, some], self.steps, None if stop is None else stop[some])
+            bunch = Bunch(
+                self.varied, self.run, p[:, some], self.steps, None if stop is None else stop[some], self.kernel
+            )
             parts.append(_Taken(self, bunch).many())
         return _joined(parts)
 
@@ -309,7 +311,7 @@ class _Taken:
         """Put in what is taken of some samples one after the other."""
         bunch = self.bunch
         for i in np.flatnonzero(some) if names else ():
-            run = alone(bunch.varied, bunch.run, bunch.p[:, i], float(bunch.stop[i]))
+            run = alone(bunch.varied, bunch.run, bunch.p[:, i], float(bunch.stop[i]), bunch.kernel)
             for result in measure_all(run, names)[0]:
                 found = {f.label: f for f in result.found}
                 for label, figures in many.figures[result.name].items():
