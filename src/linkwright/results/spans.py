@@ -22,11 +22,6 @@ class Spans:
     low: Array
     high: Array
 
-    @property
-    def some(self) -> Mask:
-        """Which samples have an interval: (samples,)."""
-        return np.asarray(np.isfinite(self.low).any(axis=1))
-
     def flat(self) -> tuple[Who, Array, Array]:
         """All intervals one after another: sample, start, end."""
         who, which = np.nonzero(np.isfinite(self.low))
@@ -87,7 +82,8 @@ def _within(bunch: Bunch, text: str, low: Array, high: Array, turning: bool) -> 
     def beyond(edge: Array) -> tuple[Who, Array]:
         def off(values: Array, who: Who | None) -> Array:
             away = values - (edge[:, None] if who is None else edge[who])
-            return np.sin(away / 2) if turning else away
+            with np.errstate(invalid="ignore"):
+                return np.sin(away / 2) if turning else away
 
         return bunch.crossings(node, off)
 

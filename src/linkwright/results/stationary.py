@@ -118,7 +118,6 @@ def bracketed(
     def finite(t: Array, row: Rows) -> Array:
         return np.asarray(np.nan_to_num(f(t, row), posinf=HUGE, neginf=-HUGE))
 
-    found = np.empty(low.shape)
     a, b, c = low, high, high
     fa, fb = finite(a, rows), finite(b, rows)
     fc = fb
@@ -126,8 +125,8 @@ def bracketed(
     tolerance = 4e-16 * np.maximum(np.abs(low), np.abs(high))
     open_ = np.arange(low.size)  # the brackets that are looked at, and which of them aren't closed yet
     # An end whose sign is round-off had the other one when it was looked at before: it is the root.
-    going = fa * fb < 0
-    found[:] = np.where(np.abs(fa) <= np.abs(fb), a, b)
+    going = np.sign(fa) * np.sign(fb) < 0
+    found = np.where(np.abs(fa) <= np.abs(fb), a, b)
     for _ in range(MOST_LOOKS):
         if not going.any():
             break
