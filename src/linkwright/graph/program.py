@@ -2,7 +2,7 @@
 
 Stages are of two kinds: a block of straight-line expressions, and a Newton solve of a higher group's closure. A
 mechanism of dyads is a single block. The linear systems of rates and forces stay in the block, as a sparse QR
-written out: it keeps its digits, and costs no more than a solve in a stage of its own (docs/performance.md).
+written out: it keeps its digits, and costs less than a solver called at each pose (docs/performance.md).
 """
 
 from __future__ import annotations

@@ -1,0 +1,86 @@
+"""Linear systems written out in a program against a library's solver: ``python benchmarks/linear.py [--json]``.
+
+A dense system of n unknowns, its matrix and right side made from 2 n inputs of each pose so that nothing can be folded:
+instructions of the sparse QR, their time a pose by each kernel and as an array solve (LAPACK), and the digits kept.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import statistics
+import time
+from collections.abc import Callable
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.graph.program import ExpressionStage, Program
+from linkwright.groups.linear import Factor
+from linkwright.kernels import KERNELS
+
+Array = NDArray[np.float64]
+
+
+def system(n: int, u: Array) -> tuple[Array, Array]:
+    """Matrices (poses, n, n) and right sides (poses, n) from inputs u (2 n, poses)."""
+    a = np.sin(u[:n, None] * (1.0 + np.arange(n)[None, :, None])) + np.eye(n)[:, :, None]
+    return a.transpose(2, 0, 1), np.ascontiguousarray(u[n:].T)
+
+
+def program(n: int) -> Program:
+    """The same system solved by a program."""
+    x = ca.SX.sym("x", 2 * n)
+    rows = [[ca.sin(x[i] * (1.0 + j)) + (1.0 if i == j else 0.0) for j in range(n)] for i in range(n)]
+    y = Factor(rows).solve([x[n + i] for i in range(n)])
+    block = ExpressionStage.from_rows(x, ca.SX(0, 1), y)
+    return Program((), block, tuple(f"x{i}" for i in range(2 * n)), (), tuple(f"y{i}" for i in range(n)))
+
+
+def median(action: Callable[[], object], times: int = 5) -> float:
+    """The median processor time of an action (s), one warm-up apart."""
+    action()
+    seconds = []
+    for _ in range(times):
+        start = time.process_time()
+        action()
+        seconds.append(time.process_time() - start)
+    return statistics.median(seconds)
+
+
+def measure(n: int, poses: int) -> dict[str, float]:
+    """Figures of one size; times in ns a pose of one thread."""
+    u = np.random.default_rng(n).uniform(0.1, 1.5, (2 * n, poses))
+    a, b = system(n, u)
+    exact = np.linalg.solve(a, b[..., None])[..., 0].T
+    bound = np.linalg.cond(a) * np.abs(exact).max(axis=0)
+    made = program(n)
+    found = {"unknowns": n, "instructions": float(made.size)}
+    found["lapack"] = 1e9 / poses * median(lambda: np.linalg.solve(*(lambda a, b: (a, b[..., None]))(*system(n, u))))
+    for name in ("numpy", "numba"):
+        if not KERNELS[name].available():
+            continue
+        kernel, out = KERNELS[name](made), np.empty((n, poses))
+        found[name] = 1e9 / poses * median(lambda kernel=kernel, out=out: kernel.run(u, np.empty(0), out))  # type: ignore[misc]
+        found[f"{name}_error_over_bound"] = float((np.abs(out - exact).max(axis=0) / bound).max() / 2.0**-53)
+    return found
+
+
+def main() -> None:
+    """Print the figures."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--json", action="store_true", help="print JSON")
+    parser.add_argument("--poses", type=int, default=20_000)
+    parser.add_argument("--sizes", type=int, nargs="+", default=[2, 4, 6, 9, 12])
+    options = parser.parse_args()
+    rows = [measure(n, options.poses) for n in options.sizes]
+    if options.json:
+        print(json.dumps(rows, indent=2))
+        return
+    for row in rows:
+        print("  ".join(f"{name} {value:.4g}" for name, value in row.items()))
+
+
+if __name__ == "__main__":
+    main()
