@@ -1,13 +1,17 @@
-"""Common to all tests: reproducible property tests, without a deadline; the scripts of benchmarks/ by plain names."""
+"""Common to all tests: reproducible property tests, without a deadline; the scripts of benchmarks/ by plain names;
+a folder of compiled kernels that processes share and the user's own isn't touched by."""
 
 from __future__ import annotations
 
+import os
 import sys
 from pathlib import Path
 
 from hypothesis import HealthCheck, settings
 
-sys.path.append(str(Path(__file__).parents[1] / "benchmarks"))
+ROOT = Path(__file__).parents[1]
+sys.path.append(str(ROOT / "benchmarks"))
+os.environ.setdefault("LINKWRIGHT_CACHE", str(ROOT / ".pytest_cache" / "linkwright"))
 
 settings.register_profile(
     "linkwright",
