@@ -106,6 +106,13 @@ def test_kinks_of_functions() -> None:
     assert certify(run).sound(1e-12)
 
 
+def test_the_ends_of_a_drive_s_steps_are_kinks() -> None:
+    """Its acceleration has corners there, and so has the torque."""
+    law = "step5(t, 0.3 s, 0 rad, 0.7 s, 1 rad) + step5(t, 1.1 s, 0 rad, 1.6 s, -1 rad)"
+    run = run_of(stop=2.0, drives={"motor": {"turns": "wheel", "on": "frame", "position": law}})
+    assert run.breaks == pytest.approx([0.3, 0.7, 1.1, 1.6], abs=1e-14)
+
+
 def test_without_varying_loads_there_are_none() -> None:
     run = run_of(loads=brake("-5"))
     assert run.breaks.size == 0

@@ -105,6 +105,21 @@ def test_rates_of_angles_are_omegas() -> None:
     assert np.abs(rates - omegas).max() < 1e-11
 
 
+def swung(position: str) -> Run:
+    data = four_bar(drives={"motor": {"turns": "crank", "on": "frame", "position": position}})
+    return Run(compiled_from(data), 0.0, 2.0, 100)
+
+
+def test_a_drive_that_only_turns_back_needs_no_fine_grid() -> None:
+    """Its speed is zero at the start, at 1 s and at the end, which are no rests."""
+    assert swung("0.3*cos((3.141592653589793 rad/s)*t)").grid == 100
+    assert swung("step5(t, 0 s, 0.1 rad, 2 s, 0.5 rad)").grid == 100
+
+
+def test_a_short_move_needs_a_fine_grid() -> None:
+    assert swung("step5(t, 1 s, 0.1 rad, 1.01 s, 0.5 rad)").grid > 1500
+
+
 def test_a_drive_that_stands_still() -> None:
     data = {
         "linkwright": 1,

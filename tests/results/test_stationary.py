@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from linkwright.results.stationary import crossings, stationary
+from linkwright.results.stationary import MAX_STEPS, bracketed, crossings, fineness, stationary
 
 Array = NDArray[np.float64]
 Pair = tuple[Callable[[Array], Array], Callable[[Array], Array]]
@@ -170,3 +170,50 @@ def test_an_end_whose_sign_is_round_off_is_the_root() -> None:
 
     (found,) = stationary(rates, 0.0, 1.0, 64)
     assert found == pytest.approx([0.0], abs=1e-12)
+
+
+# Roots in brackets.
+
+
+def poles(t: Array, row: NDArray[np.intp]) -> Array:
+    """A cubic, a jump, a steep and a flat root, an infinite one, at 0.3 each."""
+    x = t - 0.3
+    with np.errstate(divide="ignore"):
+        kinds = [x + x**3, np.where(x < 0, -2.0, 1e9), np.tanh(1e6 * x), x**5, 1 / x]
+    return np.choose(row, kinds)
+
+
+@pytest.mark.parametrize("first", [0.5, 0.0, 1.0, 0.3, np.nan])
+def test_roots_of_all_kinds(first: float) -> None:
+    rows = np.arange(5)
+    found = bracketed(poles, rows, np.zeros(5), np.ones(5), np.full(5, first))
+    assert found == pytest.approx(np.full(5, 0.3), abs=1e-15)
+    assert bracketed(poles, rows, np.ones(5), np.zeros(5), np.full(5, first)) == pytest.approx(found, abs=1e-15)
+
+
+def test_each_root_is_found_by_itself() -> None:
+    rows = np.random.default_rng(0).integers(0, 5, 200)
+    low, high = -np.random.default_rng(1).uniform(0, 1, 200), np.random.default_rng(2).uniform(0.4, 1, 200)
+    found = bracketed(poles, rows, low, high)
+    assert found == pytest.approx(np.full(200, 0.3), abs=1e-15)
+    for some in (slice(0, 1), slice(3, 50), slice(None, None, -3)):
+        assert np.array_equal(bracketed(poles, rows[some], low[some], high[some]), found[some])
+
+
+def test_a_bracket_whose_ends_have_one_sign_gives_the_end_nearer_to_a_root() -> None:
+    found = bracketed(lambda t, row: t + 0 * row, np.arange(2), np.array([1e-17, -2.0]), np.array([1.0, -1e-18]))
+    assert found.tolist() == [1e-17, -1e-18]
+
+
+def test_the_grid_on_which_counts_stand_still() -> None:
+    """A sine of 200 waves has its counts from 1024 steps on, one of a single wave from the first grid on."""
+    rng = np.random.default_rng(0)
+
+    def rates(t: Array) -> tuple[Array, Array]:
+        w = 2 * np.pi * np.array([[1.0], [200.0]])
+        noise = rng.standard_normal((1, t.size))
+        return np.concatenate([np.sin(w * t), noise]), np.concatenate([w * np.cos(w * t), noise])
+
+    coarse, fine, never = fineness(rates, 0.0, 1.0, 50)
+    assert (coarse, never) == (4 * 64, MAX_STEPS)
+    assert 4 * 400 <= fine <= 4 * 1024

@@ -22,9 +22,9 @@ def whole_turns(angle: Array, near: Array | float) -> Array:
 
 
 def steps(places: Array, angle: Array, rate: Array) -> tuple[Array, float]:
-    """The steps of an angle from place to place, and the largest one that its rates foretell.
+    """The steps of an angle from place to place (the last axis), and the largest one that its rates foretell.
 
     The rates say how far it turned; the angles only have to agree with that but for whole turns.
     """
-    turned = np.diff(places) * (rate[1:] + rate[:-1]) / 2
+    turned = np.diff(places) * (rate[..., 1:] + rate[..., :-1]) / 2
     return turned + wrapped(np.diff(angle) - turned), float(np.abs(turned).max(initial=0.0))

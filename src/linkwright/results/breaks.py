@@ -13,6 +13,7 @@ from linkwright.results.stationary import crossings
 from linkwright.results.windows import intervals
 
 if TYPE_CHECKING:
+    from linkwright.kernels import Compiled
     from linkwright.results.run import Run
 
 Array = NDArray[np.float64]
@@ -47,9 +48,20 @@ def breaks(run: Run) -> Array:
         table = run.compiled.tables[lookup.table]
         if table.degree == 1 and not lookup.integral:
             found.append(_knots(run, i, table))
-    switches = (_switch(node) for law in actions.laws for node in nodes(law))
-    found += [_zeros(run, node) for node in dict.fromkeys(switches) if node is not None]
+    found += [_zeros(run, node) for node in kinks(run.compiled)]
     return np.unique(np.concatenate(found))
+
+
+def kinks(compiled: Compiled) -> list[Node]:
+    """What changes its sign where the law of a load or drive has a kink."""
+    quantities, m = compiled.quantities, compiled.mechanism
+    laws = [*compiled.graph.actions.laws]
+    for name, drive in m.drives.items():
+        if drive.position is not None:
+            laws.append(quantities.bind(drive.position, quantities.drive_dimension(name)))
+    found = dict.fromkeys(switch for law in laws for node in nodes(law) for switch in switches(node))
+    asked = {node: {n.name for n in nodes(node) if isinstance(n, Call) and n.name in m.tables} for node in found}
+    return [node for node in found if asked[node] <= {*compiled.tables}]  # not those of a drive's own table
 
 
 def _zeros(run: Run, node: Node) -> Array:
@@ -57,11 +69,15 @@ def _zeros(run: Run, node: Node) -> Array:
     return crossings(lambda t: np.asarray(run.jets(node, t).d[0]), run.start, run.stop, run.grid)
 
 
-def _switch(node: Node) -> Node | None:
-    """What changes its sign where a function has a kink."""
-    if isinstance(node, Call) and node.attribute is None and node.name in ("min", "max"):
-        return Binary("-", *node.args)
-    return node.args[0] if isinstance(node, Call) and node.name == "abs" else None
+def switches(node: Node) -> list[Node]:
+    """What changes its sign where a function has a kink, or a step its ends."""
+    if not isinstance(node, Call) or node.attribute is not None:
+        return []
+    if node.name in ("min", "max"):
+        return [Binary("-", *node.args)]
+    if node.name == "step5":
+        return [Binary("-", node.args[0], end) for end in (node.args[1], node.args[3])]
+    return [node.args[0]] if node.name == "abs" else []
 
 
 def _knots(run: Run, lookup: int, table: TableLaw) -> Array:

@@ -44,8 +44,11 @@ class Run:
             rate = np.abs(np.broadcast_to(self.compiled.laws[name](t).d[1], t.shape))
             if self.compiled.mechanism.prescribed(name).turns:
                 steps.append(min(int(float(np.mean(rate)) * (self.stop - self.start) / MAX_TURN) + 1, MAX_GRID))
-            # The shortest move or rest is to be seen at some ten points.
-            changes = np.flatnonzero(np.diff((rate > 1e-9 * rate.max()).astype(int)))
+            # The shortest move or rest is to be seen at some ten points. Where a drive only turns back is no rest.
+            moves = rate > 1e-9 * rate.max()
+            moves[:-1] |= moves[1:]
+            moves[1:] |= moves[:-1]
+            changes = np.flatnonzero(np.diff(moves.astype(int)))
             if changes.size:
                 shortest = int(np.diff(np.concatenate([[0], changes, [LOOK]])).min(initial=LOOK, where=True))
                 steps.append(min(10 * LOOK // max(shortest, 1), LOOK // 2))
@@ -153,9 +156,19 @@ class Run:
             count *= 2
 
 
-def combined(compiled: Compiled, node: Node, t: Array, rows: Mapping[str, Sequence[Array]], order: int) -> Jet:
-    """An expression (bound to SI) at times ``t`` to an order of derivatives, from the signals' ``rows``."""
-    parameters = compiled.quantities.parameters
+def combined(
+    compiled: Compiled,
+    node: Node,
+    t: Array,
+    rows: Mapping[str, Sequence[Array]],
+    order: int,
+    given: Mapping[str, Any] | None = None,
+) -> Jet:
+    """An expression (bound to SI) at times ``t`` to an order of derivatives, from the signals' ``rows``.
+
+    ``given`` are parameters other than the nominal ones: numbers, or arrays that broadcast with the times.
+    """
+    parameters = compiled.quantities.parameters if given is None else given
     time = Jet([t, np.ones_like(t)]).cut(order)
 
     def named(name: Name) -> Any:

@@ -8,9 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Rows = NDArray[np.intp]
 
 FIRST_STEPS, LATEST_FIRST, MAX_STEPS = 1 << 6, 1 << 13, 1 << 15
 HUGE = 1e150
+MOST_LOOKS = 200
+EDGE = 1e-3
+"""A first look is no nearer to an end of its bracket than this share of it."""
 NOISE = 1e-10
 """A rate below this share of its largest magnitude doesn't count as a sign."""
 
@@ -26,6 +30,22 @@ def stationary(rates: Callable[[Array], tuple[Array, Array]], start: float, stop
         return [_brackets(t, v, s) for v, s in zip(*rates(t), strict=True)]
 
     return _roots(lambda at: rates(at)[1], _settled(look, start, stop, steps))
+
+
+def fineness(rates: Callable[[Array], tuple[Array, Array]], start: float, stop: float, steps: int) -> list[int]:
+    """The steps on which the count of each row's brackets has stayed the same twice; :data:`MAX_STEPS` if never."""
+    counts: list[list[int]] = []
+    steps = min(max(steps, FIRST_STEPS), LATEST_FIRST)
+    found: dict[int, int] = {}
+    while True:
+        t = np.linspace(start, stop, steps + 1)
+        counts.append([len(_brackets(t, v, s)) for v, s in zip(*rates(t), strict=True)])
+        for row, last in enumerate(zip(*counts[-3:], strict=True)):
+            if row not in found and len(last) == 3 and len(set(last)) == 1:
+                found[row] = steps
+        if len(found) == len(counts[0]) or steps >= MAX_STEPS:
+            return [found.get(row, MAX_STEPS) for row in range(len(counts[0]))]
+        steps *= 2
 
 
 def magnitude(values: Array, slopes: Array) -> tuple[Array, Array]:
@@ -73,26 +93,60 @@ def _sign_changes(t: Array, f: Array) -> Array:
 
 
 def _roots(f: Callable[[Array], Array], brackets: list[Array]) -> list[Array]:
-    """One root in each bracket of each row, all at once (Chandrupatla)."""
+    """One root in each bracket of each row, all at once."""
     rows = np.repeat(np.arange(len(brackets)), [len(b) for b in brackets])
     if rows.size == 0:
         return [np.empty(0) for _ in brackets]
-    from scipy.optimize.elementwise import find_root
 
-    ends = np.concatenate(brackets)
+    def chosen(t: Array, row: Rows) -> Array:
+        return np.asarray(f(t)[row, np.arange(t.size)])
 
-    def chosen(t: Array, row: NDArray[np.intp]) -> Array:
-        found = f(t.ravel())[row.ravel(), np.arange(t.size)].reshape(t.shape)
-        return np.asarray(np.nan_to_num(found, posinf=HUGE, neginf=-HUGE))
-
-    result = find_root(
-        chosen,
-        (ends[:, 0], ends[:, 1]),
-        args=(rows,),
-        tolerances={"xatol": 0.0, "xrtol": 4e-16, "fatol": 0.0, "frtol": 0.0},
-    )
-    x, lost = result.x, np.isnan(result.x)
-    if lost.any():  # an end whose sign is round-off had the other one when it was looked at again: it is the root
-        heights = np.abs([chosen(end, rows) for end in ends.T])
-        x = np.where(lost, np.where(heights[0] < heights[1], ends[:, 0], ends[:, 1]), x)
+    x = bracketed(chosen, rows, *np.concatenate(brackets).T)
     return [np.sort(x[rows == row]) for row in range(len(brackets))]
+
+
+def bracketed(
+    f: Callable[[Array, Rows], Array], rows: Rows, low: Array, high: Array, first: Array | float = 0.5
+) -> Array:
+    """One root of ``f(t, row)`` in each bracket (n,), each by itself to round-off; ``first`` is where to look first,
+    as a share of it.
+
+    Inverse quadratic interpolation where it is safe, else bisection: Chandrupatla, Advances in Engineering Software
+    28 (1997) 145, as written out by Scherer, Computational Physics (2010), 6.1.7.3.
+    """
+
+    def finite(t: Array, row: Rows) -> Array:
+        return np.asarray(np.nan_to_num(f(t, row), posinf=HUGE, neginf=-HUGE))
+
+    a, b, c = low, high, high
+    fa, fb = finite(a, rows), finite(b, rows)
+    fc = fb
+    share = np.broadcast_to(np.clip(np.nan_to_num(first, nan=0.5), EDGE, 1 - EDGE), low.shape)
+    tolerance = 4e-16 * np.maximum(np.abs(low), np.abs(high))
+    open_ = np.arange(low.size)  # the brackets that are looked at, and which of them aren't closed yet
+    # An end whose sign is round-off had the other one when it was looked at before: it is the root.
+    going = np.sign(fa) * np.sign(fb) < 0
+    found = np.where(np.abs(fa) <= np.abs(fb), a, b)
+    for _ in range(MOST_LOOKS):
+        if not going.any():
+            break
+        if 2 * np.count_nonzero(going) < going.size:  # rarely, as kernels like calls of the same size
+            some = going
+            open_, rows, going = open_[some], rows[some], going[some]
+            a, b, c, fa, fb, fc, share, tolerance = (v[some] for v in (a, b, c, fa, fb, fc, share, tolerance))
+        x = a + share * (b - a)
+        fx = finite(x, rows)
+        same = np.sign(fx) == np.sign(fa)
+        c, fc = np.where(same, a, b), np.where(same, fa, fb)
+        b, fb = np.where(same, b, a), np.where(same, fb, fa)
+        a, fa = x, fx
+        found[open_[going]] = np.where(np.abs(fa) <= np.abs(fb), a, b)[going]
+        width = np.abs(b - a)
+        going = going & (width > tolerance) & (fa != 0)
+        with np.errstate(all="ignore"):
+            xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
+            safe = (phi**2 < xi) & ((1 - phi) ** 2 < 1 - xi)
+            inverse = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
+            least = 0.5 * tolerance / width
+            share = np.where(safe, np.clip(inverse, least, 1 - least), 0.5)
+    return found

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, partial
 
@@ -14,6 +14,7 @@ from linkwright.model.expressions import Node, parse
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import REDUCTIONS, Measure
 from linkwright.model.places import FIGURES, figure, measured
+from linkwright.model.quantities import Quantities
 from linkwright.model.units import Dimension, unit
 from linkwright.results import Run
 from linkwright.results.quadrature import gauss_points
@@ -183,26 +184,35 @@ RULES: dict[str, Callable[[Probe, Measure], tuple[Found, ...]]] = {
 assert {*RULES, "value"} == set(REDUCTIONS)
 
 
+def bound(quantities: Quantities, name: str) -> dict[str, Node]:
+    """The expression of a measure by its name, and that which places it by ``NAME where``, bound to SI."""
+    measure = quantities.mechanism.measures[name]
+    kind = None if measure.reduction in FIGURES else quantities.dimensions.resolve(measured(name))
+    trees = {name: quantities.bind(measure.signal, kind)}
+    if measure.where and (match := WHERE.match(measure.where)) and match[2]:
+        trees[f"{name} where"] = quantities.dimensions.bind(parse(match[2]), None)
+    return trees
+
+
 @dataclass
 class _Measurer:
     run: Run
+    names: Sequence[str]
     findings: list[Finding] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         quantities = self.run.compiled.quantities
         self.mechanism = quantities.mechanism
+        self.measures = {name: self.mechanism.measures[name] for name in self.names}
         self.trees: dict[str, Node] = {}
-        for name, measure in self.mechanism.measures.items():
-            kind = None if measure.reduction in FIGURES else quantities.dimensions.resolve(measured(name))
-            self.trees[name] = quantities.bind(measure.signal, kind)
-            if measure.where and (match := WHERE.match(measure.where)) and match[2]:
-                self.trees[f"{name} where"] = quantities.dimensions.bind(parse(match[2]), None)
+        for name in self.measures:
+            self.trees |= bound(quantities, name)
 
     def all(self) -> list[MeasureResult]:
         if not self.trees:
             return []
         turning = dict(zip(self.trees, self.turning(), strict=True))
-        return [self.one(name, measure, turning) for name, measure in self.mechanism.measures.items()]
+        return [self.one(name, measure, turning) for name, measure in self.measures.items()]
 
     def turning(self) -> list[Array]:
         """The stationary times of every expression, all searched for together."""
@@ -259,7 +269,7 @@ class _Measurer:
         return str(requirement.raw), bool(found) and all(low <= f.value <= high for f in found)
 
 
-def measure_all(run: Run) -> tuple[list[MeasureResult], list[Finding]]:
-    """All measures of a run's mechanism, and which of them have no value."""
-    measurer = _Measurer(run)
+def measure_all(run: Run, names: Sequence[str] | None = None) -> tuple[list[MeasureResult], list[Finding]]:
+    """All measures of a run's mechanism or those of some names, and which of them have no value."""
+    measurer = _Measurer(run, [*run.compiled.mechanism.measures] if names is None else names)
     return measurer.all(), measurer.findings

@@ -1,0 +1,112 @@
+"""Windows of many samples at once: the parts of each one's run that they mean."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.model import units as u
+from linkwright.model.expressions import parse
+from linkwright.results.bunch import Bunch, Who
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, eq=False)
+class Spans:
+    """Intervals of time (s) of samples, ascending: ``low`` and ``high`` (samples, most), NaN where there are fewer."""
+
+    low: Array
+    high: Array
+
+    def flat(self) -> tuple[Who, Array, Array]:
+        """All intervals one after another: sample, start, end."""
+        who, which = np.nonzero(np.isfinite(self.low))
+        return who, self.low[who, which], self.high[who, which]
+
+    def grid(self, t: Array) -> Mask:
+        """Which times (samples, times) lie in an interval or at its end."""
+        found = np.zeros(t.shape, dtype=bool)
+        for low, high in zip(self.low.T, self.high.T, strict=True):
+            found |= (t >= low[:, None]) & (t <= high[:, None])
+        return found
+
+    def within(self, who: Who, t: Array) -> Mask:
+        """Which times of some samples (n,) lie inside an interval."""
+        t = t[:, None]
+        return np.asarray(((t > self.low[who]) & (t < self.high[who])).any(axis=1))
+
+    def touched(self, who: Who, a: Array, b: Array) -> Mask:
+        """Which stretches a .. b of some samples (n,) have a part inside an interval."""
+        a, b = a[:, None], b[:, None]
+        return np.asarray(((b > self.low[who]) & (a < self.high[who])).any(axis=1))
+
+    @property
+    def first(self) -> Array:
+        """Where the first interval begins (s), NaN without one."""
+        return self.low[:, 0] if self.low.size else np.full(len(self.low), np.nan)
+
+    @property
+    def last(self) -> Array:
+        """Where the last interval ends (s), NaN without one."""
+        if not self.high.size:
+            return np.full(len(self.high), np.nan)
+        return np.asarray(np.fmax.reduce(self.high, axis=1))
+
+
+def spans(bunch: Bunch, name: str | None) -> Spans:
+    """The intervals that a window means within each sample's run; the whole run without one."""
+    start, stop = np.full(bunch.samples, bunch.start), bunch.stop
+    if name is None:
+        return _packed(np.arange(bunch.samples), start, stop, bunch.samples)
+    quantities = bunch.quantities
+    window = quantities.mechanism.windows[name]
+    if isinstance(window, tuple):
+        edges = [quantities.value(edge, u.TIME) for edge in window]
+        low, high = np.maximum(edges[0], start), np.minimum(edges[1], stop)
+        who = np.flatnonzero(low < high)
+        return _packed(who, low[who], high[who], bunch.samples)
+    ((text, sides),) = window.items()
+    dimension = quantities.dimensions.dimension(parse(text))
+    low, high = (np.broadcast_to(quantities.value(edge, dimension), bunch.samples) for edge in sides)
+    return _within(bunch, text, low, high, turning=dimension == u.ANGLE)
+
+
+def _within(bunch: Bunch, text: str, low: Array, high: Array, turning: bool) -> Spans:
+    """Where a signal lies in low .. high (samples,); of an angle, in that range or any whole turns from it."""
+    node = bunch.quantities.dimensions.bind(parse(text), None)
+
+    def beyond(edge: Array) -> tuple[Who, Array]:
+        def off(values: Array, who: Who | None) -> Array:
+            away = values - (edge[:, None] if who is None else edge[who])
+            with np.errstate(invalid="ignore"):
+                return np.sin(away / 2) if turning else away
+
+        return bunch.crossings(node, off)
+
+    every = np.arange(bunch.samples)
+    parts = [(every, np.full(bunch.samples, bunch.start)), (every, bunch.stop), beyond(low), beyond(high)]
+    who, t = (np.concatenate(part) for part in zip(*parts, strict=True))
+    order = np.lexsort((t, who))
+    who, t = who[order], t[order]
+    between = (who[1:] == who[:-1]) & (t[1:] > t[:-1])
+    who, a, b = who[1:][between], t[:-1][between], t[1:][between]
+    middles = bunch.values(node, who, (a + b) / 2)
+    offset = np.mod(middles - low[who], 2 * np.pi) if turning else middles - low[who]
+    inside = (offset >= 0) & (offset <= high[who] - low[who])
+    who, a, b = who[inside], a[inside], b[inside]
+    apart = (who[1:] != who[:-1]) | (a[1:] != b[:-1])
+    begins, ends = np.append([True], apart), np.append(apart, [True])
+    return _packed(who[begins], a[begins], b[ends], bunch.samples) if who.size else _packed(who, a, b, bunch.samples)
+
+
+def _packed(who: Who, low: Array, high: Array, samples: int) -> Spans:
+    """Intervals, ascending by sample and time, as one row of each sample."""
+    counts = np.bincount(who, minlength=samples)
+    which = np.arange(who.size) - np.repeat(np.cumsum(counts) - counts, counts)
+    ends = np.full((2, samples, int(counts.max(initial=0))), np.nan)
+    ends[0, who, which], ends[1, who, which] = low, high
+    return Spans(*ends)

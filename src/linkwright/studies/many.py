@@ -1,0 +1,171 @@
+"""The measures of many samples of a mechanism at once.
+
+They are those of :mod:`linkwright.studies.measures`, to round-off. Extremes and places are root-found on exact rates
+in brackets of a grid, means integrated on panels; the grid is twice and the panels twice as fine as the nominal run
+needs. (A run of its own doubles its grid for itself; here two turning points of a sample that lie between two places
+of the grid are missed.) Windows, jumps and corners follow each sample's own parameters.
+
+One sample after the other goes through a run of its own: ``dwell`` and ``straightness``; measures of instant centres;
+of forces, where loads act in windows only, and means of forces, where loads ask tables of straight lines; what the
+nominal run needs a very fine grid for; and all measures of samples that turn too fast for the grid.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property, partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.kernels.varied import Varied
+from linkwright.model.expressions import Node, parse
+from linkwright.model.mechanism import Measure
+from linkwright.results import Run
+from linkwright.results.breaks import kinks
+from linkwright.results.bunch import Bunch, What
+from linkwright.results.spans import spans
+from linkwright.results.stationary import fineness
+from linkwright.studies.means import CLOSE, FIRST_PANELS, MOST_PANELS, corners, mean
+from linkwright.studies.measures import bound
+from linkwright.studies.peaks import Figures
+from linkwright.studies.taken import EXTREMES, LABELS, POWERS, Many, Taken
+
+__all__ = ["LABELS", "Figures", "Many", "Measuring", "measure_many"]
+
+Array = NDArray[np.float64]
+
+MOST_STEPS = 1 << 12
+"""The finest grid that samples share."""
+CHUNK = 1 << 17
+"""Poses of the grid that are looked at together."""
+
+
+def measure_many(
+    varied: Varied, run: Run, p: Array, names: Sequence[str] | None = None, stop: Array | None = None
+) -> Many:
+    """The measures of some names, or all, of the samples ``p`` (parameters, samples) as :meth:`Varied.parameters`
+    gives them. ``run`` is the nominal one; ``stop`` (samples,) are the ends of their runs (s) where these differ.
+
+    To ask again and again keep a :class:`Measuring`.
+    """
+    return Measuring(varied, run, names).of(p, stop)
+
+
+class Measuring:
+    """What the nominal run tells of how to measure many others; :meth:`of` may be called from several threads."""
+
+    def __init__(self, varied: Varied, run: Run, names: Sequence[str] | None = None, kernel: str = "numpy") -> None:
+        self.varied, self.run, self.kernel = varied, run, kernel
+        self.quantities, self.graph = run.compiled.quantities, run.compiled.graph
+        measures = self.quantities.mechanism.measures
+        self.measures = {name: measures[name] for name in (measures if names is None else names)}
+        self.trees = {key: tree for name in self.measures for key, tree in bound(self.quantities, name).items()}
+        self.rows = self._rows()
+        self.kinks = kinks(run.compiled)
+        self.single = [name for name, measure in self.measures.items() if self._singly(name, measure)]
+        self.steps = self._steps()
+        self.panels = self._panels()
+
+    # What the nominal run tells.
+
+    def _rows(self) -> list[str]:
+        """The rows that tell whether a sample can be followed."""
+        structure = self.run.compiled.structure
+        found = [f"reach:{group.label}" for group in structure.groups if group.modes > 1]
+        found += [f"span:{group.label}" for group in structure.groups if group.has_span]
+        labels = [*(group.label for group in structure.groups), *(cluster.label for cluster in structure.clusters)]
+        return found + [f"determinant:{label}" for label in labels]
+
+    def _of(self, name: str) -> list[Node]:
+        """The expressions of a measure, that of its window among them."""
+        keys, window = (name, f"{name} where"), self.measures[name].window
+        signal = self.quantities.mechanism.windows[window] if window else ()
+        texts = [] if isinstance(signal, tuple) else [*signal]
+        return [self.trees[key] for key in keys if key in self.trees] + [
+            self.quantities.dimensions.bind(parse(text), None) for text in texts
+        ]
+
+    def _singly(self, name: str, measure: Measure) -> bool:
+        """Whether a measure is taken of one sample after the other."""
+        if measure.reduction not in (*EXTREMES, *POWERS, "value"):
+            return True
+        signals = [self.graph.signal(text) for text in self.run.signals_of(self._of(name))]
+        if any(signal.kind == "pole" for signal in signals):
+            return True
+        if all(signal.kinematic for signal in signals):
+            return False
+        actions, tables = self.graph.actions, self.run.compiled.tables
+        straight = any(tables[lookup.table].degree == 1 and not lookup.integral for lookup in actions.lookups)
+        return bool(actions.windows) or (straight and measure.reduction in POWERS)
+
+    def _steps(self) -> int:
+        """The steps of the grid; measures that the nominal run needs a finer one for go to the others."""
+        run, steps = self.run, [min(self.run.grid, MOST_STEPS)]
+        trees = {name: self._of(name) for name in self.measures if name not in self.single}
+        every = [*dict.fromkeys(tree for some in trees.values() for tree in some)]
+        fine = fineness(partial(run.all_rates, every), run.start, run.stop, run.grid) if every else []
+        needed = dict(zip(every, fine, strict=True))
+        for name, some in trees.items():
+            finest = max((needed[tree] // 2 for tree in some), default=0)  # half would do, and a quarter just so
+            if finest > MOST_STEPS:
+                self.single.append(name)
+            else:
+                steps.append(finest)
+        return max(steps)
+
+    def _panels(self) -> dict[str, int]:
+        """The panels of each mean; measures that need too many go to the others."""
+        found: dict[str, int] = {}
+        nominal = self.run.compiled.parameters[:, None]
+        bunch = Bunch(self.varied, self.run, nominal, self.steps, kernel=self.kernel)
+        for name, measure in self.measures.items():
+            if measure.reduction not in POWERS or name in self.single:
+                continue
+            where, places = spans(bunch, measure.window), corners(bunch, self.trees[name], self.kinks)
+            panels, last = FIRST_PANELS, np.full(1, np.inf)
+            while panels <= MOST_PANELS:
+                now, size = mean(bunch, self.trees[name], where, POWERS[measure.reduction], panels, places)
+                if not abs(now - last)[0] > CLOSE * size[0]:
+                    break
+                panels, last = 2 * panels, now
+            if panels > MOST_PANELS:
+                self.single.append(name)
+            else:
+                found[name] = panels
+        return found
+
+    # Many samples.
+
+    def of(self, p: Array, stop: Array | None = None) -> Many:
+        """The measures of samples; what one gives doesn't depend on the others, to the last bit."""
+        step = max(1, CHUNK // (self.steps + 1))
+        parts = []
+        for first in range(0, p.shape[1], step):
+            some = slice(first, first + step)
+            bunch = Bunch(
+                self.varied, self.run, p[:, some], self.steps, None if stop is None else stop[some], self.kernel
+            )
+            parts.append(Taken(self, bunch).many())
+        return _joined(parts)
+
+    @cached_property
+    def watched(self) -> list[What]:
+        """All curves that are looked at on the grid."""
+        trees = [tree for name in self.measures if name not in self.single for tree in self._of(name)]
+        return [*dict.fromkeys(trees), *self.rows]
+
+
+def _joined(parts: Sequence[Many]) -> Many:
+    """Some samples after others."""
+    many = Many(np.concatenate([part.failed for part in parts]))
+    for name, found in parts[0].figures.items():
+        many.figures[name] = {
+            label: Figures(
+                np.concatenate([part.figures[name][label].values for part in parts]),
+                np.concatenate([part.figures[name][label].times for part in parts]),
+            )
+            for label in found
+        }
+    many.met = {name: np.concatenate([part.met[name] for part in parts]) for name in parts[0].met}
+    return many

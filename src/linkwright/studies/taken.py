@@ -1,0 +1,203 @@
+"""The measures of one bunch of samples, by a plan that the nominal run has made (:class:`many.Measuring`)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.model.check import WHERE
+from linkwright.model.expressions import Node
+from linkwright.model.mechanism import Measure
+from linkwright.model.places import figure
+from linkwright.results.alone import alone
+from linkwright.results.bunch import Bunch
+from linkwright.results.spans import Spans, spans
+from linkwright.studies.feasible import SINGULAR, TOUCH
+from linkwright.studies.means import corners, mean
+from linkwright.studies.measures import measure_all
+from linkwright.studies.peaks import Figures, peaks
+
+if TYPE_CHECKING:
+    from linkwright.studies.many import Measuring
+
+Mask = NDArray[np.bool_]
+
+LABELS = {"extremes": ("min", "max")}
+BOTH = {"min": -1.0, "max": 1.0}
+EXTREMES = {"max": {"": 1.0}, "min": {"": -1.0}, "extremes": BOTH, "span": BOTH}
+POWERS = {"mean": 1, "path": 1, "rms": 2}
+
+
+@dataclass
+class Many:
+    """The measures of samples: ``figures[measure][label]`` in SI, the label "" or min and max.
+
+    ``failed`` (samples,) are those that can't be assembled all along the run or come to a singular pose: all their
+    figures are NaN. ``met`` says of each measure with a requirement whether a sample meets it; NaN doesn't.
+    """
+
+    failed: Mask
+    figures: dict[str, dict[str, Figures]] = field(default_factory=dict)
+    met: dict[str, Mask] = field(default_factory=dict)
+
+    @property
+    def good(self) -> Mask:
+        """Which samples run and meet all requirements: (samples,)."""
+        return np.asarray(np.logical_and.reduce([~self.failed, *self.met.values()]))
+
+
+class Taken:
+    """The measures of one bunch of samples."""
+
+    def __init__(self, measuring: Measuring, bunch: Bunch) -> None:
+        self.measuring, self.bunch = measuring, bunch
+        self.windows: dict[str | None, Spans] = {}
+        bunch.watch(measuring.watched)
+
+    def many(self) -> Many:
+        """All of them."""
+        asked = self.measuring
+        self.extremes = self.all_extremes()
+        many = Many(self.failed())
+        for name, measure in asked.measures.items():
+            many.figures[name] = self.blank(measure) if name in asked.single else self.figures(name, measure)
+        self.singly(many, asked.single, ~many.failed)
+        self.singly(many, [name for name in asked.measures if name not in asked.single], self.bunch.fast & ~many.failed)
+        for name, found in many.figures.items():
+            for figures in found.values():
+                unknown = many.failed | ~np.isfinite(figures.values)
+                figures.values[unknown] = figures.times[unknown] = np.nan
+            if name in self.bunch.quantities.mechanism.require:
+                many.met[name] = self.verdict(name, asked.measures[name], found)
+        return many
+
+    def window(self, name: str | None) -> Spans:
+        """The spans that a window means."""
+        if name not in self.windows:
+            self.windows[name] = spans(self.bunch, name)
+        return self.windows[name]
+
+    def failed(self) -> Mask:
+        """Which samples can't be assembled all along their run, or come to a singular pose."""
+        bunch = self.bunch
+        whole = self.window(None)
+        failed = np.asarray(np.isnan(bunch.p).any(axis=0))
+        for row in self.measuring.rows:
+            value, _ = bunch.on_grid(row)
+            least, limit = np.abs(value).min(axis=1), SINGULAR
+            if row.startswith("reach:"):
+                least, limit = peaks(bunch, row, [(whole, -1.0)])[0].values, TOUCH
+            elif row.startswith("span:"):
+                limit = SINGULAR * value.max(axis=1)
+            failed |= ~(least > limit) | ((value > 0).any(axis=1) & (value < 0).any(axis=1))
+        return failed
+
+    def all_extremes(self) -> dict[tuple[Node, str | None, float], Figures]:
+        """Every extreme that a measure needs, those of one curve together."""
+        asks: dict[Node, dict[tuple[str | None, float], None]] = {}
+        for tree, window, sign in self.wanted():
+            asks.setdefault(tree, {})[window, sign] = None
+        found: dict[tuple[Node, str | None, float], Figures] = {}
+        for tree, places in asks.items():
+            figures = peaks(self.bunch, tree, [(self.window(window), sign) for window, sign in places])
+            found |= {(tree, *place): figure for place, figure in zip(places, figures, strict=True)}
+        return found
+
+    def wanted(self) -> Iterator[tuple[Node, str | None, float]]:
+        """The extremes that the measures need: curve, window, sign."""
+        trees = self.measuring.trees
+        for name, measure in self.measuring.measures.items():
+            if name in self.measuring.single:
+                continue
+            for sign in EXTREMES.get(measure.reduction, {}).values():
+                yield trees[name], measure.window, sign
+            if f"{name} where" in trees:
+                yield trees[f"{name} where"], measure.window, _sign(measure)
+
+    def blank(self, measure: Measure) -> dict[str, Figures]:
+        """The labels of a measure, without figures yet."""
+        size = self.bunch.samples
+        return {
+            label: Figures(np.full(size, np.nan), np.full(size, np.nan))
+            for label in LABELS.get(measure.reduction, ("",))
+        }
+
+    def figures(self, name: str, measure: Measure) -> dict[str, Figures]:
+        """A measure's figures by label, in its range of angles."""
+        found = self.reduced(name, measure)
+        values = {label: figures.values for label, figures in found.items()}
+        if measure.wrap is not None:
+            quantities = self.bunch.quantities
+            dimension = quantities.dimensions.resolve(figure(name, measure))
+            low, high = (quantities.value(edge, dimension) for edge in measure.wrap)
+            with np.errstate(invalid="ignore"):
+                values = {label: low + (value - low) % (high - low) for label, value in values.items()}
+        return {label: Figures(values[label].copy(), figures.times.copy()) for label, figures in found.items()}
+
+    def reduced(self, name: str, measure: Measure) -> dict[str, Figures]:
+        """A measure's figures as its reduction gives them."""
+        tree, signs = self.measuring.trees[name], EXTREMES.get(measure.reduction)
+        if measure.reduction == "value":
+            return {"": self.placed(name, measure)}
+        if signs is None:
+            return {"": self.integral(name, measure)}
+        found = {label: self.extremes[tree, measure.window, sign] for label, sign in signs.items()}
+        if measure.reduction == "span":
+            values = found["max"].values - found["min"].values
+            return {"": Figures(values, np.full_like(values, np.nan))}
+        return found
+
+    def placed(self, name: str, measure: Measure) -> Figures:
+        """A value at the place that `where` names."""
+        trees, window = self.measuring.trees, self.window(measure.window)
+        if f"{name} where" in trees:
+            times = self.extremes[trees[f"{name} where"], measure.window, _sign(measure)].times
+        else:
+            times = window.first if (measure.where or "").strip() == "start" else window.last
+        who = np.flatnonzero(np.isfinite(times))
+        values = np.full_like(times, np.nan)
+        values[who] = self.bunch.values(trees[name], who, times[who])
+        return Figures(values, times)
+
+    def integral(self, name: str, measure: Measure) -> Figures:
+        """A mean or what follows from one."""
+        asked, bunch, window = self.measuring, self.bunch, self.window(measure.window)
+        places = corners(bunch, asked.trees[name], asked.kinks)
+        power, panels = POWERS[measure.reduction], asked.panels[name]
+        values, _ = mean(bunch, asked.trees[name], window, power, panels, places)
+        if measure.reduction == "rms":
+            values = np.sqrt(values)
+        if measure.reduction == "path":
+            owner, a, b = window.flat()
+            values = values * np.bincount(owner, b - a, bunch.samples)
+        return Figures(values, np.full_like(values, np.nan))
+
+    def singly(self, many: Many, names: Sequence[str], some: Mask) -> None:
+        """Put in what is taken of some samples one after the other."""
+        bunch = self.bunch
+        for i in np.flatnonzero(some) if names else ():
+            run = alone(bunch.varied, bunch.run, bunch.p[:, i], float(bunch.stop[i]), bunch.kernel)
+            for result in measure_all(run, names)[0]:
+                found = {f.label: f for f in result.found}
+                for label, figures in many.figures[result.name].items():
+                    value, time = (found[label].value, found[label].time) if label in found else (np.nan, None)
+                    figures.values[i], figures.times[i] = value, np.nan if time is None else time
+
+    def verdict(self, name: str, measure: Measure, found: dict[str, Figures]) -> Mask:
+        """Which samples meet the requirement on a measure."""
+        quantities = self.bunch.quantities
+        requirement = quantities.mechanism.require[name]
+        dimension = quantities.dimensions.resolve(figure(name, measure))
+        low = -np.inf if requirement.low is None else quantities.value(requirement.low, dimension)
+        high = np.inf if requirement.high is None else quantities.value(requirement.high, dimension)
+        return np.asarray(np.logical_and.reduce([(low <= f.values) & (f.values <= high) for f in found.values()]))
+
+
+def _sign(measure: Measure) -> float:
+    match = WHERE.match(measure.where or "")
+    assert match is not None
+    return 1.0 if match[1] == "max" else -1.0
