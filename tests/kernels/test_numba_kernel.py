@@ -5,15 +5,16 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import casadi as ca
 import numpy as np
 import pytest
 
 from helpers.compiled import compiled_from
 from helpers.examples import heavy_four_bar
-from linkwright.graph.program import Program
+from linkwright.graph.program import ExpressionStage, Program
 from linkwright.kernels import Compiled, compile_mechanism
 from linkwright.kernels.numba_kernel import PAST, NumbaKernel
-from linkwright.kernels.numba_source import LANES, LONGEST, Source
+from linkwright.kernels.numba_source import CACHED, LANES, LONGEST, Source
 from linkwright.kernels.numpy_blocks import NumpyKernel
 from linkwright.kernels.spread import EVEN, FEWEST, spread, stretches
 from linkwright.model.document import load
@@ -54,7 +55,7 @@ def samples(compiled: Compiled, count: int) -> np.ndarray:
     return compiled.parameters[:, None] * random.uniform(0.97, 1.03, (compiled.parameters.size, count))
 
 
-@pytest.mark.parametrize("poses", [1, 47, 48, LANES, 3 * LANES + 5])
+@pytest.mark.parametrize("poses", [1, 47, 48, LANES[0], 3 * LANES[0] + 5])
 def test_samples_over_shared_poses(poses: int, four_bar: Compiled, kernel: NumbaKernel) -> None:
     x, p = four_bar.inputs(np.linspace(0.1, 6.0, poses)), samples(four_bar, 5)
     expected = NumpyKernel(kernel.program).over(x, p)
@@ -141,7 +142,9 @@ def test_long_programs_are_split() -> None:
     """Functions of at most some 500 instructions, whose values pass over rows that are used again."""
     compiled = compiled_from(chain(4))
     program = compiled.graph.program(["motor.torque", "F2.x", "arm2.alpha"])
-    source = Source(program, "apart")
+    source = Source.fitting(program, "apart")
+    assert source.lanes < LANES[0]
+    assert source.rows.count * source.lanes <= CACHED
     text = str(source)
     longest = max(part.count("\n") for part in text.split("def block_own")[1:])
     assert text.count("def block_own") > 1
@@ -182,3 +185,44 @@ def test_newton_in_the_kernel(name: str) -> None:
     over, twin = kernel.over(x[:, 10:], both), plain.over(x[:, 10:], both)
     assert np.array_equal(over[:, 0], found[:, 10:])
     assert np.abs((over - twin) / scale[:, None]).max() < 1e-12
+
+
+def rows_of(*expressions: Any) -> Program:
+    """A program of the given rows of one input and one parameter, written with CasADi."""
+    x, p = ca.SX.sym("x", 1), ca.SX.sym("p", 1)
+    block = ExpressionStage.from_rows(x, p, [expression(x, p) for expression in expressions])
+    return Program((), block, ("x",), ("p",), tuple(f"y{i}" for i in range(len(expressions))))
+
+
+EVERY = [
+    lambda x, p: (-2.5) ** x, lambda x, p: x**3, lambda x, p: x ** (-2), lambda x, p: ca.fabs(x) ** 0.5,
+    lambda x, p: ca.fabs(x) ** p, lambda x, p: x**1.5, lambda x, p: 2.0 - (-3.0) * x, lambda x, p: -x / (p - x),
+    lambda x, p: ca.sin(x) + ca.cos(x) * ca.tan(x), lambda x, p: ca.asin(x / 9) + ca.acos(x / 9) * ca.atan(x),
+    lambda x, p: ca.atan2(x, p), lambda x, p: ca.exp(x) + ca.log(ca.fabs(x)), lambda x, p: ca.sign(x) * ca.floor(x),
+    lambda x, p: ca.fmin(x, p) + ca.fmax(x, 2 * p), lambda x, p: ca.hypot(x, p), lambda x, p: ca.copysign(p, x),
+    lambda x, p: ca.if_else(x < p, x, -p), lambda x, p: ca.if_else(ca.logic_and(x <= p, x > -p), x * x, p),
+    lambda x, p: ca.if_else(ca.logic_or(x == p, x != 1.0), 1.0, 0.0) + ca.logic_not(x > 0),
+    lambda x, p: x, lambda x, p: p, lambda x, p: ca.SX(7.25), lambda x, p: 2 * x, lambda x, p: 1 / x,
+    lambda x, p: p * p,
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("form", ["run", "each", "over"])
+def test_every_instruction(form: str) -> None:
+    """All that a program may hold, in all forms, against CasADi's own evaluation: to 4 units in the last place."""
+    program = rows_of(*EVERY)
+    kernel = NumbaKernel(program)
+    x = np.array([[-7.5, -3.0, -1.0, -0.25, 1e-3, 0.5, 1.0, 2.0, 3.25, 8.0] * 6])
+    p = np.array([[2.0, 0.7]])
+    expected = np.array([[program(x[:, i], p[:, s]) for i in range(x.shape[1])] for s in range(2)]).transpose(2, 0, 1)
+    if form == "run":
+        found = np.stack([kernel.run(x, p[:, s]) for s in range(2)], axis=1)
+    elif form == "over":
+        found = kernel.over(x, p)
+    else:
+        flat = kernel.run(np.tile(x, 2), np.repeat(p, x.shape[1], axis=1))
+        found = flat.reshape(len(expected), 2, -1)
+    assert np.array_equal(np.isnan(found), np.isnan(expected))
+    assert np.isnan(expected).any()
+    known = np.isfinite(expected)
+    assert (np.abs(found - expected)[known] <= 4 * np.spacing(np.abs(expected[known]))).all()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import inf
+from math import copysign, inf
 
 import casadi as ca
 
@@ -60,5 +60,8 @@ class Listing:
 
 
 def spelled(number: float) -> str:
-    """A number as an emitter writes it; the names ``inf`` and ``nan`` have to be there."""
-    return repr(number) if abs(number) < inf else "nan" if number != number else "inf" if number > 0 else "-inf"
+    """A number as an operand in an emitter's text; the names ``inf`` and ``nan`` have to be there."""
+    if number != number:
+        return "nan"
+    text = "inf" if abs(number) == inf else repr(abs(number))
+    return f"(-{text})" if copysign(1.0, number) < 0 else text

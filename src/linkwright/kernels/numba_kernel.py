@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from linkwright.graph.program import Program
 from linkwright.kernels import code_cache
-from linkwright.kernels.numba_source import LANES, Source
+from linkwright.kernels.numba_source import Source
 from linkwright.kernels.registry import flattened, register, required
 
 Array = NDArray[np.float64]
@@ -48,12 +48,12 @@ class NumbaKernel:
         if form not in self._forms:
             with _LOCK:
                 if form not in self._forms:
-                    self._forms[form] = _module(str(Source(self.program, form))).run
+                    self._forms[form] = _module(str(Source.fitting(self.program, form))).run
         return self._forms[form]
 
     def kept(self, form: str = "apart") -> bool:
         """Whether a form is at hand without compiling."""
-        return form in self._forms or code_cache.kept(str(Source(self.program, form)), _about()).exists()
+        return form in self._forms or code_cache.kept(str(Source.fitting(self.program, form)), _about()).exists()
 
     def run(self, x: Array, p: Array, out: Array | None = None) -> Array:
         poses = x.shape[1]
@@ -67,7 +67,7 @@ class NumbaKernel:
         if out is None:
             out = np.empty((len(self.program.outputs), p.shape[1], poses))
         if poses < FEW:
-            return flattened(self, x, p, out, 64 * LANES)
+            return flattened(self, x, p, out, 1 << 13)
         self._call("over" if x.ndim == 2 else "apart", x[:, None] if x.ndim == 2 else x, p, out)
         return out
 

@@ -1,10 +1,10 @@
 """The text of a compiled kernel: a program as Python functions that Numba turns into machine code.
 
-A function runs over a block of :data:`LANES` poses, whose rows (inputs, values that pass from one function to the
+A function runs over a block of some :data:`LANES` poses, whose rows (inputs, values that pass from one function to the
 next, outputs) lie in one array ``w`` at places known when it is compiled; so the compiler sees that no two overlap, and
-the loop over lanes becomes vector instructions. The number of lanes never varies, so every pose goes through the same
-instructions, wherever it stands. What is the same for all poses of a sample is computed once a sample, into ``c``; in
-the ``over`` form what is the same for all samples once a pose.
+the loop over lanes becomes vector instructions. A program's number of lanes never varies, so every pose goes through
+the same instructions, wherever it stands. What is the same for all poses of a sample is computed once a sample, into
+``c``; in the ``over`` form what is the same for all samples once a pose.
 """
 
 from __future__ import annotations
@@ -18,7 +18,9 @@ from linkwright.graph.program import ACCEPTED, MOST_STEPS, SOLVED, NewtonStage, 
 from linkwright.kernels.elementary import source as functions_text
 from linkwright.kernels.listing import Listing, P, Value, X, spelled
 
-LANES = 128
+LANES = (128, 64, 32)
+CACHED = 6000
+"""Numbers for which a core's first cache has room: the more rows a program has, the fewer lanes a block gets."""
 LONGEST = 400
 """The most instructions of one function: the compiler's time grows with the square of its length."""
 
@@ -82,8 +84,8 @@ class _Rows:
 class Source:
     """The generated text of a program in one of the :data:`FORMS`, with what its caller has to know."""
 
-    def __init__(self, program: Program, form: str) -> None:
-        self.program, self.form = program, FORMS[form]
+    def __init__(self, program: Program, form: str, lanes: int = LANES[0]) -> None:
+        self.program, self.form, self.lanes = program, FORMS[form], lanes
         solved = frozenset(row for stage in program.solves for row in stage.rows)
         main = Listing(program.block, solved)
         listings = [Listing(stage.closure, solved) for stage in program.solves]
@@ -109,8 +111,17 @@ class Source:
             steps[place] += names
         self.text.append(self._entry(steps))
 
+    @classmethod
+    def fitting(cls, program: Program, form: str) -> Source:
+        """The text with as many lanes as a core's first cache has room for."""
+        for lanes in LANES:
+            source = cls(program, form, lanes)
+            if source.rows.count * lanes <= CACHED:
+                break
+        return source
+
     def __str__(self) -> str:
-        head = _HEAD.format(lanes=LANES, width=max(self.rows.count, 1), scalars=max(self.scalars.count, 1))
+        head = _HEAD.format(lanes=self.lanes, width=max(self.rows.count, 1), scalars=max(self.scalars.count, 1))
         return (
             "\n\n".join([head, functions_text(sorted(self.calls), "@njit(forceinline=True, **FLAGS)"), *self.text])
             + "\n"
@@ -123,14 +134,14 @@ class Source:
     def _newton(self, k: int, stage: NewtonStage, closure: Sequence[str], misses: int) -> str:
         """Write the function that solves a stage in its rows; its name."""
         state = self.rows.run([(f"newton{k}", 0), (f"newton{k}", 1)])
-        rows = [self.rows["x", row] * LANES for row in stage.rows]
+        rows = [self.rows["x", row] * self.lanes for row in stage.rows]
         self.text.append(
             _NEWTON.format(
                 name=f"newton{k}",
-                closed=state * LANES,
-                moved=(state + 1) * LANES,
+                closed=state * self.lanes,
+                moved=(state + 1) * self.lanes,
                 closure="\n        ".join(f"{name}(w, c)" for name in closure) or "pass",
-                step="\n            ".join(_step(stage, rows, misses, state * LANES)),
+                step="\n            ".join(_step(stage, rows, misses, state, self.lanes)),
                 lost="\n        ".join(f"w[{row} + i] = w[{row} + i] if solved else nan" for row in rows),
                 steps=MOST_STEPS,
                 solved=SOLVED,
@@ -210,6 +221,7 @@ class _Block:
         return made
 
     def _function(self, name: str, place: str, n: int, chunk: list[int]) -> str:
+        lanes = self.source.lanes
         reads: dict[int, str] = {}
         heads: dict[int, str] = {}
 
@@ -221,7 +233,7 @@ class _Block:
                 if place == SCALAR or self.places[i] == SCALAR:
                     heads[i] = f"c[{self.source.scalars['v', self.tag, i]}]"
                 else:
-                    reads[i] = f"w[{self._row(i, value) * LANES} + i]"
+                    reads[i] = f"w[{self._row(i, value) * lanes} + i]"
             return f"v{i}"
 
         body, ends = [], []
@@ -231,9 +243,9 @@ class _Block:
                 if place == SCALAR:
                     ends.append(f"c[{self.source.scalars['v', self.tag, i]}] = v{i}")
                 else:
-                    ends.append(f"w[{self.source.rows['v', self.tag, i] * LANES} + i] = v{i}")
+                    ends.append(f"w[{self.source.rows['v', self.tag, i] * lanes} + i] = v{i}")
         for k, i in self.writes.get((place, n), []):
-            ends.append(f"w[{self.source.rows[self.out, k] * LANES} + i] = {operand(i)}")
+            ends.append(f"w[{self.source.rows[self.out, k] * lanes} + i] = {operand(i)}")
         first = [f"v{i} = {text}" for i, text in heads.items()]
         lines = [*(f"v{i} = {text}" for i, text in reads.items()), *body, *ends]
         if place == SCALAR:
@@ -252,6 +264,11 @@ class _Block:
         if value.source is not None:  # a parameter of the sample
             return f"p[{value.source[1]} * pr + s]"
         args = [operand(i) for i in value.args[: _arity(value)]]
+        if (
+            value.op in (ca.OP_POW, ca.OP_CONSTPOW)
+            and (power := _whole(self.listing.values[value.args[1]])) is not None
+        ):
+            args[1] = power  # a whole power is multiplied out
         if value.op in _OPERATORS:
             return _OPERATORS[value.op].format(*args)
         if value.op not in _CALLS:
@@ -260,20 +277,26 @@ class _Block:
         return f"{_CALLS[value.op]}({', '.join(args)})"
 
 
+def _whole(value: Value) -> str | None:
+    """A whole power of few factors as text."""
+    known = value.constant and value.number.is_integer() and 0 < value.number <= 32
+    return str(int(value.number)) if known else None
+
+
 def _arity(value: Value) -> int:
     """How many of the arguments count: CasADi lists the one of a square or a double twice."""
     return 2 if "{1}" in _OPERATORS.get(value.op, "") or _CALLS.get(value.op) in _OF_TWO else min(1, len(value.args))
 
 
-def _step(stage: NewtonStage, rows: Sequence[int], misses: int, closed: int) -> list[str]:
+def _step(stage: NewtonStage, rows: Sequence[int], misses: int, closed: int, lanes: int) -> list[str]:
     """The lines of one of Newton's steps at a pose: elimination with the largest pivots, without a branch, so that
     it runs over all lanes at once. ``rows``, ``misses`` and ``closed`` say where in w the coordinates, the closures'
     figures and what is solved lie."""
     n = len(rows)
     lines = []
     for r in range(n):
-        lines.append(f"a{r}_{n} = w[{(misses + r) * LANES} + i]")
-        lines += [f"a{r}_{q} = w[{(misses + n + r * n + q) * LANES} + i]" for q in range(n)]
+        lines.append(f"a{r}_{n} = w[{(misses + r) * lanes} + i]")
+        lines += [f"a{r}_{q} = w[{(misses + n + r * n + q) * lanes} + i]" for q in range(n)]
     for k in range(n):
         for r in range(k + 1, n):
             lines.append(f"less = math.fabs(a{k}_{k}) < math.fabs(a{r}_{k})")
@@ -288,7 +311,7 @@ def _step(stage: NewtonStage, rows: Sequence[int], misses: int, closed: int) -> 
         known = "".join(f" - a{k}_{q} * s{q}" for q in range(k + 1, n))
         lines.append(f"s{k} = (a{k}_{n}{known}) / a{k}_{k}")
     lines += [f"u{k} = w[{row} + i]" for k, row in enumerate(rows)]
-    lines.append(f"open = w[{closed} + i] == 0.0")
+    lines.append(f"open = w[{closed * lanes} + i] == 0.0")
     lines.append("moved = 0.0")
     for k, (row, scale, slides) in enumerate(zip(rows, stage.scale, stage.sliding, strict=True)):
         lines.append(f"n{k} = u{k} - s{k}")
