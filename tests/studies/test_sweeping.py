@@ -145,7 +145,15 @@ def test_a_nominal_motion_that_stops_is_the_failure() -> None:
     sections = {"measures": {"swing": {"span": "rocker.angle"}}, "drives": {"motor": {**CRANK, "start": "90 deg"}}}
     outcome = lw.sweep(lw.Document.model_validate(four_bar(c=55, **sections)), {"b": [119, 120]})
     assert not outcome.done
+    assert not outcome.performed
     assert all(f.code.startswith("motion.") for f in outcome.failures)
+
+
+def test_a_motion_through_change_points_is_not_varied() -> None:
+    parallel = {"cycle": {"turns": "1 motor", "samples": 24, "through": "keep"}}
+    data = four_bar(a=40, b=100, c=40, d=100, studies=parallel)
+    outcome = lw.sweep(lw.Document.model_validate(data), {"a": [40, 41]}, ["B.x"])
+    assert [f.code for f in outcome.failures] == ["varied.passage"]
 
 
 # The same figures, whoever computes them and in however many goes.

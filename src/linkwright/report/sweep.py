@@ -121,11 +121,13 @@ def sweep_tables(outcome: SweepOutcome) -> list[Grid]:
         }
         for name in heads
     ]
-    return [grid for grid in grids if grid["rows"]]
+    return [grid for grid in grids if grid["rows"] and outcome.performed]
 
 
 def sentence(outcome: SweepOutcome) -> str:
     """What was done, in a sentence."""
+    if not outcome.performed:
+        return say("sweep.sentence.none")
     key = "sweep.sentence.failed" if outcome.failed else "sweep.sentence"
     data = {"samples": f"{outcome.samples:,}", "poses": f"{outcome.t.size:,}", "failed": f"{outcome.failed:,}"}
     return say(key, plan=outcome.plan.name, kernel=outcome.kernel, **data)

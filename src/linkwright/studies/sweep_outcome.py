@@ -117,6 +117,11 @@ class SweepOutcome:
         return self.plan.samples
 
     @property
+    def performed(self) -> bool:
+        """Whether samples were computed at all; where they weren't, ``failures`` says why."""
+        return bool(self.bands or self.measures)
+
+    @property
     def names(self) -> tuple[str, ...]:
         """The varied parameters."""
         return tuple(self.options.vary)

@@ -3,6 +3,7 @@
 SWEEP: dict[str, str] = {
     "sweep.sentence": "{samples} samples (plan: {plan}), each at {poses} poses, by the {kernel} kernel.",
     "sweep.sentence.failed": "{samples} samples (plan: {plan}), each at {poses} poses, by the {kernel} kernel; {failed} of them lack a value.",
+    "sweep.sentence.none": "No sample was computed.",
     "sweep.table.vary": "What is varied",
     "sweep.table.measures": "Measures over all samples",
     "sweep.table.require": "Share of the samples that meet the requirements",
