@@ -8,7 +8,7 @@
     python3 dev.py lint                 ruff check, ruff format --check, mypy
     python3 dev.py smoke [names]        examples, and the snippets of README.md and docs/
     python3 dev.py all                  what CI does: lint, smoke, test
-    python3 dev.py bench [options]      benchmarks/run.py
+    python3 dev.py bench [options]      benchmarks/run.py; with a FILE, linkwright's own bench of its kernels
 
 The environment is .venv beside this file, or the folder that LINKWRIGHT_VENV names. The
 system's Python is left alone. The first call takes about a minute, later ones set up nothing
@@ -199,6 +199,8 @@ def smoke(arguments: list[str]) -> int:
 
 
 def bench(arguments: list[str]) -> int:
+    if any(argument.endswith((".yaml", ".yml")) for argument in arguments):
+        return linkwright(["bench", *arguments])
     return run("benchmarks/run.py", *arguments, cwd=ROOT)
 
 

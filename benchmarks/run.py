@@ -19,7 +19,7 @@ from pathlib import Path
 import numpy as np
 
 import linkwright as lw
-from linkwright.kernels import KERNELS
+from linkwright.app.bench import bench
 
 ROOT = Path(__file__).resolve().parent.parent
 FEEDER = ROOT / "examples" / "paper_feeder.yaml"
@@ -49,6 +49,12 @@ def command(*words: str) -> Callable[[], object]:
     return lambda: subprocess.run([sys.executable, "-m", "linkwright", *words], check=True, capture_output=True)
 
 
+def one_thread(compiled: lw.Compiled, poses: int) -> float:
+    """Nanoseconds a pose of the machine code on one thread."""
+    times = bench(compiled, OUTPUTS, poses, workers=1, seconds=1.5, kernels=["numba"])
+    return times.kernels["numba"].ns_per_pose
+
+
 def measure(poses: int) -> dict[str, float]:
     """All figures by name; the unit ends the name."""
     document = lw.load(FEEDER)
@@ -64,12 +70,14 @@ def measure(poses: int) -> dict[str, float]:
     plate = ["plate.angle", "plate.omega", "plate.alpha", "motor.torque", "force(leg3, plate).x"]
     fresh = [lw.compile(platform) for _ in range(6)]  # each follows its group once
     figures["triad_360_poses_ms"] = 1e3 * median(lambda: fresh.pop().evaluate(plate, turn), 5)
-    kernel = KERNELS["numpy"](compiled.graph.program(OUTPUTS))
-    x = compiled.inputs(np.linspace(0.0, 1.5, poses))
-    out = np.empty((len(OUTPUTS), poses))
-    figures["numpy_ns_per_pose"] = 1e9 / poses * median(lambda: kernel.run(x, compiled.parameters, out), 5)
-    figures["fill_ns_per_pose"] = 1e9 / poses * median(lambda: out.fill(1.0), 5)
-    figures["numpy_over_fill"] = figures["numpy_ns_per_pose"] / figures["fill_ns_per_pose"]
+    times = bench(compiled, OUTPUTS, poses, seconds=1.5)
+    figures["fill_ns_per_pose"] = times.fill_ns_per_pose
+    for name, kernel in times.kernels.items():
+        figures[f"{name}_cold_s"] = kernel.cold_s
+        figures[f"{name}_ns_per_pose"] = kernel.ns_per_pose
+        figures[f"{name}_over_fill"] = kernel.ns_per_pose / times.fill_ns_per_pose
+        if name == "numba":
+            figures["numba_one_thread_over_fill"] = one_thread(compiled, poses) / times.fill_ns_per_pose
     with tempfile.TemporaryDirectory() as folder:
         figures["help_s"] = median(command("--help"), 5)
         figures["run_with_report_s"] = median(command("run", str(FEEDER), "--out", folder), 5)

@@ -235,6 +235,14 @@ def test_exit_codes_are_passed_on(dev: ModuleType, machine: Machine, task: str, 
     assert dev.main([task]) == code
 
 
+def test_bench_of_a_file_is_linkwrights_own(dev: ModuleType, machine: Machine) -> None:
+    dev.ensure({"base", "test"})
+    assert dev.main(["bench", "examples/four_bar.yaml", "--json"]) == 0
+    assert machine.calls[-1][1:] == ["-m", "linkwright", "bench", "examples/four_bar.yaml", "--json"]
+    assert dev.main(["bench", "--json"]) == 0
+    assert machine.calls[-1][1:] == ["benchmarks/run.py", "--json"]
+
+
 @pytest.mark.skipif(os.name == "nt", reason="signals are POSIX's")
 def test_a_signal_becomes_an_exit_code(dev: ModuleType, machine: Machine) -> None:
     dev.ensure({"base"})
