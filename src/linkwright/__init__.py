@@ -13,7 +13,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from linkwright.app import Job, check, modes, run
+    from linkwright.app import Job, check, modes, run, sweep
     from linkwright.kernels import Compiled
     from linkwright.kernels import compile_mechanism as compile
     from linkwright.model.builder import Builder
@@ -42,6 +42,7 @@ _PLACES = {
     "modes": ("linkwright.app", "modes"),
     "run": ("linkwright.app", "run"),
     "save": ("linkwright.model.document", "save"),
+    "sweep": ("linkwright.app", "sweep"),
 }
 
 __all__ = [
@@ -62,6 +63,7 @@ __all__ = [
     "modes",
     "run",
     "save",
+    "sweep",
 ]
 
 

@@ -3,6 +3,7 @@
 from linkwright.app.assembly_modes import ModesJob, modes, modes_of_file
 from linkwright.app.bench import Bench, bench_file
 from linkwright.app.job import Examined, Job, check, examine_file, perform, run, write
+from linkwright.app.sweeps import examine_sweep, runner_of, sweep
 
 __all__ = [
     "Bench",
@@ -12,9 +13,12 @@ __all__ = [
     "bench_file",
     "check",
     "examine_file",
+    "examine_sweep",
     "modes",
     "modes_of_file",
     "perform",
     "run",
+    "runner_of",
+    "sweep",
     "write",
 ]

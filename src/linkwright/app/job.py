@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +17,17 @@ from linkwright.model.yaml_text import Source
 from linkwright.report.build import report_data
 from linkwright.report.page import page
 from linkwright.report.parts import PARTS, drawn, found, summary
-from linkwright.studies import CycleOutcome, LimitsOutcome, ModesOutcome, Task, read_studies
+from linkwright.report.sweep_files import netcdf_bytes
+from linkwright.studies import (
+    NOWHERE,
+    CycleOutcome,
+    LimitsOutcome,
+    ModesOutcome,
+    Site,
+    SweepOutcome,
+    Task,
+    read_studies,
+)
 
 CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite")
 """Codes that begin so mean a model that can't do what is asked (exit code 1); all others a wrong file (2)."""
@@ -32,6 +42,8 @@ class Examined:
     tasks: list[Task] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
     source: Source = field(default_factory=Source)
+    folder: Path | None = None
+    """Where the files of its tables lie."""
 
     def located(self, findings: Iterable[Finding]) -> list[Finding]:
         """The same findings with their lines in the file."""
@@ -77,8 +89,9 @@ def examine_document(document: Document, folder: Path | None = None, only: str |
     compiled, faults = examine(document, folder)
     findings += faults
     if compiled is not None:
-        findings += [finding for task in tasks for finding in task.study.check(compiled, task.options)]
-    return Examined(document, compiled, tasks, findings)
+        checked = [finding for task in tasks for finding in task.study.check(compiled, task.options)]
+        findings += [finding for i, finding in enumerate(checked) if finding not in checked[:i]]
+    return Examined(document, compiled, tasks, findings, folder=folder)
 
 
 @dataclass
@@ -105,6 +118,11 @@ class Job:
         return self.outcomes.get("limits")
 
     @property
+    def sweep(self) -> SweepOutcome | None:
+        """The outcome of the sweep, where the file asks for one."""
+        return self.outcomes.get("sweep")
+
+    @property
     def found(self) -> list[Finding]:
         """What the studies found: why a run isn't whole, and warnings."""
         findings = found(self.outcomes)
@@ -124,33 +142,39 @@ class Job:
         return summary(document, self.outcomes, self.examined.located([*self.examined.findings, *self.found]))
 
 
-def perform(examined: Examined) -> Job:
-    """Perform the studies of an examined file; none where something is wrong with it."""
+def perform(examined: Examined, site: Site = NOWHERE) -> Job:
+    """Perform the studies of an examined file where ``site`` says; none where something is wrong with it."""
+    site = replace(site, document=examined.document, folder=examined.folder)
     if not examined.tasks and not examined.findings:
         examined.findings.append(Finding("study.none", ("studies",)))
     job = Job(examined)
     if examined.exit_code == 0 and examined.compiled is not None:
         for task in examined.tasks:
             try:
-                job.outcomes[task.study.name] = task.study.run(examined.compiled, task.options)
+                job.outcomes[task.study.name] = task.study.run(examined.compiled, task.options, site)
             except ModelError as error:  # a drive's law that gives no number between the samples
                 examined.findings += examined.located(error.findings)
     return job
 
 
 def write(job: Job, folder: Path, netcdf: bool = False) -> None:
-    """Write report.html, summary.json, the studies' own files (cycle.csv) and, if asked, cycle.nc, each whole or not
-    at all."""
+    """Write report.html, summary.json, the studies' own files (cycle.csv, sweep.csv, sweep_bands.csv) and, if asked,
+    cycle.nc and sweep.nc, each whole or not at all."""
     folder.mkdir(parents=True, exist_ok=True)
     document = job.examined.document
     if document is not None and drawn(job.outcomes) is not None:
         write_aside(folder / "report.html", page(report_data(document, job.outcomes)))
     for study, outcome in job.outcomes.items():
         for name, text in PARTS[study].files.items():
-            write_aside(folder / name, text(outcome))
+            if (content := text(outcome)) is not None:
+                write_aside(folder / name, content)
     if netcdf and job.cycle is not None:
         job.cycle.result.to_netcdf(folder / "cycle.nc", warnings=job.cycle.warnings)
+    if netcdf and job.sweep is not None:
+        write_aside(folder / "sweep.nc", netcdf_bytes(job.sweep))
     write_aside(folder / "summary.json", summary_text(job.summary) + "\n")
+    if job.sweep is not None:
+        job.sweep.settle()
     job.folder = folder
 
 
@@ -177,7 +201,7 @@ def run(model: str | Path | Document, out: str | Path | None = None, folder: str
     """
     examined = _examined(model, folder)
     raise_errors(examined.findings)
-    job = perform(examined)
+    job = perform(examined, Site(out=Path(out) if out is not None else None))
     raise_errors(examined.findings)
     if out is not None:
         write(job, Path(out))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import sys
 from collections.abc import Callable
+from contextlib import closing
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -37,14 +38,19 @@ def run(file: Path, out: Path | None, netcdf: bool, as_json: bool) -> None:
     """Perform a file's studies."""
     from linkwright import app
     from linkwright.cli import show
+    from linkwright.studies import Site
 
     examined = app.examine_file(file)
-    with show.working(file, "run", quiet=as_json):
-        job = app.perform(examined)
+    folder = out or _beside(file)
+    with show.working(file, "run", quiet=as_json) as progress:
+        job = app.perform(examined, Site(out=folder, progress=progress))
         if examined.document is not None and job.outcomes:
-            folder = out or file.with_name(f"{file.stem}_linkwright")
             _writing(folder, job, netcdf)
     _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
+
+
+def _beside(file: Path) -> Path:
+    return file.parent / f"{file.stem}_linkwright"
 
 
 def _end(
@@ -110,6 +116,39 @@ def limits(file: Path, as_json: bool) -> None:
     examined = app.examine_file(file, only="limits")
     with show.working(file, "limits", quiet=as_json):
         job = app.perform(examined)
+    _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
+
+
+@cli.command(help=say("cli.sweep"))
+@_file
+@click.option("--out", type=click.Path(path_type=Path), help=say("cli.out"))
+@click.option("--cluster", metavar="ADDRESS", help=say("cli.cluster"))
+@click.option("--workers", type=click.IntRange(1, 1024), help=say("cli.workers"))
+@click.option("--kernel", metavar="NAME", help=say("cli.kernel"))
+@click.option("--fresh", is_flag=True, help=say("cli.fresh"))
+@click.option("--netcdf", is_flag=True, help=say("cli.netcdf"))
+@_json
+def sweep(
+    file: Path,
+    out: Path | None,
+    cluster: str | None,
+    workers: int | None,
+    kernel: str | None,
+    fresh: bool,
+    netcdf: bool,
+    as_json: bool,
+) -> None:
+    """Perform the sweep alone, or go on with an interrupted one."""
+    from linkwright import app
+    from linkwright.cli import show
+    from linkwright.studies import Site
+
+    examined = app.examine_sweep(file, kernel)
+    folder = out or _beside(file)
+    with closing(app.runner_of(workers, cluster)) as runner, show.working(file, "sweep", quiet=as_json) as progress:
+        job = app.perform(examined, Site(out=folder, runner=runner, progress=progress, fresh=fresh))
+        if job.sweep is not None:
+            _writing(folder, job, netcdf)
     _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
 
 
@@ -183,6 +222,7 @@ def main() -> None:
     except click.ClickException as error:
         error.show()
         sys.exit(2)
-    except (KeyboardInterrupt, click.Abort):
-        click.echo(say("cli.interrupted"), err=True)
+    except (KeyboardInterrupt, click.Abort) as stop:
+        text = getattr(stop.__cause__, "what", None)  # that of a study that tells how to go on
+        click.echo(text or say("cli.interrupted"), err=True)
         sys.exit(130)

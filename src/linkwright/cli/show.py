@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -15,14 +15,17 @@ from rich.markup import escape
 from rich.table import Table
 
 from linkwright.app import Bench, Examined, Job, ModesJob
+from linkwright.blocks import Progress as Told
+from linkwright.cli.progress import Bar
 from linkwright.model.findings import Finding
 from linkwright.model.units import TIME
-from linkwright.report.data import MeasureValue
+from linkwright.report.data import Grid, MeasureValue
 from linkwright.report.facts import checks, facts
 from linkwright.report.limits import limits_entry, limits_tables
 from linkwright.report.modes import circuit_text, mode_text, modes_data
 from linkwright.report.parts import measure
-from linkwright.studies import LimitsOutcome
+from linkwright.report.sweep import sentence as sweep_sentence
+from linkwright.report.sweep import sweep_tables
 from linkwright.words import say
 
 out = Console(highlight=False, soft_wrap=True)
@@ -43,13 +46,21 @@ def plain(text: str) -> None:
 
 
 @contextmanager
-def working(file: Path, study: str, quiet: bool) -> Iterator[None]:
-    """A spinner while a command works, on a terminal only."""
+def working(file: Path, study: str, quiet: bool) -> Iterator[Told | None]:
+    """A spinner while a command works, on a terminal only; told of progress it becomes a bar."""
     if quiet or not err.is_terminal:
-        yield
+        yield None
         return
-    with err.status(say("cli.working", study=study, file=escape(str(file)))):
-        yield
+    text = say("cli.working", study=study, file=file)
+    with ExitStack() as stack:
+        status = stack.enter_context(err.status(escape(text)))
+        bar = stack.enter_context(Bar(text))
+
+        def told(done: int, total: int) -> None:
+            status.stop()
+            bar(done, total)
+
+        yield told
 
 
 def findings(examined: Examined, file: Path) -> None:
@@ -99,7 +110,10 @@ def job(done: Job, file: Path) -> None:
         _measures(done)
         _certificate(done)
     if done.limits is not None:
-        _limits(done.limits)
+        _grids(limits_tables(limits_entry(done.limits)["limits"]))
+    if done.sweep is not None:
+        out.print(escape(sweep_sentence(done.sweep)))
+        _grids(sweep_tables(done.sweep))
     for item in done.examined.located(done.found):
         finding(item, file)
     if done.folder is not None:
@@ -167,8 +181,8 @@ def _certificate(done: Job) -> None:
     out.print()
 
 
-def _limits(outcome: LimitsOutcome) -> None:
-    for grid in limits_tables(limits_entry(outcome)["limits"]):
+def _grids(grids: list[Grid]) -> None:
+    for grid in grids:
         table = Table(box=None, header_style="bold", padding=(0, 2, 0, 0))
         for head in grid["heads"]:
             table.add_column(escape(head), overflow="fold")

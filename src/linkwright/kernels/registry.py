@@ -65,7 +65,7 @@ def flattened(kernel: Kernel, x: Array, p: Array, out: Array, block: int) -> Arr
     for first in range(0, samples, step):
         some = slice(first, first + step)
         count = min(step, samples - first)
-        inputs = np.broadcast_to(x[:, None, :], (len(x), count, poses)) if x.ndim == 2 else x[:, some]
+        inputs = np.tile(x, count) if x.ndim == 2 else x[:, some]
         parameters = np.repeat(p[:, some], poses, axis=1)
         out[:, some] = kernel.run(inputs.reshape(len(x), -1), parameters).reshape(len(out), count, poses)
     return out

@@ -51,7 +51,7 @@ def _nested(path: Path, other: Path) -> bool:
     return bool(path) and path[:both] == other[:both]
 
 
-def _path(loc: tuple[Any, ...], data: Any) -> Path:
+def written(loc: tuple[Any, ...], data: Any) -> Path:
     """The place in the file: pydantic's, without the names of its branches and of what isn't written."""
     path: list[Any] = []
     for key in loc:
@@ -63,7 +63,7 @@ def _path(loc: tuple[Any, ...], data: Any) -> Path:
 
 
 def _finding(fault: Any, data: Any) -> Finding:
-    context, kind, path = dict(fault.get("ctx") or {}), fault["type"], _path(fault["loc"], data)
+    context, kind, path = dict(fault.get("ctx") or {}), fault["type"], written(fault["loc"], data)
     if kind == "finding":
         return Finding(context.pop("code"), path, context)
     if kind == "missing":

@@ -155,6 +155,21 @@ class Grid(TypedDict):
     rows: Sequence[Sequence[str]]
 
 
+class Chart(TypedDict):
+    """A still chart: its title and the SVG."""
+
+    title: str
+    drawing: str
+
+
+class SweepData(TypedDict):
+    """A sweep: what was done in a sentence, tables of text, charts."""
+
+    sentence: str
+    tables: Sequence[Grid]
+    charts: Sequence[Chart]
+
+
 class Check(TypedDict):
     """One line of the certificate: its figure and what it means, in a sentence."""
 
@@ -197,3 +212,4 @@ class ReportData(TypedDict):
     failures: Sequence[Failure]
     model_text: str
     modes: NotRequired[ModesData]
+    sweep: NotRequired[SweepData]

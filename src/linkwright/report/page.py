@@ -49,6 +49,7 @@ def page(data: ReportData) -> str:
             sections.measures(data),
             sections.certificate(data),
             sections.limits(data),
+            sections.sweep(data),
             sections.plots(data),
             sections.modes(data),
             sections.structure(data),

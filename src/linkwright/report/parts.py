@@ -15,6 +15,8 @@ from linkwright.report.facts import checks
 from linkwright.report.limits import limits_entry, limits_tables
 from linkwright.report.modes import modes_data, told
 from linkwright.report.summary import cycle_entry
+from linkwright.report.sweep import sweep_entry, sweep_page
+from linkwright.report.sweep_files import bands_csv, samples_csv
 from linkwright.results import Result
 from linkwright.studies import CycleOutcome, LimitsOutcome, MeasureResult
 from linkwright.words import say
@@ -25,13 +27,13 @@ class Part:
     """How one study is written.
 
     ``summary`` gives its entries in summary.json, ``page`` its keys of the report's data, ``result`` what the report
-    draws (where no study before it has one), ``files`` the text of further files by name.
+    draws (where no study before it has one), ``files`` the text of further files by name (none of those it lacks).
     """
 
     summary: Callable[[Any], dict[str, Any]]
     page: Callable[[Any], dict[str, Any]]
     result: Callable[[Any], Result | None]
-    files: Mapping[str, Callable[[Any], str]] = field(default_factory=dict)
+    files: Mapping[str, Callable[[Any], str | None]] = field(default_factory=dict)
 
 
 def _cycle_page(outcome: CycleOutcome) -> dict[str, Any]:
@@ -88,6 +90,12 @@ PARTS: dict[str, Part] = {
         summary=lambda outcome: {"modes": told(outcome)},
         page=lambda outcome: {"modes": modes_data(outcome)},
         result=lambda outcome: None,
+    ),
+    "sweep": Part(
+        summary=sweep_entry,
+        page=sweep_page,
+        result=lambda outcome: Result(outcome.run),
+        files={"sweep.csv": samples_csv, "sweep_bands.csv": bands_csv},
     ),
 }
 """By study, in the order in which they stand in summary and report."""

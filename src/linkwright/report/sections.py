@@ -7,6 +7,7 @@ from html import escape
 
 from linkwright.report.data import Check, Grid, Measure, Plot, ReportData
 from linkwright.report.modes import section
+from linkwright.report.sweep import section as sweep_section
 
 GROUPS = ("motion", "force")
 
@@ -35,6 +36,7 @@ def header(data: ReportData) -> str:
 def _contents(data: ReportData) -> str:
     parts = [("mechanism", True), ("measures", bool(data["measures"]))]
     parts += [("certificate", bool(data["certificate"])), ("limits", bool(data.get("limits")))]
+    parts += [("sweep", "sweep" in data)]
     parts += [(group, any(plot["group"] == group for plot in data["plots"])) for group in GROUPS]
     parts += [("modes", "modes" in data), ("structure", bool(data["structure"])), ("model", bool(data["model_text"]))]
     words = data["words"]
@@ -125,6 +127,13 @@ def _grid(grid: Grid) -> str:
     )
     title = f"<h3>{escape(grid['title'])}</h3>"
     return f'{title}<table class="limits"><thead><tr>{heads}</tr></thead><tbody>{rows}</tbody></table>'
+
+
+def sweep(data: ReportData) -> str:
+    """The tables and charts of a sweep."""
+    if "sweep" not in data:
+        return ""
+    return sweep_section(data["sweep"], data["words"]["report.sweep"], "".join(map(_grid, data["sweep"]["tables"])))
 
 
 def structure(data: ReportData) -> str:

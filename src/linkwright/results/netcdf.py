@@ -27,7 +27,7 @@ def netcdf_bytes(result: Result, names: Sequence[str], warnings: Sequence[Findin
     stream = io.BytesIO()
     file = netcdf_file(stream, "w", version=2)
     for key, value in attributes(result, warnings).items():
-        setattr(file, key, _stored(value))
+        setattr(file, key, stored(value))
     file.createDimension("time", result.t.size)
     _variable(file, "time", "time", "s", result.t).axis = "T"
     for name in names:
@@ -67,11 +67,11 @@ def attributes(result: Result, warnings: Sequence[Finding] = ()) -> dict[str, An
 def _variable(file: Any, name: str, long_name: str, unit: str, values: Any) -> Any:
     variable = file.createVariable(name, "d", ("time",))
     variable[:] = values
-    variable.long_name, variable.units = _stored(long_name), _stored(unit or "1")
+    variable.long_name, variable.units = stored(long_name), stored(unit or "1")
     return variable
 
 
-def _stored(value: Any) -> Any:
+def stored(value: Any) -> Any:
     """An attribute as the format keeps it: texts as UTF-8, whole numbers in 32 bits."""
     if isinstance(value, str):
         return value.encode()

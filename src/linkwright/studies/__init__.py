@@ -1,21 +1,30 @@
 """Studies: what a model file asks to be done with its mechanism."""
 
-from linkwright.studies import cycle, limits, modes  # noqa: F401  (each registers itself)
+from linkwright.studies import cycle, limits, modes, sweeping  # noqa: F401  (each registers itself)
 from linkwright.studies.cycle import CycleOptions, CycleOutcome
 from linkwright.studies.limits import LimitsOptions, LimitsOutcome
 from linkwright.studies.measures import MeasureResult
 from linkwright.studies.modes import ModesOptions, ModesOutcome, find_modes
 from linkwright.studies.registry import STUDIES, Task, read_studies
+from linkwright.studies.site import NOWHERE, Site
+from linkwright.studies.sweep_options import SweepOptions
+from linkwright.studies.sweep_outcome import SweepOutcome
+from linkwright.studies.sweeping import Interrupted
 
 __all__ = [
+    "NOWHERE",
     "STUDIES",
     "CycleOptions",
     "CycleOutcome",
+    "Interrupted",
     "LimitsOptions",
     "LimitsOutcome",
     "MeasureResult",
     "ModesOptions",
     "ModesOutcome",
+    "Site",
+    "SweepOptions",
+    "SweepOutcome",
     "Task",
     "find_modes",
     "read_studies",

@@ -19,6 +19,7 @@ from linkwright.studies.feasible import near, singular, strokes, unassembled
 from linkwright.studies.measures import MeasureResult, measure_all
 from linkwright.studies.outputs import powerless
 from linkwright.studies.registry import register
+from linkwright.studies.site import NOWHERE, Site
 from linkwright.studies.through import carried, warnings
 
 TURNS = re.compile(r"^\s*(\d+(?:\.\d+)?)\s+(\w+)\s*$")
@@ -82,7 +83,7 @@ class Cycle:
                     findings += error.findings
         return findings
 
-    def run(self, compiled: Compiled, options: CycleOptions) -> CycleOutcome:
+    def run(self, compiled: Compiled, options: CycleOptions, site: Site = NOWHERE) -> CycleOutcome:
         """Follow the motion, prove it, take the measures."""
         stop, _ = span(compiled, options)
         run = Run(compiled, 0.0, stop, options.samples)

@@ -30,6 +30,7 @@ from linkwright.studies.feasible import overrun, unassembled
 from linkwright.studies.four_links import FourLinks, four_links
 from linkwright.studies.ranges import Range, ranges
 from linkwright.studies.registry import register
+from linkwright.studies.site import NOWHERE, Site
 from linkwright.studies.sweep import Sweep
 
 WIDEST = {True: 200 * math.pi, False: 1000.0}
@@ -122,7 +123,7 @@ class Limits:
         """What is wrong with drives, ranges and signals."""
         return [*_drives(compiled, options), *_ranges(compiled, options), *_signals(compiled, options)]
 
-    def run(self, compiled: Compiled, options: LimitsOptions) -> LimitsOutcome:
+    def run(self, compiled: Compiled, options: LimitsOptions, site: Site = NOWHERE) -> LimitsOutcome:
         """Move each drive alone, then follow the file's motion."""
         outcome = LimitsOutcome(compiled, options.samples, loops=four_links(compiled))
         signals = _wanted(compiled, options)

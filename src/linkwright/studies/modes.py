@@ -19,6 +19,7 @@ from linkwright.model.fields import Expression, Frozen, Name
 from linkwright.model.findings import Finding, ModelError
 from linkwright.model.quantities import Quantities
 from linkwright.studies.registry import register
+from linkwright.studies.site import NOWHERE, Site
 
 PATH = ("studies", "modes")
 
@@ -111,7 +112,7 @@ class Modes:
         """What is wrong with the options."""
         return check_options(compiled, options)
 
-    def run(self, compiled: Compiled, options: ModesOptions) -> ModesOutcome:
+    def run(self, compiled: Compiled, options: ModesOptions, site: Site = NOWHERE) -> ModesOutcome:
         """Find the modes, and the one that the mechanism has at that time."""
         outcome = find_modes(compiled, options)
         outcome.own = own_mode(compiled, outcome)

@@ -9,9 +9,11 @@ from typing import Any, ClassVar, Protocol
 from pydantic import BaseModel, ValidationError
 
 from linkwright.kernels import Compiled
+from linkwright.model.faults import written
 from linkwright.model.findings import Finding
 from linkwright.model.unknown import near
 from linkwright.notation.registry import Registry
+from linkwright.studies.site import Site
 
 
 class Study(Protocol):
@@ -23,8 +25,8 @@ class Study(Protocol):
     def check(self, compiled: Compiled, options: Any) -> list[Finding]:
         """What is wrong with options that are well-formed."""
 
-    def run(self, compiled: Compiled, options: Any) -> Any:
-        """The study's outcome."""
+    def run(self, compiled: Compiled, options: Any, site: Site) -> Any:
+        """The study's outcome, performed where ``site`` says."""
 
 
 STUDIES: Registry[Study] = Registry()
@@ -59,15 +61,16 @@ def read_studies(raw: Mapping[str, Mapping[str, Any]]) -> tuple[list[Task], list
         try:
             tasks.append(Task(study, study.options.model_validate(entry, context=raw)))
         except ValidationError as error:
-            findings += [_wrong_option(name, fault) for fault in error.errors(include_url=False)]
+            findings += [_wrong_option(name, entry, fault) for fault in error.errors(include_url=False)]
     return tasks, findings
 
 
-def _wrong_option(study: str, fault: Any) -> Finding:
+def _wrong_option(study: str, entry: Mapping[str, Any], fault: Any) -> Finding:
     """A fault of an option as a finding: its own where the option has one, else what the type wants."""
-    path = ("studies", study, *fault["loc"])
+    missing = fault["loc"][-1:] if fault["type"] == "missing" else ()
+    path = ("studies", study, *written(fault["loc"], entry), *missing)
     if fault["type"] == "finding":
         context = dict(fault["ctx"])
         return Finding(context.pop("code"), path, context)
-    key = ".".join(map(str, fault["loc"]))
+    key = ".".join(map(str, path[2:]))
     return Finding("study.options", path, {"study": study, "key": key, "reason": fault["msg"]})

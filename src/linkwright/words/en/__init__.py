@@ -3,6 +3,7 @@
 from linkwright.words.en.findings import FINDINGS
 from linkwright.words.en.limits import LIMITS
 from linkwright.words.en.report import REPORT
+from linkwright.words.en.sweep import SWEEP
 from linkwright.words.en.texts import TEXTS
 
-WORDS: dict[str, str] = {**FINDINGS, **LIMITS, **REPORT, **TEXTS}
+WORDS: dict[str, str] = {**FINDINGS, **LIMITS, **REPORT, **SWEEP, **TEXTS}

@@ -586,6 +586,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The option {key} of the study {study} is wrong: {reason}.",
         "Correct it; docs/file-format.md lists the options of each study.",
     ),
+    "study.choice": (
+        "The option {key} of the study {study} can't be {given}.",
+        "Write one of these: {known}.",
+    ),
     "study.not-in-sweep": (
         "'{name}' has no meaning in the limits study: one drive moves through its values at unit speed, without forces.",
         "Take positions, angles, travels and their rates; forces and times belong into the measures of a cycle.",
@@ -626,6 +630,60 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "{count} of {samples} samples can't be followed; in the first one, {sample}, the group {group} can't be followed "
         "to t = {time} s: on the way from the nominal pose it reaches a singular one.",
         "Narrow the ranges of the varied parameters, or count on the samples that are left.",
+    ),
+    # Of sweeps.
+    "study.needs-cycle": (
+        "A sweep looks at the motion of the file's cycle, and there is none.",
+        "Add one beside it, for example cycle: {{turns: 1 motor, samples: 360}}.",
+    ),
+    "study.one-value": (
+        "There is nothing to vary: {count} value(s).",
+        "Give two values or more; a parameter that stays as it is needn't be named.",
+    ),
+    "study.sigma": (
+        "The standard deviation {sigma} isn't positive.",
+        "Give a positive one, in the parameter's unit.",
+    ),
+    "study.cut-distribution": (
+        "The distribution is cut to a range that holds less than {share:g} of it.",
+        "Widen the range from low to high, or move the mean.",
+    ),
+    "study.triangle": (
+        "Low, most likely and high value of a triangular distribution don't follow each other: {values}.",
+        "Give them in this order; the most likely value may be one of the ends.",
+    ),
+    "study.plan": (
+        "{name} has a distribution, of which the plan {plan} knows no points.",
+        "Give it steps or a list, or take another plan: latin, sobol, random.",
+    ),
+    "study.grid-samples": (
+        "The plan {plan} has as many samples as there are combinations.",
+        "Leave samples out, or take another plan: latin, sobol, random.",
+    ),
+    "study.too-many-samples": (
+        "There are {count} samples; the plan {plan} has at most {limit}.",
+        "Take fewer values or samples; of distributions the plan random has the most.",
+    ),
+    "study.no-output": (
+        "'{text}' is neither a measure of this file nor an expression of signals.",
+        "Write a measure ({near}), a signal such as E.x, or an expression of such.",
+    ),
+    "study.no-outputs": (
+        "The sweep has nothing to find out: the file has no measures.",
+        "Add measures, or name signals under outputs.",
+    ),
+    "study.varied-span": (
+        "The length of the run depends on {name}, which isn't the same in all samples.",
+        "State the length by itself, for example cycle: {{duration: 1.5 s}}, or don't vary that parameter.",
+    ),
+    "study.no-folder": (
+        "More than {limit} values would have to be kept in memory.",
+        "Name a folder to write them to, with --out or out=...; or take keep: reduced.",
+    ),
+    "study.no-value": (
+        "In {count} of {samples} samples a measure or signal has no finite value, though their motion can be followed; the "
+        "first one is sample {sample}.",
+        "Look for a singular pose, a division by zero or a window that isn't reached; or narrow the ranges.",
     ),
     "study.none": (
         "The file asks for no study.",
@@ -799,6 +857,8 @@ _TERMS: dict[str, str] = {
     "requirement": "'>= VALUE', '<= VALUE' or 'LOW .. HIGH'",
     "vector": "[x, y]",
     "interval": "[low, high]",
+    "triangle": "[low, most likely, high]",
+    "varying": "steps (from, to, count), a list of values, or a distribution (normal, uniform, triangular)",
     "tolerance": "a number, or [lower, upper]",
     "two-links": "[LINK, LINK]",
     "two-points": "[POINT, POINT], one of each link",

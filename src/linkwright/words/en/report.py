@@ -40,6 +40,7 @@ REPORT: dict[str, str] = {
     "report.summary_checks": "Checks that hold: {ok} of {total}",
     "report.summary_failures": "Findings: {count}",
     "report.summary_requirements": "Requirements met: {met} of {total}",
+    "report.sweep": "Sweep",
     "report.value": "Value",
     "report.verdict": "Verdict",
     "report.violated": "does not hold",

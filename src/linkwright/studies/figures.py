@@ -1,0 +1,65 @@
+"""The figures of a sweep's measures as rows of numbers, a column a sample."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.kernels.varied import Varied
+from linkwright.model.places import figure
+from linkwright.model.units import Dimension, unit
+from linkwright.results import Run
+from linkwright.studies.many import LABELS, Measuring
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Column:
+    """One figure of each sample: of which measure, which of its figures ("", min, max), its unit with its SI value."""
+
+    measure: str
+    label: str
+    dimension: Dimension
+    unit: str
+    size: float
+
+    @property
+    def name(self) -> str:
+        """How it is called in tables."""
+        return " ".join(filter(None, (self.measure, self.label)))
+
+
+class Figures:
+    """Measures of many samples of a run; the ``required`` ones have a requirement."""
+
+    def __init__(self, run: Run, varied: Varied, names: Sequence[str], kernel: str) -> None:
+        self.run, self.varied, self.names, self.kernel = run, varied, tuple(names), kernel
+        mechanism = run.compiled.mechanism
+        self.columns = [column for name in names for column in self._columns(name)]
+        self.required = [name for name in names if name in mechanism.require]
+
+    def _columns(self, name: str) -> list[Column]:
+        quantities, measure = self.run.compiled.quantities, self.run.compiled.mechanism.measures[name]
+        dimension = quantities.dimensions.resolve(figure(name, measure))
+        text, size = quantities.unit_of(dimension) if measure.unit is None else (measure.unit, unit(measure.unit)[0])
+        labels = LABELS.get(measure.reduction, ("",))
+        return [Column(name, label, dimension, text, size) for label in labels]
+
+    @cached_property
+    def _measuring(self) -> Measuring:
+        return Measuring(self.varied, self.run, self.names, self.kernel)
+
+    def of(self, p: Array) -> tuple[Array, Array]:
+        """(figures, samples) in SI, NaN where a sample has none, and whether requirements are met, 1 or 0:
+        (required, samples); from all parameters (parameters, samples)."""
+        if not self.names:
+            return np.empty((0, p.shape[1])), np.empty((0, p.shape[1]))
+        many = self._measuring.of(p)
+        rows = [many.figures[column.measure][column.label].values for column in self.columns]
+        met = [many.met[name].astype(float) for name in self.required]
+        return np.stack(rows), np.stack(met) if met else np.empty((0, p.shape[1]))

@@ -1,0 +1,33 @@
+"""Where a study is performed: what it may know of the file, the folder, and the one who waits for it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from linkwright.model.mechanism import Document
+
+if TYPE_CHECKING:
+    from linkwright.blocks import Progress, Runner
+
+
+@dataclass(frozen=True)
+class Site:
+    """Around a study.
+
+    ``document`` is the file, ``folder`` where its tables lie. Into ``out`` go files that are too large for memory, and
+    what an interrupted study needs to go on; ``fresh`` begins anew all the same. ``runner`` performs large work (the
+    threads of this process where there is none), ``progress`` is told how far it is.
+    """
+
+    document: Document | None = None
+    folder: Path | None = None
+    out: Path | None = None
+    runner: Runner | None = None
+    progress: Progress | None = None
+    fresh: bool = False
+
+
+NOWHERE = Site()
+"""Nothing is known, nothing outlasts the process."""

@@ -1,0 +1,101 @@
+"""What a sweep keeps while it runs: its sinks, and the files from which an interrupted one goes on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.blocks import Checkpoint, Cut, Folding, Reduction, Sink, Together
+from linkwright.blocks.checkpoint import unsaved
+from linkwright.blocks.store import Stored, Variable
+from linkwright.blocks.work import Arrays
+from linkwright.model.findings import Finding, ModelError
+from linkwright.studies.site import Site
+from linkwright.studies.sweep_options import PATH
+from linkwright.studies.sweep_sink import Samples
+from linkwright.studies.sweep_work import SweepTask
+
+Array = NDArray[np.float64]
+
+ROWS = 1_000_000
+"""The most samples of which a row each is kept."""
+VALUES = 1 << 27
+"""The most values that are kept in memory, where there is no folder."""
+STORE = "sweep.zarr"
+
+
+class Held:
+    """A sink that holds all values of signals in memory: ``values`` (signals, samples, poses)."""
+
+    def __init__(self, cut: Cut, texts: tuple[str, ...]) -> None:
+        self.next = 0
+        self._cut, self._texts = cut, texts
+        self.values = np.full((len(texts), cut.samples, cut.poses), np.nan)
+
+    def take(self, atom: int, result: Arrays) -> None:
+        """Take the values of atom ``next``."""
+        for row, text in zip(self.values, self._texts, strict=True):
+            row[self._cut.sample_slice(atom), self._cut.pose_slice(atom)] = result[text]
+        self.next = atom + 1
+
+    def save(self) -> None:
+        """Nothing outlasts the process."""
+
+
+@dataclass
+class Kept:
+    """The sinks of a sweep; ``files`` hold their state, of no use once its outcome is written."""
+
+    samples: Samples
+    signals: Folding
+    stored: Stored | None = None
+    held: Held | None = None
+    files: list[Path] = field(default_factory=list)
+
+    @classmethod
+    def begun(cls, task: SweepTask, key: str, site: Site) -> Kept:
+        """Sinks that go on where the site's folder has them. Raises :class:`ModelError`."""
+        files: list[Path] = []
+
+        def kept(name: str) -> Checkpoint | None:
+            if site.out is None:
+                return None
+            try:
+                site.out.mkdir(parents=True, exist_ok=True)
+            except OSError as error:
+                raise unsaved(site.out, error) from None
+            files.append(site.out / f"sweep-{key[:12]}.{name}")
+            return Checkpoint(files[-1], key, site.fresh)
+
+        rows = len(task.figures.columns) + len(task.figures.required)
+        tallied: dict[str, Reduction] = task.tallied if rows else {}
+        table = task.plan.samples <= ROWS
+        samples = Samples(task.cut, rows, len(task.varied.causes), tallied, table, kept("samples"))
+        made = cls(samples, Folding(task.cut, task.reductions, kept("signals")), files=files)
+        if task.options.keep == "all" and task.signals.texts:
+            if site.out is not None:
+                made.stored = _stored(task, key, site.out, site.fresh)
+                files.append(site.out / f"{STORE}.checkpoint")
+            elif len(task.signals.texts) * task.cut.samples * task.cut.poses > VALUES:
+                raise ModelError([Finding("study.no-folder", (*PATH, "keep"), {"limit": f"{VALUES:,}"})])
+            else:
+                made.held = Held(task.cut, task.signals.texts)
+        return made
+
+    @property
+    def sink(self) -> Sink:
+        """All of them."""
+        return Together([sink for sink in (self.samples, self.signals, self.stored, self.held) if sink is not None])
+
+
+def _stored(task: SweepTask, key: str, out: Path, fresh: bool) -> Stored:
+    """The store of all values. One without a checkpoint beside it is the result of an earlier sweep: it is replaced."""
+    path = out / STORE
+    anew = fresh or not path.with_name(f"{STORE}.checkpoint").exists()
+    time = Variable("t", ("pose",), "s", coordinate=True)
+    attributes = {"title": task.compiled.mechanism.name, "source": "linkwright", "plan": task.plan.name}
+    variables = [time, *task.of_samples(), *task.of_signals()]
+    return Stored(path, key, task.cut, variables, {"t": task.run.t}, attributes, anew)
