@@ -80,7 +80,7 @@ def test_the_table_says_what_was_timed() -> None:
     "words, wanted",
     [
         (["--output", "E.x", "--output", "E.z", "--output", "nothing"], ["'E.z'", "'nothing'", "signal.unknown"]),
-        (["--kernel", "fortran"], ["'fortran'", "jax, numba, numpy", "kernel.unknown"]),
+        (["--kernel", "fortran"], ["'fortran'", "jax, numba, numpy", "name.unknown-kernel"]),
     ],
 )
 def test_wrong_names_are_refused(words: list[str], wanted: list[str]) -> None:

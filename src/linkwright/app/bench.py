@@ -116,7 +116,7 @@ def bench_file(
     compiled = examined.compiled
     unknown = [name for name in kernels if name not in KERNELS]
     known = ", ".join(sorted(KERNELS))
-    examined.findings += [Finding("kernel.unknown", (), {"name": name, "known": known}) for name in unknown]
+    examined.findings += [Finding("name.unknown-kernel", (), {"name": name, "known": known}) for name in unknown]
     if compiled is None or examined.exit_code:
         return None
     cycles = [task.options for task in examined.tasks if isinstance(task.options, CycleOptions)]

@@ -253,6 +253,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Nothing in this mechanism is called '{name}'.",
         "Write one of these: {near}.",
     ),
+    "name.unknown-kernel": (
+        "There is no kernel '{name}'.",
+        "Choose one of {known}.",
+    ),
     "name.unknown-parameter": (
         "There is no parameter called '{name}'.",
         "Write one of these: {near}. Or declare it under parameters.",
@@ -280,10 +284,6 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "signal.same-link": (
         "'{name}' has no instant centre relative to itself.",
         "Name two different links: pole({name}, frame).x.",
-    ),
-    "kernel.unknown": (
-        "There is no kernel '{name}'.",
-        "Choose one of {known}.",
     ),
     "signal.unknown": (
         "'{name}' isn't a signal.",
