@@ -157,7 +157,7 @@ def distances(example: Example) -> float:
     if example.signature[1] == "R":
         arms += [math.dist(a, pa)] if example.signature[0] == "R" else []
         arms += [math.dist(b, pb)] if example.signature[2] == "R" else []
-    elif example.signature == "RPR":
+    if example.signature in ("RRR", "RPR"):
         arms.append(math.dist(a, b))
     return min(arms, default=1.0)
 
