@@ -8,14 +8,13 @@ too; the bandwidth counts each output's value as written once, which a reduction
 
 from __future__ import annotations
 
-import argparse
-import json
 import time
 from pathlib import Path
 from typing import Any
 
 import casadi as ca
 import numpy as np
+from figures import parser, tell
 
 import linkwright as lw
 from linkwright.graph.program import Program
@@ -107,19 +106,15 @@ def measure(
 
 def main() -> None:
     """Print the figures, as a table or as JSON."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--json", action="store_true", help="print JSON")
-    parser.add_argument("--poses", type=float, default=1e9, help="poses, rounded up to whole turns of 360")
-    parser.add_argument("--tile", type=int, nargs=2, metavar=("SAMPLES", "POSES"), help="the block on the device")
-    parser.add_argument("--peak", type=float, nargs=2, metavar=("FLOPS", "BYTES"), help="the device's peaks a second")
-    options = parser.parse_args()
+    arguments = parser(__doc__)
+    arguments.add_argument("--poses", type=float, default=1e9, help="poses, rounded up to whole turns of 360")
+    arguments.add_argument("--tile", type=int, nargs=2, metavar=("SAMPLES", "POSES"), help="the block on the device")
+    arguments.add_argument(
+        "--peak", type=float, nargs=2, metavar=("FLOPS", "BYTES"), help="the device's peaks a second"
+    )
+    options = arguments.parse_args()
     tile, peak = (tuple(pair) if pair else None for pair in (options.tile, options.peak))
-    figures = measure(int(options.poses), tile, peak)
-    if options.json:
-        print(json.dumps(figures, indent=2))
-        return
-    for name, value in figures.items():
-        print(f"{name:20s} {value if isinstance(value, str) else format(value, '.6g'):>12s}")
+    tell(measure(int(options.poses), tile, peak), options.json)
 
 
 if __name__ == "__main__":

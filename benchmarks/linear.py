@@ -6,16 +6,16 @@ instructions of the sparse QR, their time a pose by each kernel and as an array 
 
 from __future__ import annotations
 
-import argparse
 import json
-import statistics
 import time
-from collections.abc import Callable
+from functools import partial
 
 import casadi as ca
 import numpy as np
+from figures import parser
 from numpy.typing import NDArray
 
+from linkwright.app.bench import median
 from linkwright.graph.program import ExpressionStage, Program
 from linkwright.groups.linear import Factor
 from linkwright.kernels import KERNELS
@@ -38,15 +38,7 @@ def program(n: int) -> Program:
     return Program((), block, tuple(f"x{i}" for i in range(2 * n)), (), tuple(f"y{i}" for i in range(n)))
 
 
-def median(action: Callable[[], object], times: int = 5) -> float:
-    """The median processor time of an action (s), one warm-up apart."""
-    action()
-    seconds = []
-    for _ in range(times):
-        start = time.process_time()
-        action()
-        seconds.append(time.process_time() - start)
-    return statistics.median(seconds)
+spent = partial(median, times=5, clock=time.process_time)
 
 
 def measure(n: int, poses: int) -> dict[str, float]:
@@ -57,23 +49,22 @@ def measure(n: int, poses: int) -> dict[str, float]:
     bound = np.linalg.cond(a) * np.abs(exact).max(axis=0)
     made = program(n)
     found = {"unknowns": n, "instructions": float(made.size)}
-    found["lapack"] = 1e9 / poses * median(lambda: np.linalg.solve(*(lambda a, b: (a, b[..., None]))(*system(n, u))))
+    found["lapack"] = 1e9 / poses * spent(lambda: np.linalg.solve(*(lambda a, b: (a, b[..., None]))(*system(n, u))))
     for name in ("numpy", "numba"):
         if not KERNELS[name].available():
             continue
         kernel, out = KERNELS[name](made), np.empty((n, poses))
-        found[name] = 1e9 / poses * median(lambda kernel=kernel, out=out: kernel.run(u, np.empty(0), out))  # type: ignore[misc]
+        found[name] = 1e9 / poses * spent(lambda kernel=kernel, out=out: kernel.run(u, np.empty(0), out))  # type: ignore[misc]
         found[f"{name}_error_over_bound"] = float((np.abs(out - exact).max(axis=0) / bound).max() / 2.0**-53)
     return found
 
 
 def main() -> None:
     """Print the figures."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--json", action="store_true", help="print JSON")
-    parser.add_argument("--poses", type=int, default=20_000)
-    parser.add_argument("--sizes", type=int, nargs="+", default=[2, 4, 6, 9, 12])
-    options = parser.parse_args()
+    arguments = parser(__doc__)
+    arguments.add_argument("--poses", type=int, default=20_000)
+    arguments.add_argument("--sizes", type=int, nargs="+", default=[2, 4, 6, 9, 12])
+    options = arguments.parse_args()
     rows = [measure(n, options.poses) for n in options.sizes]
     if options.json:
         print(json.dumps(rows, indent=2))

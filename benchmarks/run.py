@@ -6,20 +6,17 @@ The paper feeder: compile, 200 poses of full kinetostatics, a million poses of t
 
 from __future__ import annotations
 
-import argparse
-import json
-import statistics
 import subprocess
 import sys
 import tempfile
-import time
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+from figures import parser, tell
 
 import linkwright as lw
-from linkwright.app.bench import bench
+from linkwright.app.bench import bench, median
 
 ROOT = Path(__file__).resolve().parent.parent
 FEEDER = ROOT / "examples" / "paper_feeder.yaml"
@@ -31,17 +28,6 @@ OUTPUTS = [
     *("force(frame, crank).x", "force(frame, crank).y", "force(coupler, rocker).x", "force(coupler, rocker).y"),
     *("force(guide, slider).x", "motor.torque"),
 ]
-
-
-def median(action: Callable[[], object], times: int) -> float:
-    """The median time of an action (s), one warm-up apart."""
-    action()
-    seconds = []
-    for _ in range(times):
-        start = time.perf_counter()
-        action()
-        seconds.append(time.perf_counter() - start)
-    return statistics.median(seconds)
 
 
 def command(*words: str) -> Callable[[], object]:
@@ -86,16 +72,10 @@ def measure(poses: int) -> dict[str, float]:
 
 def main() -> None:
     """Print the figures, as a table or as JSON."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--json", action="store_true", help="print JSON")
-    parser.add_argument("--poses", type=int, default=1_000_000, help="poses of the kernel's figure")
-    options = parser.parse_args()
-    figures = measure(options.poses)
-    if options.json:
-        print(json.dumps(figures, indent=2))
-        return
-    for name, value in figures.items():
-        print(f"{name:28s} {value:10.4g}")
+    arguments = parser(__doc__)
+    arguments.add_argument("--poses", type=int, default=1_000_000, help="poses of the kernel's figure")
+    options = arguments.parse_args()
+    tell(measure(options.poses), options.json)
 
 
 if __name__ == "__main__":

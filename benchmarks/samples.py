@@ -7,14 +7,14 @@ small and large sweeps. Seconds are those of the carried work after compiling, t
 
 from __future__ import annotations
 
-import argparse
-import json
 import statistics
 import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+
+from figures import parser, tell
 
 import linkwright as lw
 from linkwright.kernels import KERNELS
@@ -89,18 +89,12 @@ def measure(samples: int, repeats: int, cluster: bool = True) -> dict[str, float
 
 def main() -> None:
     """Print the figures."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--json", action="store_true", help="print JSON")
-    parser.add_argument("--samples", type=int, default=100_000)
-    parser.add_argument("--repeats", type=int, default=3)
-    parser.add_argument("--no-cluster", action="store_true", help="leave Dask out")
-    options = parser.parse_args()
-    figures = measure(options.samples, options.repeats, not options.no_cluster)
-    if options.json:
-        print(json.dumps(figures, indent=2))
-        return
-    for name, value in figures.items():
-        print(f"{name:32s} {value:10.4g}")
+    arguments = parser(__doc__)
+    arguments.add_argument("--samples", type=int, default=100_000)
+    arguments.add_argument("--repeats", type=int, default=3)
+    arguments.add_argument("--no-cluster", action="store_true", help="leave Dask out")
+    options = arguments.parse_args()
+    tell(measure(options.samples, options.repeats, not options.no_cluster), options.json)
 
 
 if __name__ == "__main__":

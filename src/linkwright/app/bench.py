@@ -97,10 +97,10 @@ def bench(
             made = kernel(program)
             made.run(x[:, :1], compiled.parameters)
             cold = time.perf_counter() - start
-            warm = _median(lambda made=made: spread(made, x, compiled.parameters, out, workers))  # type: ignore[misc]
+            warm = median(lambda made=made: spread(made, x, compiled.parameters, out, workers))  # type: ignore[misc]
         reference = out.copy() if reference is None else reference
         found[name] = KernelTimes(cold, 1e9 * warm / poses, len(names), _deviation(out, reference))
-        fills.append(_median(fill))
+        fills.append(median(fill))
     missing = tuple(name for name, kernel in KERNELS.items() if not kernel.available())
     return Bench(found, 1e9 * statistics.median(fills) / poses, poses, workers, program.size, names, missing)
 
@@ -164,13 +164,14 @@ def _deviation(found: Array, reference: Array) -> float:
     return float(np.nanmax(np.abs(found - reference).max(axis=1) / size, initial=0.0))
 
 
-def _median(action: Callable[[], object]) -> float:
+def median(action: Callable[[], object], times: int = REPEATS, clock: Callable[[], float] = time.perf_counter) -> float:
+    """The median time of an action (s), one warm-up apart."""
     action()
     seconds = []
-    for _ in range(REPEATS):
-        start = time.perf_counter()
+    for _ in range(times):
+        start = clock()
         action()
-        seconds.append(time.perf_counter() - start)
+        seconds.append(clock() - start)
     return statistics.median(seconds)
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field, ValidationError, ValidationInfo, model_validator
 
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
@@ -43,6 +43,16 @@ class CycleOptions(Frozen):
             key = given[0] if given else "period"
             raise fault("study.options", study="cycle", key=key, reason="give one of period, duration, turns")
         return self
+
+
+def beside(info: ValidationInfo) -> CycleOptions | None:
+    """The options of the cycle in the same file, for those of another study; None where it has none, or wrong ones, of
+    which the cycle itself tells."""
+    given = (info.context or {}).get("cycle")
+    try:
+        return None if given is None else CycleOptions.model_validate(given)
+    except ValidationError:
+        return None
 
 
 @dataclass

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated
 
-from pydantic import Field, PrivateAttr, ValidationError, ValidationInfo, model_validator
+from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
@@ -24,7 +24,7 @@ from linkwright.model.quantities import LARGEST
 from linkwright.model.unknown import unknown
 from linkwright.results import Result, Run
 from linkwright.structure import FRAME
-from linkwright.studies.cycle import CycleOptions, span
+from linkwright.studies.cycle import CycleOptions, beside, span
 from linkwright.studies.extremes import Course, Signals, Touch, Transmission, courses, touches, transmission
 from linkwright.studies.feasible import overrun, unassembled
 from linkwright.studies.four_links import FourLinks, four_links
@@ -56,12 +56,7 @@ class LimitsOptions(Frozen):
     @model_validator(mode="after")
     def _beside(self, info: ValidationInfo) -> LimitsOptions:
         """The motion of the file's cycle is looked at too."""
-        beside = (info.context or {}).get("cycle")
-        if beside is not None:
-            try:
-                self._cycle = CycleOptions.model_validate(beside)
-            except ValidationError:
-                self._cycle = None  # told by the cycle itself
+        self._cycle = beside(info)
         return self
 
     @property

@@ -12,7 +12,6 @@ from pydantic import (
     BeforeValidator,
     Field,
     PrivateAttr,
-    ValidationError,
     ValidationInfo,
     WithJsonSchema,
     model_validator,
@@ -33,7 +32,7 @@ from linkwright.model.places import Place, Scope
 from linkwright.model.quantities import LARGEST
 from linkwright.model.sampled import dependent
 from linkwright.model.unknown import near
-from linkwright.studies.cycle import TURNS, CycleOptions, span
+from linkwright.studies.cycle import TURNS, CycleOptions, beside, span
 from linkwright.studies.distributions import Spread, Vary
 from linkwright.studies.plans import PLANS, Plan
 
@@ -82,13 +81,9 @@ class SweepOptions(Frozen):
     @model_validator(mode="after")
     def _beside(self, info: ValidationInfo) -> SweepOptions:
         """The span comes from the file's cycle."""
-        beside = (info.context or {}).get("cycle")
-        if beside is None:
+        if "cycle" not in (info.context or {}):
             raise fault("study.needs-cycle")
-        try:
-            self._cycle = CycleOptions.model_validate(beside)
-        except ValidationError:
-            self._cycle = None  # told by the cycle itself
+        self._cycle = beside(info)
         return self
 
     @property
