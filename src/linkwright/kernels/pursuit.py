@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,17 +18,12 @@ from numpy.typing import NDArray
 from linkwright.graph.graph import Graph
 from linkwright.kernels.follow import CLOSE, PATIENCE, Corrector
 from linkwright.kernels.newton import steps
+from linkwright.kernels.paths import NEAR, STRIDE, Paths, Place
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.structure import Cluster
 
 Array = NDArray[np.float64]
-Place = Callable[[NDArray[np.intp], Array], tuple[Array, Array]]
-"""Of some samples, each somewhere on its way: the inputs (inputs, samples) and parameters (parameters, samples)."""
-
-STRIDE = 0.5
-"""The most that a step may move a coordinate (rad, or lengths over the size)."""
-GRID = 128
-"""Poses of the grid from which samples go to times of their own."""
+Made = TypeVar("Made")
 
 
 class _Joined(Corrector):
@@ -64,6 +60,16 @@ class Pursuit:
     def __init__(self, graph: Graph, clusters: tuple[Cluster, ...], size: float, kernel: str) -> None:
         self.joined = [_Joined(graph, cluster, size, kernel) for cluster in clusters]
         self.rows = [row for joined in self.joined for row in joined.rows]
+        self.solver: Kernel = KERNELS[kernel](graph.solved())
+        self.motion: Kernel = KERNELS[kernel](graph.solved(rates=True))
+
+    def moved(self, step: Array, u: Array) -> Array:
+        """The largest step of a pose's coordinates: (...) of (coordinates, ...), in rad or over the size."""
+        first, parts = 0, []
+        for joined in self.joined:
+            parts.append(joined.moved(step[first : first + joined.n], u[first : first + joined.n]))
+            first += joined.n
+        return np.maximum.reduce(parts)
 
     def reach(self, place: Place, u: Array, now: Array, targets: Array, least: Array) -> Array:
         """The coordinates at ``targets`` (samples, targets), ascending, from ``u`` (coordinates, samples) at ``now``:
@@ -119,11 +125,44 @@ class Pursued:
         self.rows = pursuit.rows
         self.kept = threading.local()
 
-    def coordinates(self, p: Array, t: Array) -> Array:
-        """At times ``t`` (times,), from pose to pose, or (samples, times), from a grid: (coordinates, samples, times);
-        NaN from where a sample can't be followed, before the start, and at times that are no numbers."""
+    def coordinates(self, x: Array, p: Array, t: Array) -> Array:
+        """At times ``t`` (times,) or (samples, times): (coordinates, samples, times); NaN from where a sample can't be
+        followed, before the start, and at times that are no numbers. ``x`` (inputs, samples, times) has the drives'
+        rows; those of the coordinates are written over.
+
+        Paths foretell the poses, and Newton solves them all at once. A sample in which it moves a pose further than
+        paths may be off, or doesn't get there, goes on from pose to pose.
+        """
         t = np.where(np.isfinite(t), t, -1.0)
-        return self._kept("poses", (p, t), lambda: self._along(p, t)) if t.ndim == 1 else self._from_grid(p, t)
+        return self._kept("poses", (p, t), lambda: self._found(x, p, np.broadcast_to(t, (p.shape[1], t.shape[-1]))))
+
+    def _found(self, x: Array, p: Array, t: Array) -> Array:
+        paths = self._paths(p, t.max(axis=1, initial=0.0))
+        x[self.rows] = guess = paths.foretell(t)
+        found = self.pursuit.solver.over(x, p)
+        lost = (t >= 0) & ~(self.pursuit.moved(found - guess, found) < NEAR)
+        which = np.flatnonzero(lost.any(axis=1) & np.isfinite(paths.u[0, :, 0]))
+        if which.size:
+            own = t[which]
+            since, u = paths.before(np.where(lost[which], own, np.inf).min(axis=1), which)
+            found[:, which] = np.where(own < since[:, None], found[:, which], self._along(p[:, which], own, u, since))
+        return found
+
+    def _paths(self, p: Array, to: Array) -> Paths:
+        """The paths of samples, laid as far as ``to`` (samples,); their steps are measured by a power of 2 over it."""
+        span = np.where(to > 0, np.exp2(np.ceil(np.log2(np.maximum(to, np.finfo(float).tiny)))), 0.0)
+        start = self._kept("start", (p,), lambda: self._started(p))
+        paths = self._kept("paths", (p, span), lambda: Paths(self.pursuit, self._place(p), start, span))
+        paths.extend(to)
+        return paths
+
+    def _place(self, p: Array) -> Place:
+        """Samples at a time each."""
+
+        def place(which: NDArray[np.intp], t: Array) -> tuple[Array, Array]:
+            return self._inputs(p[:, which], t), p[:, which]
+
+        return place
 
     def _started(self, p: Array) -> Array:
         """At t = 0, by continuation in the parameters."""
@@ -142,43 +181,17 @@ class Pursued:
         """The inputs of samples at one time each."""
         return self.drives(p, t[:, None], (t.size, 1))[..., 0]
 
-    def _along(self, p: Array, t: Array) -> Array:
-        """From pose to pose; ``t`` is (times,) or (samples, times)."""
-        samples = p.shape[1]
+    def _along(self, p: Array, t: Array, u: Array, since: Array) -> Array:
+        """From pose to pose, from coordinates ``u`` (coordinates, samples) at times ``since`` (samples,) on."""
+        order = np.argsort(t, axis=1, kind="stable")
+        least = PATIENCE * t.max(axis=1, initial=0.0)
+        found = self.pursuit.reach(self._place(p), u, since, np.take_along_axis(t, order, axis=1), least)
+        return np.take_along_axis(found, np.argsort(order, axis=1)[None], axis=2)
 
-        def place(which: NDArray[np.intp], there: Array) -> tuple[Array, Array]:
-            return self._inputs(p[:, which], there), p[:, which]
-
-        order = np.argsort(t, axis=-1, kind="stable")
-        own = np.broadcast_to(np.take_along_axis(t, order, axis=-1), (samples, t.shape[-1]))
-        start = self._kept("start", (p,), lambda: self._started(p))
-        least = PATIENCE * own.max(axis=1, initial=0.0)
-        found = self.pursuit.reach(place, start, np.zeros(samples), own, least)
-        back = np.broadcast_to(np.argsort(order, axis=-1), own.shape)
-        return np.take_along_axis(found, back[None], axis=2)
-
-    def _from_grid(self, p: Array, t: Array) -> Array:
-        """From the poses of a grid, each sample's as long as its latest time asks for (rounded up to a power of 2)."""
-        samples, times = t.shape
-        to = t.max(axis=1, initial=0.0)
-        span = np.where(to > 0, np.exp2(np.ceil(np.log2(np.maximum(to, np.finfo(float).tiny)))), 0.0)
-        step = (span / GRID)[:, None]
-        laid = self._kept("grid", (p, span), lambda: self._along(p, step * np.arange(GRID + 1)))
-        k = np.clip(np.floor(np.maximum(t, 0.0) / np.maximum(step, np.finfo(float).tiny)), 0, GRID).astype(int)
-        u = np.take_along_axis(laid, k[None], axis=2).reshape(len(laid), -1)
-
-        def place(which: NDArray[np.intp], there: Array) -> tuple[Array, Array]:
-            own = p[:, which // times]
-            return self._inputs(own, there), own
-
-        least = PATIENCE * np.repeat(span, times)
-        found = self.pursuit.reach(place, u, (step * k).ravel(), t.reshape(-1, 1), least)
-        return found.reshape(-1, samples, times)
-
-    def _kept(self, name: str, about: tuple[Array, ...], make: Callable[[], Array]) -> Array:
+    def _kept(self, name: str, about: tuple[Array, ...], make: Callable[[], Made]) -> Made:
         """What was made last in this thread, where it was made of the same."""
         key = tuple(array.tobytes() for array in about)
         if getattr(self.kept, name, (None,))[0] != key:
             setattr(self.kept, name, (key, make()))
-        found: Array = getattr(self.kept, name)[1]
+        found: Made = getattr(self.kept, name)[1]
         return found

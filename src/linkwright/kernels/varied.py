@@ -164,7 +164,7 @@ class Varied:
         actions = any(row >= first for row in used)
         if self.compiled.structure.clusters and (actions or any(row >= self.graph.first_unknown for row in used)):
             pursued = _kept(self._pursued, kernel, lambda: self._pursuing(kernel))
-            x[pursued.rows] = pursued.coordinates(p, t)
+            x[pursued.rows] = pursued.coordinates(x, p, t)
         if actions:
             self._supply(x, p, t, kernel)
         return x

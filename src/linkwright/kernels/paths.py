@@ -1,0 +1,137 @@
+"""Paths of the clusters of many samples: poses that each lays by steps of its own, with the rates there, close enough
+for their cubic interpolation to foretell every pose between.
+
+A path goes as far as steps of a fair length lead; what needs shorter ones is left to :mod:`linkwright.kernels.pursuit`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.kernels.follow import CLOSE
+from linkwright.kernels.registry import Kernel
+
+Array = NDArray[np.float64]
+Index = NDArray[np.intp]
+Place = Callable[[Index, Array], tuple[Array, Array]]
+"""Of some samples, each somewhere on its way: the inputs (inputs, samples) and parameters (parameters, samples)."""
+
+NEAR = CLOSE / 10
+"""The most by which a step of a path may differ from the mean of the rates at its ends, and a pose between from the
+interpolation (rad, or lengths over the size)."""
+STRIDE = 0.5
+"""The most that a step may move a coordinate (rad, or lengths over the size)."""
+FIRST, LONGEST, SHORTEST = 2.0**-8, 2.0**-5, 2.0**-16
+"""Steps over the span: the first one, and the limits of all."""
+GROWTH = (0.02, 3.0), (0.1, 1.7), (0.3, 1.2), (1.0, 1.0)
+"""How a step grows while its error, over what is allowed, is under a limit: errors go with the cube of the step."""
+
+
+class Solver(Protocol):
+    """Newton on the clusters: the inputs' ``rows`` of their coordinates, and a kernel that gives them and their rates
+    from starts there."""
+
+    rows: list[int]
+    motion: Kernel
+
+    def moved(self, step: Array, u: Array) -> Array:
+        """The largest step of a pose's coordinates: (...) of (coordinates, ...), in rad or over the size."""
+
+
+class Paths:
+    """The paths from coordinates ``start`` (coordinates, samples) at t = 0; steps are measured by ``span`` (s), of each
+    sample its own."""
+
+    def __init__(self, solver: Solver, place: Place, start: Array, span: Array) -> None:
+        self.solver, self.place, self.span = solver, place, span
+        n, samples = start.shape
+        self.t = np.full((samples, 64), np.inf)
+        self.u, self.rate = np.full((2, n, samples, 64), np.nan)
+        self.last = np.zeros(samples, dtype=np.intp)  # of each sample, its last pose laid
+        self.t[:, 0], self.u[..., 0] = 0.0, start
+        everyone = np.arange(samples)
+        self.rate[..., 0] = self._solved(everyone, np.zeros(samples), start)[1]
+        self.bend = np.zeros_like(start)  # half the rate of the rates
+        self.step = FIRST * span
+        self.open = np.isfinite(start).all(axis=0) & np.isfinite(self.rate[..., 0]).all(axis=0) & (span > 0)
+
+    def _solved(self, which: Index, t: Array, guess: Array) -> tuple[Array, Array]:
+        """The coordinates of some samples at a time each, and their rates."""
+        x, p = self.place(which, t)
+        x[self.solver.rows] = guess
+        found = self.solver.motion.run(x, p)
+        return found[: len(guess)], found[len(guess) :]
+
+    def extend(self, to: Array) -> None:
+        """Lay the paths past times ``to`` (samples,), as far as they go."""
+        while True:
+            here = self.t[np.arange(len(self.t)), self.last]
+            todo = np.flatnonzero(self.open & (here <= to))
+            if not todo.size:
+                return
+            self._advance(todo, here[todo])
+
+    def _advance(self, todo: Index, here: Array) -> None:
+        """One step of some samples that stand at ``here``, as far as it is good."""
+        last, step = self.last[todo], self.step[todo]
+        u, rate = self.u[:, todo, last], self.rate[:, todo, last]
+        guess = u + step * (rate + step * self.bend[:, todo])
+        there = here + step
+        found, ending = self._solved(todo, there, guess)
+        moved = self.solver.moved
+        off = moved(found - guess, found) / CLOSE
+        off = np.maximum(off, moved(found - u, found) / STRIDE)
+        off = np.maximum(off, moved(found - u - step * (rate + ending) / 2, found) / NEAR)
+        good = np.flatnonzero(off < 1)
+        met, place = todo[good], last[good] + 1
+        if place.max(initial=0) >= self.t.shape[1]:
+            self._widen()
+        self.t[met, place], self.u[:, met, place], self.rate[:, met, place] = there[good], found[:, good], ending[:, good]
+        self.bend[:, met] = ((ending - rate) / (2 * step))[:, good]
+        self.last[met] = place
+        step = step * np.select([off < limit for limit, _ in GROWTH], [growth for _, growth in GROWTH], 0.5)
+        self.step[todo] = np.minimum(step, LONGEST * self.span[todo])
+        self.open[todo] = step >= SHORTEST * self.span[todo]
+
+    def _widen(self) -> None:
+        """Make place for as many poses again."""
+        self.t = np.concatenate([self.t, np.full_like(self.t, np.inf)], axis=1)
+        self.u, self.rate = (np.concatenate([a, np.full_like(a, np.nan)], axis=2) for a in (self.u, self.rate))
+
+    def _before(self, t: Array, which: Index | slice = slice(None)) -> Index:
+        """Of some samples, the numbers of the poses laid last before or at times ``t`` (samples, times)."""
+        found = np.empty(t.shape, dtype=np.intp)
+        for i, own in enumerate(self.t[which]):
+            found[i] = np.searchsorted(own, t[i], side="right") - 1
+        return found
+
+    def before(self, t: Array, which: Index) -> tuple[Array, Array]:
+        """The times (samples,) and coordinates (coordinates, samples) of the poses laid last before or at a time of
+        some samples."""
+        k = self._before(t, which)
+        return self.t[which, k], self.u[:, which, k]
+
+    def foretell(self, t: Array) -> Array:
+        """The coordinates at times ``t`` (samples, times), by cubic interpolation: (coordinates, samples, times), NaN
+        outside of the paths."""
+        n, samples, _ = self.u.shape
+        width = int(self.last.max(initial=0)) + 1
+        u, rate, h = self.u[..., :width], self.rate[..., :width], np.full((samples, width), np.nan)
+        np.subtract(self.t[:, 1:width], self.t[:, : width - 1], out=h[:, :-1], where=np.isfinite(self.t[:, 1:width]))
+        a, b, da, db = u[..., :-1], u[..., 1:], rate[..., :-1] * h[:, :-1], rate[..., 1:] * h[:, :-1]
+        shapes = np.full((4, n, samples, width), np.nan)
+        shapes[..., :-1] = a, da, 3 * (b - a) - 2 * da - db, 2 * (a - b) + da + db
+        k = np.clip(self._before(t), 0, width - 1) + width * np.arange(samples)[:, None]
+        s = (t - self.t[:, :width].ravel()[k]) / h.ravel()[k]
+        s[~(t >= 0)] = np.nan
+        found = np.empty((n, *t.shape))
+        for to, (c0, c1, c2, c3) in zip(found, shapes.transpose(1, 0, 2, 3).reshape(n, 4, -1), strict=True):
+            np.take(c3, k, out=to)
+            for c in (c2, c1, c0):
+                to *= s
+                to += c[k]
+        return found
