@@ -47,8 +47,7 @@ class Corrector:
     def moved(self, step: Array, u: Array) -> Array:
         """The largest step of a pose's coordinates: (poses,), in rad, and of slides over the size or where it is more
         over how far they are out, so that one that runs away doesn't do so in ever smaller steps."""
-        shape = -1, *[1] * (u.ndim - 1)
-        size = np.maximum(self.scale.reshape(shape), np.abs(u) * self.slides.reshape(shape))
+        size = np.maximum(self.scale[:, None], np.abs(u) * self.slides[:, None])
         return np.asarray(np.abs(step / size).max(axis=0))
 
     def newton(self, x: Array, start: Array, p: Array) -> Array:

@@ -102,7 +102,7 @@ class Paths:
         self.t = np.concatenate([self.t, np.full_like(self.t, np.inf)], axis=1)
         self.u, self.rate = (np.concatenate([a, np.full_like(a, np.nan)], axis=2) for a in (self.u, self.rate))
 
-    def _before(self, t: Array, which: Index | slice = slice(None)) -> Index:
+    def _before(self, t: Array, which: Index | slice) -> Index:
         """Of some samples, the numbers of the poses laid last before or at times ``t`` (samples, times)."""
         found = np.empty(t.shape, dtype=np.intp)
         for i, own in enumerate(self.t[which]):
@@ -115,22 +115,23 @@ class Paths:
         k = self._before(t, which)
         return self.t[which, k], self.u[:, which, k]
 
-    def foretell(self, t: Array) -> Array:
-        """The coordinates at times ``t`` (samples, times), by cubic interpolation: (coordinates, samples, times), NaN
-        outside of the paths."""
-        n, samples, _ = self.u.shape
-        width = int(self.last.max(initial=0)) + 1
-        u, rate, h = self.u[..., :width], self.rate[..., :width], np.full((samples, width), np.nan)
-        np.subtract(self.t[:, 1:width], self.t[:, : width - 1], out=h[:, :-1], where=np.isfinite(self.t[:, 1:width]))
+    def foretell(self, t: Array, some: slice) -> Array:
+        """The coordinates of some samples at times ``t`` (samples, times), by cubic interpolation: (coordinates,
+        samples, times), NaN outside of the paths."""
+        width = int(self.last[some].max(initial=0)) + 1
+        laid, u, rate = self.t[some, :width], self.u[:, some, :width], self.rate[:, some, :width]
+        n, samples, _ = u.shape
+        h = np.full((samples, width), np.nan)
+        np.subtract(laid[:, 1:], laid[:, :-1], out=h[:, :-1], where=np.isfinite(laid[:, 1:]))
         a, b, da, db = u[..., :-1], u[..., 1:], rate[..., :-1] * h[:, :-1], rate[..., 1:] * h[:, :-1]
-        shapes = np.full((4, n, samples, width), np.nan)
-        shapes[..., :-1] = a, da, 3 * (b - a) - 2 * da - db, 2 * (a - b) + da + db
-        k = np.clip(self._before(t), 0, width - 1) + width * np.arange(samples)[:, None]
-        s = (t - self.t[:, :width].ravel()[k]) / h.ravel()[k]
+        shapes = np.full((n, 4, samples, width), np.nan)
+        shapes[..., :-1] = np.stack([a, da, 3 * (b - a) - 2 * da - db, 2 * (a - b) + da + db], axis=1)
+        k = np.clip(self._before(t, some), 0, width - 1) + width * np.arange(samples)[:, None]
+        s = (t - laid.ravel()[k]) / h.ravel()[k]
         s[~(t >= 0)] = np.nan
         found = np.empty((n, *t.shape))
-        for to, (c0, c1, c2, c3) in zip(found, shapes.transpose(1, 0, 2, 3).reshape(n, 4, -1), strict=True):
-            np.take(c3, k, out=to)
+        for to, (c0, c1, c2, c3) in zip(found, shapes.reshape(n, 4, -1), strict=True):
+            to[:] = c3[k]
             for c in (c2, c1, c0):
                 to *= s
                 to += c[k]

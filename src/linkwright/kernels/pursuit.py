@@ -25,6 +25,9 @@ from linkwright.structure import Cluster
 Array = NDArray[np.float64]
 Made = TypeVar("Made")
 
+HELD = 1 << 14
+"""Poses that are solved at once, few enough to stay in cache."""
+
 
 class _Joined(Corrector):
     """Newton on one cluster, foretold by the closure's slopes."""
@@ -60,16 +63,17 @@ class Pursuit:
     def __init__(self, graph: Graph, clusters: tuple[Cluster, ...], size: float, kernel: str) -> None:
         self.joined = [_Joined(graph, cluster, size, kernel) for cluster in clusters]
         self.rows = [row for joined in self.joined for row in joined.rows]
+        self.scales = [pair for joined in self.joined for pair in zip(joined.scale, joined.slides, strict=True)]
         self.solver: Kernel = KERNELS[kernel](graph.solved())
         self.motion: Kernel = KERNELS[kernel](graph.solved(rates=True))
 
     def moved(self, step: Array, u: Array) -> Array:
-        """The largest step of a pose's coordinates: (...) of (coordinates, ...), in rad or over the size."""
-        first, parts = 0, []
-        for joined in self.joined:
-            parts.append(joined.moved(step[first : first + joined.n], u[first : first + joined.n]))
-            first += joined.n
-        return np.maximum.reduce(parts)
+        """The largest step of a pose's coordinates, as :meth:`Corrector.moved` has it: (...) of (coordinates, ...)."""
+        far = np.zeros(step.shape[1:])
+        for part, of, (scale, slides) in zip(np.abs(step), u, self.scales, strict=True):
+            part /= np.maximum(scale, np.abs(of)) if slides else scale
+            np.maximum(far, part, out=far)  # keeps NaN
+        return far
 
     def reach(self, place: Place, u: Array, now: Array, targets: Array, least: Array) -> Array:
         """The coordinates at ``targets`` (samples, targets), ascending, from ``u`` (coordinates, samples) at ``now``:
@@ -138,9 +142,14 @@ class Pursued:
 
     def _found(self, x: Array, p: Array, t: Array) -> Array:
         paths = self._paths(p, t.max(axis=1, initial=0.0))
-        x[self.rows] = guess = paths.foretell(t)
-        found = self.pursuit.solver.over(x, p)
-        lost = (t >= 0) & ~(self.pursuit.moved(found - guess, found) < NEAR)
+        found, lost = np.empty((len(self.rows), *t.shape)), np.empty(t.shape, dtype=bool)
+        height = max(1, HELD // max(t.shape[1], 1))
+        for some in (slice(first, first + height) for first in range(0, len(t), height)):
+            guess = paths.foretell(t[some], some)
+            x[self.rows, some] = guess
+            self.pursuit.solver.over(x[:, some], p[:, some], found[:, some])
+            off = self.pursuit.moved(found[:, some] - guess, found[:, some])
+            lost[some] = (t[some] >= 0) & ~(off < NEAR)
         which = np.flatnonzero(lost.any(axis=1) & np.isfinite(paths.u[0, :, 0]))
         if which.size:
             own = t[which]
