@@ -111,15 +111,6 @@ class Graph:
         names = tuple(self.inputs[row] for row in rows)
         return Program((self.newton(cluster),), block, self.inputs, self.parameters, names)
 
-    def solved(self, rates: bool = False) -> Program:
-        """The program that solves all clusters and gives their coordinates; with ``rates`` these after them."""
-        view, stages = self._view(int(rates)), tuple(map(self.newton, self.structure.clusters))
-        rows = [row for stage in stages for row in stage.rows]
-        names = [self.inputs[row] for row in rows]
-        flow = [f"rate{name.removeprefix('u')}" for name in names] if rates else []
-        block = ExpressionStage.from_rows(view.x, view.p, [*(view.x[row] for row in rows), *map(view.row, flow)])
-        return Program(stages, block, self.inputs, self.parameters, (*names, *flow))
-
     def newton(self, cluster: Cluster) -> NewtonStage:
         """The stage that solves a cluster."""
         view = self._view(0)

@@ -25,18 +25,20 @@ NEAR = CLOSE / 10
 interpolation (rad, or lengths over the size)."""
 STRIDE = 0.5
 """The most that a step may move a coordinate (rad, or lengths over the size)."""
-FIRST, LONGEST, SHORTEST = 2.0**-8, 2.0**-5, 2.0**-16
+FIRST, LONGEST, SHORTEST = 2.0**-8, 2.0**-5, 2.0**-24
 """Steps over the span: the first one, and the limits of all."""
 GROWTH = (0.02, 3.0), (0.1, 1.7), (0.3, 1.2), (1.0, 1.0)
 """How a step grows while its error, over what is allowed, is under a limit: errors go with the cube of the step."""
 
 
 class Solver(Protocol):
-    """Newton on the clusters: the inputs' ``rows`` of their coordinates, and a kernel that gives them and their rates
-    from starts there."""
+    """Newton on the clusters: the inputs' ``rows`` of their coordinates, and the kernel of the rates of these."""
 
     rows: list[int]
     motion: Kernel
+
+    def solve(self, x: Array, p: Array) -> Array:
+        """The coordinates, (coordinates, poses), from inputs in which starts stand; they replace these."""
 
     def moved(self, step: Array, u: Array) -> Array:
         """The largest step of a pose's coordinates: (...) of (coordinates, ...), in rad or over the size."""
@@ -63,8 +65,7 @@ class Paths:
         """The coordinates of some samples at a time each, and their rates."""
         x, p = self.place(which, t)
         x[self.solver.rows] = guess
-        found = self.solver.motion.run(x, p)
-        return found[: len(guess)], found[len(guess) :]
+        return self.solver.solve(x, p), self.solver.motion.run(x, p)
 
     def extend(self, to: Array) -> None:
         """Lay the paths past times ``to`` (samples,), as far as they go."""

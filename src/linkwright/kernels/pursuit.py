@@ -64,8 +64,14 @@ class Pursuit:
         self.joined = [_Joined(graph, cluster, size, kernel) for cluster in clusters]
         self.rows = [row for joined in self.joined for row in joined.rows]
         self.scales = [pair for joined in self.joined for pair in zip(joined.scale, joined.slides, strict=True)]
-        self.solver: Kernel = KERNELS[kernel](graph.solved())
-        self.motion: Kernel = KERNELS[kernel](graph.solved(rates=True))
+        rates = [f"rate{graph.inputs[row].removeprefix('u')}" for row in self.rows]
+        self.motion: Kernel = KERNELS[kernel](graph.program(rates))
+
+    def solve(self, x: Array, p: Array) -> Array:
+        """The coordinates, (coordinates, poses), by Newton from inputs in which starts stand; they replace these."""
+        for joined in self.joined:
+            x[joined.rows] = joined.solver.run(x, p)
+        return x[self.rows]
 
     def moved(self, step: Array, u: Array) -> Array:
         """The largest step of a pose's coordinates, as :meth:`Corrector.moved` has it: (...) of (coordinates, ...)."""
@@ -146,8 +152,9 @@ class Pursued:
         height = max(1, HELD // max(t.shape[1], 1))
         for some in (slice(first, first + height) for first in range(0, len(t), height)):
             guess = paths.foretell(t[some], some)
-            x[self.rows, some] = guess
-            self.pursuit.solver.over(x[:, some], p[:, some], found[:, some])
+            own = x[:, some].reshape(len(x), -1)
+            own[self.rows] = guess.reshape(len(guess), -1)
+            found[:, some] = self.pursuit.solve(own, np.repeat(p[:, some], t.shape[1], axis=1)).reshape(guess.shape)
             off = self.pursuit.moved(found[:, some] - guess, found[:, some])
             lost[some] = (t[some] >= 0) & ~(off < NEAR)
         which = np.flatnonzero(lost.any(axis=1) & np.isfinite(paths.u[0, :, 0]))
