@@ -147,30 +147,38 @@ class Pursued:
         return self._kept("poses", (p, t), lambda: self._found(x, p, np.broadcast_to(t, (p.shape[1], t.shape[-1]))))
 
     def _found(self, x: Array, p: Array, t: Array) -> Array:
-        paths = self._paths(p, t.max(axis=1, initial=0.0))
-        found, lost = np.empty((len(self.rows), *t.shape)), np.empty(t.shape, dtype=bool)
+        """The same, from path to path."""
+        found = np.full((len(self.rows), *t.shape), np.nan)
+        lost = np.zeros(t.shape, dtype=bool)
+        to = t.max(axis=1, initial=-1.0)
+        span = np.where(to > 0, np.exp2(np.ceil(np.log2(np.maximum(to, np.finfo(float).tiny)))), 0.0)
+        laid: dict[float, Paths] = self._kept("paths", (p,), dict)
         height = max(1, HELD // max(t.shape[1], 1))
-        for some in (slice(first, first + height) for first in range(0, len(t), height)):
-            guess = paths.foretell(t[some], some)
-            own = x[:, some].reshape(len(x), -1)
-            own[self.rows] = guess.reshape(len(guess), -1)
-            found[:, some] = self.pursuit.solve(own, np.repeat(p[:, some], t.shape[1], axis=1)).reshape(guess.shape)
-            off = self.pursuit.moved(found[:, some] - guess, found[:, some])
-            lost[some] = (t[some] >= 0) & ~(off < NEAR)
-        which = np.flatnonzero(lost.any(axis=1) & np.isfinite(paths.u[0, :, 0]))
-        if which.size:
-            own = t[which]
-            since, u = paths.before(np.where(lost[which], own, np.inf).min(axis=1), which)
-            found[:, which] = np.where(own < since[:, None], found[:, which], self._along(p[:, which], own, u, since))
+        for scale in np.unique(span[to >= 0]).tolist():
+            if scale not in laid:
+                start = self._kept("start", (p,), lambda: self._started(p))
+                laid[scale] = Paths(self.pursuit, self._place(p), start, scale)
+            paths, which = laid[scale], np.flatnonzero(span == scale)
+            paths.extend(np.where(span == scale, to, -1.0))
+            for first in range(0, which.size, height):
+                some = which[first : first + height]
+                found[:, some], lost[some] = self._between(paths, some, x[:, some], p[:, some], t[some])
+            if (left := which[lost[which].any(axis=1)]).size:
+                since, u = paths.before(np.where(lost[left], t[left], np.inf).min(axis=1), left)
+                along = self._along(p[:, left], t[left], u, since)
+                found[:, left] = np.where(t[left] < since[:, None], found[:, left], along)
         return found
 
-    def _paths(self, p: Array, to: Array) -> Paths:
-        """The paths of samples, laid as far as ``to`` (samples,); their steps are measured by a power of 2 over it."""
-        span = np.where(to > 0, np.exp2(np.ceil(np.log2(np.maximum(to, np.finfo(float).tiny)))), 0.0)
-        start = self._kept("start", (p,), lambda: self._started(p))
-        paths = self._kept("paths", (p, span), lambda: Paths(self.pursuit, self._place(p), start, span))
-        paths.extend(to)
-        return paths
+    def _between(
+        self, paths: Paths, some: NDArray[np.intp], x: Array, p: Array, t: Array
+    ) -> tuple[Array, NDArray[np.bool_]]:
+        """The coordinates of some samples at times ``t`` (samples, times), and which of them aren't sure."""
+        guess = paths.foretell(t, some)
+        x = x.reshape(len(x), -1)
+        x[self.rows] = guess.reshape(len(guess), -1)
+        found = self.pursuit.solve(x, np.repeat(p, t.shape[1], axis=1)).reshape(guess.shape)
+        far = self.pursuit.moved(found - guess, found)
+        return found, (t >= 0) & (t <= paths.end[some, None]) & ~(far < NEAR)
 
     def _place(self, p: Array) -> Place:
         """Samples at a time each."""
