@@ -14,7 +14,7 @@ import pytest
 from numpy.typing import NDArray
 
 from helpers.examples import four_bar
-from linkwright.kernels import KERNELS, Compiled, compile_mechanism, paths, varied
+from linkwright.kernels import KERNELS, Compiled, compile_mechanism, paths, pursuit, varied
 from linkwright.kernels.passages import Passage, Passages
 from linkwright.kernels.paths import Paths
 from linkwright.kernels.pursuit import Pursued, Pursuit
@@ -348,6 +348,27 @@ def test_figures_of_a_pose_do_not_depend_on_the_times_before() -> None:
     assert np.array_equal(np.concatenate(parts, axis=2), whole[..., 32:])
 
 
+def test_paths_are_laid_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Parts of the samples, their own times and their failures use the paths that are there; doubles share one."""
+    monkeypatch.setattr(varied, "CHUNK", 200)
+    made = Varied(compile_mechanism(platform()), list("rpqw"))
+    p, t = made.parameters(spread(made, 0.1, samples=30)), np.linspace(0, 1, 61)
+    found = made.evaluate(["B3.x"], p, t)
+    bad = np.isnan(found[0]).any(axis=1)
+    with monkeypatch.context() as patch:
+        patch.setattr(Paths, "_advance", lambda *_: pytest.fail("a path is laid"))
+        patch.setattr(Pursued, "_started", lambda *_: pytest.fail("samples are started"))
+        assert np.isfinite(made.failures(p[:, bad], t).time).all()
+        some = np.array([3, 1, 3, 20])
+        own = np.array([0.9, 0.6, 1.0, 0.7])[:, None]
+        assert np.isfinite(made.at(["B3.x"], p[:, some], own)[0, ~bad[some]]).all()
+    fresh = Varied(made.compiled, list("rpqw"))
+    expected = np.concatenate(
+        [fresh.at(["B3.x"], p[:, [i]], at[None]) for i, at in zip(some, own, strict=True)], axis=1
+    )
+    assert np.array_equal(made.at(["B3.x"], p[:, some], own), expected, equal_nan=True)
+
+
 CUT = [
     (lambda: load(EXAMPLES / "four_bar.yaml"), ["a", "b"], ["P.x", "motor.torque"]),
     (sprung, [*SPRUNG_UNITS], ["motor.torque", "wound.angle"]),
@@ -398,17 +419,21 @@ def test_a_sample_does_not_depend_on_the_others(
     whole, whole_own = varied_.evaluate(signals, p, t, rates=True), varied_.at(signals, p, own)
     assert np.isfinite(whole).all(axis=(0, 2)).sum() > 5
 
-    def cut(some: slice) -> None:
-        assert np.array_equal(varied_.evaluate(signals, p[:, some], t, rates=True), whole[:, some], equal_nan=True)
-        assert np.array_equal(varied_.at(signals, p[:, some], own[some]), whole_own[:, some], equal_nan=True)
+    def cut(some: slice, of: Varied = varied_) -> None:
+        assert np.array_equal(of.evaluate(signals, p[:, some], t, rates=True), whole[:, some], equal_nan=True)
+        assert np.array_equal(of.at(signals, p[:, some], own[some]), whole_own[:, some], equal_nan=True)
 
     parts = [slice(0, 1), slice(12, 19), slice(3, 11), slice(18, 19)]
     for part in parts:
         cut(part)
+        cut(part, Varied(varied_.compiled, names))
     with ThreadPoolExecutor(3) as pool:
         list(pool.map(cut, parts * 2))
     monkeypatch.setattr(varied, "CHUNK", 100)
-    cut(slice(0, 19))
+    monkeypatch.setattr(pursuit, "HELD", 50)
+    cut(slice(0, 19), Varied(varied_.compiled, names))
+    monkeypatch.setattr(pursuit, "MOST", 2)
+    cut(slice(0, 19), Varied(varied_.compiled, names))
 
 
 def test_samples_that_cannot_be_assembled_are_told() -> None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from typing import TypeVar
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,8 +23,9 @@ from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.structure import Cluster
 
 Array = NDArray[np.float64]
-Made = TypeVar("Made")
 
+MOST = 1 << 14
+"""Samples of which the paths are kept."""
 HELD = 1 << 14
 """Poses that are solved at once, few enough to stay in cache."""
 
@@ -124,6 +125,26 @@ class Pursuit:
             u[:, todo[~good & (step[todo] < least[todo])]] = np.nan
 
 
+@dataclass
+class _Company:
+    """Samples with their coordinates at t = 0, their numbers by their parameters, and their paths of each span."""
+
+    pursuit: Pursuit
+    place: Place
+    start: Array
+    number: dict[bytes, int]
+    laid: dict[float, Paths] = field(default_factory=dict)
+
+    def paths(self, span: float, which: NDArray[np.intp], to: Array) -> Paths:
+        """The paths of a span, those of some samples laid as far as ``to``."""
+        if span not in self.laid:
+            self.laid[span] = Paths(self.pursuit, self.place, self.start, span)
+        ends = np.full(self.start.shape[1], -1.0)
+        np.maximum.at(ends, which, to)
+        self.laid[span].extend(ends)
+        return self.laid[span]
+
+
 class Pursued:
     """The coordinates of all clusters of many samples, from the nominal ``start`` pose and parameters on.
 
@@ -138,33 +159,35 @@ class Pursued:
     def coordinates(self, x: Array, p: Array, t: Array) -> Array:
         """At times ``t`` (times,) or (samples, times): (coordinates, samples, times); NaN from where a sample can't be
         followed, before the start, and at times that are no numbers. ``x`` (inputs, samples, times) has the drives'
-        rows; those of the coordinates are written over.
+        rows.
 
         Paths foretell the poses, and Newton solves them all at once. A sample in which it moves a pose further than
         paths may be off, or doesn't get there, goes on from pose to pose.
         """
         t = np.where(np.isfinite(t), t, -1.0)
-        return self._kept("poses", (p, t), lambda: self._found(x, p, np.broadcast_to(t, (p.shape[1], t.shape[-1]))))
+        key = p.tobytes(), t.tobytes()
+        if getattr(self.kept, "key", None) != key:
+            self.kept.poses = self._found(x, p, np.broadcast_to(t, (p.shape[1], t.shape[-1])))
+            self.kept.key = key
+        found: Array = self.kept.poses
+        return found
 
     def _found(self, x: Array, p: Array, t: Array) -> Array:
         """The same, from path to path."""
         found = np.full((len(self.rows), *t.shape), np.nan)
         lost = np.zeros(t.shape, dtype=bool)
+        company, index = self._company(p)
         to = t.max(axis=1, initial=-1.0)
         span = np.where(to > 0, np.exp2(np.ceil(np.log2(np.maximum(to, np.finfo(float).tiny)))), 0.0)
-        laid: dict[float, Paths] = self._kept("paths", (p,), dict)
         height = max(1, HELD // max(t.shape[1], 1))
         for scale in np.unique(span[to >= 0]).tolist():
-            if scale not in laid:
-                start = self._kept("start", (p,), lambda: self._started(p))
-                laid[scale] = Paths(self.pursuit, self._place(p), start, scale)
-            paths, which = laid[scale], np.flatnonzero(span == scale)
-            paths.extend(np.where(span == scale, to, -1.0))
+            which = np.flatnonzero(span == scale)
+            paths = company.paths(scale, index[which], to[which])
             for first in range(0, which.size, height):
                 some = which[first : first + height]
-                found[:, some], lost[some] = self._between(paths, some, x[:, some], p[:, some], t[some])
+                found[:, some], lost[some] = self._between(paths, index[some], x[:, some], p[:, some], t[some])
             if (left := which[lost[which].any(axis=1)]).size:
-                since, u = paths.before(np.where(lost[left], t[left], np.inf).min(axis=1), left)
+                since, u = paths.before(np.where(lost[left], t[left], np.inf).min(axis=1), index[left])
                 along = self._along(p[:, left], t[left], u, since)
                 found[:, left] = np.where(t[left] < since[:, None], found[:, left], along)
         return found
@@ -179,6 +202,21 @@ class Pursued:
         found = self.pursuit.solve(x, np.repeat(p, t.shape[1], axis=1)).reshape(guess.shape)
         far = self.pursuit.moved(found - guess, found)
         return found, (t >= 0) & (t <= paths.end[some, None]) & ~(far < NEAR)
+
+    def gather(self, p: Array) -> None:
+        """Lay the paths of these samples together from now on, in this thread, though they be asked for in parts."""
+        if p.shape[1] <= MOST:
+            self._company(p)
+
+    def _company(self, p: Array) -> tuple[_Company, NDArray[np.intp]]:
+        """The samples that are kept in this thread, with their paths, and the numbers of those asked for among them."""
+        columns = [column.tobytes() for column in np.ascontiguousarray(p.T)]
+        company: _Company | None = getattr(self.kept, "company", None)
+        if company is None or not all(column in company.number for column in columns):
+            start = self._started(p)
+            number = {column: i for i, column in enumerate(columns)}
+            company = self.kept.company = _Company(self.pursuit, self._place(p.copy()), start, number)
+        return company, np.array([company.number[column] for column in columns], dtype=np.intp)
 
     def _place(self, p: Array) -> Place:
         """Samples at a time each."""
@@ -211,11 +249,3 @@ class Pursued:
         least = PATIENCE * t.max(axis=1, initial=0.0)
         found = self.pursuit.reach(self._place(p), u, since, np.take_along_axis(t, order, axis=1), least)
         return np.take_along_axis(found, np.argsort(order, axis=1)[None], axis=2)
-
-    def _kept(self, name: str, about: tuple[Array, ...], make: Callable[[], Made]) -> Made:
-        """What was made last in this thread, where it was made of the same."""
-        key = tuple(array.tobytes() for array in about)
-        if getattr(self.kept, name, (None,))[0] != key:
-            setattr(self.kept, name, (key, make()))
-        found: Made = getattr(self.kept, name)[1]
-        return found
