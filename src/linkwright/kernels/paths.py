@@ -124,7 +124,8 @@ class Paths:
         """Of some samples, the numbers of the poses laid last before or at times ``t`` (samples, times)."""
         found = np.empty(t.shape, dtype=np.intp)
         for i, own in enumerate(self.t[which]):
-            found[i] = np.searchsorted(own, t[i], side="right") - 1
+            found[i] = own.searchsorted(t[i], side="right")
+        found -= 1
         return found
 
     def before(self, t: Array, which: Index) -> tuple[Array, Array]:
@@ -136,21 +137,23 @@ class Paths:
     def foretell(self, t: Array, some: Index) -> Array:
         """The coordinates of some samples at times ``t`` (samples, times), by cubic interpolation: (coordinates,
         samples, times), NaN outside of the paths."""
-        width = int(self.last[some].max(initial=0)) + 1
-        laid, u, rate = self.t[some, :width], self.u[:, some, :width], self.rate[:, some, :width]
-        n, samples, _ = u.shape
-        h = np.full((samples, width), np.nan)
-        np.subtract(laid[:, 1:], laid[:, :-1], out=h[:, :-1], where=np.isfinite(laid[:, 1:]))
-        a, b, da, db = u[..., :-1], u[..., 1:], rate[..., :-1] * h[:, :-1], rate[..., 1:] * h[:, :-1]
-        shapes = np.full((n, 4, samples, width), np.nan)
-        shapes[..., :-1] = np.stack([a, da, 3 * (b - a) - 2 * da - db, 2 * (a - b) + da + db], axis=1)
-        k = np.clip(self._before(t, some), 0, width - 1) + width * np.arange(samples)[:, None]
-        s = (t - laid.ravel()[k]) / h.ravel()[k]
-        s[~(t >= 0)] = np.nan
-        found = np.empty((n, *t.shape))
-        for to, (c0, c1, c2, c3) in zip(found, shapes.reshape(n, 4, -1), strict=True):
-            to[:] = c3[k]
-            for c in (c2, c1, c0):
-                to *= s
-                to += c[k]
+        a = self._before(t, some)
+        np.clip(a, 0, self.t.shape[1] - 2, out=a)
+        a += some[:, None] * self.t.shape[1]
+        b = a + 1
+        since = self.t.ravel()[a]
+        h = self.t.ravel()[b] - since
+        h[~((t >= 0) & np.isfinite(h))] = np.nan
+        s = (t - since) / h
+        rest = 1.0 - s
+        step = s * s * (1.0 + 2.0 * rest)
+        first, second = h * s * rest * rest, -h * s * s * rest
+        found = np.empty((len(self.u), *t.shape))
+        for to, u, rate in zip(found, self.u, self.rate, strict=True):
+            start = u.ravel()[a]
+            np.subtract(u.ravel()[b], start, out=to)
+            to *= step
+            to += start
+            to += first * rate.ravel()[a]
+            to += second * rate.ravel()[b]
         return found
