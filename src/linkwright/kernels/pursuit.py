@@ -24,8 +24,8 @@ from linkwright.structure import Cluster
 
 Array = NDArray[np.float64]
 
-MOST = 1 << 14
-"""Samples of which the paths are kept."""
+MOST = 1 << 12
+"""Samples of which the paths are held at once."""
 HELD = 1 << 14
 """Poses that are solved at once, few enough to stay in cache."""
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.failing import Failures, causes
-from linkwright.kernels.pursuit import Pursued, Pursuit
+from linkwright.kernels.pursuit import MOST, Pursued, Pursuit
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.supply import Supply
 from linkwright.kernels.turning import turns_of
@@ -230,5 +230,5 @@ def _kept(made: dict[Key, Made], key: Key, make: Callable[[], Made]) -> Made:
 
 def _chunks(samples: int, times: int) -> Iterator[slice]:
     """Some samples at a time."""
-    step = max(1, CHUNK // max(times, 1))
+    step = max(1, min(MOST, CHUNK // max(times, 1)))
     return (slice(first, first + step) for first in range(0, samples, step))
