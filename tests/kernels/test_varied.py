@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,8 +14,10 @@ import pytest
 from numpy.typing import NDArray
 
 from helpers.examples import four_bar
-from linkwright.kernels import KERNELS, Compiled, compile_mechanism, varied
+from linkwright.kernels import KERNELS, Compiled, compile_mechanism, paths, pursuit, varied
 from linkwright.kernels.passages import Passage, Passages
+from linkwright.kernels.paths import Paths
+from linkwright.kernels.pursuit import Pursued, Pursuit
 from linkwright.kernels.varied import Varied
 from linkwright.model.document import load, parse_document, plain, replaced
 from linkwright.model.findings import ModelError
@@ -266,6 +269,106 @@ def test_a_singular_pose_is_not_stepped_over() -> None:
         assert np.array_equal(np.isfinite(found), t < 0.4268)
 
 
+@contextmanager
+def without_paths(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Every sample is followed from pose to pose, from its start on."""
+    with monkeypatch.context() as patch:
+        patch.setattr(Paths, "extend", lambda self, to: None)
+        yield
+
+
+@pytest.mark.parametrize("kernel", ["numpy", "numba"])
+@pytest.mark.parametrize("share", [0.1, 0.3])
+@pytest.mark.parametrize(("made", "signals"), [(platform, ["plate.angle", "B3.x"]), (class_four, ["top.angle", "E.y"])])
+def test_poses_foretold_by_paths_are_those_followed_one_by_one(
+    made: Callable[[], Document], signals: list[str], share: float, kernel: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Over ranges so wide that up to half of the samples end on the way: figures, and where there are none."""
+    compiled, t = compile_mechanism(made()), np.linspace(0, 1, 361)
+    varied = Varied(compiled, list("rpqw"))
+    p = varied.parameters(spread(varied, share, samples=200, seed=7))
+    found, failures = varied.evaluate(signals, p, t, kernel=kernel), varied.failures(p, t, kernel)
+    own = varied.at(signals, p[:, :20], np.tile(t[::-3], (20, 1)), kernel=kernel)
+    with without_paths(monkeypatch):
+        expected = Varied(compiled, list("rpqw")).evaluate(signals, p, t)
+    assert np.array_equal(np.isnan(found), np.isnan(expected))
+    assert np.nanmax(np.abs(found - expected)) < 1e-11
+    assert np.array_equal(np.isnan(own), np.isnan(expected[:, :20, ::-3]))
+    assert np.nanmax(np.abs(own - expected[:, :20, ::-3])) < 1e-11
+    ends = np.where(np.isnan(expected[0]).any(axis=1), t[np.isnan(expected[0]).argmax(axis=1)], np.inf)
+    assert np.array_equal(failures.time, ends)
+
+
+def test_most_poses_are_not_followed_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Neither start poses nor paths hand a regular sample on."""
+    varied = Varied(compile_mechanism(class_four()), list("rpqw"))
+    p = varied.parameters(spread(varied, 0.1, samples=20))
+    handed: list[tuple[int, ...]] = []
+    reach = Pursuit.reach
+
+    def counted(self: Pursuit, place: Any, u: Array, now: Array, targets: Array, least: Array) -> Array:
+        handed.append(targets.shape)
+        return reach(self, place, u, now, targets, least)
+
+    monkeypatch.setattr(Pursuit, "reach", counted)
+    assert np.isfinite(varied.evaluate(["E.x"], p, np.linspace(0, 1, 361))).all()
+    assert handed == [(20, 1)]
+
+
+@pytest.mark.parametrize("shortest", [paths.SHORTEST, 2.0**-10])
+@pytest.mark.parametrize("exponent", [0.4, 2.0])
+def test_a_path_that_gives_up_is_followed_from_pose_to_pose(
+    exponent: float, shortest: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The crank turns back at t = 0.31, without a stop if the exponent is under 1, so that short steps are needed. The
+    same crank angles are met by a crank that runs on."""
+    top, data, signals = 0.31**exponent, plain(class_four()), ["E.x", "top.angle"]
+    position = f"{top} - abs(t/(1 s) - 0.31)^{exponent}"
+    data["drives"]["motor"] = {"turns": "crank", "on": "frame", "position": position}
+    back, on = (Varied(compile_mechanism(made), list("rpqw")) for made in (document(data), class_four()))
+    values, t = spread(back, 0.02), np.linspace(0, 0.6, 40)
+    handed: list[int] = []
+    along = Pursued._along
+    monkeypatch.setattr(paths, "SHORTEST", shortest)
+    monkeypatch.setattr(Pursued, "_along", lambda self, p, *rest: (handed.append(p.shape[1]), along(self, p, *rest))[1])
+    found = back.evaluate(signals, back.parameters(values), t)
+    assert handed == ([5] if exponent < 1 and shortest > 1e-6 else [])
+    met = np.tile((top - np.abs(t - 0.31) ** exponent) / (2 * np.pi), (5, 1))
+    expected = on.at(signals, on.parameters(values), np.maximum(met, 0))
+    assert np.abs(found - expected).max() < 1e-12
+
+
+def test_figures_of_a_pose_do_not_depend_on_the_times_before() -> None:
+    """Ranges of poses one after the other lay paths further, where all poses at once lay them in one go."""
+    varied, t = Varied(compile_mechanism(class_four()), list("rpqw")), np.linspace(0, 1, 61)
+    p = varied.parameters(spread(varied, 0.1))
+    whole = varied.evaluate(["E.x"], p, t)
+    other = Varied(varied.compiled, list("rpqw"))
+    parts = [other.evaluate(["E.x"], p, t[some]) for some in (slice(32, 45), slice(45, 61))]
+    assert np.array_equal(np.concatenate(parts, axis=2), whole[..., 32:])
+
+
+def test_paths_are_laid_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Parts of the samples, their own times and their failures use the paths that are there; doubles share one."""
+    monkeypatch.setattr(varied, "CHUNK", 200)
+    made = Varied(compile_mechanism(platform()), list("rpqw"))
+    p, t = made.parameters(spread(made, 0.1, samples=30)), np.linspace(0, 1, 61)
+    found = made.evaluate(["B3.x"], p, t)
+    bad = np.isnan(found[0]).any(axis=1)
+    with monkeypatch.context() as patch:
+        patch.setattr(Paths, "_advance", lambda *_: pytest.fail("a path is laid"))
+        patch.setattr(Pursued, "_started", lambda *_: pytest.fail("samples are started"))
+        assert np.isfinite(made.failures(p[:, bad], t).time).all()
+        some = np.array([3, 1, 3, 20])
+        own = np.array([0.9, 0.6, 1.0, 0.7])[:, None]
+        assert np.isfinite(made.at(["B3.x"], p[:, some], own)[0, ~bad[some]]).all()
+    fresh = Varied(made.compiled, list("rpqw"))
+    expected = np.concatenate(
+        [fresh.at(["B3.x"], p[:, [i]], at[None]) for i, at in zip(some, own, strict=True)], axis=1
+    )
+    assert np.array_equal(made.at(["B3.x"], p[:, some], own), expected, equal_nan=True)
+
+
 CUT = [
     (lambda: load(EXAMPLES / "four_bar.yaml"), ["a", "b"], ["P.x", "motor.torque"]),
     (sprung, [*SPRUNG_UNITS], ["motor.torque", "wound.angle"]),
@@ -316,17 +419,21 @@ def test_a_sample_does_not_depend_on_the_others(
     whole, whole_own = varied_.evaluate(signals, p, t, rates=True), varied_.at(signals, p, own)
     assert np.isfinite(whole).all(axis=(0, 2)).sum() > 5
 
-    def cut(some: slice) -> None:
-        assert np.array_equal(varied_.evaluate(signals, p[:, some], t, rates=True), whole[:, some], equal_nan=True)
-        assert np.array_equal(varied_.at(signals, p[:, some], own[some]), whole_own[:, some], equal_nan=True)
+    def cut(some: slice, of: Varied = varied_) -> None:
+        assert np.array_equal(of.evaluate(signals, p[:, some], t, rates=True), whole[:, some], equal_nan=True)
+        assert np.array_equal(of.at(signals, p[:, some], own[some]), whole_own[:, some], equal_nan=True)
 
     parts = [slice(0, 1), slice(12, 19), slice(3, 11), slice(18, 19)]
     for part in parts:
         cut(part)
+        cut(part, Varied(varied_.compiled, names))
     with ThreadPoolExecutor(3) as pool:
         list(pool.map(cut, parts * 2))
     monkeypatch.setattr(varied, "CHUNK", 100)
-    cut(slice(0, 19))
+    monkeypatch.setattr(pursuit, "HELD", 50)
+    cut(slice(0, 19), Varied(varied_.compiled, names))
+    monkeypatch.setattr(pursuit, "MOST", 2)
+    cut(slice(0, 19), Varied(varied_.compiled, names))
 
 
 def test_samples_that_cannot_be_assembled_are_told() -> None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,17 +18,16 @@ from numpy.typing import NDArray
 from linkwright.graph.graph import Graph
 from linkwright.kernels.follow import CLOSE, PATIENCE, Corrector
 from linkwright.kernels.newton import steps
+from linkwright.kernels.paths import NEAR, STRIDE, Paths, Place
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.structure import Cluster
 
 Array = NDArray[np.float64]
-Place = Callable[[NDArray[np.intp], Array], tuple[Array, Array]]
-"""Of some samples, each somewhere on its way: the inputs (inputs, samples) and parameters (parameters, samples)."""
 
-STRIDE = 0.5
-"""The most that a step may move a coordinate (rad, or lengths over the size)."""
-GRID = 128
-"""Poses of the grid from which samples go to times of their own."""
+MOST = 1 << 12
+"""Samples of which the paths are held at once."""
+HELD = 1 << 14
+"""Poses that are solved at once, few enough to stay in cache."""
 
 
 class _Joined(Corrector):
@@ -64,6 +64,23 @@ class Pursuit:
     def __init__(self, graph: Graph, clusters: tuple[Cluster, ...], size: float, kernel: str) -> None:
         self.joined = [_Joined(graph, cluster, size, kernel) for cluster in clusters]
         self.rows = [row for joined in self.joined for row in joined.rows]
+        self.scales = [pair for joined in self.joined for pair in zip(joined.scale, joined.slides, strict=True)]
+        rates = [f"rate{graph.inputs[row].removeprefix('u')}" for row in self.rows]
+        self.motion: Kernel = KERNELS[kernel](graph.program(rates))
+
+    def solve(self, x: Array, p: Array) -> Array:
+        """The coordinates, (coordinates, poses), by Newton from inputs in which starts stand; they replace these."""
+        for joined in self.joined:
+            x[joined.rows] = joined.solver.run(x, p)
+        return x[self.rows]
+
+    def moved(self, step: Array, u: Array) -> Array:
+        """The largest step of a pose's coordinates, as :meth:`Corrector.moved` has it: (...) of (coordinates, ...)."""
+        far = np.zeros(step.shape[1:])
+        for part, of, (scale, slides) in zip(np.abs(step), u, self.scales, strict=True):
+            part /= np.maximum(scale, np.abs(of)) if slides else scale
+            np.maximum(far, part, out=far)  # keeps NaN
+        return far
 
     def reach(self, place: Place, u: Array, now: Array, targets: Array, least: Array) -> Array:
         """The coordinates at ``targets`` (samples, targets), ascending, from ``u`` (coordinates, samples) at ``now``:
@@ -108,6 +125,26 @@ class Pursuit:
             u[:, todo[~good & (step[todo] < least[todo])]] = np.nan
 
 
+@dataclass
+class _Company:
+    """Samples with their coordinates at t = 0, their numbers by their parameters, and their paths of each span."""
+
+    pursuit: Pursuit
+    place: Place
+    start: Array
+    number: dict[bytes, int]
+    laid: dict[float, Paths] = field(default_factory=dict)
+
+    def paths(self, span: float, which: NDArray[np.intp], to: Array) -> Paths:
+        """The paths of a span, those of some samples laid as far as ``to``."""
+        if span not in self.laid:
+            self.laid[span] = Paths(self.pursuit, self.place, self.start, span)
+        ends = np.full(self.start.shape[1], -1.0)
+        np.maximum.at(ends, which, to)
+        self.laid[span].extend(ends)
+        return self.laid[span]
+
+
 class Pursued:
     """The coordinates of all clusters of many samples, from the nominal ``start`` pose and parameters on.
 
@@ -119,11 +156,75 @@ class Pursued:
         self.rows = pursuit.rows
         self.kept = threading.local()
 
-    def coordinates(self, p: Array, t: Array) -> Array:
-        """At times ``t`` (times,), from pose to pose, or (samples, times), from a grid: (coordinates, samples, times);
-        NaN from where a sample can't be followed, before the start, and at times that are no numbers."""
+    def coordinates(self, x: Array, p: Array, t: Array) -> Array:
+        """At times ``t`` (times,) or (samples, times): (coordinates, samples, times); NaN from where a sample can't be
+        followed, before the start, and at times that are no numbers. ``x`` (inputs, samples, times) has the drives'
+        rows.
+
+        Paths foretell the poses, and Newton solves them all at once. A sample in which it moves a pose further than
+        paths may be off, or doesn't get there, goes on from pose to pose.
+        """
         t = np.where(np.isfinite(t), t, -1.0)
-        return self._kept("poses", (p, t), lambda: self._along(p, t)) if t.ndim == 1 else self._from_grid(p, t)
+        key = p.tobytes(), t.tobytes()
+        if getattr(self.kept, "key", None) != key:
+            self.kept.poses = self._found(x, p, np.broadcast_to(t, (p.shape[1], t.shape[-1])))
+            self.kept.key = key
+        found: Array = self.kept.poses
+        return found
+
+    def _found(self, x: Array, p: Array, t: Array) -> Array:
+        """The same, from path to path."""
+        found = np.full((len(self.rows), *t.shape), np.nan)
+        lost = np.zeros(t.shape, dtype=bool)
+        company, index = self._company(p)
+        to = t.max(axis=1, initial=-1.0)
+        span = np.where(to > 0, np.exp2(np.ceil(np.log2(np.maximum(to, np.finfo(float).tiny)))), 0.0)
+        height = max(1, HELD // max(t.shape[1], 1))
+        for scale in np.unique(span[to >= 0]).tolist():
+            which = np.flatnonzero(span == scale)
+            paths = company.paths(scale, index[which], to[which])
+            for first in range(0, which.size, height):
+                some = which[first : first + height]
+                found[:, some], lost[some] = self._between(paths, index[some], x[:, some], p[:, some], t[some])
+            if (left := which[lost[which].any(axis=1)]).size:
+                since, u = paths.before(np.where(lost[left], t[left], np.inf).min(axis=1), index[left])
+                along = self._along(p[:, left], t[left], u, since)
+                found[:, left] = np.where(t[left] < since[:, None], found[:, left], along)
+        return found
+
+    def _between(
+        self, paths: Paths, some: NDArray[np.intp], x: Array, p: Array, t: Array
+    ) -> tuple[Array, NDArray[np.bool_]]:
+        """The coordinates of some samples at times ``t`` (samples, times), and which of them aren't sure."""
+        guess = paths.foretell(t, some)
+        x = x.reshape(len(x), -1)
+        x[self.rows] = guess.reshape(len(guess), -1)
+        found = self.pursuit.solve(x, np.repeat(p, t.shape[1], axis=1)).reshape(guess.shape)
+        far = self.pursuit.moved(found - guess, found)
+        return found, (t >= 0) & (t <= paths.end[some, None]) & ~(far < NEAR)
+
+    def gather(self, p: Array) -> None:
+        """Lay the paths of these samples together from now on, in this thread, though they be asked for in parts."""
+        if p.shape[1] <= MOST:
+            self._company(p)
+
+    def _company(self, p: Array) -> tuple[_Company, NDArray[np.intp]]:
+        """The samples that are kept in this thread, with their paths, and the numbers of those asked for among them."""
+        columns = [column.tobytes() for column in np.ascontiguousarray(p.T)]
+        company: _Company | None = getattr(self.kept, "company", None)
+        if company is None or not all(column in company.number for column in columns):
+            start = self._started(p)
+            number = {column: i for i, column in enumerate(columns)}
+            company = self.kept.company = _Company(self.pursuit, self._place(p.copy()), start, number)
+        return company, np.array([company.number[column] for column in columns], dtype=np.intp)
+
+    def _place(self, p: Array) -> Place:
+        """Samples at a time each."""
+
+        def place(which: NDArray[np.intp], t: Array) -> tuple[Array, Array]:
+            return self._inputs(p[:, which], t), p[:, which]
+
+        return place
 
     def _started(self, p: Array) -> Array:
         """At t = 0, by continuation in the parameters."""
@@ -142,43 +243,9 @@ class Pursued:
         """The inputs of samples at one time each."""
         return self.drives(p, t[:, None], (t.size, 1))[..., 0]
 
-    def _along(self, p: Array, t: Array) -> Array:
-        """From pose to pose; ``t`` is (times,) or (samples, times)."""
-        samples = p.shape[1]
-
-        def place(which: NDArray[np.intp], there: Array) -> tuple[Array, Array]:
-            return self._inputs(p[:, which], there), p[:, which]
-
-        order = np.argsort(t, axis=-1, kind="stable")
-        own = np.broadcast_to(np.take_along_axis(t, order, axis=-1), (samples, t.shape[-1]))
-        start = self._kept("start", (p,), lambda: self._started(p))
-        least = PATIENCE * own.max(axis=1, initial=0.0)
-        found = self.pursuit.reach(place, start, np.zeros(samples), own, least)
-        back = np.broadcast_to(np.argsort(order, axis=-1), own.shape)
-        return np.take_along_axis(found, back[None], axis=2)
-
-    def _from_grid(self, p: Array, t: Array) -> Array:
-        """From the poses of a grid, each sample's as long as its latest time asks for (rounded up to a power of 2)."""
-        samples, times = t.shape
-        to = t.max(axis=1, initial=0.0)
-        span = np.where(to > 0, np.exp2(np.ceil(np.log2(np.maximum(to, np.finfo(float).tiny)))), 0.0)
-        step = (span / GRID)[:, None]
-        laid = self._kept("grid", (p, span), lambda: self._along(p, step * np.arange(GRID + 1)))
-        k = np.clip(np.floor(np.maximum(t, 0.0) / np.maximum(step, np.finfo(float).tiny)), 0, GRID).astype(int)
-        u = np.take_along_axis(laid, k[None], axis=2).reshape(len(laid), -1)
-
-        def place(which: NDArray[np.intp], there: Array) -> tuple[Array, Array]:
-            own = p[:, which // times]
-            return self._inputs(own, there), own
-
-        least = PATIENCE * np.repeat(span, times)
-        found = self.pursuit.reach(place, u, (step * k).ravel(), t.reshape(-1, 1), least)
-        return found.reshape(-1, samples, times)
-
-    def _kept(self, name: str, about: tuple[Array, ...], make: Callable[[], Array]) -> Array:
-        """What was made last in this thread, where it was made of the same."""
-        key = tuple(array.tobytes() for array in about)
-        if getattr(self.kept, name, (None,))[0] != key:
-            setattr(self.kept, name, (key, make()))
-        found: Array = getattr(self.kept, name)[1]
-        return found
+    def _along(self, p: Array, t: Array, u: Array, since: Array) -> Array:
+        """From pose to pose, from coordinates ``u`` (coordinates, samples) at times ``since`` (samples,) on."""
+        order = np.argsort(t, axis=1, kind="stable")
+        least = PATIENCE * t.max(axis=1, initial=0.0)
+        found = self.pursuit.reach(self._place(p), u, since, np.take_along_axis(t, order, axis=1), least)
+        return np.take_along_axis(found, np.argsort(order, axis=1)[None], axis=2)

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.failing import Failures, causes
-from linkwright.kernels.pursuit import Pursued, Pursuit
+from linkwright.kernels.pursuit import MOST, Pursued, Pursuit
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.supply import Supply
 from linkwright.kernels.turning import turns_of
@@ -122,6 +122,7 @@ class Varied:
             labels = [cause.of.label for cause in self.causes if isinstance(cause.of, Group)]
             engine = self.kernel([f"reach:{label}" for label in labels], kernel=kernel) if labels else None
             used = frozenset(range(len(self.graph.motion_inputs)))
+            self._gather(p, used, kernel)
             for some in _chunks(p.shape[1], t.size):
                 x = self.inputs(p[:, some], t, used, kernel)
                 reach = dict(zip(labels, engine.over(x, p[:, some]), strict=True)) if engine else {}
@@ -145,6 +146,7 @@ class Varied:
         if t.ndim == 1 and not self._own(used):
             kernel.over(self._drives(p, t), p, out)
         else:
+            self._gather(p, used, kernel.name)
             for some in _chunks(samples, times):
                 x = self.inputs(p[:, some], t if t.ndim == 1 else t[some], used, kernel.name)
                 kernel.over(x, p[:, some], out[:, some])
@@ -162,9 +164,8 @@ class Varied:
         x = self._drives(p, t, (p.shape[1], t.shape[-1]))
         first = len(self.graph.motion_inputs)
         actions = any(row >= first for row in used)
-        if self.compiled.structure.clusters and (actions or any(row >= self.graph.first_unknown for row in used)):
-            pursued = _kept(self._pursued, kernel, lambda: self._pursuing(kernel))
-            x[pursued.rows] = pursued.coordinates(p, t)
+        if (pursued := self._pursuer(used, kernel)) is not None:
+            x[pursued.rows] = pursued.coordinates(x, p, t)
         if actions:
             self._supply(x, p, t, kernel)
         return x
@@ -182,6 +183,18 @@ class Varied:
         for i, group in enumerate(self.graph.branched, start=len(self.graph.drives) * width):
             x[i] = self.compiled.assembly.branches[group]
         return x
+
+    def _gather(self, p: Array, used: frozenset[int], kernel: str) -> None:
+        """Let what follows the clusters know all samples, where it is asked for some at a time."""
+        if (pursued := self._pursuer(used, kernel)) is not None:
+            pursued.gather(p)
+
+    def _pursuer(self, used: frozenset[int], kernel: str) -> Pursued | None:
+        """What follows the clusters with a kernel, where inputs that are ``used`` depend on them."""
+        clusters = self.compiled.structure.clusters
+        if not clusters or not any(row >= self.graph.first_unknown for row in used):
+            return None
+        return _kept(self._pursued, kernel, lambda: self._pursuing(kernel))
 
     def _pursuing(self, kernel: str) -> Pursued:
         """What follows the clusters with a kernel."""
@@ -217,5 +230,5 @@ def _kept(made: dict[Key, Made], key: Key, make: Callable[[], Made]) -> Made:
 
 def _chunks(samples: int, times: int) -> Iterator[slice]:
     """Some samples at a time."""
-    step = max(1, CHUNK // max(times, 1))
+    step = max(1, min(MOST, CHUNK // max(times, 1)))
     return (slice(first, first + step) for first in range(0, samples, step))
