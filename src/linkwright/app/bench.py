@@ -33,7 +33,8 @@ REPEATS = 7
 @dataclass(frozen=True)
 class KernelTimes:
     """A kernel's times. ``cold_s`` from the program to the figures of a first pose, with nothing kept; ``ns_per_pose``
-    the median of all poses on all threads, written to an array that is there; ``deviation`` the largest difference from
+    the median of all poses on all threads (of a kernel that gains nothing from several on
+    one), written to an array that is there; ``deviation`` the largest difference from
     the first kernel, over each output's largest magnitude."""
 
     cold_s: float
@@ -97,7 +98,7 @@ def bench(
             made = kernel(program)
             made.run(x[:, :1], compiled.parameters)
             cold = time.perf_counter() - start
-            warm = median(lambda made=made: spread(made, x, compiled.parameters, out, workers))  # type: ignore[misc]
+            warm = median(lambda made=made: spread(made, x, compiled.parameters, out, workers if made.scales else 1))  # type: ignore[misc]
         reference = out.copy() if reference is None else reference
         found[name] = KernelTimes(cold, 1e9 * warm / poses, len(names), _deviation(out, reference))
         fills.append(median(fill))

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from contextlib import closing
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +15,16 @@ from linkwright.model.mechanism import Document
 from linkwright.studies import Site, SweepOutcome
 
 
-def runner_of(workers: int | None = None, cluster: str | None = None) -> Runner:
-    """Threads of this process, so many of them, or the workers of a Dask cluster by its address."""
-    return RUNNERS["threads"](workers) if cluster is None else RUNNERS["cluster"](cluster)  # type: ignore[call-arg]
+@contextmanager
+def runner_of(workers: int | None = None, cluster: str | None = None) -> Iterator[Runner | None]:
+    """Threads of this process, so many of them, or the workers of a Dask cluster by its address; else the study's own
+    choice."""
+    if cluster is None and workers is None:
+        yield None
+        return
+    runner: Runner = RUNNERS["threads"](workers) if cluster is None else RUNNERS["cluster"](cluster)  # type: ignore[call-arg]
+    with closing(runner):
+        yield runner
 
 
 def examine_sweep(path: Path, kernel: str | None = None) -> Examined:
@@ -65,7 +72,7 @@ def sweep(
     examined = examine_document(_with(document, given), tables, only="sweep")
     raise_errors(examined.findings)
     target = Path(out) if out is not None else None
-    with closing(runner_of(workers, cluster)) as runner:
+    with runner_of(workers, cluster) as runner:
         job = perform(examined, Site(out=target, runner=runner, fresh=fresh))
     raise_errors(examined.findings)
     if target is not None:

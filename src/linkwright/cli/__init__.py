@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import sys
 from collections.abc import Callable
-from contextlib import closing
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -145,7 +144,7 @@ def sweep(
 
     examined = app.examine_sweep(file, kernel)
     folder = out or _beside(file)
-    with closing(app.runner_of(workers, cluster)) as runner, show.working(file, "sweep", quiet=as_json) as progress:
+    with app.runner_of(workers, cluster) as runner, show.working(file, "sweep", quiet=as_json) as progress:
         job = app.perform(examined, Site(out=folder, runner=runner, progress=progress, fresh=fresh))
         if job.sweep is not None:
             _writing(folder, job, netcdf)

@@ -33,6 +33,7 @@ class NumbaKernel:
     for, which takes seconds, or loaded from the cache."""
 
     name: ClassVar[str] = "numba"
+    scales: ClassVar[bool] = True
 
     def __init__(self, program: Program) -> None:
         required("numba", "fast")

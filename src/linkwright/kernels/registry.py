@@ -22,6 +22,8 @@ class Kernel(Protocol):
     """
 
     name: ClassVar[str]
+    scales: ClassVar[bool]
+    """Whether several threads are sooner done than one."""
     program: Program
 
     def __init__(self, program: Program) -> None:

@@ -38,14 +38,14 @@ def stretches(poses: int, workers: int) -> list[slice]:
 
 
 def spread(kernel: Kernel, x: Array, p: Array, out: Array | None = None, workers: int = 0) -> Array:
-    """``kernel.run`` over inputs x (inputs, poses) on ``workers`` threads (0: as many as there are processors).
+    """``kernel.run`` over inputs x (inputs, poses) on ``workers`` threads (0: as many as are of use to the kernel).
 
     The figures are those of one thread, to the last bit.
     """
     poses = x.shape[1]
     if out is None:
         out = np.empty((len(kernel.program.outputs), poses))
-    parts = stretches(poses, workers or threads())
+    parts = stretches(poses, workers or (threads() if kernel.scales else 1))
 
     def one(part: slice) -> None:
         kernel.run(x[:, part], p if p.ndim == 1 else p[:, part], out[:, part])

@@ -17,8 +17,8 @@ class Site:
     """Around a study.
 
     ``document`` is the file, ``folder`` where its tables lie. Into ``out`` go files that are too large for memory, and
-    what an interrupted study needs to go on; ``fresh`` begins anew all the same. ``runner`` performs large work (the
-    threads of this process where there is none), ``progress`` is told how far it is.
+    what an interrupted study needs to go on; ``fresh`` begins anew all the same. ``runner`` performs large work (as
+    many threads of this process as are of use where there is none), ``progress`` is told how far it is.
     """
 
     document: Document | None = None

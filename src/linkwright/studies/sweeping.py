@@ -12,10 +12,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.blocks import UNIT, Carried, carry
+from linkwright.blocks import UNIT, Carried, Threads, carry
 from linkwright.blocks.runners import opened
 from linkwright.blocks.work import Arrays
-from linkwright.kernels import Compiled
+from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.choice import Choice, choose
 from linkwright.model.findings import Finding, ModelError
 from linkwright.results import Run
@@ -86,7 +86,8 @@ class SweepStudy:
             task = opened(work)
             assert isinstance(task, SweepTask)
         kept = Kept.begun(task, work.key, site)
-        result = carry(work, kept.sink, site.runner, site.progress)
+        runner = site.runner or Threads(None if KERNELS[choice.kernel].scales else 1)
+        result = carry(work, kept.sink, runner, site.progress)
         if result.error is not None:
             raise ModelError([result.error])
         if result.interrupted:
