@@ -22,4 +22,4 @@ def every() -> list[Any]:
 
 def examples(kernel: str) -> int:
     """How many random programs a kernel is tried on."""
-    return 30 if kernel in UNCOMPILED else 3
+    return 30 if kernel in UNCOMPILED else 2

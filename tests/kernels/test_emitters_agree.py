@@ -32,7 +32,8 @@ def names_of(compiled: Compiled) -> list[str]:
     asked = " ".join(str(measure) for measure in compiled.mechanism.measures.values())
     forces = [name for name in every if name.startswith("force(")]
     rates = [name for name in every if name.endswith((".torque", ".force", ".alpha"))]
-    return list(dict.fromkeys([*(name for name in every if name in asked), *forces[:4], *rates[:4]]))
+    measured = [name for name in every if name in asked]
+    return list(dict.fromkeys([*measured[:8], *forces[:2], *rates[:3]]))
 
 
 def case_of(compiled: Compiled, names: list[str], t: np.ndarray) -> Case:

@@ -40,10 +40,10 @@ _OPERATORS: dict[int, str] = {
     ca.OP_NEG: "-{0}", ca.OP_SQ: "{0} * {0}", ca.OP_TWICE: "2.0 * {0}", ca.OP_INV: "1.0 / {0}", ca.OP_ASSIGN: "{0}",
     ca.OP_SQRT: "math.sqrt({0})", ca.OP_FABS: "math.fabs({0})", ca.OP_FLOOR: "np.floor({0})",
     ca.OP_POW: "{0} ** {1}", ca.OP_CONSTPOW: "{0} ** {1}",
-    ca.OP_LT: "1.0 if {0} < {1} else 0.0", ca.OP_LE: "1.0 if {0} <= {1} else 0.0",
-    ca.OP_EQ: "1.0 if {0} == {1} else 0.0", ca.OP_NE: "1.0 if {0} != {1} else 0.0",
-    ca.OP_NOT: "1.0 if {0} == 0.0 else 0.0", ca.OP_AND: "1.0 if ({0} != 0.0) & ({1} != 0.0) else 0.0",
-    ca.OP_OR: "1.0 if ({0} != 0.0) | ({1} != 0.0) else 0.0", ca.OP_IF_ELSE_ZERO: "{1} if {0} != 0.0 else 0.0",
+    ca.OP_LT: "pick({0} < {1}, 1.0, 0.0)", ca.OP_LE: "pick({0} <= {1}, 1.0, 0.0)",
+    ca.OP_EQ: "pick({0} == {1}, 1.0, 0.0)", ca.OP_NE: "pick({0} != {1}, 1.0, 0.0)",
+    ca.OP_NOT: "pick({0} == 0.0, 1.0, 0.0)", ca.OP_AND: "pick(({0} != 0.0) & ({1} != 0.0), 1.0, 0.0)",
+    ca.OP_OR: "pick(({0} != 0.0) | ({1} != 0.0), 1.0, 0.0)", ca.OP_IF_ELSE_ZERO: "pick({0} != 0.0, {1}, 0.0)",
 }  # fmt: skip
 _CALLS: dict[int, str] = {
     ca.OP_SIN: "sin", ca.OP_COS: "cos", ca.OP_TAN: "tan", ca.OP_ASIN: "asin", ca.OP_ACOS: "acos", ca.OP_ATAN: "atan",
@@ -142,7 +142,7 @@ class Source:
                 moved=(state + 1) * self.lanes,
                 closure="\n        ".join(f"{name}(w, c)" for name in closure) or "pass",
                 step="\n            ".join(_step(stage, rows, misses, state, self.lanes)),
-                lost="\n        ".join(f"w[{row} + i] = w[{row} + i] if solved else nan" for row in rows),
+                lost="\n        ".join(f"w[{row} + i] = pick(solved, w[{row} + i], nan)" for row in rows),
                 steps=MOST_STEPS,
                 solved=SOLVED,
                 accepted=ACCEPTED,
@@ -301,8 +301,8 @@ def _step(stage: NewtonStage, rows: Sequence[int], misses: int, closed: int, lan
         for r in range(k + 1, n):
             lines.append(f"less = math.fabs(a{k}_{k}) < math.fabs(a{r}_{k})")
             for q in range(k, n + 1):
-                lines.append(f"high = a{r}_{q} if less else a{k}_{q}")
-                lines.append(f"a{r}_{q} = a{k}_{q} if less else a{r}_{q}")
+                lines.append(f"high = pick(less, a{r}_{q}, a{k}_{q})")
+                lines.append(f"a{r}_{q} = pick(less, a{k}_{q}, a{r}_{q})")
                 lines.append(f"a{k}_{q} = high")
         for r in range(k + 1, n):
             lines.append(f"f = a{r}_{k} / a{k}_{k}")
@@ -315,10 +315,10 @@ def _step(stage: NewtonStage, rows: Sequence[int], misses: int, closed: int, lan
     lines.append("moved = 0.0")
     for k, (row, scale, slides) in enumerate(zip(rows, stage.scale, stage.sliding, strict=True)):
         lines.append(f"n{k} = u{k} - s{k}")
-        size = f"({scale} if math.fabs(n{k}) < {scale} else math.fabs(n{k}))" if slides else f"{scale}"
+        size = f"pick(math.fabs(n{k}) < {scale}, {scale}, math.fabs(n{k}))" if slides else f"{scale}"
         lines.append(f"share = math.fabs(s{k}) / {size}")
-        lines.append("moved = share if (share != share) | (share > moved) else moved")
-        lines.append(f"w[{row} + i] = n{k} if open else u{k}")
+        lines.append("moved = pick((share != share) | (share > moved), share, moved)")
+        lines.append(f"w[{row} + i] = pick(open, n{k}, u{k})")
     return lines
 
 
@@ -330,7 +330,7 @@ _HEAD = '''"""Written by linkwright; see linkwright.kernels.numba_source."""
 import math
 import numpy as np
 from numba import njit
-from linkwright.kernels.stream import WIDTH, fence, stream
+from linkwright.kernels.stream import WIDTH, fence, pick, stream
 
 CACHE = "CACHE" not in globals()
 LANES, ROWS, SCALARS = {lanes}, {width}, {scalars}
@@ -372,8 +372,8 @@ def {name}(w, c):
         {closure}
         for i in range(LANES):
             {step}
-            w[{moved} + i] = moved if open else w[{moved} + i]
-            w[{closed} + i] = 0.0 if open & (moved >= {solved}) else 1.0
+            w[{moved} + i] = pick(open, moved, w[{moved} + i])
+            w[{closed} + i] = pick(open & (moved >= {solved}), 0.0, 1.0)
         left = False
         for i in range(LANES):
             left |= w[{closed} + i] == 0.0

@@ -1,6 +1,7 @@
-"""Stores past the cache, for rows that are longer than it: they spare the memory one reading of what is overwritten.
+"""Machine instructions that Numba has no words for: stores past the cache, and selects.
 
-(Intel 64 and IA-32 Architectures Optimization Reference Manual, non-temporal stores.)
+Stores past the cache, for rows that are longer than it, spare the memory one reading of what is overwritten (Intel 64 and
+IA-32 Architectures Optimization Reference Manual, non-temporal stores).
 """
 
 from __future__ import annotations
@@ -43,3 +44,14 @@ def fence(typing: Any) -> Any:
         return context.get_dummy_value()
 
     return types.void(), write
+
+
+@intrinsic  # type: ignore[untyped-decorator]
+def pick(typing: Any, condition: Any, yes: Any, no: Any) -> Any:
+    """``yes if condition else no`` of numbers that are there already: no branch for the compiler to see through, which
+    is what takes it longest."""
+
+    def write(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        return builder.select(*args)
+
+    return types.float64(types.boolean, types.float64, types.float64), write
