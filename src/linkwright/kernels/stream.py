@@ -1,7 +1,7 @@
 """Machine instructions that Numba has no words for: stores past the cache, and selects.
 
-Stores past the cache, for rows that are longer than it, spare the memory one reading of what is overwritten (Intel 64 and
-IA-32 Architectures Optimization Reference Manual, non-temporal stores).
+Stores past the cache, for rows that are longer than it, spare the memory one reading of what is overwritten (Intel 64
+and IA-32 Architectures Optimization Reference Manual, non-temporal stores).
 """
 
 from __future__ import annotations
