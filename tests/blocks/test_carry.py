@@ -13,8 +13,9 @@ import pytest
 from blocks.works import CUT, REDUCTIONS, Noise, bits, folding, values
 from linkwright.blocks import Cluster, Cut, Folding, Threads, Together, carry
 from linkwright.blocks.carry import suited
-from linkwright.blocks.runners import RUNNERS, Runner, available, opened, register
+from linkwright.blocks.runners import RUNNERS, Runner, opened, register
 from linkwright.model.findings import Finding, ModelError
+from linkwright.model.machine import processors
 
 WORK = Noise()
 
@@ -209,7 +210,7 @@ def test_runners_by_name() -> None:
     assert {"threads": Threads, "cluster": Cluster} == RUNNERS
     with pytest.raises(ValueError, match="threads"):
         register(Threads)
-    assert Threads().workers == available() >= 1
+    assert Threads().workers == processors() >= 1
     with pytest.raises(ValueError, match="worker"):
         Threads(0)
 

@@ -14,9 +14,10 @@ import pytest
 
 from helpers.compiled import compiled_from
 from helpers.examples import feeder, four_bar
-from linkwright.kernels import KERNELS, Compiled, compile_mechanism, registry
+from linkwright.kernels import KERNELS, Compiled, compile_mechanism
 from linkwright.kernels.device import Reduction
 from linkwright.kernels.jax_kernel import JaxKernel
+from linkwright.model import machine
 from linkwright.model.document import load
 from linkwright.model.findings import ModelError
 
@@ -176,7 +177,7 @@ def test_without_jax_a_finding_says_what_to_install(monkeypatch: pytest.MonkeyPa
     def missing(name: str) -> Any:
         raise ImportError(name)
 
-    monkeypatch.setattr(registry, "import_module", missing)
+    monkeypatch.setattr(machine, "import_module", missing)
     program = compiled_from(feeder()).graph.program(["E.x"])
     with pytest.raises(ModelError) as caught:
         JaxKernel(program)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import builtins
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +10,7 @@ import pytest
 from scipy.io import netcdf_file
 
 import linkwright as lw
+from linkwright.model import machine
 from linkwright.results.netcdf import variable_name
 from studies.models import cycle_of, slider_crank
 
@@ -88,14 +88,10 @@ def test_an_old_file_stays_where_a_new_one_fails(result: lw.Result, tmp_path: Pa
 
 
 def test_without_xarray_a_finding_says_what_to_install(result: lw.Result, monkeypatch: pytest.MonkeyPatch) -> None:
-    real = builtins.__import__
+    def missing(name: str) -> Any:
+        raise ImportError(name)
 
-    def without(name: str, *args: Any, **kwargs: Any) -> Any:
-        if name == "xarray":
-            raise ImportError(name)
-        return real(name, *args, **kwargs)
-
-    monkeypatch.setattr(builtins, "__import__", without)
+    monkeypatch.setattr(machine, "import_module", missing)
     with pytest.raises(lw.ModelError) as caught:
         result.to_xarray()
     assert [f.code for f in caught.value.findings] == ["file.needs-package"]

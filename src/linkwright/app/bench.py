@@ -16,10 +16,11 @@ from numpy.typing import NDArray
 
 from linkwright.app.job import Examined
 from linkwright.kernels import KERNELS, Compiled
-from linkwright.kernels.spread import pool, spread, stretches, threads
+from linkwright.kernels.spread import pool, spread, stretches
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import ExpressionError
 from linkwright.model.findings import Finding, ModelError, raise_errors
+from linkwright.model.machine import processors
 from linkwright.model.signals import Signal
 from linkwright.studies.cycle import CycleOptions, span
 
@@ -77,7 +78,7 @@ def bench(
     moves. Raises :class:`ModelError` for a name that isn't a signal.
     """
     names = _signals(compiled, outputs) or default_outputs(compiled)
-    workers = workers or threads()
+    workers = workers or processors()
     poses = max(1, min(poses, MOST // (8 * len(names))))
     program = compiled.graph.program(names, solve=True)
     x = compiled.inputs(np.linspace(0.0, seconds, poses), starts=True)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections import OrderedDict, deque
 from collections.abc import Callable, Generator, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor, wait
@@ -10,6 +9,7 @@ from threading import Event, Lock
 from typing import Protocol
 
 from linkwright.blocks.work import Arrays, Task, Work
+from linkwright.model.machine import processors
 from linkwright.notation.registry import Registry
 
 AHEAD = 2
@@ -55,11 +55,6 @@ def register(cls: type[Runner]) -> type[Runner]:
     return cls
 
 
-def available() -> int:
-    """The processors that this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-
-
 def blocks(atoms: range, block: int) -> Iterator[range]:
     """Consecutive atoms, some at a time."""
     return (atoms[i : i + block] for i in range(0, len(atoms), block))
@@ -75,7 +70,7 @@ class Threads:
     def __init__(self, workers: int | None = None) -> None:
         if workers is not None and workers < 1:
             raise ValueError("there must be at least one worker")
-        self.workers = workers or available()
+        self.workers = workers or processors()
 
     def results(
         self, work: Work, task: Task, atoms: range, block: int, stop: Callable[[], bool]

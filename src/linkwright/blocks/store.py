@@ -18,9 +18,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwright.blocks.checkpoint import Checkpoint, unsaved
-from linkwright.blocks.packages import needed
 from linkwright.blocks.work import UNIT, Arrays, Cut
 from linkwright.model.findings import Finding, ModelError
+from linkwright.model.machine import needed
 
 _UNFIT = re.compile(r"[^\w.,@+()-]|^__")
 

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from linkwright.graph.program import Program
 from linkwright.kernels.jax_trace import outputs
-from linkwright.kernels.registry import register, required
+from linkwright.kernels.registry import register
+from linkwright.model.machine import needed
 
 Array = NDArray[np.float64]
 
@@ -38,7 +39,7 @@ class JaxKernel:
 
     def __init__(self, program: Program) -> None:
         self.program = program
-        self.jax = required("jax", "gpu")
+        self.jax = needed("jax", "gpu")
         platform = self.jax.default_backend()
         self.tile, self.options = TILES.get(platform, TILE), OPTIONS.get(platform)
         self.compiled = self.jit(self._stacked)

@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from linkwright.graph.program import Program
 from linkwright.kernels import code_cache
 from linkwright.kernels.numba_source import Source
-from linkwright.kernels.registry import flattened, register, required
+from linkwright.kernels.registry import flattened, register
+from linkwright.model.machine import needed
 
 Array = NDArray[np.float64]
 
@@ -36,7 +37,7 @@ class NumbaKernel:
     scales: ClassVar[bool] = True
 
     def __init__(self, program: Program) -> None:
-        required("numba", "fast")
+        needed("numba", "fast")
         self.program = program
         self._forms: dict[str, Any] = {}
 

@@ -102,11 +102,11 @@ class Source:
         steps: dict[str, list[str]] = {SCALAR: [], SHARED: [], OWN: []}
         for k, (stage, listing) in enumerate(zip(program.solves, listings, strict=True)):
             misses = self.rows.run((f"y{k}", i) for i in range(len(listing.outputs)))
-            made = self._functions(f"closure{k}_", listing, f"y{k}")
+            made = _Block(self, f"closure{k}_", listing, f"y{k}").write()
             steps[SCALAR] += made[SCALAR]
             steps[SHARED] += made[SHARED]
             steps[OWN].append(self._newton(k, stage, made[OWN], misses))
-        made = self._functions("block_", main, "out")
+        made = _Block(self, "block_", main, "out").write()
         for place, names in made.items():
             steps[place] += names
         self.text.append(self._entry(steps))
@@ -126,10 +126,6 @@ class Source:
             "\n\n".join([head, functions_text(sorted(self.calls), "@njit(forceinline=True, **FLAGS)"), *self.text])
             + "\n"
         )
-
-    def _functions(self, tag: str, listing: Listing, out: str) -> dict[str, list[str]]:
-        """Write the functions of a block; their names by place. Outputs go to the rows ``out``."""
-        return _Block(self, tag, listing, out).write()
 
     def _newton(self, k: int, stage: NewtonStage, closure: Sequence[str], misses: int) -> str:
         """Write the function that solves a stage in its rows; its name."""
@@ -172,7 +168,7 @@ class Source:
 
 
 class _Block:
-    """The functions of one block of expressions."""
+    """The functions of one block of expressions, whose outputs go to the rows ``out``."""
 
     def __init__(self, source: Source, tag: str, listing: Listing, out: str) -> None:
         self.source, self.tag, self.listing, self.out = source, tag, listing, out
@@ -207,6 +203,7 @@ class _Block:
             self.last[i] = max((order[place], n) for place, n in users)
 
     def write(self) -> dict[str, list[str]]:
+        """Write them; their names by place."""
         made: dict[str, list[str]] = {}
         for rank, place in enumerate((SCALAR, SHARED, OWN)):
             made[place] = []

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import Any, ClassVar, Protocol
+from typing import ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.program import Program
-from linkwright.model.findings import Finding, ModelError
 from linkwright.notation.registry import Registry
 
 Array = NDArray[np.float64]
@@ -49,15 +47,6 @@ def register(cls: type[Kernel]) -> type[Kernel]:
     """Register a kernel under its name; a second one of the same name is an error."""
     KERNELS[cls.name] = cls
     return cls
-
-
-def required(package: str, extra: str) -> Any:
-    """A package that only some kernels need, imported; ``extra`` is what brings it."""
-    try:
-        return import_module(package)
-    except ImportError:
-        data = {"package": package, "extra": extra}
-        raise ModelError([Finding("file.needs-package", (), data)]) from None
 
 
 def flattened(kernel: Kernel, x: Array, p: Array, out: Array, block: int) -> Array:

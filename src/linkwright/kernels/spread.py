@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 
@@ -10,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.kernels.registry import Kernel
+from linkwright.model.machine import processors
 
 Array = NDArray[np.float64]
 
@@ -17,11 +17,6 @@ FEWEST = 1 << 13
 """Fewer poses than this a thread cost more than they spare."""
 EVEN = 64
 """Stretches begin at multiples of so many poses, so that rows stay aligned."""
-
-
-def threads() -> int:
-    """The processors that this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 @cache
@@ -45,7 +40,7 @@ def spread(kernel: Kernel, x: Array, p: Array, out: Array | None = None, workers
     poses = x.shape[1]
     if out is None:
         out = np.empty((len(kernel.program.outputs), poses))
-    parts = stretches(poses, workers or (threads() if kernel.scales else 1))
+    parts = stretches(poses, workers or (processors() if kernel.scales else 1))
 
     def one(part: slice) -> None:
         kernel.run(x[:, part], p if p.ndim == 1 else p[:, part], out[:, part])

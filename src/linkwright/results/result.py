@@ -19,6 +19,7 @@ from linkwright.model.dimensions import DimensionError
 from linkwright.model.document import write_aside
 from linkwright.model.expressions import Call, ExpressionError, Name, parse
 from linkwright.model.findings import Finding, ModelError
+from linkwright.model.machine import needed
 from linkwright.model.units import PURE, Dimension
 from linkwright.results.certificate import Certificate
 from linkwright.results.run import Run
@@ -138,11 +139,7 @@ class Result:
 
         Raises :class:`ModelError` where xarray isn't installed.
         """
-        try:
-            import xarray
-        except ImportError:
-            data = {"package": "xarray", "extra": "xarray"}
-            raise ModelError([Finding("file.needs-package", (), data)]) from None
+        xarray = needed("xarray", "xarray")
         variables = {}
         for name in (*self.names, *more):
             values, unit = self.si(name)

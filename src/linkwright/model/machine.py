@@ -1,7 +1,8 @@
-"""Packages that only some work needs: imported where it does."""
+"""What the machine has: packages that only some work needs, imported where it does; processors."""
 
 from __future__ import annotations
 
+import os
 from importlib import import_module
 from typing import Any
 
@@ -14,3 +15,8 @@ def needed(package: str, extra: str) -> Any:
         return import_module(package)
     except ImportError:
         raise ModelError([Finding("file.needs-package", (), {"package": package, "extra": extra})]) from None
+
+
+def processors() -> int:
+    """The processors that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
