@@ -633,7 +633,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     # Of sweeps.
     "study.needs-cycle": (
-        "A sweep looks at the motion of the file's cycle, and there is none.",
+        "The study {study} looks at the motion of the file's cycle, and there is none.",
         "Add one beside it, for example cycle: {{turns: 1 motor, samples: 360}}.",
     ),
     "study.one-value": (

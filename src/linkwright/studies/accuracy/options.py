@@ -1,0 +1,23 @@
+"""The options of the accuracy study."""
+
+from __future__ import annotations
+
+from pydantic import Field
+
+from linkwright.kernels.registry import KERNELS
+from linkwright.studies.asked import Asked, one_of
+
+PlanName = one_of("accuracy", "plan", ["random", "latin", "sobol"])
+KernelName = one_of("accuracy", "kernel", ["auto", *KERNELS])
+
+
+class AccuracyOptions(Asked):
+    """Which outputs, what deviates and how, and what is asked of it."""
+
+    study = "accuracy"
+
+    # The random samples.
+    samples: int = Field(10_000, ge=0, le=10**9, description="random samples; 0 for none")
+    plan: PlanName = Field("random", description="how samples are chosen")  # type: ignore[valid-type]
+    seed: int = Field(0, ge=0, le=2**63, description="another seed gives other samples")
+    kernel: KernelName = Field("auto", description="what computes it: chosen by the size of the work, or one by name")  # type: ignore[valid-type]

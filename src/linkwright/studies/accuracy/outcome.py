@@ -1,0 +1,192 @@
+"""What the accuracy study gives, in SI."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.kernels import Compiled
+from linkwright.model.findings import Finding
+from linkwright.model.units import Dimension
+from linkwright.results import Run
+from linkwright.studies.accuracy.contributors import Contributors
+from linkwright.studies.figures import Column
+
+if TYPE_CHECKING:
+    from linkwright.studies.accuracy.options import AccuracyOptions
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Searched:
+    """The worst case found by evaluating the mechanism itself: deviations of the figure from the nominal one.
+
+    ``low_at`` and ``high_at`` (contributors,) are the deviations at which it was found; ``off`` is how far the linear
+    one is away, over its width. ``proven`` where it can't be exceeded, else it is a lower bound.
+    """
+
+    low: float
+    high: float
+    low_at: Array
+    high_at: Array
+    off: float
+    proven: bool
+
+
+@dataclass(frozen=True)
+class MonteCarlo:
+    """A figure over random samples. ``interval`` holds ``coverage`` of the samples; ``mean_interval`` and
+    ``sigma_interval`` hold mean and standard deviation of all that might be made, with ``confidence``.
+
+    ``convergence`` has rows (samples, mean, sigma) as the number of samples grows. ``edges`` and ``counts`` are the
+    histogram. ``failed`` samples can't be assembled or followed: they are in no other figure.
+    """
+
+    samples: int
+    failed: int
+    mean: float
+    sigma: float
+    least: float
+    largest: float
+    interval: tuple[float, float]
+    mean_interval: tuple[float, float]
+    sigma_interval: tuple[float, float]
+    convergence: Array
+    edges: Array
+    counts: NDArray[np.int64]
+    coverage: float = 0.9973
+    confidence: float = 0.95
+
+
+@dataclass(frozen=True)
+class PlayEffect:
+    """What the clearances do to a figure: ``shift`` with each joint resting where its reaction presses it, ``bound``
+    (half width) over all directions of all joints; both by joint in ``shifts`` and ``bounds``."""
+
+    shift: float
+    bound: float
+    shifts: dict[str, float]
+    bounds: dict[str, float]
+
+
+@dataclass
+class Figure:
+    """One figure and what deviations do to it.
+
+    ``coefficients`` (contributors, 2) are its derivatives by each deviation, below and above the nominal value; they
+    differ only in a ``tie``, where two places have the same extreme value. ``time`` (s) is where it happens, ``None``
+    where it has no single place. ``differences`` says that they come from differences and not from the graph.
+    ``worst`` are the least and largest deviation of the figure, linear; ``mean`` and ``sigma`` its linear mean
+    deviation and standard deviation (RSS); ``shares`` (contributors,) are those of each in sigma squared.
+    """
+
+    column: Column
+    nominal: float
+    time: float | None
+    coefficients: Array
+    tie: bool = False
+    differences: bool = False
+    worst: tuple[float, float] = (0.0, 0.0)
+    mean: float = 0.0
+    sigma: float = 0.0
+    shares: Array = field(default_factory=lambda: np.empty(0))
+    searched: Searched | None = None
+    monte_carlo: MonteCarlo | None = None
+    play: PlayEffect | None = None
+
+    @property
+    def name(self) -> str:
+        """How it is called."""
+        return self.column.name
+
+    @property
+    def half(self) -> float:
+        """Half the width of the linear worst case."""
+        return (self.worst[1] - self.worst[0]) / 2
+
+
+@dataclass
+class Curve:
+    """A signal over the run: ``nominal`` (poses,), ``coefficients`` (contributors, poses), the linear worst case
+    ``worst`` (2, poses), ``mean`` and ``sigma`` (poses,) of the deviation; all deviations from the nominal value.
+
+    ``sampled`` are mean deviation and standard deviation over the random samples, least and largest deviation, and how
+    many have a value: (5, poses). ``play`` (2, poses) are shift and bound by the clearances. ``widest`` is the index of
+    the pose with the widest worst case, ``figure`` the figure there, ``positions`` those at the named positions.
+    """
+
+    text: str
+    dimension: Dimension
+    unit: str
+    size: float
+    t: Array
+    nominal: Array
+    coefficients: Array
+    worst: Array
+    mean: Array
+    sigma: Array
+    widest: int
+    figure: Figure
+    positions: dict[str, Figure] = field(default_factory=dict)
+    sampled: Array | None = None
+    play: Array | None = None
+
+
+@dataclass(frozen=True)
+class JointPlay:
+    """A joint with clearance over the run: magnitude of its ``reaction`` (N) at each pose ``t`` (s), displacement
+    ``shift`` (2, poses) of the second link from the first in the frame (m) (of a guide: normal offset (m) and tilt
+    (rad)), and the spans of time in which contact may be ``lost``, each with its cause (a key of the words)."""
+
+    joint: str
+    links: tuple[str, str]
+    clearance: float
+    t: Array
+    reaction: Array
+    shift: Array
+    lost: tuple[tuple[float, float, str], ...] = ()
+
+
+@dataclass
+class AccuracyOutcome:
+    """The accuracy of a mechanism: ``figures`` of measures by name, ``curves`` of signals by their text."""
+
+    compiled: Compiled
+    options: AccuracyOptions
+    run: Run
+    contributors: Contributors
+    figures: dict[str, Figure] = field(default_factory=dict)
+    curves: dict[str, Curve] = field(default_factory=dict)
+    joints: list[JointPlay] = field(default_factory=list)
+    allocation: Any = None
+    calibration: Any = None
+    kernel: str = ""
+    samples: int = 0
+    failed: int = 0
+    state: tuple[Path, ...] = ()
+    failures: list[Finding] = field(default_factory=list)
+    warnings: list[Finding] = field(default_factory=list)
+
+    @property
+    def done(self) -> bool:
+        """Whether the nominal motion could be followed."""
+        return not self.failures
+
+    @property
+    def every(self) -> dict[str, Figure]:
+        """All figures by name: those of measures, those of signals at the widest pose, those at named positions."""
+        found = dict(self.figures)
+        for text, curve in self.curves.items():
+            found[text] = curve.figure
+            found |= {figure.name: figure for figure in curve.positions.values()}
+        return found
+
+    def settle(self) -> None:
+        """Remove the files from which an interrupted study goes on: all that came out is written."""
+        for path in self.state:
+            path.unlink(missing_ok=True)

@@ -1,0 +1,120 @@
+"""What studies of many samples share in their options: the span of the file's cycle, and the outputs wanted."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Annotated, Any, ClassVar, Self
+
+from pydantic import BeforeValidator, Field, PrivateAttr, ValidationInfo, WithJsonSchema, model_validator
+
+from linkwright.kernels import Compiled
+from linkwright.model import units as u
+from linkwright.model.dimensions import DimensionError
+from linkwright.model.expressions import Call, Name, is_signal, nodes
+from linkwright.model.fields import Expression, Frozen, fault
+from linkwright.model.findings import Finding
+from linkwright.model.names import Names
+from linkwright.model.places import Place, Scope
+from linkwright.model.sampled import dependent
+from linkwright.model.unknown import near
+from linkwright.studies.cycle import TURNS, CycleOptions, beside, span
+
+
+def one_of(study: str, key: str, known: Sequence[str]) -> Any:
+    """The type of an option that is one of some words."""
+
+    def check(raw: Any) -> str:
+        if raw not in known:
+            raise fault("study.choice", study=study, key=key, given=str(raw)[:40], known=", ".join(known))
+        return str(raw)
+
+    return Annotated[str, BeforeValidator(check), WithJsonSchema({"type": "string", "enum": [*known]})]
+
+
+class Asked(Frozen):
+    """The outputs that are wanted of each sample, over the run of the file's cycle."""
+
+    study: ClassVar[str]
+
+    poses: int | None = Field(
+        None, ge=1, le=100_000, description="equal steps at whose ends signals are taken; the cycle's by default"
+    )
+    outputs: tuple[Expression, ...] | None = Field(
+        None, min_length=1, max_length=1000, description="measures by name, signals, expressions; else all measures"
+    )
+    histogram: int = Field(40, ge=2, le=1000, description="bins of the histogram of a measure")
+    _cycle: CycleOptions | None = PrivateAttr(None)
+
+    @model_validator(mode="after")
+    def _beside(self, info: ValidationInfo) -> Self:
+        """The span comes from the file's cycle."""
+        if "cycle" not in (info.context or {}):
+            raise fault("study.needs-cycle", study=self.study)
+        self._cycle = beside(info)
+        return self
+
+    @property
+    def cycle(self) -> CycleOptions:
+        """The options of the file's cycle."""
+        assert self._cycle is not None
+        return self._cycle
+
+    @property
+    def steps(self) -> int:
+        """The number of equal steps."""
+        return self.cycle.samples if self.poses is None else self.poses
+
+    def measures(self, compiled: Compiled) -> list[str]:
+        """The measures wanted, by name."""
+        known = compiled.mechanism.measures
+        if self.outputs is None:
+            return [*known]
+        return list(dict.fromkeys(output.text for output in self.outputs if output.text in known))
+
+    def signals(self, compiled: Compiled) -> list[Expression]:
+        """The signals and expressions wanted."""
+        known = compiled.mechanism.measures
+        texts = {output.text: output for output in self.outputs or () if output.text not in known}
+        return [*texts.values()]
+
+
+def check_outputs(compiled: Compiled, options: Asked) -> Iterator[Finding]:
+    """What is wrong with the outputs."""
+    quantities, known = compiled.quantities, compiled.mechanism.measures
+    names = Names(compiled.mechanism, quantities.signals)
+    if options.outputs is None and not known:
+        yield Finding("study.no-outputs", ("studies", options.study))
+    for i, output in enumerate(options.outputs or ()):
+        if output.text in known:
+            continue
+        path = ("studies", options.study, "outputs", i)
+        parts = [part for part in nodes(output.node) if isinstance(part, Name | Call)]
+        if not any(is_signal(part) for part in parts):
+            data = {"text": output.text[:60], "near": near(output.text, [*known])}
+            yield Finding("study.no-output", path, data)
+            continue
+        place = Place(path, output, u.PURE, Scope.SIGNALS)
+        wrong = [*names.unknown(place), *names.misplaced(place)]
+        yield from wrong
+        if not wrong:
+            try:
+                quantities.dimensions.bind(output.node, None)
+            except DimensionError as error:
+                yield Finding(error.key, path, quantities.spelt(error.data))
+
+
+def check_span(compiled: Compiled, options: Asked, varied: frozenset[str], at: str) -> Iterator[Finding]:
+    """The run is as long for all samples, so no parameter that is ``varied`` may change that; ``at`` is the option
+    that names these."""
+    cycle, m = options.cycle, compiled.mechanism
+    length = cycle.period if cycle.period is not None else cycle.duration
+    if cycle.turns is not None and (match := TURNS.match(cycle.turns)) and match[2] in m.drives:
+        length = m.drives[match[2]].speed
+    if findings := span(compiled, cycle)[1]:
+        yield from findings
+        return
+    assert length is not None
+    varying = dependent(compiled.quantities, varied)
+    for node in nodes(length.node):
+        if isinstance(node, Name) and node.text in varying:
+            yield Finding("study.varied-span", ("studies", options.study, at), {"name": node.text})
