@@ -25,9 +25,7 @@ class Tangents:
     """Derivatives along ``directions`` (parameters, n) in parameter space, SI, and by the ``plays`` of joints (see
     :class:`linkwright.graph.geometry.Geometry`), which count as further directions; at the nominal parameters."""
 
-    def __init__(
-        self, compiled: Compiled, directions: Array, plays: Sequence[str] = (), kernel: str = "numpy"
-    ) -> None:
+    def __init__(self, compiled: Compiled, directions: Array, plays: Sequence[str] = (), kernel: str = "numpy") -> None:
         self.compiled, self.graph, self.plays, self.kernel = compiled, compiled.graph, tuple(plays), kernel
         parameters, many = directions.shape
         self.count = many + len(plays)
