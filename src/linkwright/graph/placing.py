@@ -59,5 +59,5 @@ def inner_joint(motion: Motion, connection: Connection, links: tuple[str, str]) 
     geometry, joint = motion.geometry, connection.joint
     if connection.letter == "R":
         pin = motion.structure.topology.pins[joint]
-        return InnerPin(*(geometry.pivot(joint, link, pin.point(link)) for link in links))
+        return InnerPin(geometry.pivot(joint, a, pin.point(a)), geometry.pivot(joint, b, pin.point(b)))
     return InnerLine(*geometry.seat(joint, a)[:2], *geometry.seat(joint, b)[:2])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from itertools import chain
+from copy import copy
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from linkwright.graph.tangent import tangent
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.registry import KERNELS, Kernel
-from linkwright.model.sampled import names_in
+from linkwright.kernels.varied import Varied
 from linkwright.notation import Jet
 from linkwright.notation.duals import Dual, slope_of
 
@@ -23,24 +23,39 @@ MOST = 1 << 18
 
 class Tangents:
     """Derivatives along ``directions`` (parameters, n) in parameter space, SI, and by the ``plays`` of joints (see
-    :class:`linkwright.graph.geometry.Geometry`), which count as further directions; at the nominal parameters."""
+    :class:`linkwright.graph.geometry.Geometry`), which count as further directions; at the nominal parameters, or by
+    :meth:`moved` at others."""
 
     def __init__(self, compiled: Compiled, directions: Array, plays: Sequence[str] = (), kernel: str = "numpy") -> None:
         self.compiled, self.graph, self.plays, self.kernel = compiled, compiled.graph, tuple(plays), kernel
         parameters, many = directions.shape
         self.count = many + len(plays)
-        nominal = np.repeat(compiled.parameters[:, None], self.count, axis=1)
+        self.parameters = compiled.parameters
+        self._varied: Varied | None = None
         along = np.zeros((parameters + len(plays), self.count))
         along[:parameters, :many], along[parameters:, many:] = directions, np.eye(len(plays))
         self.along = along[:parameters]
-        self.p = np.concatenate([nominal, along])
+        self.p = self._with(along)
         self._kernels: dict[tuple[tuple[str, ...], bool], Kernel] = {}
+
+    def _with(self, along: Array) -> Array:
+        """The parameters with each direction: (2 parameters + plays, directions)."""
+        return np.concatenate([np.repeat(self.parameters[:, None], self.count, axis=1), along])
+
+    def moved(self, parameters: Array) -> Tangents:
+        """The same at other parameters (parameters,), as :meth:`Varied.parameters` gives them; branches stay."""
+        other = copy(self)
+        names = [
+            n for n, a, b in zip(self.graph.parameters, parameters, self.compiled.parameters, strict=True) if a != b
+        ]
+        other.parameters, other._varied = parameters, Varied(self.compiled, names)
+        other.p = other._with(self.p[len(parameters) :])
+        return other
 
     def given(self) -> dict[str, float | Dual]:
         """All parameters by name, those that some direction changes with their slopes: (directions, 1)."""
-        values = self.compiled.quantities.parameters
-        slopes = dict(zip(self.graph.parameters, self.along, strict=True))
-        return {n: Dual(v, slopes[n][:, None]) if slopes[n].any() else v for n, v in values.items()}
+        rows = zip(self.graph.parameters, self.parameters.tolist(), self.along, strict=True)
+        return {name: Dual(value, slopes[:, None]) if slopes.any() else value for name, value, slopes in rows}
 
     def evaluate(self, names: Sequence[str], t: Array, rates: bool = False) -> tuple[Array, Array]:
         """Signals at times ``t`` (s) and their derivatives: (names, times) and (names, directions, times) in SI; with
@@ -71,7 +86,7 @@ class Tangents:
         """The inputs at times ``t`` and their tangents: (2 inputs, directions, times)."""
         graph, size = self.graph, len(self.graph.inputs)
         x = np.zeros((2 * size, self.count, t.size))
-        x[:size] = self.compiled.inputs(t)[:, None, :]
+        x[:size] = self._own_inputs(t)[:, None, :]
         given = self.given()
         for i, drive in enumerate(graph.drives):
             law = self.compiled.laws[drive]
@@ -81,6 +96,12 @@ class Tangents:
                     x[k] = slope_of(row)
         self._look_up(x)
         return x
+
+    def _own_inputs(self, t: Array) -> Array:
+        if self._varied is None:
+            return self.compiled.inputs(t)
+        every = frozenset(range(len(self.graph.inputs)))
+        return self._varied.inputs(self.parameters[:, None], t, every, self.kernel)[:, 0]
 
     def _look_up(self, x: Array) -> None:
         """Put the tangents of what tables answer into the inputs."""
@@ -94,13 +115,3 @@ class Tangents:
                 answers = ask(Jet([Dual(value, slope), Dual(rate, twist)])).d
                 for k, answer in enumerate(answers):
                     x[size + supply.rows[f"table/{i}/{k}"]] = slope_of(answer)
-
-
-def tabled(compiled: Compiled, names: frozenset[str]) -> dict[str, frozenset[str]]:
-    """The tables whose points depend on some parameters, with these: points are data and have no derivatives."""
-    found = {}
-    for name, table in compiled.mechanism.tables.items():
-        cells = [*chain.from_iterable(table.points or ()), *([table.period] if table.period else [])]
-        if held := {part for cell in cells for part in names_in(cell.node)} & names:
-            found[name] = frozenset(held)
-    return found

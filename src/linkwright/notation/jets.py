@@ -126,7 +126,7 @@ class Jet:
         if isinstance(power, np.ndarray):
             return self._powers(power)
         if not isinstance(power, int | float | np.number):
-            return (self.log() * power).exp()
+            return (self.log() * Jet.constant(power, self.order)).exp()
         if power == 0:
             return Jet.constant(1.0, self.order)
         if power == int(power) and 0 < power <= 4:
