@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
 from pydantic import Field
 
 from linkwright.kernels.registry import KERNELS
+from linkwright.model.fields import FrozenDict, Text
+from linkwright.model.fields import Name as NameField
+from linkwright.model.parts import freeze
 from linkwright.studies.asked import Asked, one_of
 
 PlanName = one_of("accuracy", "plan", ["random", "latin", "sobol"])
@@ -15,6 +20,13 @@ class AccuracyOptions(Asked):
     """Which outputs, what deviates and how, and what is asked of it."""
 
     study = "accuracy"
+
+    # Where it is looked.
+    positions: Annotated[dict[NameField, Text], freeze] = Field(
+        default_factory=FrozenDict,
+        description="named positions at which signals are looked at: 'max E.x', 'end of WINDOW', a time",
+        examples=[{"far": "max E.x", "out": "end of feed", "grip": "0.2 s"}],
+    )
 
     # The random samples.
     samples: int = Field(10_000, ge=0, le=10**9, description="random samples; 0 for none")

@@ -131,7 +131,7 @@ class Curve:
     mean: Array
     sigma: Array
     widest: int
-    figure: Figure
+    figure: Figure = field(init=False)
     positions: dict[str, Figure] = field(default_factory=dict)
     sampled: Array | None = None
     play: Array | None = None
