@@ -53,8 +53,7 @@ class AccuracyStudy:
         own, asked = _opened(placed.document, site)
         run = Run(own, 0.0, nominal.stop, nominal.steps)
         names = asked.measures(own)
-        varied = Varied(own, Shift(own, deviations).names)
-        every = figures(run, Slopes(run, deviations.directions), deviations, varied, names)
+        every = figures(run, Slopes(run, deviations.directions), deviations, names)
         outcome.warnings += [*skipped(compiled, options), *_valueless(names, every)]
         searched = search(evaluating(run, deviations, names), deviations, every, options.nonlinear)
         outcome.warnings += check_searched(searched)
