@@ -6,10 +6,10 @@ from linkwright.studies.limits import LimitsOptions, LimitsOutcome
 from linkwright.studies.measures import MeasureResult
 from linkwright.studies.modes import ModesOptions, ModesOutcome, find_modes
 from linkwright.studies.registry import STUDIES, Task, read_studies
+from linkwright.studies.sampling import Interrupted
 from linkwright.studies.site import NOWHERE, Site
 from linkwright.studies.sweep_options import SweepOptions
 from linkwright.studies.sweep_outcome import SweepOutcome
-from linkwright.studies.sweeping import Interrupted
 
 __all__ = [
     "NOWHERE",
