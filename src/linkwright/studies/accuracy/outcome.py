@@ -36,6 +36,8 @@ class Searched:
     high_at: Array
     off: float
     proven: bool
+    looked: int = 0
+    lost: int = 0
 
 
 @dataclass(frozen=True)
@@ -54,8 +56,8 @@ class MonteCarlo:
     least: float
     largest: float
     interval: tuple[float, float]
-    mean_interval: tuple[float, float]
-    sigma_interval: tuple[float, float]
+    mean_interval: tuple[float, float] | None
+    sigma_interval: tuple[float, float] | None
     convergence: Array
     edges: Array
     counts: NDArray[np.int64]
