@@ -30,13 +30,15 @@ TINY = 2.0**-54
 
 
 class Draws(Protocol):
-    """The samples of a study: values of the parameters called ``names``, by the plan called ``name``."""
+    """The samples of a study by a plan."""
 
-    name: ClassVar[str]
+    @property
+    def name(self) -> str:
+        """The plan's."""
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The parameters."""
+        """The parameters that they have values of."""
 
     @property
     def samples(self) -> int:
