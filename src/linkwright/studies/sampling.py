@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,11 +16,13 @@ from linkwright.kernels.choice import Choice, choose
 from linkwright.model.findings import Finding, ModelError
 from linkwright.results import Run
 from linkwright.studies.asked import Sampling
+from linkwright.studies.feasible import singular, unassembled
 from linkwright.studies.histograms import coarse, fine, histogram, reach
 from linkwright.studies.measures import bound
 from linkwright.studies.sample_kept import Kept, tabled
 from linkwright.studies.sample_work import SampleTask, SampleWork, table_files
 from linkwright.studies.site import Site
+from linkwright.studies.through import carried
 from linkwright.words import say
 
 Array = NDArray[np.float64]
@@ -90,6 +92,16 @@ class Performed:
             else:
                 data = {"count": int(count), "samples": plan.samples, "sample": sample}
                 yield Finding("study.no-value", ("studies", task.options.study), data)
+
+
+def refused(nominal: Run, options: Sampling, names: Iterable[str]) -> list[Finding]:
+    """Why nothing can be compared with the nominal motion: it can't be followed, or meets a change point. ``names`` are
+    what varies."""
+    found = unassembled(nominal) or singular(nominal)
+    if found and options.cycle.through == "keep":
+        path, data = ("studies", options.study), {"names": ", ".join(names)}
+        return carried(nominal)[1] or [Finding("varied.passage", path, data)]
+    return found
 
 
 def chosen(nominal: Run, options: Sampling) -> Choice:

@@ -15,16 +15,14 @@ from linkwright.kernels.choice import Choice
 from linkwright.model.findings import Finding
 from linkwright.results import Run
 from linkwright.studies.cycle import span
-from linkwright.studies.feasible import singular, unassembled
 from linkwright.studies.registry import register
 from linkwright.studies.sample_kept import store
 from linkwright.studies.sample_work import FINE
-from linkwright.studies.sampling import Performed, chosen, perform
+from linkwright.studies.sampling import Performed, chosen, perform, refused
 from linkwright.studies.shares import Share, wilson
 from linkwright.studies.site import Site
-from linkwright.studies.sweep_options import PATH, SweepOptions, check
+from linkwright.studies.sweep_options import SweepOptions, check
 from linkwright.studies.sweep_outcome import Statistics, SweepOutcome, Table, bands
-from linkwright.studies.through import carried
 
 
 @register
@@ -45,7 +43,7 @@ class SweepStudy:
         """
         nominal = Run(compiled, 0.0, span(compiled, options.cycle)[0], options.steps)
         choice = chosen(nominal, options)
-        if found := _refused(nominal, options):
+        if found := refused(nominal, options, options.vary):
             return SweepOutcome(
                 compiled, options, options.drawn(compiled), nominal, choice.kernel, choice.reason, failures=found
             )
@@ -53,15 +51,6 @@ class SweepStudy:
         outcome = _outcome(compiled, options, done, choice)
         outcome.poses, outcome.seconds, outcome.state = done.poses, done.seconds, tuple(done.kept.files)
         return outcome
-
-
-def _refused(nominal: Run, options: SweepOptions) -> list[Finding]:
-    """Why nothing can be compared with the nominal motion: it can't be followed, or meets a change point."""
-    found = unassembled(nominal) or singular(nominal)
-    if found and options.cycle.through == "keep":
-        names = ", ".join(options.vary)
-        return carried(nominal)[1] or [Finding("varied.passage", (*PATH, "vary"), {"names": names})]
-    return found
 
 
 def _outcome(compiled: Compiled, options: SweepOptions, done: Performed, choice: Choice) -> SweepOutcome:

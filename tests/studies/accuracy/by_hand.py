@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Mapping
-from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -16,6 +14,7 @@ import linkwright as lw
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.studies import STUDIES
+from linkwright.studies.accuracy import stated as module
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.options import AccuracyOptions
 
@@ -55,9 +54,7 @@ def stated(monkeypatch: pytest.MonkeyPatch, make: Callable[[Compiled], Contribut
     """Let every file state these contributors."""
     if "accuracy" not in STUDIES:
         monkeypatch.setitem(STUDIES, "accuracy", Stub())  # type: ignore[arg-type]
-    module = ModuleType("linkwright.studies.accuracy.stated")
-    module.contributors = lambda compiled, options: make(compiled)  # type: ignore[attr-defined]
-    monkeypatch.setitem(sys.modules, module.__name__, module)
+    monkeypatch.setattr(module, "contributors", lambda compiled, options: make(compiled))
 
 
 def options(document: lw.Document) -> AccuracyOptions:
