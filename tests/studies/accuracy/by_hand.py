@@ -13,8 +13,8 @@ from scipy import stats
 import linkwright as lw
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
-from linkwright.studies import STUDIES
 from linkwright.studies.accuracy import stated as module
+from linkwright.studies.accuracy import study  # noqa: F401  (registers itself)
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.options import AccuracyOptions
 
@@ -43,17 +43,8 @@ def contributors(compiled: Compiled, halves: Mapping[str, tuple[float, str]], co
     return Contributors(every, np.eye(len(every)) if correlation is None else np.array(correlation))
 
 
-class Stub:
-    """Stands for the study where that isn't registered."""
-
-    name = "accuracy"
-    options = AccuracyOptions
-
-
 def stated(monkeypatch: pytest.MonkeyPatch, make: Callable[[Compiled], Contributors]) -> None:
     """Let every file state these contributors."""
-    if "accuracy" not in STUDIES:
-        monkeypatch.setitem(STUDIES, "accuracy", Stub())  # type: ignore[arg-type]
     monkeypatch.setattr(module, "contributors", lambda compiled, options: make(compiled))
 
 
