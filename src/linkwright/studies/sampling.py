@@ -94,13 +94,13 @@ class Performed:
                 yield Finding("study.no-value", ("studies", task.options.study), data)
 
 
-def refused(nominal: Run, options: Sampling, names: Iterable[str], at: str) -> list[Finding]:
-    """Why nothing can be compared with the nominal motion: it can't be followed, or meets a change point. ``names``
-    would be varied, ``at`` is the option that says so."""
+def refused(nominal: Run, options: Sampling, names: Iterable[str]) -> list[Finding]:
+    """Why nothing can be compared with the nominal motion: it can't be followed, or meets a change point. ``names`` are
+    what varies."""
     found = unassembled(nominal) or singular(nominal)
     if found and options.cycle.through == "keep":
-        data = {"names": ", ".join(names)}
-        return carried(nominal)[1] or [Finding("varied.passage", ("studies", options.study, at), data)]
+        path, data = ("studies", options.study), {"names": ", ".join(names)}
+        return carried(nominal)[1] or [Finding("varied.passage", path, data)]
     return found
 
 

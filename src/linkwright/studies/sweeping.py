@@ -43,7 +43,7 @@ class SweepStudy:
         """
         nominal = Run(compiled, 0.0, span(compiled, options.cycle)[0], options.steps)
         choice = chosen(nominal, options)
-        if found := refused(nominal, options, options.vary, "vary"):
+        if found := refused(nominal, options, options.vary):
             return SweepOutcome(
                 compiled, options, options.drawn(compiled), nominal, choice.kernel, choice.reason, failures=found
             )

@@ -61,6 +61,6 @@ class AccuracyOptions(Sampling):
 
     def drawn(self, compiled: Compiled) -> Deviations:
         """The random samples of the deviations that the file states."""
-        from linkwright.studies.accuracy.stated import contributors
+        from linkwright.studies.accuracy.stated import contributors  # which looks at these options
 
         return Deviations(compiled, contributors(compiled, self), self.plan, self.samples, self.seed)

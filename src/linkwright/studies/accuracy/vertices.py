@@ -1,10 +1,11 @@
 """The worst case by evaluating the mechanism itself, where the linear one isn't to be trusted.
 
-First the two vertices of the tolerance box that the linear coefficients name. Where the figure there is off the linear
-worst case by more than a stated share of its width: all vertices, or where these are too many, from several of them the
-best flip of one or two coordinates until none helps; then steps inside the box, since the worst need not be at a
-vertex: a pattern search (Hooke and Jeeves, J. ACM 8 (1961) 212-229) from the best places, all coordinates tried at
-once. Places are evaluated many at a time, and what is found for one figure serves all of them.
+First the two vertices of the tolerance box that the linear coefficients name, and their neighbours by one coordinate.
+Where the figure at the two is off the linear worst case, or a neighbour beyond it, by more than a stated share of its
+width: all vertices, or where these are too many, from several of them the best flip of one or two coordinates until
+none helps; then steps inside the box, since the worst need not be at a vertex: a pattern search (Hooke and Jeeves, J.
+ACM 8 (1961) 212-229) from the best places, all coordinates tried at once. Places are evaluated many at a time, and what
+is found for one figure serves all of them.
 """
 
 from __future__ import annotations
@@ -33,7 +34,9 @@ INSIDE = 256
 """Places inside the box that are looked at before the search, and vertices where these are too many."""
 STARTS = 3
 """Places from which an extreme is searched."""
-PAIRS = 2048
+VERTICES = 5
+"""Those from which others are reached by flips."""
+PAIRS = 300
 """The most pairs of coordinates that are flipped together."""
 ROUNDS = 100
 """The most rounds of a search."""
@@ -99,6 +102,8 @@ class _Search:
         self.evaluate, self.figures = evaluate, figures
         self.low, self.width = contributors.low, contributors.high - contributors.low
         self.free = np.flatnonzero(self.width > 0)
+        self.nominal = np.zeros(self.low.size)  # or what comes next to it
+        self.nominal[self.free] = np.clip(-self.low[self.free] / self.width[self.free], 0, 1)
         self.random = np.random.default_rng(0)
         self.extremes = {name: (_Extreme(name, -1.0), _Extreme(name, 1.0)) for name in figures}
         self.looked = 0
@@ -107,10 +112,13 @@ class _Search:
     def found(self, share: float) -> dict[str, Searched]:
         """The worst case of each figure."""
         corners = {name: self.corners(figure) for name, figure in self.figures.items()}
-        first = self.look(np.concatenate([*corners.values()], axis=1))
+        every = np.concatenate([*corners.values()], axis=1)
+        flips = np.eye(len(every), dtype=bool)[:, self.free]
+        beside = np.where(flips[:, None], 1 - every[:, :, None], every[:, :, None]).reshape(len(every), -1)
+        first = self.look(np.concatenate([every, beside], axis=1))
         off = {}
-        for k, (name, figure) in enumerate(self.figures.items()):
-            off[name] = self.off(figure, first[name][2 * k : 2 * k + 2] - figure.nominal)
+        for k, name in enumerate(self.figures):
+            off[name] = self.off(name, first[name][2 * k : 2 * k + 2])
         wanted = [extreme for name, both in self.extremes.items() if off[name] > share for extreme in both]
         if wanted and self.free.size:
             inside = self.inside()
@@ -120,7 +128,7 @@ class _Search:
                 starts += self.best(wanted, vertices, self.look(vertices), 1)
             else:
                 some = np.concatenate([self.vertices(INSIDE), *corners.values()], axis=1)
-                starts += self.flipped([*self.best(wanted, some, self.look(some), STARTS)])
+                starts += self.flipped([*self.best(wanted, some, self.look(some), VERTICES)])
             self.climb(starts)
         return {name: self.searched(name, off[name]) for name in self.figures}
 
@@ -143,15 +151,21 @@ class _Search:
     # Places, in shares of the box: (contributors, places).
 
     def corners(self, figure: Figure) -> Array:
-        """Where the linear figure is least and largest."""
-        ends = np.stack([self.low, self.low + self.width])
+        """Where the linear figure is least and largest; in a tie that may be the nominal place of a coordinate."""
+        places = np.stack([np.zeros(self.low.size), self.nominal, np.ones(self.low.size)])
+        ends = self.low + self.width * places
         moved = np.where(ends < 0, figure.coefficients[:, 0], figure.coefficients[:, 1]) * ends
-        return np.stack([moved.argmin(axis=0), moved.argmax(axis=0)], axis=1).astype(float)
+        found = np.stack([moved.argmin(axis=0), moved.argmax(axis=0)])
+        return np.take_along_axis(places, found, axis=0).T
 
-    def off(self, figure: Figure, found: Array) -> float:
-        """How far the linear worst case is off, over its width."""
+    def off(self, name: str, found: Array) -> float:
+        """How far the linear worst case is off where it should be, or passed elsewhere, over its width."""
+        figure, (low, high) = self.figures[name], self.extremes[name]
         width, nothing = figure.worst[1] - figure.worst[0], ROUND * abs(figure.nominal)
-        apart = float(np.abs(found - np.array(figure.worst)).max())  # NaN where it can't be assembled there
+        apart = float(
+            np.abs(found - figure.nominal - np.array(figure.worst)).max()
+        )  # NaN where it can't be assembled there
+        apart = float(np.max([apart, figure.worst[0] + low.value, high.value - figure.worst[1]]))
         if apart <= nothing:
             return 0.0
         return apart / width if np.isfinite(apart) and width > 0 else np.inf
@@ -165,12 +179,11 @@ class _Search:
         return places
 
     def inside(self) -> Array:
-        """The nominal place, or what comes next to it, the middle, and a Latin hypercube."""
+        """The nominal place, the middle, and a Latin hypercube."""
         n = self.low.size
         slices = np.stack([self.random.permutation(INSIDE) for _ in range(n)])
-        nominal = np.clip(np.divide(-self.low, self.width, where=self.width > 0, out=np.zeros(n)), 0, 1)
         hypercube = (slices + self.random.random((n, INSIDE))) / INSIDE
-        return np.concatenate([nominal[:, None], np.full((n, 1), 0.5), hypercube], axis=1)
+        return np.concatenate([self.nominal[:, None], np.full((n, 1), 0.5), hypercube], axis=1)
 
     def look(self, places: Array) -> dict[str, Array]:
         """Evaluate some places; extremes take what is better."""
