@@ -5,8 +5,9 @@
 2. K. L. Narayana, P. Kannaiah, K. Venkata Reddy, Machine Drawing, 3rd ed., New Age: table 15.1 (p. 213, standard
    tolerances), 15.2 (p. 216, shafts m to zc), 15.3 (p. 219 and 221, holes).
 
-The figures must agree exactly: both print the values of the standard itself. Source 2 prints 256 for U of 200 to 225 mm
-on p. 221, a misprint: the rule IT7 + D (its table 15.4) gives 258.1, and the standard has 258.
+The figures must agree exactly: both print the values of the standard itself. On p. 221 source 2 has
+two misprints, as the rules of its table 15.4 show: U of 200 to 225 mm (256; IT7 + D is 258.1, the standard has 258) and
+X of 355 to 400 mm (650; IT7 + 1.6 D is 659.9, the standard has 660).
 """
 
 from __future__ import annotations
@@ -34,28 +35,9 @@ R7 = """3 -10 -20, 6 -11 -23, 10 -13 -28, 18 -16 -34, 30 -20 -41, 50 -25 -50, 65
 
 # (1), table 7.
 SHAFTS = [
-    "a11",
-    "b8",
-    "b11",
-    "c11",
-    "d9",
-    "d10",
-    "d11",
-    "e7",
-    "e8",
-    "e9",
-    "f6",
-    "f7",
-    "f8",
-    "f9",
-    "g5",
-    "g6",
-    "g7",
-    "h4",
-    "h5",
-    "h6",
-    "h7",
-]
+    "a11", "b8", "b11", "c11", "d9", "d10", "d11", "e7", "e8", "e9", "f6", "f7", "f8", "f9", "g5", "g6", "g7",
+    "h4", "h5", "h6", "h7",
+]  # fmt: skip
 SHAFT_LIMITS = """
 3  -270 -140 -140 -60  -20 -20 -20 -14 -14 -14 -6  -6  -6  -6  -2 -2 -2 0 0 0 0
    -330 -154 -200 -120 -45 -60 -80 -24 -28 -39 -12 -16 -20 -31 -6 -8 -12 -3 -4 -6 -10
@@ -136,7 +118,7 @@ HOLE_DEVIATIONS = """
 280 94 158 218 315 385 475 580 710 920 1200 1550
 315 98 170 240 350 425 525 650 790 1000 1300 1700
 355 108 190 268 390 475 590 730 900 1150 1500 1900
-400 114 208 294 435 530 650 820 1000 1300 1650 2100
+400 114 208 294 435 530 660 820 1000 1300 1650 2100
 450 126 232 330 490 595 740 920 1100 1450 1850 2400
 500 132 252 360 540 660 820 1000 1250 1600 2100 2600
 """
