@@ -195,7 +195,9 @@ def bound(quantities: Quantities, name: str) -> dict[str, Node]:
 
 
 @dataclass
-class _Measurer:
+class Measurer:
+    """The measures of some names over a run."""
+
     run: Run
     names: Sequence[str]
     findings: list[Finding] = field(default_factory=list)
@@ -271,5 +273,5 @@ class _Measurer:
 
 def measure_all(run: Run, names: Sequence[str] | None = None) -> tuple[list[MeasureResult], list[Finding]]:
     """All measures of a run's mechanism or those of some names, and which of them have no value."""
-    measurer = _Measurer(run, [*run.compiled.mechanism.measures] if names is None else names)
+    measurer = Measurer(run, [*run.compiled.mechanism.measures] if names is None else names)
     return measurer.all(), measurer.findings
