@@ -54,8 +54,8 @@ def test_the_hull_of_processes_is_the_largest_convex_law_below_them() -> None:
 @pytest.mark.parametrize(
     ("raw", "code"),
     [
-        ({"reciprocal": 0}, "study.cost"),
-        ({"reciprocal": [-1, 2]}, "study.cost"),
+        ({"reciprocal": 0}, "accuracy.cost"),
+        ({"reciprocal": [-1, 2]}, "accuracy.cost"),
         ({"reciprocal": [1, 2, 3]}, "file.expected"),
         ({"reciprocal": float("nan")}, "file.not-finite"),
         ({"reciprocal": "dear"}, "file.expected"),
@@ -63,7 +63,7 @@ def test_the_hull_of_processes_is_the_largest_convex_law_below_them() -> None:
         ({"table": {"IT20": 3}}, "file.expected"),
         ({"table": {}}, "file.expected"),
         ({"table": [[0.1]]}, "file.expected"),
-        ({"table": [[0, 1]]}, "study.cost"),
+        ({"table": [[0, 1]]}, "accuracy.cost"),
         ({"linear": 2}, "file.expected"),
         (7, "file.expected"),
     ],

@@ -79,7 +79,7 @@ def problem(
     for name in options.costs:
         if name not in known:
             data = {"name": name[:60], "near": near(name, known)}
-            findings.append(Finding("study.no-contributor", (*PATH, "costs", name), data))
+            findings.append(Finding("accuracy.no-contributor", (*PATH, "costs", name), data))
     rounding = options.grades or any(isinstance(cost, Table) for cost in options.costs.values())
     for one in contributors.every:
         half = (one.high - one.low) / 2
@@ -103,7 +103,7 @@ def problem(
         elif rounding:
             choices = _within([(f"IT{n}", it_half(one, f"IT{n}") or np.nan) for n in range(1, 19)], ends)
         if rounding and not choices:
-            findings.append(Finding("study.no-grade", path, {"name": one.name, "grades": "", "unit": one.unit}))
+            findings.append(Finding("accuracy.no-grade", path, {"name": one.name, "grades": "", "unit": one.unit}))
             continue
         items.append(Item(one.name, half, spread, law, *ends, choices, one.unit, one.size))
     if findings:
@@ -123,11 +123,11 @@ def allocated(problem: Problem) -> tuple[Allocation, list[Finding]]:
                 "best": f"{target.after / target.size:.6g}",
                 "unit": target.unit,
             }
-            notes.append(Finding("study.target-unreachable", (*PATH, "targets", target.name), data, severity="warning"))
+            notes.append(Finding("accuracy.target-unreachable", (*PATH, "targets", target.name), data, severity="warning"))
     if found.loose:
-        notes.append(Finding("study.targets-loose", (*PATH, "targets"), {}, severity="warning"))
+        notes.append(Finding("accuracy.targets-loose", (*PATH, "targets"), {}, severity="warning"))
     if found.reached and found.bound is not None and found.costs[2] is None:
-        notes.append(Finding("study.no-choice", (*PATH, "costs"), {}, severity="warning"))
+        notes.append(Finding("accuracy.no-choice", (*PATH, "costs"), {}, severity="warning"))
     return found, notes
 
 
@@ -156,7 +156,7 @@ def _demanded(
     for name, target in options.targets.items():
         path = (*PATH, "targets", name)
         if name not in outputs:
-            yield Finding("study.no-target", path, {"name": name[:60], "near": near(name, [*outputs])})
+            yield Finding("accuracy.no-target", path, {"name": name[:60], "near": near(name, [*outputs])})
             continue
         coefficients, dimension, unit, size = outputs[name]
         try:
@@ -165,7 +165,7 @@ def _demanded(
             yield Finding(error.key, path, quantities.spelt(error.data))
             continue
         if not 0 < wanted < LARGEST:
-            yield Finding("study.target", path, {"text": target.within.text[:40]})
+            yield Finding("accuracy.target", path, {"text": target.within.text[:40]})
             continue
         demands.append(Demand(name, wanted, coefficients, target.method or options.method, unit, size))
 
@@ -176,7 +176,7 @@ def _no_grade(one: Contributor, cost: Any, path: tuple[str, ...], rounding: bool
     if rounding and not isinstance(cost, Table) and it_half(one, f"IT{FINEST}") is None:
         lacking = [f"IT{FINEST}"]
     if lacking:
-        yield Finding("study.no-grade", path, {"name": one.name, "grades": ", ".join(lacking), "unit": one.unit})
+        yield Finding("accuracy.no-grade", path, {"name": one.name, "grades": ", ".join(lacking), "unit": one.unit})
 
 
 def _ends(
@@ -194,5 +194,5 @@ def _ends(
             return None, [Finding(error.key, (*path, "between", i), quantities.spelt(error.data))]
     if not 0 < ends[0] < ends[1] < LARGEST:
         data = {"low": cost.between[0].text[:40], "high": cost.between[1].text[:40]}
-        return None, [Finding("study.half-widths", (*path, "between"), data)]
+        return None, [Finding("accuracy.half-widths", (*path, "between"), data)]
     return (ends[0], ends[1]), []

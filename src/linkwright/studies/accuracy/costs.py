@@ -146,7 +146,7 @@ def _numbers(law: str, count: int) -> Any:
         if len(values) != count:
             raise unexpected("cost", raw)
         if not (0 <= values[0] < LARGEST and all(1 / LARGEST < value < LARGEST for value in values[1:])):
-            raise fault("study.cost", law=law, given=", ".join(f"{value:g}" for value in values))
+            raise fault("accuracy.cost", law=law, given=", ".join(f"{value:g}" for value in values))
         return tuple(values)
 
     each = {"type": "number", "minimum": 0}
@@ -213,7 +213,7 @@ def _processes(raw: Any) -> tuple[tuple[str | float, float], ...]:
         if isinstance(key, str) and not GRADE.fullmatch(key):
             raise unexpected("processes", key)
         if not 0 <= cost < LARGEST or (isinstance(key, float) and not 1 / LARGEST < key < LARGEST):
-            raise fault("study.cost", law="table", given=f"{key}: {cost:g}")
+            raise fault("accuracy.cost", law="table", given=f"{key}: {cost:g}")
         found.append((key, cost))
     return tuple(found)
 
