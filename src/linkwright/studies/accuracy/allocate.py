@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -65,14 +65,19 @@ class Allocate(Frozen):
     grades: bool = Field(False, description="round to standard grades (ISO 286); a cost table means it anyway")
 
 
+class Output(NamedTuple):
+    """What is known of an output: coefficients (rows, contributors) in SI, dimension, unit and its size in SI."""
+
+    coefficients: Array
+    dimension: u.Dimension
+    unit: str
+    size: float
+
+
 def problem(
-    quantities: Quantities,
-    options: Allocate,
-    contributors: Contributors,
-    outputs: Mapping[str, tuple[Array, u.Dimension, str, float]],
+    quantities: Quantities, options: Allocate, contributors: Contributors, outputs: Mapping[str, Output]
 ) -> tuple[Problem | None, list[Finding]]:
-    """The problem, or what is wrong with it. ``outputs`` are, by name, coefficients (rows, contributors) in SI,
-    dimension, unit and its size in SI."""
+    """The problem, or what is wrong with it."""
     demands: list[Demand] = []
     findings = [*_demanded(quantities, options, outputs, demands)]
     items, known = [], [*map(str, contributors.names)]
@@ -123,7 +128,9 @@ def allocated(problem: Problem) -> tuple[Allocation, list[Finding]]:
                 "best": f"{target.after / target.size:.6g}",
                 "unit": target.unit,
             }
-            notes.append(Finding("accuracy.target-unreachable", (*PATH, "targets", target.name), data, severity="warning"))
+            notes.append(
+                Finding("accuracy.target-unreachable", (*PATH, "targets", target.name), data, severity="warning")
+            )
     if found.loose:
         notes.append(Finding("accuracy.targets-loose", (*PATH, "targets"), {}, severity="warning"))
     if found.reached and found.bound is not None and found.costs[2] is None:
@@ -148,10 +155,7 @@ def _within(choices: Sequence[tuple[str, float]], ends: tuple[float, float]) -> 
 
 
 def _demanded(
-    quantities: Quantities,
-    options: Allocate,
-    outputs: Mapping[str, tuple[Array, u.Dimension, str, float]],
-    demands: list[Demand],
+    quantities: Quantities, options: Allocate, outputs: Mapping[str, Output], demands: list[Demand]
 ) -> Iterator[Finding]:
     for name, target in options.targets.items():
         path = (*PATH, "targets", name)

@@ -194,7 +194,9 @@ def optimality(problem: Problem, halves: Array, multipliers: Array) -> Optimalit
         above = np.inf if half >= high[i] * (1 - NEAR) else above
         off = max(off, (below - needed[i]) * half, (needed[i] - above) * half)
     slack = float(np.abs(multipliers * (1 - uses)).max())
-    return Optimality(float(off / cost if cost else off), max(0.0, float(uses.max()) - 1), slack / cost if cost else slack)
+    return Optimality(
+        float(off / cost if cost else off), max(0.0, float(uses.max()) - 1), slack / cost if cost else slack
+    )
 
 
 def _optimum(problem: Problem) -> tuple[Array, Array]:
@@ -300,9 +302,7 @@ def _minimum(x: Any, f: Any, g: Any, most: list[float], ends: tuple[Array, Array
 
     open_ = [np.inf] * (x.numel() - ends[0].size)
     solver = ca.nlpsol("allocation", "ipopt", {"x": x, "f": f, "g": g}, SETTINGS)
-    return solver(
-        x0=0.0, lbx=[*ends[0], *(-value for value in open_)], ubx=[*ends[1], *open_], lbg=-np.inf, ubg=most
-    )
+    return solver(x0=0.0, lbx=[*ends[0], *(-value for value in open_)], ubx=[*ends[1], *open_], lbg=-np.inf, ubg=most)
 
 
 def _outcome(
@@ -332,7 +332,17 @@ def _outcome(
         price = below if below == above else float(np.clip(slopes[i], below, above))
         items.append(
             Allotted(
-                item.name, item.unit, item.size, item.now, float(halves[i]), item.low, item.high, half, label, costs, -price
+                item.name,
+                item.unit,
+                item.size,
+                item.now,
+                float(halves[i]),
+                item.low,
+                item.high,
+                half,
+                label,
+                costs,
+                -price,
             )
         )
     held = []
@@ -356,6 +366,4 @@ def _outcome(
     costs = problem.cost(now), cost, None if choice is None or choice.halves is None else problem.cost(choice.halves)
     proof = optimality(problem, halves, multipliers) if reached else Optimality(0.0, float(max(uses)) - 1, 0.0)
     bound, proven = (choice.bound, choice.proven) if choice is not None else (None, False)
-    return Allocation(
-        tuple(items), tuple(held), problem.sigmas, costs, bound, proven, proof, reached, loose
-    )
+    return Allocation(tuple(items), tuple(held), problem.sigmas, costs, bound, proven, proof, reached, loose)

@@ -196,7 +196,8 @@ def _outcome(
     confounded = tuple(
         Confounded(
             {one.name: float(part) for one, part in zip(every, column, strict=True) if part},
-            scaling(column, values) and all(one.dimension == u.LENGTH for one, part in zip(every, column, strict=True) if part),
+            scaling(column, values)
+            and all(one.dimension == u.LENGTH for one, part in zip(every, column, strict=True) if part),
         )
         for column in found.null.T
     )

@@ -123,7 +123,9 @@ def fit(
     open_ = ~np.isfinite(data.sigma)
     if open_.any():  # to begin with, as far as a deviation of its tolerance's sigma moves the output
         j = work.raw(np.zeros(start.size))[1]
-        size = np.array([float(np.sqrt((j[work.owner == o] ** 2).sum(axis=1).mean() or 1.0)) for o in range(open_.size)])
+        size = np.array(
+            [float(np.sqrt((j[work.owner == o] ** 2).sum(axis=1).mean() or 1.0)) for o in range(open_.size)]
+        )
         work.sigma = np.where(open_, size, work.sigma)
     z = np.zeros(start.size)
     for turn in range(MOST_ROUNDS):

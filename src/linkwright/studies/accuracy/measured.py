@@ -72,7 +72,9 @@ def driving(compiled: Compiled) -> list[str]:
     return found
 
 
-def read(compiled: Compiled, raw: Sequence[Mapping[str, Expression]], at: str | None) -> tuple[Sheet | None, list[Finding]]:
+def read(
+    compiled: Compiled, raw: Sequence[Mapping[str, Expression]], at: str | None
+) -> tuple[Sheet | None, list[Finding]]:
     """Points that stand in the model, and what is wrong with them."""
     path, names = (*PATH, "points"), list(dict.fromkeys(name for row in raw for name in row))
     place, outputs, findings = _columns(compiled, [(name, None) for name in names], at, path)
@@ -95,9 +97,7 @@ def read(compiled: Compiled, raw: Sequence[Mapping[str, Expression]], at: str | 
     return _sheet(place, outputs, names, rows, range(1, len(raw) + 1), path, findings)
 
 
-def read_file(
-    compiled: Compiled, file: str, at: str | None, folder: Path | None
-) -> tuple[Sheet | None, list[Finding]]:
+def read_file(compiled: Compiled, file: str, at: str | None, folder: Path | None) -> tuple[Sheet | None, list[Finding]]:
     """A CSV file, and what is wrong with it. Its first line names the columns, with units as in ``E.x [mm]``."""
     path = (*PATH, "file")
     try:
@@ -163,7 +163,11 @@ def _columns(
         findings.append(Finding("accuracy.no-place", path, data))
     place, outputs = None, []
     for name, written in headers:
-        column = _time(compiled, written, path, findings) if name == "t" else _column(compiled, name, written, path, findings)
+        column = (
+            _time(compiled, written, path, findings)
+            if name == "t"
+            else _column(compiled, name, written, path, findings)
+        )
         if name == where and name in known:
             place = column
         elif column is not None and name == "t":
@@ -177,9 +181,7 @@ def _time(compiled: Compiled, written: str | None, path: Path_, findings: list[F
     return _sized(compiled, "t", None, u.TIME, written, path, findings)
 
 
-def _column(
-    compiled: Compiled, name: str, written: str | None, path: Path_, findings: list[Finding]
-) -> Column | None:
+def _column(compiled: Compiled, name: str, written: str | None, path: Path_, findings: list[Finding]) -> Column | None:
     quantities = compiled.quantities
     try:
         expression = Expression(name)
@@ -278,7 +280,11 @@ def _looked_up(run: Run, sheet: Sheet) -> tuple[Array, list[Finding]]:
             continue
         at[row] = places[0]
         if len(places) > 1 and not _same(run, sheet, np.array(places)):
-            data: dict[str, Any] = {"row": sheet.numbers[row], "name": name[0], "times": ", ".join(f"{t:.6g} s" for t in places[:5])}
+            data: dict[str, Any] = {
+                "row": sheet.numbers[row],
+                "name": name[0],
+                "times": ", ".join(f"{t:.6g} s" for t in places[:5]),
+            }
             findings.append(Finding("accuracy.several-poses", sheet.path, data))
     return at, findings
 
@@ -318,4 +324,6 @@ def _unknown(sheet: Sheet, given: Mapping[str, Expression]) -> Iterator[Finding]
     known = [column.text for column in sheet.outputs]
     for name in given:
         if name not in known:
-            yield Finding("accuracy.not-measured", (*PATH, "sigma", name), {"name": name[:60], "known": ", ".join(known)})
+            yield Finding(
+                "accuracy.not-measured", (*PATH, "sigma", name), {"name": name[:60], "known": ", ".join(known)}
+            )

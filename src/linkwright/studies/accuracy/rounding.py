@@ -58,7 +58,9 @@ def _rows(problem: Problem, halves: Array, multipliers: Array) -> list[int]:
     return sorted({*worst, *np.flatnonzero(multipliers > 0).tolist()})
 
 
-def _separated(problem: Problem, halves: Array, rows: list[int], options: list[tuple[tuple[str, float], ...]]) -> list[Array]:
+def _separated(
+    problem: Problem, halves: Array, rows: list[int], options: list[tuple[tuple[str, float], ...]]
+) -> list[Array]:
     """Terms of each item's options in lower bounds of the uses: a list of (rows, options); the constant is shared
     out."""
     uses, slopes = problem.uses(halves)[rows], problem.slopes(halves)[rows]
@@ -121,7 +123,9 @@ class _Search:
         for place in range(n - 1, -1, -1):
             i = self.order[place]
             self.rest[place] = self.rest[place + 1] + min(self.prices[i])
-            self.slack[place] = [a + b for a, b in zip(self.slack[place + 1], uses[i].min(axis=1).tolist(), strict=True)]
+            self.slack[place] = [
+                a + b for a, b in zip(self.slack[place + 1], uses[i].min(axis=1).tolist(), strict=True)
+            ]
         self.root = self.start + self.rest[0]
         self.cost, self.best = np.inf, None  # type: float, list[int] | None
         self.whole = True
