@@ -25,6 +25,13 @@ class AccuracyOptions(Asked):
 
     study = "accuracy"
 
+    # Where it is looked.
+    positions: Annotated[dict[NameField, Text], freeze] = Field(
+        default_factory=FrozenDict,
+        description="named positions at which signals are looked at: 'max E.x', 'end of WINDOW', a time",
+        examples=[{"far": "max E.x", "out": "end of feed", "grip": "0.2 s"}],
+    )
+
     # What deviates.
     parameters: tuple[NameField, ...] | None = Field(
         None, max_length=1000, description="parameters that deviate; by default all with a tolerance or the general one"
