@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
@@ -99,7 +100,7 @@ def problem(
         findings += [*wrong, *more]
         if wrong or more or ends is None:
             continue
-        law = cost.law(one.size, lambda grade, one=one: it_half(one, grade))
+        law = cost.law(one.size, partial(it_half, one))
         choices: tuple[tuple[str, float], ...] = ()
         if isinstance(law, Stepped):
             inside = [(label, float(d)) for label, d in zip(law.labels, law.halves, strict=True)]
@@ -108,7 +109,9 @@ def problem(
         elif rounding:
             choices = _within([(f"IT{n}", it_half(one, f"IT{n}") or np.nan) for n in range(1, 19)], ends)
         if rounding and not choices:
-            findings.append(Finding("accuracy.no-grade", path, {"name": one.name, "grades": "", "unit": one.unit}))
+            low, high = (f"{end / one.size:.4g}" for end in ends)
+            data = {"name": one.name, "low": low, "high": high, "unit": one.unit}
+            findings.append(Finding("accuracy.no-grade-between", path, data))
             continue
         items.append(Item(one.name, half, spread, law, *ends, choices, one.unit, one.size))
     if findings:
@@ -176,7 +179,7 @@ def _demanded(
 
 def _no_grade(one: Contributor, cost: Any, path: tuple[str, ...], rounding: bool) -> Iterator[Finding]:
     """Grades that the standard has no value of for this parameter."""
-    lacking = cost.unknown(lambda grade: it_half(one, grade))
+    lacking = cost.unknown(partial(it_half, one))
     if rounding and not isinstance(cost, Table) and it_half(one, f"IT{FINEST}") is None:
         lacking = [f"IT{FINEST}"]
     if lacking:

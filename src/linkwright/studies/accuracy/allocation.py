@@ -1,7 +1,7 @@
 r"""The cheapest tolerances with which outputs keep within what is wanted of them.
 
-With half-widths :math:`d`, coefficients :math:`c`, :math:`\sigma_i = k_i d_i` and correlations :math:`\rho`, each row of
-coefficients of a target :math:`T` asks for
+With half-widths :math:`d`, coefficients :math:`c`, :math:`\sigma_i = k_i d_i` and correlations :math:`\rho`, each row
+of coefficients of a target :math:`T` asks for
 
     rss:    sum_ij c_i c_j k_i k_j rho_ij d_i d_j <= (T / sigmas)^2
     worst:  sum_i |c_i| d_i <= T
@@ -14,10 +14,10 @@ change of variables makes no new optima.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,13 +25,16 @@ from numpy.typing import NDArray
 from linkwright.studies.accuracy.allocated import Allocation, Allotted, Held, Optimality
 from linkwright.studies.accuracy.costs import NEAR, Law, Stepped
 
+if TYPE_CHECKING:
+    from linkwright.studies.accuracy.rounding import Choice
+
 Array = NDArray[np.float64]
 
 SLACK = 1e-9
 """How far a target may be exceeded, relatively: what rounding errors of an optimum on its border make."""
 NONE = 1e-8
 """A multiplier below this share of the cost is what an interior point method leaves where there is slack."""
-SETTINGS = {
+SETTINGS: dict[str, Any] = {
     "print_time": False,
     "ipopt.print_level": 0,
     "ipopt.sb": "yes",
@@ -128,7 +131,7 @@ class Problem:
     def uses(self, halves: Array) -> Array:
         """How much of its target each row uses: (rows,), 1 being all of it; of rss the square."""
         part = self.weights * self.full(halves)
-        return np.where(self.squared, ((part @ self.correlation) * part).sum(axis=1), part.sum(axis=1))
+        return np.asarray(np.where(self.squared, ((part @ self.correlation) * part).sum(axis=1), part.sum(axis=1)))
 
     def slopes(self, halves: Array) -> Array:
         """The derivatives of the uses by the free items: (rows, free)."""
@@ -310,60 +313,60 @@ def _outcome(
     halves: Array,
     multipliers: Array,
     cost: float,
-    choice: Any,
+    choice: Choice | None,
     reached: bool,
     loose: bool,
 ) -> Allocation:
-    now = problem.now[problem.free]
-    shares = {"now": problem.shares(now), "after": problem.shares(halves)}
-    if choice is not None and choice.halves is not None:
-        shares["rounded"] = problem.shares(choice.halves)
-    slopes, uses = -multipliers @ problem.slopes(halves), problem.uses(halves)
-    items = []
-    place = {item: i for i, item in enumerate(problem.free)}
-    for k, item in enumerate(problem.items):
-        if item.law is None:
-            items.append(Allotted(item.name, item.unit, item.size, item.now, item.now, fixed=True))
+    """All of it put together."""
+    chosen = choice.halves if choice is not None else None
+    costs = problem.cost(problem.now[problem.free]), cost, None if chosen is None else problem.cost(chosen)
+    if reached:
+        proof = optimality(problem, halves, multipliers)
+    else:
+        proof = Optimality(0.0, float(problem.uses(halves).max()) - 1, 0.0)
+    return Allocation(
+        tuple(_items(problem, halves, multipliers, choice)),
+        tuple(_targets(problem, halves, multipliers, chosen)),
+        problem.sigmas,
+        costs,
+        choice.bound if choice is not None else None,
+        choice is not None and choice.proven,
+        proof,
+        reached,
+        loose,
+    )
+
+
+def _items(problem: Problem, halves: Array, multipliers: Array, choice: Choice | None) -> Iterator[Allotted]:
+    needed, place = -multipliers @ problem.slopes(halves), {item: i for i, item in enumerate(problem.free)}
+    for k, one in enumerate(problem.items):
+        if one.law is None:
+            yield Allotted(one.name, one.unit, one.size, one.now, one.now, fixed=True)
             continue
-        i = place[k]
-        label, half = choice.labels[i] if choice is not None and choice.labels else (None, None)
-        costs = item.law.cost(item.now), _hull(item.law, halves[i]), None if half is None else item.law.cost(half)
-        below, above = item.law.slopes(halves[i])
-        price = below if below == above else float(np.clip(slopes[i], below, above))
-        items.append(
-            Allotted(
-                item.name,
-                item.unit,
-                item.size,
-                item.now,
-                float(halves[i]),
-                item.low,
-                item.high,
-                half,
-                label,
-                costs,
-                -price,
-            )
-        )
-    held = []
+        i, half = place[k], float(halves[place[k]])
+        label, fine = choice.labels[i] if choice is not None and choice.labels is not None else (None, None)
+        costs = one.law.cost(one.now), _hull(one.law, half), None if fine is None else one.law.cost(fine)
+        price = -float(np.clip(needed[i], *one.law.slopes(half)))
+        ends = one.low, one.high
+        yield Allotted(one.name, one.unit, one.size, one.now, half, *ends, fine, label, costs, price)
+
+
+def _targets(problem: Problem, halves: Array, multipliers: Array, chosen: Array | None) -> Iterator[Held]:
+    now, after = problem.shares(problem.now[problem.free]), problem.shares(halves)
+    fine, uses = None if chosen is None else problem.shares(chosen), problem.uses(halves)
     for k, demand in enumerate(problem.demands):
-        mine = problem.owner == k
+        mine, wanted = problem.owner == k, demand.wanted
         power = 2 if demand.method == "rss" else 1
-        held.append(
-            Held(
-                demand.name,
-                demand.unit,
-                demand.size,
-                demand.method,
-                demand.wanted,
-                *(float(shares[key][k] * demand.wanted) for key in ("now", "after")),
-                float(shares["rounded"][k] * demand.wanted) if "rounded" in shares else None,
-                float(power * (multipliers * uses)[mine].sum() / demand.wanted),
-                demand.coefficients,
-                int(uses[mine].argmax()),
-            )
+        yield Held(
+            demand.name,
+            demand.unit,
+            demand.size,
+            demand.method,
+            wanted,
+            float(now[k] * wanted),
+            float(after[k] * wanted),
+            None if fine is None else float(fine[k] * wanted),
+            float(power * (multipliers * uses)[mine].sum() / wanted),
+            demand.coefficients,
+            int(uses[mine].argmax()),
         )
-    costs = problem.cost(now), cost, None if choice is None or choice.halves is None else problem.cost(choice.halves)
-    proof = optimality(problem, halves, multipliers) if reached else Optimality(0.0, float(max(uses)) - 1, 0.0)
-    bound, proven = (choice.bound, choice.proven) if choice is not None else (None, False)
-    return Allocation(tuple(items), tuple(held), problem.sigmas, costs, bound, proven, proof, reached, loose)

@@ -2,7 +2,7 @@ r"""Estimating deviations from measured outputs: least squares with the exact Ja
 
 With outputs :math:`y(d)` measured with standard deviations :math:`\sigma`, and :math:`d = d_0 + A z`, the estimate
 minimises :math:`|(y(d_0 + A z) - y_m)/\sigma|^2`, plus :math:`|z|^2` where the tolerances count as prior knowledge:
-:math:`d_0` and :math:`A A^T` are then their mean and covariance. Else A is diagonal and only scales. The Jacobian J by z
+:math:`d_0` and :math:`A A^T` are then their mean and covariance. Else A is diagonal and only scales. The Jacobian by z
 is cut off where its singular values are below a threshold times the largest: what lies in its null space can't be
 told, and the estimate is the one of least norm (Golub and Van Loan, Matrix Computations, 4th ed., 5.5). Covariance,
 leverages and studentised residuals are those of the linear model at the estimate (Seber and Wild, Nonlinear Regression,
@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +25,8 @@ mechanism can't be put together."""
 
 FLOOR = 1e-13
 """A standard deviation that is estimated isn't taken below this share of the output's size: round-off."""
+EXACT = 1e-10
+"""Residuals below this share of the output's size are round-off, among which none is an outlier."""
 SETTLED = 1e-4
 """Relative change at which estimated standard deviations stand still."""
 MOST_ROUNDS, MOST_STEPS = 40, 20
@@ -136,7 +138,7 @@ def fit(
         work.sigma = _sigmas(work, z, open_, threshold)
         if (np.abs(work.sigma / last - 1) < SETTLED).all() or open_.size == 1:
             break
-    return _figures(work, z, step, open_.any(), confidence, threshold)
+    return _figures(work, z, step, bool(open_.any()), confidence, threshold)
 
 
 def _near(work: _Weighted, z: Array) -> Array:
@@ -208,7 +210,10 @@ def _figures(work: _Weighted, z: Array, step: float, estimated: bool, confidence
     probability = float(chdtrc(freedom, chi_square)) if not estimated and freedom > 0 else None
     studentised, outliers = _studentised(r[:count], _leverages(j, threshold)[:count], freedom, chi_square, estimated)
 
-    def spread(flat: Array) -> Array:
+    size_of = np.abs(np.where(work.known, work.data.values, 0.0)).max(axis=1, initial=0.0)
+    outliers &= (work.sigma > EXACT * size_of)[work.owner]
+
+    def spread(flat: NDArray[Any]) -> NDArray[Any]:
         made = np.zeros(work.known.shape, dtype=flat.dtype)
         made[work.known] = flat
         return made

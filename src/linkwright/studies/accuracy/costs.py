@@ -135,9 +135,9 @@ def register(cls: type[Cost]) -> type[Cost]:
     return cls
 
 
-def _numbers(law: str, count: int) -> Any:
-    """The type of a law's numbers: ``count`` of them, the first at least 0 and the others positive; the first may be
-    left out."""
+def _numbers(law: str, count: int) -> BeforeValidator:
+    """The numbers of a law: ``count`` of them, the first at least 0 and the others positive; the first may be left
+    out."""
 
     def check(raw: Any) -> tuple[float, ...]:
         numbers = list(raw) if isinstance(raw, list | tuple) else [raw]
@@ -149,18 +149,14 @@ def _numbers(law: str, count: int) -> Any:
             raise fault("accuracy.cost", law=law, given=", ".join(f"{value:g}" for value in values))
         return tuple(values)
 
+    return BeforeValidator(check)
+
+
+def _listed(count: int) -> WithJsonSchema:
+    """The schema of ``count`` numbers of which the first may be left out."""
     each = {"type": "number", "minimum": 0}
     listed = {"type": "array", "items": each, "minItems": count - 1, "maxItems": count}
-    return Annotated[
-        tuple[float, ...],
-        BeforeValidator(check),
-        WithJsonSchema({"anyOf": [each, listed]} if count == 2 else listed),
-    ]
-
-
-Reciprocals = _numbers("reciprocal", 2)
-Squares = _numbers("reciprocal_squared", 2)
-Exponentials = _numbers("exponential", 3)
+    return WithJsonSchema({"anyOf": [each, listed]} if count == 2 else listed)
 
 
 @register
@@ -168,7 +164,9 @@ class Reciprocal(Cost):
     """a + b/d of a half-width d."""
 
     name = "reciprocal"
-    reciprocal: Reciprocals = Field(description="b, or [a, b], of a + b/d for d in the parameter's unit")  # type: ignore[valid-type]
+    reciprocal: Annotated[tuple[float, ...], _numbers("reciprocal", 2), _listed(2)] = Field(
+        description="b, or [a, b], of a + b/d for d in the parameter's unit"
+    )
 
     def law(self, size: float, widths: Widths) -> Law:
         a, b = self.reciprocal[0], self.reciprocal[1] * size
@@ -180,7 +178,9 @@ class ReciprocalSquared(Cost):
     """a + b/d^2 of a half-width d."""
 
     name = "reciprocal_squared"
-    reciprocal_squared: Squares = Field(description="b, or [a, b], of a + b/d^2 for d in the parameter's unit")  # type: ignore[valid-type]
+    reciprocal_squared: Annotated[tuple[float, ...], _numbers("reciprocal_squared", 2), _listed(2)] = Field(
+        description="b, or [a, b], of a + b/d^2 for d in the parameter's unit"
+    )
 
     def law(self, size: float, widths: Widths) -> Law:
         a, b = self.reciprocal_squared[0], self.reciprocal_squared[1] * size**2
@@ -192,7 +192,9 @@ class Exponential(Cost):
     """a + b exp(-d/m) of a half-width d."""
 
     name = "exponential"
-    exponential: Exponentials = Field(description="[b, m] or [a, b, m] of a + b*exp(-d/m), d and m in its unit")  # type: ignore[valid-type]
+    exponential: Annotated[tuple[float, ...], _numbers("exponential", 3), _listed(3)] = Field(
+        description="[b, m] or [a, b, m] of a + b*exp(-d/m), d and m in its unit"
+    )
 
     def law(self, size: float, widths: Widths) -> Law:
         a, b, m = self.exponential[0], self.exponential[1], self.exponential[2] * size

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.kernels import Compiled
-from linkwright.model.findings import Finding, ModelError
+from linkwright.model.findings import Finding
 from linkwright.results import Run
 from linkwright.studies.accuracy.allocate import Output, allocated, problem
 from linkwright.studies.accuracy.calibrate import calibrate, check_calibrate
@@ -34,22 +35,26 @@ def check_design(
         yield from check_calibrate(compiled, options.calibrate, contributors, run)
 
 
-def design(outcome: AccuracyOutcome, folder: Path | None = None) -> None:
-    """Put the allocation and the calibration that are asked for into an outcome that has its figures and curves;
-    ``folder`` is where the file of measurements lies. Raises ModelError where that is wrong."""
-    options, compiled = outcome.options, outcome.compiled
-    if options.allocate is not None:
-        outputs = {name: _of_figure(figure) for name, figure in outcome.every.items()}
-        outputs |= {text: _of_curve(curve) for text, curve in outcome.curves.items()}
-        posed, findings = problem(compiled.quantities, options.allocate, outcome.contributors, outputs)
-        if posed is None:  # a measure without a value has no figure
-            outcome.warnings += [Finding(f.code, f.path, f.data, severity="warning") for f in findings]
-        else:
-            outcome.allocation, notes = allocated(posed)
-            outcome.warnings += notes
-    if options.calibrate is not None:
-        outcome.calibration, notes = calibrate(outcome.run, options.calibrate, outcome.contributors, folder)
+def add_calibration(outcome: AccuracyOutcome, folder: Path | None = None) -> None:
+    """Put the calibration into an outcome where it is asked for; ``folder`` is where the file of measurements lies.
+    Raises ModelError where that is wrong."""
+    if (options := outcome.options.calibrate) is not None:
+        outcome.calibration, notes = calibrate(outcome.run, options, outcome.contributors, folder)
         outcome.warnings += notes
+
+
+def add_allocation(outcome: AccuracyOutcome) -> None:
+    """Put the allocation into an outcome that has its figures and curves, where it is asked for."""
+    if (options := outcome.options.allocate) is None:
+        return
+    outputs = {name: _of_figure(figure) for name, figure in outcome.every.items()}
+    outputs |= {text: _of_curve(curve) for text, curve in outcome.curves.items()}
+    posed, findings = problem(outcome.compiled.quantities, options, outcome.contributors, outputs)
+    if posed is None:  # a measure without a value has no figure
+        outcome.warnings += [replace(finding, severity="warning") for finding in findings]
+        return
+    outcome.allocation, notes = allocated(posed)
+    outcome.warnings += notes
 
 
 def _of_figure(figure: Figure) -> Output:
@@ -76,5 +81,5 @@ def _known(compiled: Compiled, options: AccuracyOptions, count: int) -> dict[str
         except ValueError:
             continue  # told with the outputs
         output = Output(empty, dimension, *quantities.unit_of(dimension))
-        found |= {text: output for text in (signal.text, *(f"{signal.text} at {p}" for p in options.positions))}
+        found |= dict.fromkeys((signal.text, *(f"{signal.text} at {p}" for p in options.positions)), output)
     return found

@@ -171,7 +171,8 @@ def _columns(
         if name == where and name in known:
             place = column
         elif column is not None and name == "t":
-            findings.append(Finding("study.no-output", path, {"text": name, "near": "E.x"}))
+            if where in known:  # else that is told
+                findings.append(Finding("study.no-output", path, {"text": name, "near": "E.x"}))
         elif column is not None:
             outputs.append(column)
     return place, outputs, findings
@@ -234,7 +235,7 @@ def _sized(
 
 
 def times(run: Run, sheet: Sheet) -> tuple[Array, list[Finding]]:
-    """The time (s) of each row on the nominal motion, (rows,), and where there is none or several with other outputs."""
+    """The time (s) of each row on the nominal motion, (rows,); rows without one, or with several of other outputs."""
     if sheet.place.text == "t":
         span = run.stop - run.start
         outside = (sheet.at < run.start - 1e-9 * span) | (sheet.at > run.stop + 1e-9 * span)
@@ -266,8 +267,8 @@ def _looked_up(run: Run, sheet: Sheet) -> tuple[Array, list[Finding]]:
     for row, target in zip(rows, targets, strict=True):
         off = y - target
         found[row] += grid[np.abs(off) <= near].tolist()
-        for i in np.flatnonzero((np.minimum(off[:-1], off[1:]) < -near) & (np.maximum(off[:-1], off[1:]) > near)):
-            brackets.append((row, target, grid[i], grid[i + 1]))
+        through = (np.minimum(off[:-1], off[1:]) < -near) & (np.maximum(off[:-1], off[1:]) > near)
+        brackets += [(row, target, grid[i], grid[i + 1]) for i in np.flatnonzero(through)]
     if brackets:
         owner, wanted, a, b = (np.array(part) for part in zip(*brackets, strict=True))
         roots = bracketed(lambda t, k: run.evaluate(name, t)[0] - wanted[k], np.arange(wanted.size), a, b)

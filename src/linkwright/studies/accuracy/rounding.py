@@ -6,8 +6,8 @@ Lagrangian :math:`f(d) + \sum_j \mu_j (g_j(d) - 1)` (weak duality; Boyd and Vand
 
     g(d) >= g(d*) + g'(d*) (d - d*) + sum_i delta_i (d_i - d*_i)^2,   delta = lambda diag(M),
 
-with the least eigenvalue :math:`\lambda` of M scaled to a unit diagonal. Without correlations both sides are equal. So a
-bound is a sum of the least terms of what isn't chosen yet.
+with the least eigenvalue :math:`\lambda` of M scaled to a unit diagonal. Without correlations both sides are equal. So
+a bound is a sum of the least terms of what isn't chosen yet.
 """
 
 from __future__ import annotations

@@ -834,9 +834,12 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Give between: [least, largest], in the parameter's unit.",
     ),
     "accuracy.no-grade": (
-        "No standard grade can be allotted to {name}: {grades}.",
-        "Widen between, or give a table of half-widths in {unit}: table: [[half-width, cost], ...]; ISO 286 has grades "
-        "of lengths up to 3150 mm only.",
+        "ISO 286 has no half-width of {grades} for {name}: it has grades of lengths up to 3150 mm.",
+        "Give a table of half-widths in {unit}: table: [[half-width, cost], ...]; or grades: false.",
+    ),
+    "accuracy.no-grade-between": (
+        "No standard grade of {name} lies between {low} and {high} {unit}.",
+        "Widen between, or give grades: false.",
     ),
     "accuracy.target-unreachable": (
         "{name} can't be held within {wanted} {unit}: the least tolerances that may be allotted leave {best} {unit}.",
