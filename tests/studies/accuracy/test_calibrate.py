@@ -159,7 +159,7 @@ def test_an_angle_that_comes_twice_needs_the_same_outputs() -> None:
     """The crank swings: it comes twice to 70 deg, in the same pose, with opposite speeds."""
     pose = [{"motor.angle": 70, "P.x": 80.0}, {"motor.angle": 65, "P.x": 81.0}, {"motor.angle": 60, "P.x": 82.0}]
     made, _ = found(model(drives=SWING), points=pose, parameters=["a"])
-    assert [one.t for one in made.observed][0] == pytest.approx(1 / 12, abs=1e-9)
+    assert next(one.t for one in made.observed) == pytest.approx(1 / 12, abs=1e-9)
     with pytest.raises(ModelError) as caught:
         found(model(drives=SWING), points=[{**row, "P.vx": 1.0} for row in pose[:2]], parameters=["a"])
     assert {finding.code for finding in caught.value.findings} == {"accuracy.several-poses"}

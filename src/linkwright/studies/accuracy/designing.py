@@ -10,7 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.kernels import Compiled
+from linkwright.model import units as u
+from linkwright.model.dimensions import DimensionError
 from linkwright.model.findings import Finding
+from linkwright.model.names import Names
+from linkwright.model.places import Place, Scope
 from linkwright.results import Run
 from linkwright.studies.accuracy.allocate import Output, allocated, problem
 from linkwright.studies.accuracy.calibrate import calibrate, check_calibrate
@@ -76,10 +80,13 @@ def _known(compiled: Compiled, options: AccuracyOptions, count: int) -> dict[str
         for column in columns(compiled, name):
             found[column.name] = Output(empty, column.dimension, column.unit, column.size)
     for signal in options.signals(compiled):
+        place, names = Place((), signal, u.PURE, Scope.SIGNALS), Names(compiled.mechanism, quantities.signals)
+        if any(names.unknown(place)) or any(names.misplaced(place)):
+            continue  # told with the outputs
         try:
             dimension = quantities.dimensions.dimension(signal.node)
-        except ValueError:
-            continue  # told with the outputs
+        except DimensionError:
+            continue
         output = Output(empty, dimension, *quantities.unit_of(dimension))
         found |= dict.fromkeys((signal.text, *(f"{signal.text} at {p}" for p in options.positions)), output)
     return found
