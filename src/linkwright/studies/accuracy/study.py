@@ -44,7 +44,7 @@ class AccuracyStudy:
         nominal = Run(compiled, 0.0, span(compiled, options.cycle)[0], options.steps)
         deviations = contributors(compiled, options)
         outcome = AccuracyOutcome(compiled, options, nominal, deviations)
-        if found := refused(nominal, options, deviations.names):
+        if found := refused(nominal, options, deviations.names, "parameters"):
             outcome.failures = found
             return outcome
         texts = [signal.text for signal in options.signals(compiled)]
