@@ -12,6 +12,8 @@ from linkwright.model.fields import FrozenDict, Text
 from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import freeze
 from linkwright.model.tolerances import ClassName, DistributionName
+from linkwright.studies.accuracy.allocate import Allocate
+from linkwright.studies.accuracy.calibrate import Calibrate
 from linkwright.studies.accuracy.deviations import Deviations
 from linkwright.studies.accuracy.stated_options import Correlation, Thermal
 from linkwright.studies.asked import Sampling, one_of
@@ -47,6 +49,10 @@ class AccuracyOptions(Sampling):
     thermal: Annotated[dict[Text, Thermal], freeze] = Field(
         default_factory=FrozenDict, max_length=100, description="changes of temperature by name"
     )
+
+    # The way back: tolerances from what is wanted, dimensions from what is measured.
+    allocate: Allocate | None = Field(None, description="the cheapest tolerances for a wanted accuracy")
+    calibrate: Calibrate | None = Field(None, description="actual dimensions from measured outputs")
 
     # The random samples.
     samples: int = Field(10_000, ge=0, le=10**9, description="random samples; 0 for none")
