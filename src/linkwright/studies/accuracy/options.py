@@ -11,6 +11,7 @@ from linkwright.model.fields import FrozenDict, Text
 from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import freeze
 from linkwright.model.tolerances import ClassName, DistributionName
+from linkwright.studies.accuracy.clearance_options import Clearance
 from linkwright.studies.accuracy.stated_options import Correlation, Thermal
 from linkwright.studies.asked import Asked, one_of
 
@@ -51,3 +52,11 @@ class AccuracyOptions(Asked):
     plan: PlanName = Field("random", description="how samples are chosen")  # type: ignore[valid-type]
     seed: int = Field(0, ge=0, le=2**63, description="another seed gives other samples")
     kernel: KernelName = Field("auto", description="what computes it: chosen by the size of the work, or one by name")  # type: ignore[valid-type]
+
+    # Clearances in joints.
+    clearances: Annotated[dict[NameField, Clearance], freeze] = Field(
+        default_factory=FrozenDict, description="joints with clearance: pins and prismatic joints by name"
+    )
+    contact: float = Field(
+        0.05, gt=0, lt=1, description="the share of a joint's RMS reaction below which contact may be lost"
+    )
