@@ -20,10 +20,14 @@ from linkwright.model.document import load, plain
 from linkwright.model.expressions import Node, parse
 from linkwright.results import Run
 from linkwright.studies.accuracy.clearance import Plays
-from linkwright.studies.accuracy.clearance_figures import play_effects, unaffected
+from linkwright.studies.accuracy.clearance_figures import play_effects, state_plays, unaffected
 from linkwright.studies.accuracy.clearance_options import check_clearances
 from linkwright.studies.accuracy.derivatives import Derivatives
+from linkwright.studies.accuracy.figures import curves, figures
 from linkwright.studies.accuracy.options import AccuracyOptions
+from linkwright.studies.accuracy.outcome import AccuracyOutcome
+from linkwright.studies.accuracy.slopes import Slopes
+from linkwright.studies.accuracy.stated import contributors
 from linkwright.studies.many import Measuring
 from linkwright.studies.measures import measure_all
 from studies.models import TURN, four_bar, slider_crank
@@ -315,6 +319,29 @@ def test_measures_add_up_what_the_curve_shows() -> None:
     t = np.linspace(0, 1, 2000, endpoint=False)  # a whole turn: the trapezoidal rule converges at once
     shift, bound = found.curve(tree(found.compiled, "P.x"), t).mean(axis=1)
     assert (effects["mean", ""].shift, effects["mean", ""].bound) == pytest.approx((shift, bound), rel=1e-6)
+
+
+def test_an_outcome_is_given_its_plays() -> None:
+    measures = {"stroke": {"span": "P.x"}, "ends": {"extremes": "P.x"}, "force": {"max": "force(crank, coupler).x"}}
+    compiled = compiled_from(four_bar(measures=measures))
+    run, asked = Run(compiled, 0.0, 1.0, 60), options({"A": 0.02}, general="ISO 2768-m")
+    deviations = contributors(compiled, asked)
+    outcome = AccuracyOutcome(compiled, asked, run, deviations)
+    slopes = Slopes(run, deviations.directions)
+    outcome.curves = curves(run, slopes, deviations, ["P.y", "P.vy"])
+    every = figures(run, slopes, deviations, ["stroke", "ends", "force"])
+    state_plays(outcome, run, asked, every)
+    assert {name: figure.play is not None for name, figure in every.items()} == {
+        "stroke": True,
+        "ends min": True,
+        "ends max": True,
+        "force": False,
+    }
+    assert outcome.curves["P.y"].play is not None
+    assert outcome.curves["P.y"].play.shape == (2, 61)
+    assert outcome.curves["P.vy"].play is None
+    assert [w.data["names"] for w in outcome.warnings] == ["force, P.vy"]
+    assert [joint.joint for joint in outcome.joints] == ["A"]
 
 
 def test_without_forces_there_is_only_the_bound() -> None:

@@ -10,14 +10,38 @@ from numpy.typing import NDArray
 from linkwright.model.expressions import parse
 from linkwright.model.findings import Finding, Term
 from linkwright.model.mechanism import Measure
+from linkwright.results import Run
 from linkwright.results.windows import intervals
 from linkwright.studies.accuracy.clearance import PATH, Plays
 from linkwright.studies.accuracy.derivatives import Derivatives
-from linkwright.studies.accuracy.outcome import PlayEffect
+from linkwright.studies.accuracy.options import AccuracyOptions
+from linkwright.studies.accuracy.outcome import AccuracyOutcome, Figure, PlayEffect
 from linkwright.studies.measures import bound
 
 Array = NDArray[np.float64]
 Effects = dict[tuple[str, str], PlayEffect]
+
+
+def state_plays(outcome: AccuracyOutcome, run: Run, options: AccuracyOptions, every: Mapping[str, Figure]) -> None:
+    """Give figures of measures of ``run``, and an outcome's curves and joints, what the clearances do to them.
+
+    Those whose measure isn't in the outcome's file stand for signals, which are warned of once.
+    """
+    if not options.clearances:
+        return
+    plays = Plays(run.compiled, run, options)
+    effects, lacking = play_effects(plays, [*dict.fromkeys(figure.column.measure for figure in every.values())])
+    for figure in every.values():
+        figure.play = effects.get((figure.column.measure, figure.column.label))
+    lacking = {name: why for name, why in lacking.items() if name in outcome.compiled.mechanism.measures}
+    for text, curve in outcome.curves.items():
+        tree = run.compiled.quantities.dimensions.bind(parse(text), None)
+        if plays.fits([tree]):
+            curve.play = plays.curve(tree, curve.t)
+        else:
+            lacking[text] = Term("play-no-position")
+    outcome.joints = plays.joints()
+    outcome.warnings += [*plays.warnings, *unaffected(lacking)]
 
 
 def play_effects(plays: Plays, names: Sequence[str]) -> tuple[Effects, dict[str, Term]]:
