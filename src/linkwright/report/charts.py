@@ -8,6 +8,7 @@ from html import escape
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.report.data import Chart
 from linkwright.studies.sweep_outcome import widened
 
 Array = NDArray[np.float64]
@@ -15,15 +16,22 @@ Array = NDArray[np.float64]
 WIDTH, HEIGHT = 400.0, 220.0
 LEFT, RIGHT, TOP, BOTTOM = 58.0, 12.0, 8.0, 36.0
 MOST_POSES, MOST_CHARTS = 400, 24
+LETTER = 6.5
+"""The width of a letter."""
 NARROW = 0.2
 """A band narrower than this share of the signal's span is hardly seen."""
 
 
 class Axes:
-    """Places of values in a drawing, with the axes' lines and numbers; ``x`` and ``y`` are their ranges."""
+    """Places of values in a drawing, with the axes' lines and numbers; ``x`` and ``y`` are their ranges.
 
-    def __init__(self, x: tuple[float, float], y: tuple[float, float], label: str) -> None:
-        self.x, self.y, self.label = widened(*x), widened(*y), label
+    With ``names``, these stand below 0 .. 1, 1 .. 2 and so on, instead of numbers.
+    """
+
+    def __init__(
+        self, x: tuple[float, float], y: tuple[float, float], label: str, names: Sequence[str] | None = None
+    ) -> None:
+        self.x, self.y, self.label, self.names = widened(*x), widened(*y), label, names
 
     def across(self, values: Array) -> Array:
         """Where values lie from the left."""
@@ -53,27 +61,27 @@ class Axes:
 
     def bars(self, edges: Array, tops: Array) -> list[str]:
         """A bar from zero between each two edges."""
-        left, right, top = self.across(edges[:-1]), self.across(edges[1:]), self.up(tops)
-        floor = HEIGHT - BOTTOM
+        left, right, end = self.across(edges[:-1]), self.across(edges[1:]), self.up(tops)
+        zero = float(self.up(np.array(0.0)))
         return [
-            f'<rect class="bar" x="{a:.1f}" y="{y:.1f}" width="{max(b - a - 0.5, 0.5):.1f}" height="{floor - y:.1f}"/>'
-            for a, b, y in zip(left.tolist(), right.tolist(), top.tolist(), strict=True)
+            f'<rect class="bar" x="{a:.1f}" y="{min(y, zero):.1f}" width="{max(b - a - 0.5, 0.5):.1f}" '
+            f'height="{abs(zero - y):.1f}"/>'
+            for a, b, y in zip(left.tolist(), right.tolist(), end.tolist(), strict=True)
         ]
 
-    def dots(self, x: Array, y: Array, radius: float) -> list[str]:
-        """A dot at each place."""
-        places = zip(self.across(x).tolist(), self.up(y).tolist(), strict=True)
-        return [f'<circle class="dot" cx="{a:.1f}" cy="{b:.1f}" r="{radius}"/>' for a, b in places]
+    def dots(self, x: Array, y: Array, radius: float, kind: str = "dot") -> list[str]:
+        """A dot at each place that has a value."""
+        known = np.isfinite(y)
+        places = zip(self.across(x[known]).tolist(), self.up(y[known]).tolist(), strict=True)
+        return [f'<circle class="{kind}" cx="{a:.1f}" cy="{b:.1f}" r="{radius}"/>' for a, b in places]
 
     def drawing(self, shapes: Sequence[str], title: str) -> str:
         """The whole: grid, shapes, numbers."""
         lines, numbers = [], []
-        for value in ticks(*self.x, 6):
-            x = float(self.across(np.array(value)))
-            lines.append(f"M{x:.1f} {TOP:.0f}V{HEIGHT - BOTTOM:.0f}")
-            numbers.append(
-                f'<text x="{x:.1f}" y="{HEIGHT - BOTTOM + 14:.0f}" text-anchor="middle">{_shown(value)}</text>'
-            )
+        for place, text, line in self._below():
+            x = float(self.across(np.array(place)))
+            lines += [f"M{x:.1f} {TOP:.0f}V{HEIGHT - BOTTOM:.0f}"] if line else []
+            numbers.append(f'<text x="{x:.1f}" y="{HEIGHT - BOTTOM + 14:.0f}" text-anchor="middle">{text}</text>')
         for value in ticks(*self.y, 5):
             y = float(self.up(np.array(value)))
             lines.append(f"M{LEFT:.0f} {y:.1f}H{WIDTH - RIGHT:.0f}")
@@ -84,6 +92,26 @@ class Axes:
             f'<svg class="lw still" viewBox="0 0 {WIDTH:.0f} {HEIGHT:.0f}" role="img" aria-label="{escape(title)}">'
             f'<path class="grid" d="{"".join(lines)}"/>{"".join(shapes)}{"".join(numbers)}</svg>'
         )
+
+    def _below(self) -> list[tuple[float, str, bool]]:
+        """What stands below: where, the text, whether a line goes up from it."""
+        if self.names is None:
+            return [(value, _shown(value), True) for value in ticks(*self.x, 6)]
+        room = int((WIDTH - LEFT - RIGHT) / LETTER / max(len(self.names), 1))
+        return [(i + 0.5, escape(shortened(name, room)), False) for i, name in enumerate(self.names)]
+
+
+def figures(charts: Sequence[Chart]) -> str:
+    """Charts as HTML."""
+    return "".join(
+        f'<figure class="chart-still"><figcaption>{escape(chart["title"])}</figcaption>{chart["drawing"]}</figure>'
+        for chart in charts
+    )
+
+
+def shortened(name: str, letters: int) -> str:
+    """A name in so much room."""
+    return name if len(name) <= letters else name[: max(letters - 1, 1)] + "…"
 
 
 def ticks(low: float, high: float, count: int) -> list[float]:

@@ -7,10 +7,9 @@ import io
 import numpy as np
 from numpy.typing import NDArray
 
-import linkwright
 from linkwright.model.units import TIME
 from linkwright.report.csv_text import cell, head, written
-from linkwright.results.netcdf import stored, variable_name
+from linkwright.results.netcdf import described, stored, variable_name
 from linkwright.results.result import si_unit
 from linkwright.studies import SweepOutcome
 
@@ -96,12 +95,5 @@ def netcdf_bytes(outcome: SweepOutcome) -> bytes:
 
 
 def _attributes(outcome: SweepOutcome) -> dict[str, str]:
-    return {
-        "Conventions": "CF-1.11",
-        "title": outcome.compiled.mechanism.name,
-        "source": f"linkwright {linkwright.__version__}",
-        "plan": outcome.plan.name,
-        "seed": str(outcome.options.seed),
-        "kernel": outcome.kernel,
-        "findings": "\n".join(f"{f.code}: {f.what}" for f in (*outcome.failures, *outcome.warnings)) or "none",
-    }
+    facts = described(outcome.compiled, (*outcome.failures, *outcome.warnings))
+    return {**facts, "plan": outcome.plan.name, "seed": str(outcome.options.seed), "kernel": outcome.kernel}
