@@ -18,10 +18,17 @@ ZERO = Pair(0.0, 0.0)
 
 
 class Geometry:
-    """Coordinates, masses and loads of a mechanism for given parameter values (floats or CasADi symbols), in SI."""
+    """Coordinates, masses and loads of a mechanism for given parameter values (floats or CasADi symbols), in SI.
 
-    def __init__(self, quantities: Quantities, parameters: Mapping[str, Scalar]) -> None:
-        self.quantities, self.parameters = quantities, parameters
+    ``plays`` are offsets of joints that no signal or mass shares: ``PIN/LINK/x`` and ``/y`` move the place on the link
+    (m, in its frame) that is put on the pin; ``SLIDE/normal`` and ``SLIDE/tilt`` move the second link's line along its
+    normal (m) and turn it about its point (rad).
+    """
+
+    def __init__(
+        self, quantities: Quantities, parameters: Mapping[str, Scalar], plays: Mapping[str, Scalar] | None = None
+    ) -> None:
+        self.quantities, self.parameters, self.plays = quantities, parameters, plays or {}
         self.mechanism = quantities.mechanism
         self._points: dict[tuple[str, str], Pair] = {}
 
@@ -57,6 +64,22 @@ class Geometry:
         entry = self.mechanism.joints[joint]
         assert entry.line is not None
         return self.number(entry.line[entry.links.index(link)].angle, u.ANGLE)
+
+    def pivot(self, pin: str, link: str, point: str) -> Pair:
+        """The place (m, in the link's frame) that is put on a pin: its point there, and a play."""
+        at, plays = self.point(link, point), self.plays
+        return Pair(*(q + plays.get(f"{pin}/{link}/{axis}", 0.0) for axis, q in zip("xy", at, strict=True)))
+
+    def seat(self, joint: str, link: str) -> tuple[Pair, Pair, Scalar]:
+        """Point (m), heading (unit vector) and its angle (rad) of the line by which a link slides, with its play."""
+        (foot, heading), angle = self.line(joint, link), self.heading_angle(joint, link)
+        if link == self.mechanism.joints[joint].links[1]:
+            if (away := self.plays.get(f"{joint}/normal")) is not None:
+                foot = Pair(foot.x - away * heading.y, foot.y + away * heading.x)
+            if (tilt := self.plays.get(f"{joint}/tilt")) is not None:
+                angle = angle + tilt
+                heading = unit_vector(angle)
+        return foot, heading, angle
 
     def _heading(self, expression: Expression) -> Pair:
         return unit_vector(self.number(expression, u.ANGLE))

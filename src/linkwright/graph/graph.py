@@ -66,6 +66,11 @@ class Graph:
         """The first input row that Newton supplies."""
         return len(self.drives) * (MAX_ORDER + 2) + len(self.branched)
 
+    @property
+    def width(self) -> int:
+        """How many rows each drive has: its value and its rates."""
+        return MAX_ORDER + 2
+
     @cached_property
     def pose_rows(self) -> tuple[str, ...]:
         """The output rows of all moving links' poses: place of the origin (m), cosine and sine, link by link."""
@@ -133,13 +138,13 @@ class Graph:
         view = self._view(max(order, 1) if rates and self.structure.clusters else order)
         rows = [ca.SX(view.row(name)) for name in names]
         if rates:
-            slopes = ca.jtimes(ca.vertcat(*rows), view.x, self._flow(view))
+            slopes = ca.jtimes(ca.vertcat(*rows), view.x, self.flow(view))
             rows = [part for i, row in enumerate(rows) for part in (row, slopes[i])]
         block = ExpressionStage.from_rows(view.x, view.p, rows)
         outputs = tuple(part for name in names for part in ((name, f"d({name})") if rates else (name,)))
         return Program(self._solves(block) if solve else (), block, self.inputs, self.parameters, outputs)
 
-    def _flow(self, view: View) -> Any:
+    def flow(self, view: View) -> Any:
         """The rate of change of the inputs in time."""
         flow = []
         for i in range(len(self.drives)):

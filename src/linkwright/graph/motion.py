@@ -89,5 +89,5 @@ def _same_angle(motion: Motion, step: Group, links: tuple[str, ...], body: Body,
         return body
     link, on = links
     joint = step.inner.joint
-    angle = other.angle + motion.geometry.heading_angle(joint, on) - motion.geometry.heading_angle(joint, link)
+    angle = other.angle + motion.geometry.seat(joint, on)[2] - motion.geometry.seat(joint, link)[2]
     return Body(body.anchor, body.local, body.axis, body.turn, angle)

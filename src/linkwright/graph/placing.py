@@ -45,14 +45,11 @@ def outer_joint(motion: Motion, connection: Connection, link: str) -> Outer:
     base, geometry = motion.bodies[base_name], motion.geometry
     if connection.letter == "R":
         pin = motion.structure.topology.pins[connection.joint]
-        at = base.point(geometry.point(base_name, pin.point(base_name)))
-        return OuterPin(at, geometry.point(link, pin.point(link)))
-    base_point, base_heading = geometry.line(connection.joint, base_name)
-    foot, heading = geometry.line(connection.joint, link)
-    angle = None
-    if base.angle is not None:
-        headings = [geometry.heading_angle(connection.joint, name) for name in (base_name, link)]
-        angle = base.angle + headings[0] - headings[1]
+        at = base.point(geometry.pivot(connection.joint, base_name, pin.point(base_name)))
+        return OuterPin(at, geometry.pivot(connection.joint, link, pin.point(link)))
+    base_point, base_heading, base_angle = geometry.seat(connection.joint, base_name)
+    foot, heading, own_angle = geometry.seat(connection.joint, link)
+    angle = None if base.angle is None else base.angle + base_angle - own_angle
     return OuterLine(base.point(base_point), base.direction(base_heading), base.turn, foot, heading, angle)
 
 
@@ -62,5 +59,5 @@ def inner_joint(motion: Motion, connection: Connection, links: tuple[str, str]) 
     geometry, joint = motion.geometry, connection.joint
     if connection.letter == "R":
         pin = motion.structure.topology.pins[joint]
-        return InnerPin(geometry.point(a, pin.point(a)), geometry.point(b, pin.point(b)))
-    return InnerLine(*geometry.line(joint, a), *geometry.line(joint, b))
+        return InnerPin(geometry.pivot(joint, a, pin.point(a)), geometry.pivot(joint, b, pin.point(b)))
+    return InnerLine(*geometry.seat(joint, a)[:2], *geometry.seat(joint, b)[:2])

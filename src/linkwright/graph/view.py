@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -40,9 +40,10 @@ class View:
     motion: Motion
     laws: dict[str, Jet]
     given: dict[str, Any]  # the inputs of loads and springs
+    plays: list[Any]
 
     @classmethod
-    def build(cls, graph: Graph, order: int, inputs: tuple[str, ...]) -> View:
+    def build(cls, graph: Graph, order: int, inputs: tuple[str, ...], plays: Sequence[str] = ()) -> View:
         symbols = [ca.SX.sym(name) for name in inputs]
         x, first = ca.vertcat(*symbols), len(graph.motion_inputs)
         given, symbols = dict(zip(inputs[first:], symbols[first:], strict=True)), symbols[:first]
@@ -53,11 +54,13 @@ class View:
         unknowns, rest = {}, symbols[graph.first_unknown :]
         for cluster in graph.structure.clusters:
             unknowns[cluster], rest = rest[: len(cluster.free)], rest[len(cluster.free) :]
-        geometry = Geometry(graph.quantities, dict(zip(graph.parameters, values, strict=True)))
+        offsets = [ca.SX.sym(name) for name in plays]
+        parameters = dict(zip(graph.parameters, values, strict=True))
+        geometry = Geometry(graph.quantities, parameters, dict(zip(plays, offsets, strict=True)))
         motion = solve_motion(
             graph.structure, geometry, laws, lambda group, _: branches.get(group, 1.0), unknowns.__getitem__
         )
-        return cls(graph, x, ca.vertcat(*values), motion, laws, given)
+        return cls(graph, x, ca.vertcat(*values), motion, laws, given, offsets)
 
     @cached_property
     def forces(self) -> Forces:

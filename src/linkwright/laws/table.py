@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.notation import Jet
+from linkwright.notation.duals import Dual, value_of
 
 Array = NDArray[np.float64]
 
@@ -48,7 +49,7 @@ class TableLaw:
 
     def __call__(self, x: Jet) -> Jet:
         """The value with its time derivatives, from those of the argument."""
-        given = np.asarray(x.d[0], dtype=float)
+        given = _number(x)
         at = self._within(given)
         outside = np.isnan(at) & ~np.isnan(given)
         if np.any(outside):
@@ -57,16 +58,18 @@ class TableLaw:
 
     def or_nan(self, x: Jet) -> Jet:
         """The same, NaN outside an open table."""
-        return self._compose(x, self._within(np.asarray(x.d[0], dtype=float)), 0)
+        return self._compose(x, self._within(_number(x)), 0)
 
     def integral(self, x: Jet) -> Jet:
         """The integral from the first point on, exact with its derivatives; NaN outside an open table."""
-        given = np.asarray(x.d[0], dtype=float)
+        given = _number(x)
         whole = self._spline.antiderivative()
         value = whole(self._within(given)) - whole(self.x[0])
         if self.period is not None:
             each = whole(self.x[0] + self.period) - whole(self.x[0])
             value = value + each * np.floor_divide(given - self.x[0], self.period)
+        if isinstance(x.d[0], Dual):
+            value = Dual(value, self._at(self._within(given), 0) * x.d[0].slope)
         return x.chain(value, self.or_nan)
 
     def _within(self, at: Array) -> Array:
@@ -77,6 +80,16 @@ class TableLaw:
         inside = (at >= self.x[0] - slack) & (at <= self.x[-1] + slack)
         return np.where(inside, np.clip(at, self.x[0], self.x[-1]), np.nan)
 
+    def _at(self, at: Array, order: int) -> Array:
+        """A derivative by the argument."""
+        return self._spline(at, nu=order) if order <= self.degree else np.zeros_like(at)
+
     def _compose(self, x: Jet, at: Array, order: int) -> Jet:
-        value = self._spline(at, nu=order) if order <= self.degree else np.zeros_like(at)
+        value: Any = self._at(at, order)
+        if isinstance(x.d[0], Dual):
+            value = Dual(value, self._at(at, order + 1) * x.d[0].slope)
         return x.chain(value, lambda low: self._compose(low, at, order + 1))
+
+
+def _number(x: Jet) -> Array:
+    return np.asarray(value_of(x.d[0]), dtype=float)

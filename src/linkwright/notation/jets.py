@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 Scalar = Any
-"""A float, a NumPy array or a CasADi ``SX`` scalar."""
+"""A float, a NumPy array, a dual or a CasADi ``SX`` scalar."""
 
 MAX_ORDER = 3
 """The highest order reported: position 0, velocity 1, acceleration 2, jerk 3."""
@@ -30,8 +30,10 @@ def is_zero(value: Scalar) -> bool:
 
 
 def call(name: str, *args: Scalar) -> Scalar:
-    """Apply an elementary function by its NumPy name to numbers, arrays or CasADi symbols."""
+    """Apply an elementary function by its NumPy name to numbers, arrays, duals or CasADi symbols."""
     for arg in args:
+        if (own := getattr(arg, "elementary", None)) is not None:
+            return own(name, *args)
         if type(arg).__module__.startswith("casadi"):
             import casadi
 
@@ -123,6 +125,8 @@ class Jet:
             return (self.log() * power).exp()
         if isinstance(power, np.ndarray):
             return self._powers(power)
+        if not isinstance(power, int | float | np.number):
+            return (self.log() * Jet.constant(power, self.order)).exp()
         if power == 0:
             return Jet.constant(1.0, self.order)
         if power == int(power) and 0 < power <= 4:

@@ -168,6 +168,19 @@ def combined(
 
     ``given`` are parameters other than the nominal ones: numbers, or arrays that broadcast with the times.
     """
+    value = expressed(compiled, node, t, rows, order, given)
+    return Jet([np.broadcast_to(np.asarray(d, dtype=float), t.shape) for d in value.d])
+
+
+def expressed(
+    compiled: Compiled,
+    node: Node,
+    t: Array,
+    rows: Mapping[str, Sequence[Any]],
+    order: int,
+    given: Mapping[str, Any] | None = None,
+) -> Jet:
+    """The same with entries as they come out; those of ``rows`` and ``given`` may be duals."""
     parameters = compiled.quantities.parameters if given is None else given
     time = Jet([t, np.ones_like(t)]).cut(order)
 
@@ -189,6 +202,4 @@ def combined(
             value = evaluate(node, named, called)
     except ZeroDivisionError:
         value = np.nan
-    if not isinstance(value, Jet):
-        value = Jet.constant(value, order)
-    return Jet([np.broadcast_to(np.asarray(d, dtype=float), t.shape) for d in value.d])
+    return value if isinstance(value, Jet) else Jet.constant(value, order)

@@ -1,0 +1,62 @@
+"""Tangents: how signals change with the parameters, exactly, as a program.
+
+The program takes a direction beside the parameters and gives the derivative along it: forward differentiation of the
+expressions (Griewank and Walther, *Evaluating Derivatives*, 2nd ed., ch. 3). Its size doesn't grow with the number of
+parameters, of which each is a direction. What the closures of clusters make of their coordinates follows from the
+implicit function theorem: J du = -(dg/dp) dp.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+from linkwright.graph.program import ExpressionStage, Program
+from linkwright.graph.view import View
+
+if TYPE_CHECKING:
+    from linkwright.graph.graph import Graph
+
+
+def tangent(graph: Graph, names: Sequence[str], rates: bool = False, plays: Sequence[str] = ()) -> Program:
+    """The program of the named signals with their derivatives along a direction.
+
+    Each name has two outputs, or with ``rates`` four: value (and time derivative), then the tangents of these. Inputs
+    are the graph's and their tangents (those of drives and tables count), parameters the graph's, their tangents, and
+    those of the ``plays`` (see :class:`Geometry`), which are 0 themselves.
+    """
+    order = max((graph.order_of(name) for name in names), default=0)
+    view = View.build(graph, max(order, 1) if rates else order, graph.inputs, plays)
+    rows = ca.vertcat(*(ca.SX(view.row(name)) for name in names))
+    if rates:
+        rows = ca.vertcat(rows, ca.jtimes(rows, view.x, graph.flow(view)))
+    symbols = [ca.SX.sym(f"d({name})") for name in graph.inputs]
+    inputs = list(symbols)
+    directions = ca.SX.sym("direction", len(graph.parameters) + len(plays))
+
+    def along(what: Any) -> Any:
+        """The tangent of expressions."""
+        free = ca.vertcat(view.x, view.p, *view.plays)
+        return ca.jtimes(what, free, ca.vertcat(*inputs, directions))
+
+    for i in range(len(graph.drives) * graph.width, graph.first_unknown):
+        inputs[i] = ca.SX(0)  # branches
+    for cluster in graph.structure.clusters:
+        at = graph.coordinates(cluster)
+        for row in at:
+            inputs[row] = ca.SX(0)
+        solved = view.motion.clusters[cluster]
+        missed = along(ca.vertcat(*solved.gaps))
+        for row, q in zip(at, solved.factor.solve([missed[i] for i in range(len(at))]), strict=True):
+            inputs[row] = -q
+    both = ca.vertcat(rows, along(rows))
+    if plays:
+        both = ca.substitute(both, ca.vertcat(*view.plays), ca.DM.zeros(len(plays)))
+    count, kinds = len(names), 4 if rates else 2
+    ordered = [both[kind * count + i] for i in range(count) for kind in range(kinds)]
+    block = ExpressionStage.from_rows(ca.vertcat(view.x, *symbols), ca.vertcat(view.p, directions), ordered)
+    said = [f"d({name})" for name in (*graph.parameters, *plays)]
+    outputs = tuple(f"{name}/{kind}" for name in names for kind in range(kinds))
+    return Program((), block, (*graph.inputs, *(f"d({n})" for n in graph.inputs)), (*graph.parameters, *said), outputs)

@@ -1,0 +1,187 @@
+"""Derivatives of measures by the deviations.
+
+An extreme inside the run has the partial derivative at its place, as its rate is zero there; at the end of a window
+that moves, the end's motion adds its term; where several places have the same extreme the derivative is one-sided. A
+mean follows from Leibniz' rule for integrals with moving ends. The place of a value moves by the implicit function
+theorem.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.model.check import WHERE
+from linkwright.model.expressions import Node
+from linkwright.model.mechanism import REDUCTIONS, Measure
+from linkwright.results import Run
+from linkwright.results.quadrature import gauss_points
+from linkwright.results.windows import intervals
+from linkwright.studies.accuracy.derivative import Derivative
+from linkwright.studies.accuracy.edges import Edges
+from linkwright.studies.accuracy.slopes import Slopes
+from linkwright.studies.accuracy.stretches import dwell, straightness
+from linkwright.studies.measures import Measurer, Probe
+
+Array = NDArray[np.float64]
+
+TIE = 1e-9
+"""Places whose values are nearer than this share of the expression's size have the same extreme."""
+APART = 1e-7
+"""Slopes that differ by no more than this share are one."""
+CLOSE = 1e-11
+"""How near two quadratures of the slopes are to be, over their size."""
+MOST_PANELS = 1 << 12
+
+
+class Derivatives:
+    """The derivatives of the measures of a run."""
+
+    def __init__(self, run: Run, slopes: Slopes, names: Sequence[str]) -> None:
+        self.run, self.slopes, self.edges = run, slopes, Edges(slopes)
+        self.measurer = Measurer(run, names)
+        self.trees = self.measurer.trees
+        self.turning = dict(zip(self.trees, self.measurer.turning(), strict=True)) if self.trees else {}
+
+    def of(self, name: str) -> list[Derivative]:
+        """Those of a measure's figures, in their order."""
+        measure = self.measurer.measures[name]
+        return RULES[measure.reduction](self, name, measure)
+
+    def probe(self, key: str, window: str | None) -> Probe:
+        """An expression over a window."""
+        return Probe(self.run, self.trees[key], intervals(self.run, window), self.turning[key])
+
+    def moves(self, window: str | None, time: float) -> Array | None:
+        """How a time moves with the deviations that is an end of a window or of a load."""
+        end = self.edges.end(window, time)
+        return self.edges.jump(time) if end is None else end
+
+    def place(self, tree: Node, time: float, window: str | None) -> Array:
+        """The derivative of an expression's extreme at a place."""
+        moves = self.moves(window, time)
+        if moves is None and (kink := self.edges.kink(tree, time)) is not None:
+            return kink[0]
+        here = self.slopes.at([tree], np.array([time]))
+        slope = here.slope[0, :, 0]
+        return slope if moves is None else np.asarray(slope + here.rate[0, 0] * moves)
+
+    def extreme(self, key: str, window: str | None, sign: float) -> Derivative:
+        """That of the largest value, or with the sign -1 of the smallest."""
+        probe = self.probe(key, window)
+        times, values = probe.candidates
+        best = (sign * values).max()
+        near = times[sign * values >= best - TIE * np.abs(values).max()]
+        slopes = np.stack([self.place(probe.node, float(time), window) for time in near])
+        below, above = sign * (sign * slopes).min(axis=0), sign * (sign * slopes).max(axis=0)
+        tie = bool((np.abs(above - below) > APART * np.abs(slopes).max()).any())
+        sides = np.stack([below, above] if tie else [slopes[0]] * 2, axis=1)
+        return Derivative("max" if sign > 0 else "min", float(near[0]), sides, tie)
+
+    def instant(self, name: str, measure: Measure) -> tuple[float, Array]:
+        """The place of a value and its derivative."""
+        match, spans = WHERE.match(measure.where or ""), intervals(self.run, measure.window)
+        assert match is not None
+        if match[1]:
+            probe = self.probe(f"{name} where", measure.window)
+            time = (probe.top() if match[1] == "max" else probe.bottom()).time
+            assert time is not None
+        else:
+            time = spans[0][0] if match[3] else spans[-1][1]
+        moves = self.moves(measure.window, time)
+        return time, self.edges.turn(probe.node, time) if moves is None else moves
+
+    def integral(self, name: str, window: str | None, power: int) -> tuple[float, Array, float, Array]:
+        """The integral of a power of an expression over a window with its derivative; the window's length likewise."""
+        probe, edges = self.probe(name, window), self.edges
+        total, slope, length, grows = 0.0, np.zeros(self.slopes.count), probe.length(), np.zeros(self.slopes.count)
+        corners = np.concatenate([probe.stationary, self.run.breaks])
+        for a, b in probe.intervals:
+            inside = corners[(a < corners) & (corners < b)]
+            value, part = self._quadrature(probe.node, a, b, inside, power)
+            total, slope = total + value, slope + part
+            for edge, sign in ((a, -1.0), (b, 1.0)):
+                moves = edges.end(window, edge)
+                assert moves is not None
+                slope = slope + sign * self._power(probe, edge, power) * moves
+                grows = grows + sign * moves
+            for before, after in self.run.jumps:
+                if a < before and after < b and (moves := edges.jump((before + after) / 2)) is not None:
+                    step = self._power(probe, before, power) - self._power(probe, after, power)
+                    slope = slope + step * moves
+        return total, slope, length, grows
+
+    def _power(self, probe: Probe, time: float, power: int) -> float:
+        return float(probe.values(np.array([time]))[0]) ** power
+
+    def _quadrature(self, tree: Node, a: float, b: float, corners: Array, power: int) -> tuple[float, Array]:
+        """The integral of a power and that of its derivative, on panels doubled until both stand still."""
+        panels, last = max(16, int(self.run.grid * (b - a) / (self.run.stop - self.run.start)) // 4), None
+        while True:
+            t, weight = gauss_points(np.union1d(np.linspace(a, b, panels + 1), corners))
+            here = self.slopes.at([tree], t, rates=False)
+            value, slope = here.value[0], here.slope[0]
+            found = float(value**power @ weight), (power * value ** (power - 1) * slope) @ weight
+            if last is not None:
+                size = np.abs(slope * value ** (power - 1)) @ weight
+                if (abs(found[1] - last) <= CLOSE * size).all():
+                    return found
+            if panels >= MOST_PANELS:
+                return found
+            panels, last = 2 * panels, found[1]
+
+
+def _largest(found: Derivatives, name: str, measure: Measure) -> list[Derivative]:
+    return [replace(found.extreme(name, measure.window, 1.0), label="")]
+
+
+def _smallest(found: Derivatives, name: str, measure: Measure) -> list[Derivative]:
+    return [replace(found.extreme(name, measure.window, -1.0), label="")]
+
+
+def _extremes(found: Derivatives, name: str, measure: Measure) -> list[Derivative]:
+    return [found.extreme(name, measure.window, sign) for sign in (-1.0, 1.0)]
+
+
+def _span(found: Derivatives, name: str, measure: Measure) -> list[Derivative]:
+    low, high = _extremes(found, name, measure)
+    return [Derivative("", None, high.sides - low.sides, low.tie or high.tie)]
+
+
+def _value(found: Derivatives, name: str, measure: Measure) -> list[Derivative]:
+    time, moves = found.instant(name, measure)
+    here = found.slopes.at([found.trees[name]], np.array([time]))
+    return [Derivative.smooth(here.slope[0, :, 0] + here.rate[0, 0] * moves, time)]
+
+
+def _mean(found: Derivatives, name: str, measure: Measure) -> list[Derivative]:
+    total, slope, length, grows = found.integral(name, measure.window, 1)
+    return [Derivative.smooth((slope - total / length * grows) / length)]
+
+
+def _rms(found: Derivatives, name: str, measure: Measure) -> list[Derivative]:
+    total, slope, length, grows = found.integral(name, measure.window, 2)
+    return [Derivative.smooth((slope - total / length * grows) / length / (2 * np.sqrt(total / length)))]
+
+
+def _path(found: Derivatives, name: str, measure: Measure) -> list[Derivative]:
+    return [Derivative.smooth(found.integral(name, measure.window, 1)[1])]
+
+
+# One rule per reduction of the file format, as RULES of the measures.
+RULES: dict[str, Callable[[Derivatives, str, Measure], list[Derivative]]] = {
+    "span": _span,
+    "max": _largest,
+    "min": _smallest,
+    "extremes": _extremes,
+    "mean": _mean,
+    "rms": _rms,
+    "path": _path,
+    "value": _value,
+    "straightness": straightness,
+    "dwell": dwell,
+}
+assert {*RULES} == set(REDUCTIONS)

@@ -1,0 +1,67 @@
+"""Expressions of signals with their exact derivatives by the deviations, at any time of the run."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.kernels.tangents import Tangents
+from linkwright.model.expressions import Node, evaluate
+from linkwright.model.fields import Expression
+from linkwright.model.units import Dimension
+from linkwright.notation.duals import Dual, slope_of, value_of
+from linkwright.results import Run
+from linkwright.results.run import expressed
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Local:
+    """Expressions at some times, SI: ``value`` and its time derivative ``rate`` (expressions, times), both by the
+    deviations in ``slope`` and ``twist`` (expressions, deviations, times)."""
+
+    value: Array
+    rate: Array
+    slope: Array
+    twist: Array
+
+
+class Slopes:
+    """Expressions over a run by deviations: ``directions`` (parameters, n) and ``plays`` of joints, as
+    :class:`Tangents` takes them."""
+
+    def __init__(self, run: Run, directions: Array, plays: Sequence[str] = ()) -> None:
+        self.run, self.tangents = run, Tangents(run.compiled, directions, plays)
+        self.count = self.tangents.count
+        self._given = self.tangents.given()
+
+    def at(self, trees: Sequence[Node], t: Array, rates: bool = True) -> Local:
+        """Expressions bound to SI at times ``t`` (s); without ``rates`` these and their slopes are 0."""
+        names, kinds = self.run.signals_of(trees), 2 if rates else 1
+        value, slope = self.tangents.evaluate(names, t, rates)
+        value, slope = value.reshape(len(names), kinds, -1), slope.reshape(len(names), kinds, self.count, -1)
+        if any(self.run.compiled.graph.wrapped(name) for name in names):
+            value[:, 0] = self.run.evaluate(names, t)
+        rows = {
+            name: tuple(Dual(v, s) for v, s in zip(values, slopes, strict=True))
+            for name, values, slopes in zip(names, value, slope, strict=True)
+        }
+        found = Local(*(np.zeros((len(trees), t.size)) for _ in "vr"), *(np.zeros(self._shape(trees, t)) for _ in "st"))
+        for i, tree in enumerate(trees):
+            jet = expressed(self.run.compiled, tree, t, rows, kinds - 1, self._given)
+            for d, values, slopes in zip(jet.d, (found.value, found.rate), (found.slope, found.twist), strict=False):
+                values[i], slopes[i] = value_of(d), slope_of(d)
+        return found
+
+    def _shape(self, trees: Sequence[Node], t: Array) -> tuple[int, ...]:
+        return len(trees), self.count, t.size
+
+    def constant(self, expression: Expression, dimension: Dimension) -> tuple[float, Array]:
+        """An expression of parameters alone: its value and its slopes (deviations,)."""
+        node = self.run.compiled.quantities.bind(expression, dimension)
+        number = evaluate(node, lambda name: self._given[name.text])
+        return float(value_of(number)), np.broadcast_to(np.ravel(slope_of(number)), self.count).astype(float)

@@ -1,0 +1,110 @@
+"""Derivatives of measures against differences of the measures of mechanisms with other dimensions."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from helpers.compiled import compiled_from
+from helpers.differences import OFFSETS, WEIGHTS
+from linkwright.kernels import Compiled
+from linkwright.kernels.varied import Varied
+from linkwright.model.document import load, plain
+from linkwright.results import Run
+from linkwright.studies.accuracy.derivatives import RULES, Derivatives
+from linkwright.studies.accuracy.slopes import Slopes
+from linkwright.studies.many import LABELS, Measuring
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+
+MEASURES = {
+    "span": {"span": "E.x"},
+    "max": {"max": "motor.torque"},
+    "min": {"min": "E.vx"},
+    "kinked": {"min": "abs(E.vx) + abs(E.x - AD)/(1 s)", "window": "late"},
+    "extremes": {"extremes": "force(frame, crank).x", "window": "early"},
+    "mean": {"mean": "motor.power", "window": "early"},
+    "rms": {"rms": "motor.torque", "window": "high"},
+    "path": {"path": "C", "window": "high"},
+    "at_an_extreme": {"value": "crank.angle", "where": "max E.x", "wrap": [0, 360]},
+    "at_a_kink": {"value": "E.y", "where": "min abs(E.vx) + abs(E.x - AD)/(1 s)", "window": "late"},
+    "at_an_end": {"value": "E.x", "where": "end", "window": "early"},
+    "at_a_start": {"value": "E.y", "where": "start", "window": "high"},
+    "straight": {"straightness": "C"},
+    "straight_part": {"straightness": "E", "window": "early"},
+    "passing": {"dwell": "rocker.angle", "within": "wide/(1 m)", "window": "late"},
+    "resting": {"dwell": "E.x", "within": "wide"},
+    "max_in_a_window": {"max": "C.y", "window": "early"},
+}
+NAMES = ["AB", "CD", "AD", "edge", "m", "offset", "wide"]
+NOMINAL = [0.155, 0.3, 0.3, 0.31, 2, 0.02, 0.05]
+
+
+def feeder() -> Compiled:
+    data: dict[str, Any] = plain(load(EXAMPLES / "paper_feeder.yaml"))
+    data["parameters"] |= {"edge": "0.31 s", "m": "2 kg", "offset": "1 deg", "wide": "50 mm"}
+    data["links"]["rocker"]["mass"] = "m"
+    data["drives"]["motor"]["start"] = "20 deg + offset"
+    data["windows"] = {"early": ["0.05 s", "edge"], "late": ["0.4 s", "0.7 s"], "high": {"C.y": ["CD/3", "CD*0.9"]}}
+    data["loads"] = {"push": {"on": "slider", "at": "E", "force": [5, -7], "window": "high"}}
+    data["measures"] = MEASURES
+    data["require"] = {}
+    return compiled_from(data)
+
+
+@pytest.fixture(scope="module")
+def found() -> dict[str, tuple[list[Any], np.ndarray]]:
+    """Of each measure its derivatives and their differences of eighth order (figures, names)."""
+    compiled = feeder()
+    run = Run(compiled, 0.0, 1.5, 200)
+    varied = Varied(compiled, NAMES)
+    nominal = np.array([compiled.quantities.parameters[name] for name in NAMES])
+    directions = varied.parameters(nominal[:, None] + np.eye(len(NAMES))) - compiled.parameters[:, None]
+    derivatives = Derivatives(run, Slopes(run, directions), list(MEASURES))
+    steps = 2e-4 * nominal
+    shifts = (steps[:, None] * OFFSETS)[None] * np.eye(len(NAMES))[:, :, None]
+    many = Measuring(varied, run).of(varied.parameters((nominal[:, None, None] + shifts).reshape(len(NAMES), -1)))
+    differences = {}
+    for name, measure in compiled.mechanism.measures.items():
+        values = [many.figures[name][label].values for label in LABELS.get(measure.reduction, ("",))]
+        shaped = np.array(values).reshape(len(values), len(NAMES), -1)
+        differences[name] = shaped @ WEIGHTS / steps
+    return {name: (derivatives.of(name), differences[name]) for name in MEASURES}
+
+
+@pytest.mark.parametrize("name", MEASURES)
+def test_a_derivative_is_the_slope_of_the_measure(name: str, found: Any) -> None:
+    derivatives, differences = found[name]
+    assert len(derivatives) == len(differences)
+    for one, expected in zip(derivatives, differences, strict=True):
+        assert not one.tie
+        np.testing.assert_array_equal(one.sides[:, 0], one.sides[:, 1])
+        size = np.abs(expected * NOMINAL).max()
+        off = (one.sides[:, 0] - expected) * NOMINAL
+        np.testing.assert_allclose(off / size, 0.0, atol=3e-8)
+
+
+def test_every_reduction_with_a_rule_is_looked_at() -> None:
+    assert {feeder().mechanism.measures[name].reduction for name in MEASURES} == set(RULES)
+
+
+def test_where_two_places_have_the_same_extreme_the_derivative_is_one_sided() -> None:
+    """A crank pin that is as high at either end of a window; the start angle lifts one end and lowers the other."""
+    data = plain(load(EXAMPLES / "paper_feeder.yaml"))
+    data["parameters"] |= {"offset": "0 deg"}
+    data["drives"]["motor"] = {"turns": "crank", "on": "frame", "speed": "40 rpm", "start": "0 deg + offset"}
+    data["windows"] = {"below": ["0.75 s", "1.5 s"]}
+    data["measures"] = {"top": {"max": "B.y", "window": "below"}, "wide": {"span": "B.y", "window": "below"}}
+    data["require"] = {}
+    compiled = compiled_from(data)
+    names = list(compiled.graph.parameters)
+    directions = np.zeros((len(names), 2))
+    directions[names.index("offset"), 0] = directions[names.index("AB"), 1] = 1.0
+    derivatives = Derivatives(Run(compiled, 0.0, 1.5, 200), Slopes(Run(compiled, 0.0, 1.5, 200), directions), ["top"])
+    (one,) = derivatives.of("top")
+    assert one.tie
+    np.testing.assert_allclose(one.sides[0], [-0.155, 0.155], rtol=1e-9)  # -AB below, AB above
+    np.testing.assert_allclose(one.sides[1], 0.0, atol=1e-12)
