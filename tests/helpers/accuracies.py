@@ -159,13 +159,13 @@ def outcome(count: int = 2000, failed: int = 0, name: str = "C.x", stretch: floa
         made["mean"],
         made["sigma"],
         widest,
-        at(widest, name),
         positions={"far": at(5, f"{name} at far"), "out": at(30, f"{name} at out")},
         sampled=np.stack([sampled.mean(0), sampled.std(0, ddof=1), sampled.min(0), sampled.max(0), np.full(61, count)])
         if count
         else None,
         play=np.stack([12e-6 * np.sin(angle), np.full(61, 30e-6)]),
     )
+    curve.figure = at(widest, name)
     reaction = np.abs(40 * np.cos(angle))
     joint = JointPlay("B", ("crank", "rod"), 20e-6, run.t, reaction, np.zeros((2, 61)), ((0.24, 0.26, "measure.max"),))
     return AccuracyOutcome(

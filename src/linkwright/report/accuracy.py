@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.model.units import FORCE, LENGTH, TIME
+from linkwright.report.accuracy_design import allocation_entry, calibration_entry
 from linkwright.report.data import known, listed
 from linkwright.report.disagreement import along, disagreement
 from linkwright.studies.accuracy.contributors import Contributor
@@ -67,7 +68,6 @@ def _output(figure: Figure, outcome: AccuracyOutcome) -> dict[str, Any]:
         "at": None if figure.time is None else figure.time / second,
         "at_unit": time_unit,
         "tie": figure.tie,
-        "differences": figure.differences,
         "worst_case": {
             "low": known((figure.nominal + low) / size),
             "high": known((figure.nominal + high) / size),
@@ -113,8 +113,8 @@ def _searched(found: Searched, figure: Figure, outcome: AccuracyOutcome) -> dict
 
 
 def _monte_carlo(found: MonteCarlo, size: float) -> dict[str, Any]:
-    def both(ends: tuple[float, float]) -> list[float | None]:
-        return [known(end / size) for end in ends]
+    def both(ends: tuple[float, float] | None) -> list[float | None] | None:
+        return None if ends is None else [known(end / size) for end in ends]
 
     return {
         "samples": found.samples,
@@ -185,8 +185,8 @@ def _study(outcome: AccuracyOutcome) -> dict[str, Any]:
         "contributors": {one.name: _stated(one) for one in every},
         "correlations": [{"of": [every[i].name, every[j].name], "is": float(correlation[i, j])} for i, j in pairs],
         "joints": [_joint(joint, outcome) for joint in outcome.joints],
-        "allocation": None if outcome.allocation is None else outcome.allocation.as_dict(),
-        "calibration": None if outcome.calibration is None else outcome.calibration.as_dict(),
+        "allocation": allocation_entry(outcome.allocation),
+        "calibration": calibration_entry(outcome.calibration),
     }
 
 

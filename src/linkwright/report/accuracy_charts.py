@@ -143,18 +143,18 @@ def _convergence(figure: Figure, found: MonteCarlo, row: str) -> Chart:
         "mean": (means, found.mean, found.mean_interval, figure.nominal + figure.mean),
         "sigma": (sigmas, found.sigma, found.sigma_interval, figure.sigma),
     }[row]
-    narrower = np.sqrt(count[-1] / np.maximum(count, 1))
-    low, high = (last + (end - last) * narrower for end in interval)
-    every = _known(np.concatenate([values, [rss, *interval]])) / size
+    ends = (last, last) if interval is None else interval
+    every = _known(np.concatenate([values, [rss, *ends]])) / size
     reach = float(np.ptp(every))
     axes = Axes(
         (0.0, float(count[-1])),
         (float(every.min()) - 0.2 * reach, float(every.max()) + 0.2 * reach),
         say("accuracy.samples"),
     )
-    low, high = (np.clip(end / size, *axes.y) for end in (low, high))
+    narrower = np.sqrt(count[-1] / np.maximum(count, 1))
+    low, high = (np.clip((last + (end - last) * narrower) / size, *axes.y) for end in ends)
     shapes = [
-        axes.area(count, low, high, "range"),
+        "" if interval is None else axes.area(count, low, high, "range"),
         axes.line(np.array([0.0, count[-1]]), np.full(2, rss / size), "limit"),
         axes.line(count, values / size, "mean"),
     ]

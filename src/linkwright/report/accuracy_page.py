@@ -8,6 +8,7 @@ from html import escape
 import numpy as np
 
 from linkwright.report.accuracy_charts import curve_charts, figure_charts
+from linkwright.report.accuracy_design import design_sentences
 from linkwright.report.accuracy_tables import deviation, further, moment, overview, percent, review, review_text
 from linkwright.report.charts import MOST_CHARTS, figures
 from linkwright.report.data import AccuracyData, Chart, Grid, OutputData
@@ -39,7 +40,9 @@ def sentences(outcome: AccuracyOutcome) -> list[str]:
         told.append(say("accuracy.failed", failed=f"{outcome.failed:,}", samples=data["samples"], share=share))
     told += [text for figure in outcome.every.values() for text in _remarks(figure, outcome, brief=True)]
     apart = (disagreement(figure, outcome) for figure in outcome.every.values())
-    return [*told, say("accuracy.parted.why")] if any(parted and parted.parted for parted in apart) else told
+    if any(parted and parted.parted for parted in apart):
+        told.append(say("accuracy.parted.why"))
+    return [*told, *design_sentences(outcome.allocation, outcome.calibration)]
 
 
 def section(data: AccuracyData, title: str, table: Callable[[Grid], str]) -> str:
@@ -97,8 +100,6 @@ def _remarks(figure: Figure, outcome: AccuracyOutcome, brief: bool = False) -> I
         yield say("accuracy.at", time=moment(figure.time, outcome))
     if figure.tie:
         yield say("accuracy.tie", name=figure.name)
-    if figure.differences:
-        yield say("accuracy.differences", name=figure.name)
     if figure.play is not None:
         ends = {"shift": deviation(figure.play.shift / size, figure)}
         ends["bound"] = deviation(figure.play.bound / size, figure)

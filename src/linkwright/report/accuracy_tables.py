@@ -10,6 +10,7 @@ import numpy as np
 
 from linkwright.model.units import TIME
 from linkwright.report.accuracy import WIDE, accuracy_entry, part, per, ranked
+from linkwright.report.accuracy_design import design_tables
 from linkwright.report.data import Grid
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, Figure, MonteCarlo
 from linkwright.words import say
@@ -29,6 +30,8 @@ def overview(outcome: AccuracyOutcome) -> list[Grid]:
 def further(outcome: AccuracyOutcome) -> list[Grid]:
     """Correlations, joints with clearance, allocation, calibration; those that there are."""
     grids = [_correlations(outcome), _joints(outcome)]
+    design = design_tables(outcome.allocation, outcome.calibration)
+    grids += [_grid(name, heads, rows, outcome) for name, heads, rows in design]
     return [grid for grid in grids if grid["rows"]]
 
 

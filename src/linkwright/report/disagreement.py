@@ -52,8 +52,10 @@ def disagreement(figure: Figure, outcome: AccuracyOutcome) -> Disagreement | Non
     found = figure.monte_carlo
     if found is None:
         return None
-    wide = 2 * NormalDist().inv_cdf((1 + found.confidence) / 2)
-    errors = np.array([np.ptp(found.mean_interval), np.ptp(found.sigma_interval)]) / wide
+    errors = _errors(found.sigma, found.samples - found.failed)
+    if found.mean_interval is not None and found.sigma_interval is not None:
+        wide = 2 * NormalDist().inv_cdf((1 + found.confidence) / 2)
+        errors = np.array([np.ptp(found.mean_interval), np.ptp(found.sigma_interval)]) / wide
     mean = found.mean - figure.nominal - figure.mean
     rows = (np.array([value]) for value in (mean, found.sigma, figure.sigma, *errors))
     compared = _compared(*rows, scale=abs(figure.nominal))
@@ -66,10 +68,15 @@ def along(curve: Curve, outcome: AccuracyOutcome) -> NDArray[np.bool_]:
     if curve.sampled is None:
         return np.zeros(curve.t.size, dtype=bool)
     mean, sigma, _, _, count = curve.sampled
-    with np.errstate(all="ignore"):
-        errors = sigma / np.sqrt(count), sigma / np.sqrt(2 * (count - 1))
+    errors = _errors(sigma, count)
     scale = float(np.nanmax(np.abs(curve.nominal), initial=0.0))
     return _parted(_compared(mean - curve.mean, sigma, curve.sigma, *errors, scale=scale), outcome)
+
+
+def _errors(sigma: Any, count: Any) -> Array:
+    """Standard errors of the mean and the standard deviation of so many random samples, normally distributed."""
+    with np.errstate(all="ignore"):
+        return np.asarray(sigma) / np.sqrt([np.asarray(count, dtype=float), 2.0 * (np.asarray(count) - 1.0)])
 
 
 def _compared(
