@@ -17,6 +17,8 @@ from linkwright.words import say
 Array = NDArray[np.float64]
 
 MARKS, MOST_BARS, MOST_LINES = 25, 8, 5
+MOST_SAMPLES = 100
+"""Convergence is shown from so small a part of the samples on: before, it only jumps."""
 
 
 def curve_charts(curve: Curve, outcome: AccuracyOutcome) -> list[Chart]:
@@ -101,7 +103,7 @@ def _pareto(figure: Figure, outcome: AccuracyOutcome) -> Chart:
     places = np.arange(float(len(names))) + 0.5
     edges = np.stack([places - 0.4, places + 0.4], axis=1)
     shapes = [bar for pair, share in zip(edges, shares, strict=True) for bar in axes.bars(pair, np.array([share]))]
-    shapes += [axes.line(places, whole, "limit"), *axes.dots(places[1:], whole[1:], 2.0, "sampled")]
+    shapes += [axes.line(places + 0.4, whole, "limit"), *axes.dots(places + 0.4, whole, 2.0, "sampled")]
     for x, share in zip(axes.across(places).tolist(), shares.tolist(), strict=True):
         y, text = float(axes.up(np.array(share))) - 5, f"{share:.3g}".replace("-", "−")
         shapes.append(f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="middle">{text}</text>')
@@ -138,7 +140,8 @@ def _convergence(figure: Figure, found: MonteCarlo, row: str) -> Chart:
     title = say(f"accuracy.chart.convergence.{row}", name=named(figure.name, figure.column.unit))
     if len(found.convergence) < 2:
         return {"title": title, "drawing": ""}
-    size, (count, means, sigmas) = figure.column.size, found.convergence.T
+    rows = found.convergence
+    size, (count, means, sigmas) = figure.column.size, rows[rows[:, 0] >= rows[-1, 0] / MOST_SAMPLES].T
     values, last, interval, rss = {
         "mean": (means, found.mean, found.mean_interval, figure.nominal + figure.mean),
         "sigma": (sigmas, found.sigma, found.sigma_interval, figure.sigma),

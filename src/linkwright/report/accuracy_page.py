@@ -90,7 +90,7 @@ def _remarks(figure: Figure, outcome: AccuracyOutcome, brief: bool = False) -> I
     found, size = figure.searched, figure.column.size
     if (parted := disagreement(figure, outcome)) and (text := parted.sentence(figure.name)):
         yield text
-    if found is not None:
+    if found is not None and not (brief and found.off <= getattr(outcome.options, "nonlinear", 0.05)):
         key = "accuracy.searched" if found.proven else "accuracy.searched.bound"
         ends = {"low": deviation(found.low / size, figure), "high": deviation(found.high / size, figure)}
         yield say(key, name=figure.name, off=percent(found.off), unit=figure.column.unit, **ends)

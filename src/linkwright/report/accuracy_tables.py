@@ -182,7 +182,11 @@ def deviation(value: float, figure: Figure) -> str:
 
 
 def _range(ends: Iterable[float], figure: Figure) -> str:
-    return " .. ".join(deviation(end, figure) for end in ends) or "–"
+    """Least and largest deviation; one figure where they are opposite."""
+    texts = [deviation(end, figure) for end in ends]
+    if len(texts) == 2 and texts[0].startswith("−") and texts[1] == f"+{texts[0][1:]}":
+        return f"±{texts[0][1:]}"
+    return " .. ".join(texts) or "–"
 
 
 def _number(value: float | None, digits: int = 6) -> str:

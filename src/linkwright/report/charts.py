@@ -81,6 +81,7 @@ class Axes:
         for place, text, line in self._below():
             x = float(self.across(np.array(place)))
             lines += [f"M{x:.1f} {TOP:.0f}V{HEIGHT - BOTTOM:.0f}"] if line else []
+            x = min(x, WIDTH - LETTER * len(text) / 2)
             numbers.append(f'<text x="{x:.1f}" y="{HEIGHT - BOTTOM + 14:.0f}" text-anchor="middle">{text}</text>')
         for value in ticks(*self.y, 5):
             y = float(self.up(np.array(value)))
