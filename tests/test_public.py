@@ -147,7 +147,7 @@ def test_a_registered_name_stands_on_its_class(registry: dict[str, Any], key: st
 
 LEVELS = {
     **dict.fromkeys(("notation", "words", "gallery"), 0),
-    "laws": 1,
+    **dict.fromkeys(("laws", "tolerances"), 1),
     "model": 2,
     "groups": 3,
     "structure": 4,
@@ -162,7 +162,7 @@ LEVELS = {
     "__main__": 13,
 }
 # The side floors know of nothing but what is named here.
-SIDES = {"notation": set(), "words": set(), "gallery": set(), "laws": {"notation"}}
+SIDES = {"notation": set(), "words": set(), "gallery": set(), "laws": {"notation"}, "tolerances": {"notation"}}
 
 
 def imports() -> list[tuple[str, str, str]]:

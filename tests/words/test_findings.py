@@ -58,6 +58,7 @@ TITLES = {
     "window": "Windows",
     "measure": "Measures",
     "study": "Studies",
+    "tolerance": "Tolerances",
     "varied": "Many parameter sets",
     "structure": "Structure",
     "assembly": "Assembly",

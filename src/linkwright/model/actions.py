@@ -10,8 +10,8 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Discriminator, Field, Tag, WithJsonSchema
 
 from linkwright.model.expressions import is_signal
-from linkwright.model.fields import Expression, Frozen, Name, Position, fault, pair, parse_text
-from linkwright.model.parts import Interval, Two, Vector, freeze
+from linkwright.model.fields import Expression, Frozen, Name, Position, Two, fault, pair, parse_text
+from linkwright.model.parts import Interval, Vector, freeze
 from linkwright.model.units import FORCE, PURE, TORQUE, Dimension, UnitError, unit
 from linkwright.model.written import Fault, short_text, unexpected
 

@@ -41,7 +41,8 @@ class Builder:
         self._twice: list[Finding] = []
 
     def parameter(self, name: str, value: Any, tolerance: Any = None, note: str | None = None) -> Self:
-        """A named value; ``tolerance`` is one number for plus and minus, or ``[lower, upper]``."""
+        """A named value; ``tolerance`` is one number for plus and minus, ``[lower, upper]``, a class, or a
+        mapping, as in the file."""
         if tolerance is None and note is None:
             return self._put("parameters", name, value)
         return self._put("parameters", name, _given(value=value, tolerance=tolerance, note=note))

@@ -11,6 +11,7 @@ from linkwright.model.expressions import FUNCTIONS
 from linkwright.model.findings import Finding, Term
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.pins import homes, pins
+from linkwright.model.tolerances import tolerance_faults
 from linkwright.model.unknown import near, unknown
 from linkwright.model.values import check_values
 
@@ -20,6 +21,10 @@ __all__ = ["FRAME", "WHERE", "check_names", "check_values"]
 def check_names(m: Mechanism) -> list[Finding]:
     """All faults of names and references in a mechanism."""
     return [finding for part in _PARTS for finding in part(m)]
+
+
+def _parameters(m: Mechanism) -> Iterator[Finding]:
+    return tolerance_faults(m.parameters)
 
 
 def _links(m: Mechanism) -> Iterator[Finding]:
@@ -191,4 +196,4 @@ def _measures(m: Mechanism) -> Iterator[Finding]:
             yield unknown("measure", ("require", name), name, m.measures)
 
 
-_PARTS = (_links, _collisions, _joints, _pins, _drives, _loads, _springs, _assembly, _measures)
+_PARTS = (_parameters, _links, _collisions, _joints, _pins, _drives, _loads, _springs, _assembly, _measures)

@@ -10,6 +10,7 @@ from linkwright.model import elements as e
 from linkwright.model import parts as p
 from linkwright.model.findings import Finding, Term
 from linkwright.model.mechanism import Document
+from linkwright.model.tolerances import Stated
 from linkwright.model.unknown import near
 from linkwright.model.written import Frozen, describe
 from linkwright.model.yaml_text import Path, Source
@@ -78,7 +79,8 @@ def _finding(fault: Any, data: Any) -> Finding:
 
 def known_keys(path: Path) -> list[str]:
     """The keys that may stand beside the last one of a path."""
-    owner = Document if len(path) == 1 else _CLASSES.get(str(path[0]))
+    inside = path[0] == "parameters" and "tolerance" in path[2:-1]
+    owner = Stated if inside else Document if len(path) == 1 else _CLASSES.get(str(path[0]))
     if owner is None:
         return []
     return [field.alias or name for name, field in owner.model_fields.items()]

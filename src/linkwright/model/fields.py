@@ -35,6 +35,7 @@ __all__ = [
     "Requirement",
     "Shape",
     "Text",
+    "Two",
     "Written",
     "check_name",
     "describe",
@@ -82,6 +83,9 @@ class Expression(Written):
     def bare_number(self) -> float | None:
         """The number when it is a lone literal without a unit."""
         return self.node.value if isinstance(self.node, Number) and self.node.unit is None else None
+
+
+Two = tuple[Expression, Expression]
 
 
 def parse_text(text: str) -> Node:

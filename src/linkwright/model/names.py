@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, is_signal, nodes, signal_text
@@ -13,6 +14,7 @@ from linkwright.model.signals import Signals
 from linkwright.model.trees import children
 from linkwright.model.units import is_unit
 from linkwright.model.unknown import near
+from linkwright.tolerances import examples
 
 # What stands where it may not: the finding of each scope.
 _MISPLACED = {
@@ -21,6 +23,18 @@ _MISPLACED = {
     Scope.TIME: "drive.signal",
     Scope.SIGNALS: "measure.table",
 }
+
+
+_LIMITS = (("tolerance",), ("tolerance", "limits"))
+
+
+def _of_class(finding: Finding) -> Finding:
+    """Of a lone name that stands for the limits of a tolerance: it may be meant as a class."""
+    path = finding.path
+    if finding.code != "name.unknown-parameter" or path[:1] != ("parameters",) or path[2:] not in _LIMITS:
+        return finding
+    data = {"given": finding.data["name"], "known": ", ".join(examples())}
+    return replace(finding, code="tolerance.unknown-class", data=data)
 
 
 class Names:
@@ -33,7 +47,8 @@ class Names:
         """Names in an expression that nothing is called by."""
         for node in nodes(place.expression.node):
             if isinstance(node, Name | Call):
-                yield from self._unknown(node, place.path)
+                found = self._unknown(node, place.path)
+                yield from map(_of_class, found) if node is place.expression.node else found
 
     def _unknown(self, node: Name | Call, path: Path) -> Iterator[Finding]:
         m = self.mechanism

@@ -9,12 +9,10 @@ from pydantic import (
     AfterValidator,
     BeforeValidator,
     ConfigDict,
-    Discriminator,
     Field,
     GetJsonSchemaHandler,
     ModelWrapValidatorHandler,
     PlainSerializer,
-    Tag,
     model_validator,
 )
 from pydantic_core import CoreSchema
@@ -29,24 +27,19 @@ from linkwright.model.fields import (
     Position,
     Shape,
     Text,
+    Two,
     pair,
 )
+from linkwright.model.tolerances import Tolerance
 from linkwright.model.written import Fault, unexpected
 
 freeze = AfterValidator(FrozenDict)
 
-Two = tuple[Expression, Expression]
 Vector = Annotated[Two, BeforeValidator(pair("vector"))]
 Interval = Annotated[Two, BeforeValidator(pair("interval"))]
 TwoLinks = Annotated[tuple[Name, Name], BeforeValidator(pair("two-links"))]
 TwoPoints = Annotated[tuple[Name, Name], BeforeValidator(pair("two-points"))]
 TwoLines = Annotated[tuple[LineOn, LineOn], BeforeValidator(pair("two-lines"))]
-
-# A branch of a union is chosen by the looks of the value, so that its faults are told once.
-_Tolerance = Annotated[
-    Annotated[Two, BeforeValidator(pair("tolerance")), Tag("pair")] | Annotated[Expression, Tag("single")],
-    Discriminator(lambda raw: "pair" if isinstance(raw, list | tuple) else "single"),
-]
 
 
 class Units(Frozen):
@@ -72,8 +65,10 @@ class Parameter(Frozen):
     """A named value, that a study may vary or differentiate by. In a file mostly written as its value alone."""
 
     value: Expression = Field(description="a number, with or without unit, or arithmetic on other parameters")
-    tolerance: _Tolerance | None = Field(
-        None, description="deviation in manufacture: one number for plus and minus, or [lower, upper]"
+    tolerance: Tolerance | None = Field(
+        None,
+        description="deviation in manufacture: one number for plus and minus, [lower, upper], a class such as "
+        "ISO 2768-m, h7 or IT8, or a mapping that says more",
     )
     note: LongText | None = Field(None, description="free text")
 

@@ -12,6 +12,7 @@ from linkwright.model.dimensions import Wanted, argument, value
 from linkwright.model.fields import Expression, Position
 from linkwright.model.mechanism import Mechanism, Spring
 from linkwright.model.pins import homes
+from linkwright.model.tolerances import tolerance_parts
 from linkwright.model.units import Dimension
 
 Path = tuple[str | int, ...]
@@ -69,9 +70,8 @@ def places(m: Mechanism) -> Iterator[Place]:
     """Every expression of a mechanism, the definitions of its parameters first."""
     for name, parameter in m.parameters.items():
         yield Place(("parameters", name), parameter.value, name)
-        tolerance = parameter.tolerance
-        for part in tolerance if isinstance(tolerance, tuple) else (tolerance,) if tolerance else ():
-            yield Place(("parameters", name, "tolerance"), part, name)
+        for key, part in tolerance_parts(parameter.tolerance):
+            yield Place(("parameters", name, "tolerance", *key), part, _TOLERANCE.get("".join(key), name))
     for g in m.gravity or ():
         yield Place(("gravity",), g, u.ACCELERATION)
     yield from _links(m)
@@ -91,6 +91,10 @@ def places(m: Mechanism) -> Iterator[Place]:
         if name in m.require:
             bounds = m.require[name].bounds
             yield from (Place(("require", name), bound, figure(name, measure)) for bound in bounds)
+
+
+_TOLERANCE: dict[str, Wanted] = {"cp": u.PURE, "side": u.LENGTH}
+"""What stands in a parameter's tolerance and isn't of the parameter's own dimension."""
 
 
 def _links(m: Mechanism) -> Iterator[Place]:

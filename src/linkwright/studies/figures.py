@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
 from linkwright.model.places import figure
 from linkwright.model.units import Dimension, unit
@@ -34,21 +35,22 @@ class Column:
         return " ".join(filter(None, (self.measure, self.label)))
 
 
+def columns(compiled: Compiled, name: str) -> list[Column]:
+    """The figures of a measure."""
+    quantities, measure = compiled.quantities, compiled.mechanism.measures[name]
+    dimension = quantities.dimensions.resolve(figure(name, measure))
+    text, size = quantities.unit_of(dimension) if measure.unit is None else (measure.unit, unit(measure.unit)[0])
+    return [Column(name, label, dimension, text, size) for label in LABELS.get(measure.reduction, ("",))]
+
+
 class Figures:
     """Measures of many samples of a run; the ``required`` ones have a requirement."""
 
     def __init__(self, run: Run, varied: Varied, names: Sequence[str], kernel: str) -> None:
         self.run, self.varied, self.names, self.kernel = run, varied, tuple(names), kernel
         mechanism = run.compiled.mechanism
-        self.columns = [column for name in names for column in self._columns(name)]
+        self.columns = [column for name in names for column in columns(run.compiled, name)]
         self.required = [name for name in names if name in mechanism.require]
-
-    def _columns(self, name: str) -> list[Column]:
-        quantities, measure = self.run.compiled.quantities, self.run.compiled.mechanism.measures[name]
-        dimension = quantities.dimensions.resolve(figure(name, measure))
-        text, size = quantities.unit_of(dimension) if measure.unit is None else (measure.unit, unit(measure.unit)[0])
-        labels = LABELS.get(measure.reduction, ("",))
-        return [Column(name, label, dimension, text, size) for label in labels]
 
     @cached_property
     def _measuring(self) -> Measuring:

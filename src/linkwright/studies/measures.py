@@ -21,7 +21,7 @@ from linkwright.results.quadrature import gauss_points
 from linkwright.results.stationary import crossings, stationary
 from linkwright.results.windows import Interval, intervals
 from linkwright.studies.dwells import Course
-from linkwright.studies.paths import straightness
+from linkwright.studies.paths import narrowest
 
 Array = NDArray[np.float64]
 
@@ -136,8 +136,8 @@ class Probe:
                 return mean
             panels, last = panels * 2, mean
 
-    def straightness(self, point: str) -> float:
-        """The width of the narrowest strip that holds a point's path."""
+    def strip(self, point: str) -> tuple[float, complex, Array]:
+        """The narrowest strip that holds a point's path, as :func:`narrowest` gives it."""
 
         def plane(*names: str) -> Callable[[Array], NDArray[np.complex128]]:
             def along(t: Array) -> NDArray[np.complex128]:
@@ -146,18 +146,17 @@ class Probe:
 
             return along
 
-        return straightness(plane("x", "y"), plane("vx", "vy"), self.intervals, max(self.run.grid, 100))
+        return narrowest(plane("x", "y"), plane("vx", "vy"), self.intervals, max(self.run.grid, 100))
 
-    def dwell(self, measure: Measure) -> Found:
-        """The longest stretch in the measure's band, and where it begins."""
+    def dwell(self, measure: Measure) -> tuple[float, float]:
+        """The longest stretch in the measure's band: its begin and end (s)."""
         quantities, found = self.run.compiled.quantities, []
         assert measure.within is not None
         width = quantities.value(measure.within, quantities.dimensions.dimension(measure.signal.node))
         for a, b in self.intervals:
             turning = np.array([a, *(t for t in self.stationary if a < t < b), b])
             found.append(Course(self.values, turning).longest(width))
-        start, stop = max(found, key=lambda stretch: stretch[1] - stretch[0])
-        return Found("", stop - start, start)
+        return max(found, key=lambda stretch: stretch[1] - stretch[0])
 
 
 def _inner(run: Run, edge: float, side: int) -> float:
@@ -169,6 +168,10 @@ def _plain(found: Found) -> tuple[Found, ...]:
     return (Found("", found.value, found.time),)
 
 
+def _lasting(start: float, stop: float) -> Found:
+    return Found("", stop - start, start)
+
+
 # One rule per reduction of the file format; "value" has its place from `where` and is taken apart from these.
 RULES: dict[str, Callable[[Probe, Measure], tuple[Found, ...]]] = {
     "span": lambda p, _: (Found("", p.top().value - p.bottom().value, None),),
@@ -178,8 +181,8 @@ RULES: dict[str, Callable[[Probe, Measure], tuple[Found, ...]]] = {
     "mean": lambda p, _: (Found("", p.mean(), None),),
     "rms": lambda p, _: (Found("", float(np.sqrt(p.mean(2))), None),),
     "path": lambda p, _: (Found("", p.mean() * p.length(), None),),
-    "straightness": lambda p, m: (Found("", p.straightness(str(m.point)), None),),
-    "dwell": lambda p, m: (p.dwell(m),),
+    "straightness": lambda p, m: (Found("", p.strip(str(m.point))[0], None),),
+    "dwell": lambda p, m: (_lasting(*p.dwell(m)),),
 }
 assert {*RULES, "value"} == set(REDUCTIONS)
 

@@ -19,7 +19,15 @@ ROUNDS = 60
 def straightness(
     place: Callable[[Array], Path], speed: Callable[[Array], Path], intervals: list[Interval], steps: int
 ) -> float:
-    """The distance of the two closest parallel lines that hold a path (ISO 1101; minimum zone, ISO 12780-1).
+    """The distance of the two closest parallel lines that hold a path (ISO 1101; minimum zone, ISO 12780-1)."""
+    return narrowest(place, speed, intervals, steps)[0]
+
+
+def narrowest(
+    place: Callable[[Array], Path], speed: Callable[[Array], Path], intervals: list[Interval], steps: int
+) -> tuple[float, complex, Array]:
+    """The narrowest strip that holds a path: its width, the unit vector across it, the times at which the path is
+    outermost in that direction and its opposite, with the ends.
 
     ``place`` gives x + iy of the point at times, ``speed`` its velocity so; ``steps`` over each interval to begin
     with. The narrowest strip of some points of the path is a lower bound, the whole path's extent across that strip
@@ -27,20 +35,22 @@ def straightness(
     """
     points = hull(place(np.concatenate([np.linspace(a, b, steps + 1) for a, b in intervals])))
     extent = float(np.abs(points - points[0]).max())
-    best = np.inf
+    best, held = (np.inf if extent > 0 else 0.0), (1j, np.empty(0))
     for _ in range(ROUNDS if extent > 0 else 0):
         least, across = strip(points)
-        heights, outermost = [], []
+        heights, outermost, when = [], [], []
         for a, b in intervals:
             times = _turning(place, speed, across, a, b, steps)
+            when.append(times)
             outermost.append(found := place(times))
             heights.append((found * across.conjugate()).real)
         height, found = np.concatenate(heights), np.concatenate(outermost)
-        best = min(best, float(np.ptp(height)))
+        if np.ptp(height) < best:
+            best, held = float(np.ptp(height)), (across, np.concatenate(when))
         if best - least <= 1e-12 * best + 1e-15 * extent:
             break
         points = hull(np.concatenate([points, found[[height.argmin(), height.argmax()]]]))
-    return best if extent > 0 else 0.0
+    return best, *held
 
 
 def _turning(

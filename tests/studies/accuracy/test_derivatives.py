@@ -33,14 +33,19 @@ MEASURES = {
     "at_a_kink": {"value": "E.y", "where": "min abs(E.vx) + abs(E.x - AD)/(1 s)", "window": "late"},
     "at_an_end": {"value": "E.x", "where": "end", "window": "early"},
     "at_a_start": {"value": "E.y", "where": "start", "window": "high"},
+    "straight": {"straightness": "C"},
+    "straight_part": {"straightness": "E", "window": "early"},
+    "passing": {"dwell": "rocker.angle", "within": "wide/(1 m)", "window": "late"},
+    "resting": {"dwell": "E.x", "within": "wide"},
     "max_in_a_window": {"max": "C.y", "window": "early"},
 }
-NAMES = ["AB", "CD", "AD", "edge", "m", "offset"]
+NAMES = ["AB", "CD", "AD", "edge", "m", "offset", "wide"]
+NOMINAL = [0.155, 0.3, 0.3, 0.31, 2, 0.02, 0.05]
 
 
 def feeder() -> Compiled:
     data: dict[str, Any] = plain(load(EXAMPLES / "paper_feeder.yaml"))
-    data["parameters"] |= {"edge": "0.31 s", "m": "2 kg", "offset": "1 deg"}
+    data["parameters"] |= {"edge": "0.31 s", "m": "2 kg", "offset": "1 deg", "wide": "50 mm"}
     data["links"]["rocker"]["mass"] = "m"
     data["drives"]["motor"]["start"] = "20 deg + offset"
     data["windows"] = {"early": ["0.05 s", "edge"], "late": ["0.4 s", "0.7 s"], "high": {"C.y": ["CD/3", "CD*0.9"]}}
@@ -77,8 +82,8 @@ def test_a_derivative_is_the_slope_of_the_measure(name: str, found: Any) -> None
     for one, expected in zip(derivatives, differences, strict=True):
         assert not one.tie
         np.testing.assert_array_equal(one.sides[:, 0], one.sides[:, 1])
-        size = np.abs(expected * [0.155, 0.3, 0.3, 0.31, 2, 0.02]).max()
-        off = (one.sides[:, 0] - expected) * [0.155, 0.3, 0.3, 0.31, 2, 0.02]
+        size = np.abs(expected * NOMINAL).max()
+        off = (one.sides[:, 0] - expected) * NOMINAL
         np.testing.assert_allclose(off / size, 0.0, atol=3e-8)
 
 

@@ -9,19 +9,21 @@ theorem.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.model.check import WHERE
 from linkwright.model.expressions import Node
-from linkwright.model.mechanism import Measure
+from linkwright.model.mechanism import REDUCTIONS, Measure
 from linkwright.results import Run
 from linkwright.results.quadrature import gauss_points
 from linkwright.results.windows import intervals
+from linkwright.studies.accuracy.derivative import Derivative
 from linkwright.studies.accuracy.edges import Edges
 from linkwright.studies.accuracy.slopes import Slopes
+from linkwright.studies.accuracy.stretches import dwell, straightness
 from linkwright.studies.measures import Measurer, Probe
 
 Array = NDArray[np.float64]
@@ -33,22 +35,6 @@ APART = 1e-7
 CLOSE = 1e-11
 """How near two quadratures of the slopes are to be, over their size."""
 MOST_PANELS = 1 << 12
-
-
-@dataclass(frozen=True)
-class Derivative:
-    """A figure of a measure: its label, its place (s) if it has one, and its derivatives by the deviations below and
-    above their nominal value, (deviations, 2); they differ in a ``tie`` only."""
-
-    label: str
-    time: float | None
-    sides: Array
-    tie: bool = False
-
-    @classmethod
-    def smooth(cls, slope: Array, time: float | None = None) -> Derivative:
-        """Where both sides are the same."""
-        return cls("", time, np.stack([slope, slope], axis=1))
 
 
 class Derivatives:
@@ -195,4 +181,7 @@ RULES: dict[str, Callable[[Derivatives, str, Measure], list[Derivative]]] = {
     "rms": _rms,
     "path": _path,
     "value": _value,
+    "straightness": straightness,
+    "dwell": dwell,
 }
+assert {*RULES} == set(REDUCTIONS)

@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
-from pydantic import Field
+from typing import Annotated
+
+from pydantic import Field, FiniteFloat
 
 from linkwright.kernels.registry import KERNELS
+from linkwright.model.fields import FrozenDict, Text
+from linkwright.model.fields import Name as NameField
+from linkwright.model.parts import freeze
+from linkwright.model.tolerances import ClassName, DistributionName
+from linkwright.studies.accuracy.stated_options import Correlation, Thermal
 from linkwright.studies.asked import Asked, one_of
 
 PlanName = one_of("accuracy", "plan", ["random", "latin", "sobol"])
@@ -15,6 +22,29 @@ class AccuracyOptions(Asked):
     """Which outputs, what deviates and how, and what is asked of it."""
 
     study = "accuracy"
+
+    # Where it is looked.
+    positions: Annotated[dict[NameField, Text], freeze] = Field(
+        default_factory=FrozenDict,
+        description="named positions at which signals are looked at: 'max E.x', 'end of WINDOW', a time",
+        examples=[{"far": "max E.x", "out": "end of feed", "grip": "0.2 s"}],
+    )
+
+    # What deviates.
+    parameters: tuple[NameField, ...] | None = Field(
+        None, max_length=1000, description="parameters that deviate; by default all with a tolerance or the general one"
+    )
+    general: ClassName | None = Field(
+        None, description="class of the lengths that state no tolerance, and of such angles with a side"
+    )
+    distribution: DistributionName = Field("normal", description="of the deviations that state none")
+    cp: FiniteFloat = Field(1.0, description="capability: a standard deviation is the limits' width/(6 cp)")
+    correlations: tuple[Correlation, ...] = Field(
+        (), max_length=1000, description="deviations that go together, with their correlation coefficients"
+    )
+    thermal: Annotated[dict[Text, Thermal], freeze] = Field(
+        default_factory=FrozenDict, max_length=100, description="changes of temperature by name"
+    )
 
     # The random samples.
     samples: int = Field(10_000, ge=0, le=10**9, description="random samples; 0 for none")

@@ -80,7 +80,7 @@ class Figure:
 
     ``coefficients`` (contributors, 2) are its derivatives by each deviation, below and above the nominal value; they
     differ only in a ``tie``, where two places have the same extreme value. ``time`` (s) is where it happens, ``None``
-    where it has no single place. ``differences`` says that they come from differences and not from the graph.
+    where it has no single place.
     ``worst`` are the least and largest deviation of the figure, linear; ``mean`` and ``sigma`` its linear mean
     deviation and standard deviation (RSS); ``shares`` (contributors,) are those of each in sigma squared.
     """
@@ -90,7 +90,6 @@ class Figure:
     time: float | None
     coefficients: Array
     tie: bool = False
-    differences: bool = False
     worst: tuple[float, float] = (0.0, 0.0)
     mean: float = 0.0
     sigma: float = 0.0
@@ -131,7 +130,7 @@ class Curve:
     mean: Array
     sigma: Array
     widest: int
-    figure: Figure
+    figure: Figure = field(init=False)
     positions: dict[str, Figure] = field(default_factory=dict)
     sampled: Array | None = None
     play: Array | None = None

@@ -689,6 +689,129 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The file asks for no study.",
         "Add one, for example studies: {{cycle: {{period: 1.5 s, samples: 200}}}}.",
     ),
+    # Tolerances.
+    "tolerance.unknown-class": (
+        "'{given}' is neither a class of tolerances nor a parameter of this file.",
+        "Write a number, [lower, upper], or a class such as {known}.",
+    ),
+    "tolerance.class-or-parameter": (
+        "{name} is a class of tolerances and a parameter of this file.",
+        "Rename the parameter; or write ({name}) where the parameter is meant.",
+    ),
+    "tolerance.distribution": (
+        "'{given}' is no distribution of a tolerance.",
+        "Write one of: {known}.",
+    ),
+    "tolerance.cp-and-sigma": (
+        "Both cp and sigma are given, and each says how wide the distribution is.",
+        "Keep one of them.",
+    ),
+    "tolerance.no-sigma": (
+        "A {name} distribution has its width from the limits alone; cp and sigma say nothing of it.",
+        "Take them out, or write distribution: normal or truncated.",
+    ),
+    "tolerance.cp": (
+        "The capability cp = {cp} isn't positive.",
+        "Give a positive number; 1 means that six standard deviations fill the limits.",
+    ),
+    "tolerance.limits": (
+        "The limits {given} hold no tolerance: the lower one must lie below the upper one.",
+        "Give a positive number for plus and minus, or [lower, upper]; of a fixed deviation change the value itself.",
+    ),
+    "tolerance.too-large": (
+        "The tolerance reaches {limit} {unit}, as far as the dimension itself ({nominal} {unit}) or farther.",
+        "Correct the tolerance or its unit. A coordinate that may be zero is stated as zero.",
+    ),
+    "tolerance.derived": (
+        "{name} follows from other parameters ({text}), so it can't have a tolerance of its own.",
+        "Give the tolerance to the parameters that it follows from; or add one to it, as {name}_error: 0.",
+    ),
+    "tolerance.size": (
+        "{given} has no tolerance for {asked} {unit}: it is stated over {low} to {high} {unit}.",
+        "Take another class, or state the limits.",
+    ),
+    "tolerance.side": (
+        "{given} tells the tolerance of an angle by the length of its shorter side, which isn't stated.",
+        "State it beside the limits, for example side: 60 mm; or state the limits as numbers.",
+    ),
+    "tolerance.class-dimension": (
+        "{given} has tolerances of lengths only (a general class of angles too), and {name} isn't one.",
+        "State the limits as a number or [lower, upper].",
+    ),
+    "tolerance.missing": (
+        "{name} is to deviate, but states no tolerance, and there is no general one for it.",
+        "Give it a tolerance under parameters; or write general: ISO 2768-m, which is for lengths and for angles with a side.",
+    ),
+    "tolerance.named-twice": (
+        "{name} is named twice.",
+        "Name each parameter once.",
+    ),
+    "tolerance.none": (
+        "Nothing deviates: no parameter has a tolerance, and there is no change of temperature.",
+        "Give parameters a tolerance, for example AB: {{value: 155, tolerance: 0.05}}; or write general: ISO 2768-m.",
+    ),
+    "tolerance.skipped": (
+        "{general} has no tolerance for the size of {names}, so these are taken as exact.",
+        "Give them tolerances of their own where they deviate.",
+    ),
+    "tolerance.no-derivative": (
+        "{text} has no derivative at the nominal dimensions, so no deviation can be carried through it.",
+        "Write it in another way, or give this parameter's value as a number.",
+    ),
+    "tolerance.no-contributor": (
+        "Nothing that deviates is called {name}.",
+        "Write the name of a parameter with a tolerance, or of a change of temperature: {near}.",
+    ),
+    "tolerance.correlation-twice": (
+        "{name} stands twice in one correlation.",
+        "Name each deviation once; that it goes together with itself needs no saying.",
+    ),
+    "tolerance.correlation-pair": (
+        "The correlation of {names} is stated already, in an entry before this one.",
+        "State each pair once.",
+    ),
+    "tolerance.correlation-shape": (
+        "Of {count} names the matrix of correlations has {count} rows of {count} numbers.",
+        "Give all of them, the diagonal too; or one number for all pairs.",
+    ),
+    "tolerance.correlation-range": (
+        "The correlation coefficient {value} lies outside -1 to 1.",
+        "Give one within.",
+    ),
+    "tolerance.correlation-diagonal": (
+        "The diagonal of the matrix of correlations isn't 1 throughout.",
+        "Write 1 there: each deviation goes together with itself.",
+    ),
+    "tolerance.correlation-symmetry": (
+        "The matrix of correlations isn't symmetric.",
+        "Give the same coefficient for a pair in both of its places.",
+    ),
+    "tolerance.correlation-indefinite": (
+        "No deviations go together like this: the matrix of correlations has the eigenvalue {least}, and none may be "
+        "negative.",
+        "Correct the coefficients: if two deviations each follow a third closely, they follow one another too. Pairs that "
+        "aren't stated count as 0.",
+    ),
+    "tolerance.material-or-expansion": (
+        "A change of temperature says either the material or its expansion.",
+        "Write material: steel; or expansion: 11.5, in 1e-6/K.",
+    ),
+    "tolerance.material": (
+        "The expansion of '{given}' isn't known.",
+        "Write a material that is ({near}); or expansion: and its coefficient in 1e-6/K.",
+    ),
+    "tolerance.thermal-name": (
+        "A parameter has the name of this change of temperature.",
+        "Call one of the two otherwise.",
+    ),
+    "tolerance.no-length": (
+        "Nothing expands: the file has no parameter that is a length and isn't derived.",
+        "Give lengths names under parameters.",
+    ),
+    "tolerance.not-a-length": (
+        "{name} isn't a length, so it doesn't expand.",
+        "Name lengths only.",
+    ),
     # Structure.
     "structure.drive-no-joint": (
         "{link} and {on} share no {joint} joint, so the drive can't act between them.",
@@ -859,7 +982,8 @@ _TERMS: dict[str, str] = {
     "interval": "[low, high]",
     "triangle": "[low, most likely, high]",
     "varying": "steps (from, to, count), a list of values, or a distribution (normal, uniform, triangular)",
-    "tolerance": "a number, or [lower, upper]",
+    "tolerance": "a number, [lower, upper], a class such as ISO 2768-m, or a mapping",
+    "correlation": "a number, or a matrix of numbers as a list of rows",
     "two-links": "[LINK, LINK]",
     "two-points": "[POINT, POINT], one of each link",
     "two-lines": "[POINT at ANGLE, POINT at ANGLE], one on each link",
@@ -901,6 +1025,7 @@ _TERMS: dict[str, str] = {
     "length": "shortest length",
     "period": "period",
     "within": "width of the band",
+    "side": "length of the shorter side",
     # Why an expression can't be read.
     "syntax-empty": "it is empty",
     "syntax-long": "it is longer than {limit} characters",

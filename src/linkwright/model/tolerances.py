@@ -1,0 +1,123 @@
+"""The tolerance of a parameter, as a file states it: limits, a class by name, how deviations are distributed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator, Discriminator, Field, Tag, WithJsonSchema
+
+from linkwright.model.fields import Expression, Frozen, Two, Written, pair
+from linkwright.model.findings import Finding
+from linkwright.model.written import Fault, fault
+from linkwright.tolerances import DISTRIBUTIONS, ToleranceClass, examples, tolerance_class
+
+
+class ClassName(Written):
+    """The name of a class of tolerances, such as ``ISO 2768-m``, ``h7``, ``IT8``."""
+
+    __slots__ = ("found",)
+    json_type = {"type": "string", "examples": examples()}
+    found: ToleranceClass
+
+    def read(self, raw: Any) -> None:
+        found = tolerance_class(raw) if isinstance(raw, str) else None
+        if found is None:
+            known = ", ".join(examples())
+            raise fault("tolerance.unknown-class", given=str(raw)[:40], known=known)
+        self.put("found", found)
+
+
+_ISO = re.compile(r"\s*ISO\b", re.IGNORECASE)
+
+
+def _kind(raw: Any) -> str:
+    """A branch is chosen by the looks of the value, so that its faults are told once."""
+    if isinstance(raw, list | tuple):
+        return "a pair"
+    if isinstance(raw, Mapping | Stated):
+        return "a mapping"
+    named = isinstance(raw, str) and (_ISO.match(raw) or tolerance_class(raw))
+    return "a class" if named or isinstance(raw, ClassName) else "a number"
+
+
+_PAIR = Annotated[Two, BeforeValidator(pair("tolerance")), Tag("a pair")]
+Limits = Annotated[
+    _PAIR | Annotated[ClassName, Tag("a class")] | Annotated[Expression, Tag("a number")],
+    Discriminator(lambda raw: "a number" if (kind := _kind(raw)) == "a mapping" else kind),
+]
+
+
+def _distribution(raw: Any) -> str:
+    if raw not in DISTRIBUTIONS:
+        raise fault("tolerance.distribution", given=str(raw)[:40], known=", ".join(DISTRIBUTIONS))
+    return str(raw)
+
+
+DistributionName = Annotated[
+    str, BeforeValidator(_distribution), WithJsonSchema({"type": "string", "enum": [*DISTRIBUTIONS]})
+]
+
+
+class Spread(Frozen):
+    """How deviations are distributed between their limits."""
+
+    distribution: DistributionName | None = Field(None, description="normal, uniform, triangular, truncated")
+    cp: Expression | None = Field(None, description="capability: the standard deviation is the limits' width/(6 cp)")
+    sigma: Expression | None = Field(None, description="the standard deviation, instead of cp")
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+        name = given.get("distribution", "")
+        if {"cp", "sigma"} <= given.keys():
+            yield "tolerance.cp-and-sigma", {}
+        elif {"cp", "sigma"} & given.keys() and name in DISTRIBUTIONS and not DISTRIBUTIONS[name].free:
+            yield "tolerance.no-sigma", {"name": name}
+
+
+class Stated(Spread):
+    """A tolerance with all that can be said of it."""
+
+    limits: Limits | None = Field(
+        None, description="one number for plus and minus, [lower, upper], or a class; else the study's general one"
+    )
+    side: Expression | None = Field(
+        None, description="of an angle: the length of its shorter side, by which a class tells its limits"
+    )
+
+
+Tolerance = Annotated[
+    _PAIR
+    | Annotated[Stated, Tag("a mapping")]
+    | Annotated[ClassName, Tag("a class")]
+    | Annotated[Expression, Tag("a number")],
+    Discriminator(_kind),
+]
+AnyTolerance = Two | Stated | ClassName | Expression
+
+
+def stated(tolerance: AnyTolerance | None) -> Stated:
+    """A tolerance in its full form."""
+    return tolerance if isinstance(tolerance, Stated) else Stated.model_construct(limits=tolerance)
+
+
+def tolerance_parts(tolerance: AnyTolerance | None) -> Iterator[tuple[tuple[str, ...], Expression]]:
+    """The expressions of a tolerance, each with its place in it."""
+    whole = stated(tolerance)
+    key = ("limits",) if whole is tolerance else ()
+    limits = whole.limits if isinstance(whole.limits, tuple) else (whole.limits,)
+    yield from ((key, part) for part in limits if isinstance(part, Expression))
+    for name in ("cp", "sigma", "side"):
+        if (part := getattr(whole, name)) is not None:
+            yield (name,), part
+
+
+def tolerance_faults(parameters: Mapping[str, Any]) -> Iterator[Finding]:
+    """Names that are both a class of tolerances and a parameter of the file, where a tolerance is one."""
+    for name, parameter in parameters.items():
+        limits = stated(parameter.tolerance).limits
+        if isinstance(limits, ClassName) and limits.raw.strip() in parameters:
+            yield Finding(
+                "tolerance.class-or-parameter", ("parameters", name, "tolerance"), {"name": limits.raw.strip()}
+            )

@@ -1,0 +1,62 @@
+"""The figures of measures with their derivatives, and the curves of signals with theirs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.model.expressions import parse
+from linkwright.results import Run
+from linkwright.studies.accuracy.contributors import Contributors
+from linkwright.studies.accuracy.derivatives import Derivatives
+from linkwright.studies.accuracy.outcome import Curve, Figure
+from linkwright.studies.accuracy.slopes import Slopes
+from linkwright.studies.accuracy.stacking import larger, shares, spread, worst
+from linkwright.studies.figures import columns
+from linkwright.studies.measures import measure_all
+
+Array = NDArray[np.float64]
+
+
+def curves(run: Run, slopes: Slopes, contributors: Contributors, texts: Sequence[str]) -> dict[str, Curve]:
+    """The signals over the run; their figures are still open."""
+    quantities, found = run.compiled.quantities, {}
+    trees = [quantities.dimensions.bind(parse(text), None) for text in texts]
+    for text, tree in zip(texts, trees, strict=True):
+        here = slopes.at([tree], run.t, rates=False)
+        coefficients = here.slope[0]
+        limits = np.stack(worst(np.stack([coefficients, coefficients], axis=1), contributors))
+        mean, sigma = spread(coefficients, contributors)
+        dimension = quantities.dimensions.dimension(parse(text))
+        unit, size = quantities.unit_of(dimension)
+        width = np.nan_to_num(limits[1] - limits[0])
+        found[text] = Curve(
+            text, dimension, unit, size, run.t, here.value[0], coefficients, limits, mean, sigma, int(width.argmax())
+        )
+    return found
+
+
+def figures(run: Run, slopes: Slopes, contributors: Contributors, names: Sequence[str]) -> dict[str, Figure]:
+    """All figures of some measures by their names; a measure without a value has none."""
+    results = {result.name: result for result in measure_all(run, names)[0] if result.found}
+    derivatives, made = Derivatives(run, slopes, [*results]), {}
+    for name, result in results.items():
+        triples = zip(columns(run.compiled, name), result.found, derivatives.of(name), strict=True)
+        for column, number, one in triples:
+            coefficients = larger(one.sides)
+            limits = worst(one.sides, contributors)
+            mean, sigma = spread(coefficients, contributors)
+            made[column.name] = Figure(
+                column,
+                number.value,
+                number.time,
+                one.sides,
+                one.tie,
+                (float(limits[0]), float(limits[1])),
+                float(mean),
+                float(sigma),
+                shares(coefficients, contributors),
+            )
+    return made

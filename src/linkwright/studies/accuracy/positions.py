@@ -1,0 +1,118 @@
+"""Named positions: the signals there become measures of the mechanism, and so nothing else need know of them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from linkwright.kernels import Compiled
+from linkwright.model import units as u
+from linkwright.model.actions import Measure
+from linkwright.model.dimensions import DimensionError
+from linkwright.model.expressions import Call, Name, is_signal, nodes
+from linkwright.model.fields import Expression
+from linkwright.model.findings import Finding
+from linkwright.model.mechanism import Document
+from linkwright.model.names import Names
+from linkwright.model.places import Place, Scope
+from linkwright.model.unknown import near
+from linkwright.model.written import FrozenDict
+from linkwright.studies.accuracy.options import AccuracyOptions
+from linkwright.studies.cycle import span
+
+PATH = ("studies", "accuracy", "positions")
+WIDEST = ""
+OWN = "accuracy__"
+"""The measures and windows that stand for positions begin so."""
+_EXTREME = re.compile(r"\s*(max|min)\s+(\S.*)", re.S)
+_END = re.compile(r"\s*(start|end)\s+of\s+(\S+)\s*")
+
+
+def check_positions(compiled: Compiled, options: AccuracyOptions) -> Iterator[Finding]:
+    """What is wrong with the named positions."""
+    quantities, m = compiled.quantities, compiled.mechanism
+    for name, text in options.positions.items():
+        path = (*PATH, name)
+        if match := _END.fullmatch(text):
+            if match[2] not in m.windows:
+                yield Finding("name.unknown-window", path, {"name": match[2], "near": near(match[2], [*m.windows])})
+            continue
+        match = _EXTREME.fullmatch(text)
+        try:
+            expression = Expression(match[2] if match else text)
+        except ValueError:
+            yield Finding("accuracy.position", path, {"text": text[:60]})
+            continue
+        scope = Scope.SIGNALS if match else Scope.CONSTANT
+        place, names = Place(path, expression, u.PURE, scope), Names(m, quantities.signals)
+        wrong = [*names.unknown(place), *names.misplaced(place)]
+        yield from wrong
+        if wrong:
+            continue
+        if match:
+            if not any(isinstance(part, Name | Call) and is_signal(part) for part in nodes(expression.node)):
+                yield Finding("accuracy.position", path, {"text": text[:60]})
+                continue
+            try:
+                quantities.dimensions.bind(expression.node, None)
+            except DimensionError as error:
+                yield Finding(error.key, path, quantities.spelt(error.data))
+            continue
+        try:
+            time, stop = quantities.value(expression, u.TIME), span(compiled, options.cycle)[0]
+        except DimensionError as error:
+            yield Finding(error.key, path, quantities.spelt(error.data))
+            continue
+        if not 0 <= time <= stop:
+            unit, size = quantities.unit_of(u.TIME)
+            data = {"text": text[:60], "stop": f"{stop / size:.6g}", "unit": unit}
+            yield Finding("accuracy.outside-run", path, data)
+
+
+@dataclass(frozen=True)
+class Augmented:
+    """A document in which signals at positions are measures, asked for with the other outputs. ``places`` says of each
+    of these which signal it is and at which position, :data:`WIDEST` for the widest pose."""
+
+    document: Document
+    places: Mapping[str, tuple[str, str]]
+
+
+def augmented(
+    document: Document, compiled: Compiled, options: AccuracyOptions, widest: Mapping[str, float]
+) -> Augmented:
+    """The document with a measure of each signal at each named position, and at its ``widest`` time (s)."""
+    measures, windows = dict(document.measures), dict(document.windows)
+    places: dict[str, tuple[str, str]] = {}
+    stop = span(compiled, options.cycle)[0]
+
+    def at(time: float, window: str) -> dict[str, str]:
+        if time >= stop:
+            return {"where": "end"}
+        windows[window] = (Expression(f"{time!r} s"), Expression(f"{stop!r} s"))
+        return {"where": "start", "window": window}
+
+    def place(position: str, window: str) -> dict[str, str]:
+        text = options.positions[position]
+        if match := _END.fullmatch(text):
+            return {"where": match[1], "window": match[2]}
+        if _EXTREME.fullmatch(text):
+            return {"where": text}
+        return at(compiled.quantities.value(Expression(text), u.TIME), window)
+
+    for number, signal in enumerate(options.signals(compiled)):
+        wheres = {name: place(name, f"{OWN}{i}") for i, name in enumerate(options.positions)}
+        if signal.text in widest:
+            wheres[WIDEST] = at(widest[signal.text], f"{OWN}widest_{number}")
+        for i, (position, where) in enumerate(wheres.items()):
+            name = f"{OWN}{number}_{i}"
+            measures[name] = Measure.model_validate({"value": signal.raw, **where})
+            places[name] = signal.text, position
+    studies = {name: dict(entry) for name, entry in document.studies.items()}
+    outputs = [output.raw for output in options.outputs or ()]
+    if places:
+        studies["accuracy"]["outputs"] = [*outputs, *places]
+    changed = {"measures": measures, "windows": windows, "studies": studies}
+    made = document.model_copy(update={name: FrozenDict(entries) for name, entries in changed.items()})
+    return Augmented(made, places)

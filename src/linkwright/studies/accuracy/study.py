@@ -1,0 +1,123 @@
+"""The accuracy study: its parts put together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+from linkwright.kernels import Compiled, examine
+from linkwright.kernels.varied import Varied
+from linkwright.model.findings import Finding, ModelError, raise_errors
+from linkwright.model.mechanism import Document
+from linkwright.results import Run
+from linkwright.studies.accuracy.deviations import Shift
+from linkwright.studies.accuracy.figures import curves, figures
+from linkwright.studies.accuracy.monte_carlo import check_monte_carlo, monte_carlo
+from linkwright.studies.accuracy.options import AccuracyOptions
+from linkwright.studies.accuracy.outcome import AccuracyOutcome, Figure
+from linkwright.studies.accuracy.positions import WIDEST, augmented, check_positions
+from linkwright.studies.accuracy.slopes import Slopes
+from linkwright.studies.accuracy.stated import check_contributors, contributors, skipped
+from linkwright.studies.accuracy.vertices import check_searched, evaluating, search
+from linkwright.studies.asked import check_outputs, check_span
+from linkwright.studies.cycle import span
+from linkwright.studies.registry import read_studies, register
+from linkwright.studies.sampling import refused
+from linkwright.studies.site import Site
+
+
+@register
+class AccuracyStudy:
+    """What deviations do to the outputs."""
+
+    name = "accuracy"
+    options = AccuracyOptions
+
+    def check(self, compiled: Compiled, options: AccuracyOptions) -> list[Finding]:
+        """What is wrong with the options."""
+        return list(_check(compiled, options))
+
+    def run(self, compiled: Compiled, options: AccuracyOptions, site: Site) -> AccuracyOutcome:
+        """Transfer coefficients, worst case, root sum square, random samples, and what is asked of these."""
+        assert site.document is not None, "accuracy needs the file's document"
+        nominal = Run(compiled, 0.0, span(compiled, options.cycle)[0], options.steps)
+        deviations = contributors(compiled, options)
+        outcome = AccuracyOutcome(compiled, options, nominal, deviations)
+        if found := refused(nominal, options, deviations.names):
+            outcome.failures = found
+            return outcome
+        texts = [signal.text for signal in options.signals(compiled)]
+        outcome.curves = curves(nominal, Slopes(nominal, deviations.directions), deviations, texts)
+        widest = {text: float(nominal.t[curve.widest]) for text, curve in outcome.curves.items()}
+        placed = augmented(site.document, compiled, options, widest)
+        own, asked = _opened(placed.document, site)
+        run = Run(own, 0.0, nominal.stop, nominal.steps)
+        names = asked.measures(own)
+        every = figures(run, Slopes(run, deviations.directions), deviations, names)
+        outcome.warnings += [*skipped(compiled, options), *_valueless(names, every)]
+        searched = search(evaluating(run, deviations, names), deviations, every, options.nonlinear)
+        outcome.warnings += check_searched(searched)
+        for name, figure in every.items():
+            figure.searched = searched.get(name)
+        if options.samples:
+            random = monte_carlo(run, asked, replace(site, document=placed.document))
+            outcome.kernel, outcome.samples, outcome.failed = random.choice.kernel, random.samples, random.failed
+            outcome.state = random.state
+            outcome.warnings += random.warnings
+            for name, figure in every.items():
+                figure.monte_carlo = random.figures.get(name)
+            for text, sampled in random.curves.items():
+                outcome.curves[text].sampled = sampled
+        _place(outcome, every, placed.places)
+        return outcome
+
+
+def _check(compiled: Compiled, options: AccuracyOptions) -> Iterator[Finding]:
+    wrong = list(check_contributors(compiled, options))
+    yield from wrong
+    yield from check_outputs(compiled, options)
+    yield from check_positions(compiled, options)
+    if wrong:
+        return
+    deviations = contributors(compiled, options)
+    names = Shift(compiled, deviations).names
+    yield from check_span(compiled, options, frozenset(names), "parameters")
+    try:
+        Varied(compiled, names)
+    except ModelError as error:
+        yield from error.findings
+    yield from check_monte_carlo(options, deviations)
+
+
+def _opened(document: Document, site: Site) -> tuple[Compiled, AccuracyOptions]:
+    """A document with more outputs, compiled, and its options."""
+    compiled, findings = examine(document, site.folder)
+    raise_errors(findings)
+    tasks, findings = read_studies({k: v for k, v in document.studies.items() if k in ("cycle", "accuracy")})
+    raise_errors(findings)
+    options = next(task.options for task in tasks if isinstance(task.options, AccuracyOptions))
+    assert compiled is not None
+    return compiled, options
+
+
+def _valueless(names: list[str], every: Mapping[str, Figure]) -> Iterator[Finding]:
+    """Measures without a value at the nominal dimensions."""
+    known = {figure.column.measure for figure in every.values()}
+    for name in names:
+        if name not in known:
+            yield Finding("measure.not-finite", ("measures", name), {"name": name}, severity="warning")
+
+
+def _place(outcome: AccuracyOutcome, every: Mapping[str, Figure], places: Mapping[str, tuple[str, str]]) -> None:
+    """Give each figure its place in the outcome: a measure's, or that of a signal at a position."""
+    for name, figure in every.items():
+        if name not in places:
+            outcome.figures[name] = figure
+            continue
+        text, position = places[name]
+        shown = f"{text} at {position}" if position != WIDEST else text
+        figure.column = replace(figure.column, measure=shown)
+        if position == WIDEST:
+            outcome.curves[text].figure = figure
+        else:
+            outcome.curves[text].positions[position] = figure
