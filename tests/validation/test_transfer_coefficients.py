@@ -12,7 +12,10 @@ The differences are central, with steps of 1e-15, of closed forms in 40 digits: 
 
 from __future__ import annotations
 
+import contextlib
+import io
 import math
+import re
 from collections.abc import Iterator, Sequence
 from decimal import Decimal, localcontext
 from pathlib import Path
@@ -227,3 +230,18 @@ def test_coefficients_of_the_working_point_of_random_five_bars() -> None:
             for found, reference in ((slopes[1:, :, 0], wanted), (slopes[1:, :, 0], formula)):
                 assert np.abs(found - reference).max() < TOLERANCE * np.abs(wanted).max()
             assert np.abs(slopes[0, :5, 0] - turns).max() < TOLERANCE * np.abs(turns).max()
+
+
+def test_the_page_shows_what_its_snippets_print(monkeypatch: pytest.MonkeyPatch) -> None:
+    """docs/validation/transfer_coefficients.md; its snippets hold each line of the papers to the coefficients."""
+    monkeypatch.chdir(EXAMPLES.parent)
+    page = (EXAMPLES.parent / "docs" / "validation" / "transfer_coefficients.md").read_text(encoding="utf-8")
+    pairs = re.findall(r"```python\n(.*?)```\s*```text\n(.*?)```", page, re.S)
+    assert len(pairs) == page.count("```python") == 3
+    names: dict[str, Any] = {}
+    for snippet, shown in pairs:
+        with contextlib.redirect_stdout(io.StringIO()) as said:
+            exec(snippet, names)
+        assert said.getvalue() == shown
+    for formula, ours in ((names["x"], names["ours"][0]), (names["y"], names["ours"][1])):
+        np.testing.assert_allclose(ours, formula, rtol=0, atol=1e-13 * np.abs(formula).max())
