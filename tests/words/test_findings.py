@@ -59,6 +59,7 @@ TITLES = {
     "measure": "Measures",
     "study": "Studies",
     "tolerance": "Tolerances",
+    "accuracy": "Accuracy",
     "varied": "Many parameter sets",
     "structure": "Structure",
     "assembly": "Assembly",
