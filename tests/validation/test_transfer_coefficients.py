@@ -6,7 +6,7 @@ planar five-bar parallel mechanism* (in Chinese), Journal of Mechanical Transmis
 (5), (7), (10). docs/validation/transfer_coefficients.md goes through both line by line.
 
 The differences are central, with steps of 1e-15, of closed forms in 40 digits: good to 20 digits. The tolerance is
-1e-12 of the largest coefficient of a pose, lengths being of the order of one; reached is 4e-14 at determinants down to
+1e-12 of the largest coefficient of a pose, lengths being of the order of one; reached is 5e-14 at determinants down to
 0.1.
 """
 
