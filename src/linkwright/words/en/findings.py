@@ -723,6 +723,61 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The file asks for no study.",
         "Add one, for example studies: {{cycle: {{period: 1.5 s, samples: 200}}}}.",
     ),
+    # Of clearances.
+    "clearance.no-joint": (
+        "{name} is neither a pin nor a prismatic joint, so it has no clearance.",
+        "Name one of the joints: {near}; a pin made by a revolute joint is called after that.",
+    ),
+    "clearance.one-link": (
+        "{name} is a point of {link} alone, so there is no joint that could have a clearance.",
+        "Give another link a point of that name, or take the clearance out.",
+    ),
+    "clearance.not-positive": (
+        "The length {text} isn't positive.",
+        "Give a positive length; a joint without clearance needn't be named.",
+    ),
+    "clearance.no-length": (
+        "The guide {name} has no length, which decides whether its slider tilts.",
+        "Give it beside the clearance, for example length: 60.",
+    ),
+    "clearance.centre": (
+        "{name} is no point of {links}, the two links of this guide.",
+        "Name the point of one of them that is in the middle of the length over which the guide bears.",
+    ),
+    "clearance.short-guide": (
+        "The clearance of {name} is half of its length or more: the slider isn't guided.",
+        "Check both numbers and their units.",
+    ),
+    "clearance.not-of-pin": (
+        "{name} is a pin, which has no {key}.",
+        "Take {key} out; it belongs to the clearance of a prismatic joint.",
+    ),
+    "clearance.not-of-guide": (
+        "{name} is a prismatic joint; {key} is for pins.",
+        "Take {key} out.",
+    ),
+    "clearance.not-on-pin": (
+        "{link} isn't on the pin {name}, so the pin can't be fixed in it.",
+        "Name one of the links on it: {links}.",
+    ),
+    "clearance.too-large": (
+        "The clearance of {name} isn't smaller than the link {link}, which reaches {length} from there.",
+        "Check the number and its unit: it is the radial clearance, half the difference of the diameters.",
+    ),
+    "clearance.no-force": (
+        "The joint {name} of {links} transmits no force in the whole run, so it isn't known where it rests: its clearance "
+        "counts in the bound alone.",
+        "Give masses, loads or springs that press the joint, or read the bound.",
+    ),
+    "clearance.undetermined": (
+        "The reaction in the joint {name} of {links} has no finite value somewhere in the run: its clearance counts in "
+        "the bound alone.",
+        "Look for a singular pose, or for a load without a value there.",
+    ),
+    "clearance.no-figure": (
+        "No effect of the clearances is stated on {names}: {why}.",
+        "Ask for a position, an angle or a length, and of it for max, min, extremes, span, value, mean or rms.",
+    ),
     # Tolerances.
     "tolerance.unknown-class": (
         "'{given}' is neither a class of tolerances nor a parameter of this file.",
@@ -1163,6 +1218,10 @@ _TERMS: dict[str, str] = {
     "a-measure": "a measure",
     "the-shaking": "the shaking force",
     "the-energies": "the energies",
+    # Why a clearance has no effect to state.
+    "play-no-position": "that holds rates or forces, of which the play isn't known",
+    "play-reduction": "that looks at many places at once, or at rates",
+    "play-window": "the window moves with the clearances",
     # Quantities.
     "mass": "mass",
     "inertia": "moment of inertia",
