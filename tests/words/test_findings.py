@@ -60,6 +60,7 @@ TITLES = {
     "study": "Studies",
     "clearance": "Clearances",
     "tolerance": "Tolerances",
+    "accuracy": "Accuracy",
     "varied": "Many parameter sets",
     "structure": "Structure",
     "assembly": "Assembly",

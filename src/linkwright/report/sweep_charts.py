@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from linkwright.model.units import TIME
 from linkwright.report.data import Chart
 from linkwright.studies import SweepOutcome
-from linkwright.studies.sweep_outcome import Statistics, widened
+from linkwright.studies.histograms import widened
+from linkwright.studies.sweep_outcome import Statistics
 from linkwright.words import say
 
 Array = NDArray[np.float64]

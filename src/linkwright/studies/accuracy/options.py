@@ -6,20 +6,24 @@ from typing import Annotated
 
 from pydantic import Field, FiniteFloat
 
+from linkwright.kernels import Compiled
 from linkwright.kernels.registry import KERNELS
 from linkwright.model.fields import FrozenDict, Text
 from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import freeze
 from linkwright.model.tolerances import ClassName, DistributionName
+from linkwright.studies.accuracy.allocate import Allocate
+from linkwright.studies.accuracy.calibrate import Calibrate
 from linkwright.studies.accuracy.clearance_options import Clearance
+from linkwright.studies.accuracy.deviations import Deviations
 from linkwright.studies.accuracy.stated_options import Correlation, Thermal
-from linkwright.studies.asked import Asked, one_of
+from linkwright.studies.asked import Sampling, one_of
 
 PlanName = one_of("accuracy", "plan", ["random", "latin", "sobol"])
 KernelName = one_of("accuracy", "kernel", ["auto", *KERNELS])
 
 
-class AccuracyOptions(Asked):
+class AccuracyOptions(Sampling):
     """Which outputs, what deviates and how, and what is asked of it."""
 
     study = "accuracy"
@@ -47,6 +51,10 @@ class AccuracyOptions(Asked):
         default_factory=FrozenDict, max_length=100, description="changes of temperature by name"
     )
 
+    # The way back: tolerances from what is wanted, dimensions from what is measured.
+    allocate: Allocate | None = Field(None, description="the cheapest tolerances for a wanted accuracy")
+    calibrate: Calibrate | None = Field(None, description="actual dimensions from measured outputs")
+
     # The random samples.
     samples: int = Field(10_000, ge=0, le=10**9, description="random samples; 0 for none")
     plan: PlanName = Field("random", description="how samples are chosen")  # type: ignore[valid-type]
@@ -60,3 +68,14 @@ class AccuracyOptions(Asked):
     contact: float = Field(
         0.05, gt=0, lt=1, description="the share of a joint's RMS reaction below which contact may be lost"
     )
+
+    # The worst case by evaluating the mechanism.
+    nonlinear: float = Field(
+        0.05, ge=0, le=1, description="the worst case is searched where the linear one is off by more of its width"
+    )
+
+    def drawn(self, compiled: Compiled) -> Deviations:
+        """The random samples of the deviations that the file states."""
+        from linkwright.studies.accuracy.stated import contributors  # which looks at these options
+
+        return Deviations(compiled, contributors(compiled, self), self.plan, self.samples, self.seed)
