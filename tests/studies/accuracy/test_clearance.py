@@ -107,6 +107,9 @@ def test_an_output_moves_with_a_gap_as_the_joint_is_loaded_by_it(name: str) -> N
     forces = np.array([part for one in found.held for seat in one.forces(rows) for part in seat])
     assert np.abs(forces).max() > 0.1
     np.testing.assert_allclose(slope, forces, atol=1e-11 * np.abs(forces).max())
+    # So the loaded point gives way in the direction of the load, by all that the joints allow.
+    shift, bound = found.curve(tree(found.compiled, f"0.6*{point}.x + 0.8*{point}.y"), t)
+    np.testing.assert_allclose(shift, bound, rtol=1e-12)
 
 
 def test_links_that_go_along_with_their_pin_move_nothing() -> None:

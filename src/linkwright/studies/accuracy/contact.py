@@ -1,7 +1,7 @@
 """Where a joint with clearance may lose contact: its reaction all but vanishes, or turns over at once.
 
 With contact kept, the clearance acts as a massless link; where the link's force all but vanishes, or turns over, it
-isn't held (Earles and Wu's contact loss; see docs/theory.md). Found by roots of exact rates, not read off samples.
+isn't held (Wu and Earles 1977; docs/theory.md). Found by roots of exact rates, not read off samples.
 """
 
 from __future__ import annotations
