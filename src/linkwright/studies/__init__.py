@@ -1,6 +1,7 @@
 """Studies: what a model file asks to be done with its mechanism."""
 
 from linkwright.studies import cycle, limits, modes, sweeping  # noqa: F401  (each registers itself)
+from linkwright.studies.accuracy.study import AccuracyStudy  # noqa: F401
 from linkwright.studies.cycle import CycleOptions, CycleOutcome
 from linkwright.studies.limits import LimitsOptions, LimitsOutcome
 from linkwright.studies.measures import MeasureResult
