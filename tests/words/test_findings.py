@@ -20,6 +20,8 @@ if __name__ != "__main__":
 
 DOCUMENT = Path(__file__).parents[2] / "docs" / "findings.md"
 CODES = [key.removesuffix(".what") for key in FINDINGS if key.endswith(".what")]
+OTHERS = WORDS.keys() - FINDINGS.keys()
+"""Keys of texts that are no findings."""
 SPOKEN_FOR = {"window.outside"}
 """Codes that have their words before anything raises them."""
 
@@ -97,7 +99,9 @@ def rendered() -> str:
 
 def in_source() -> set[str]:
     """The codes that the source raises: what looks like one, begins like one, and isn't another text's key."""
-    return {text for text in source.texts() if text.split(".")[0] in TITLES and text not in TEXTS}
+    files = (".csv", ".nc")
+    codes = {text for text in source.texts() if text.split(".")[0] in TITLES and not text.endswith(files)}
+    return codes - OTHERS
 
 
 def test_every_code_has_both_texts() -> None:
