@@ -23,6 +23,9 @@ ROUNDS = 24
 """Segments are halved at most so many times."""
 WAY = 0.5
 """The rim is looked for no further beside a segment than this share of its length ..."""
+RINGS = (2, 3, 4)
+MEET = 1e-9
+"""Ends of pieces that are nearer than this share of the drives' ranges are one."""
 LEVELS = 20
 """Triangles are quartered at most so many times."""
 WAYS = (-0.03, 0.03, -0.3, 0.3)
@@ -54,8 +57,11 @@ def curves(sheet: Sheet, mesh: Mesh, chord: float) -> list[Segments]:
 def _singular(sheet: Sheet, mesh: Mesh) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
     """Pieces of the singular curve, and the rim's, cut where the curve meets it."""
     rim = np.sort(mesh.rim, axis=1)
-    cuts: dict[tuple[int, int], Array] = {}
-    pieces = _passing(sheet, mesh.q, mesh.triangles, rim, cuts)
+    for rings in RINGS:
+        cuts: dict[tuple[int, int], Array] = {}
+        pieces = _passing(sheet, mesh.q, mesh.triangles, rim, cuts, rings)
+        if not _loose(sheet, mesh, *pieces):
+            break
     starts, ends = [], []
     for first, last in rim.tolist():
         middle = cuts.get((first, last))
@@ -66,7 +72,7 @@ def _singular(sheet: Sheet, mesh: Mesh) -> tuple[tuple[Array, Array], tuple[Arra
 
 
 def _passing(
-    sheet: Sheet, q: Array, triangles: Rows, rim: Rows, cuts: dict[tuple[int, int], Array], level: int = 0
+    sheet: Sheet, q: Array, triangles: Rows, rim: Rows, cuts: dict[tuple[int, int], Array], rings: int, level: int = 0
 ) -> tuple[Array, Array]:
     """One piece of the singular curve in each triangle that it passes, its ends on the sides; ``cuts`` takes those on
     the rim. Where a piece doesn't follow the curve, as where two branches cross, the triangles around are quartered."""
@@ -92,11 +98,28 @@ def _passing(
     if not astray.size:
         return a, b
     held = np.isin(triangles, np.unique(rim)).any(axis=1)
-    around = np.isin(triangles, np.unique(triangles[astray])).any(axis=1) & ~held
+    around = np.zeros(len(triangles), dtype=bool)
+    around[astray] = True
+    for _ in range(rings):
+        around |= np.isin(triangles, np.unique(triangles[around])).any(axis=1)
+    around &= ~held
     kept = ~around[passed]
     corners, quarters = _quartered(q, triangles[around])
-    inner = _passing(sheet, corners, quarters, rim[:0], cuts, level + 1)
+    inner = _passing(sheet, corners, quarters, rim[:0], cuts, rings, level + 1)
     return np.concatenate([a[:, kept], inner[0]], axis=1), np.concatenate([b[:, kept], inner[1]], axis=1)
+
+
+def _loose(sheet: Sheet, mesh: Mesh, a: Array, b: Array) -> bool:
+    """Whether some piece of the singular curve ends where no other begins, not on the rim nor on the mesh's border."""
+    from scipy.spatial import cKDTree
+
+    low, high = mesh.q.min(axis=1, keepdims=True), mesh.q.max(axis=1, keepdims=True)
+    ends = np.concatenate([a, b], axis=1)
+    scaled = (ends - low) / (high - low)
+    inner = ((scaled > MEET) & (scaled < 1 - MEET)).all(axis=0) & (sheet.place(ends)[1] > 4 * RIM)
+    places = scaled[:, inner].T
+    count = cKDTree(places).query_ball_point(places, MEET, return_length=True) if len(places) else np.empty(0)
+    return bool((count % 2).any())
 
 
 def _followed(sheet: Sheet, a: Array, b: Array) -> NDArray[np.bool_]:

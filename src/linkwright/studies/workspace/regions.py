@@ -40,7 +40,7 @@ class Region:
     change: float
 
 
-def region(sheet: Sheet, box: Box, chord: float, first: int = 96, most: int = 1536, close: float = 1e-7) -> Region:
+def region(sheet: Sheet, box: Box, chord: float, first: int = 96, most: int = 1536, close: float = 1e-6) -> Region:
     """The region of a sheet, on meshes that are doubled until its area changes by less than a share ``close``."""
     last, steps = None, first
     while True:
