@@ -13,7 +13,7 @@ import linkwright as lw
 from linkwright.app.sweeps import _with
 from linkwright.kernels.registry import KERNELS
 from linkwright.studies import SweepOutcome
-from linkwright.studies.sweep_work import SweepWork
+from linkwright.studies.sample_work import SampleWork
 from studies.models import slider_crank
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -74,7 +74,7 @@ def test_ranges_of_poses_are_parts_of_the_whole(name: str, parameter: str, signa
     vary = {parameter: {"normal": value / size, "sigma": abs(value) / size / 1000}}
     files = tuple((path.name, path.read_bytes()) for path in EXAMPLES.glob("*.csv"))
     options = {"vary": vary, "outputs": [signal], "samples": 5, "poses": 60}
-    task = SweepWork(_with(given, options), files, "numpy").open()
+    task = SampleWork(_with(given, options), files, "numpy", "sweep").open()
     p = task.varied.parameters(task.plan.values(0))
     every = task.signals.values(p, slice(0, 61))
     assert np.isfinite(every).all()

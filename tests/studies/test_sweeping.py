@@ -12,7 +12,7 @@ import pytest
 import linkwright as lw
 from linkwright.app.job import examine_document, perform
 from linkwright.blocks import UNIT
-from linkwright.studies import Interrupted, Site, SweepOutcome, sweep_kept, sweeping
+from linkwright.studies import Interrupted, Site, SweepOutcome, sample_kept
 from studies.models import CRANK, four_bar, slider_crank
 
 STEPS = {"from": 45, "to": 55, "count": 5}
@@ -245,8 +245,7 @@ def test_another_sweep_is_not_gone_on_with(tmp_path: Path) -> None:
 
 def test_more_samples_than_rows(whole: SweepOutcome, monkeypatch: pytest.MonkeyPatch) -> None:
     """Statistics are the same; the histogram reaches beyond the first unit's figures and loses none of these."""
-    monkeypatch.setattr(sweeping, "ROWS", 5000)
-    monkeypatch.setattr(sweep_kept, "ROWS", 5000)
+    monkeypatch.setattr(sample_kept, "ROWS", 5000)
     outcome = performed()
     assert outcome.table is None
     (a,), (b,) = outcome.measures, whole.measures
@@ -278,7 +277,7 @@ def test_all_values_are_kept_in_memory(whole: SweepOutcome) -> None:
 
 
 def test_too_many_values_for_memory(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(sweep_kept, "VALUES", 10)
+    monkeypatch.setattr(sample_kept, "VALUES", 10)
     with pytest.raises(lw.ModelError) as refusal:
         lw.sweep(document(), {"r": STEPS}, ["B.x"], keep="all")
     assert [f.code for f in refusal.value.findings] == ["study.no-folder"]

@@ -7,6 +7,7 @@ a :class:`Sink` takes in theirs; so no runner and no size of block changes a bit
 from linkwright.blocks.carry import Carried, Progress, carry
 from linkwright.blocks.checkpoint import Checkpoint
 from linkwright.blocks.cluster import Cluster
+from linkwright.blocks.fourth import Fourth
 from linkwright.blocks.histogram import Histogram
 from linkwright.blocks.moments import Moments
 from linkwright.blocks.reductions import Reduction, Tallies
@@ -23,6 +24,7 @@ __all__ = [
     "Cluster",
     "Cut",
     "Folding",
+    "Fourth",
     "Histogram",
     "Moments",
     "Progress",

@@ -104,28 +104,28 @@ class MomentsTally:
         found = finite.sum(axis=1)
         fresh = (self.count == 0) & (found > 0)
         if fresh.any():
-            self.shift = np.where(fresh, _at(y, finite.argmax(axis=1)), self.shift)
+            self.shift = np.where(fresh, at(y, finite.argmax(axis=1)), self.shift)
         d = np.empty((y.shape[0], y.shape[1] + 1, y.shape[2]))
         d[:, 1:] = np.where(finite, y, self.shift[:, None]) - self.shift[:, None]
         d[:, 0] = self.sum
-        self.sum = _total(d)
+        self.sum = total(d)
         np.multiply(d[:, 1:], d[:, 1:], out=d[:, 1:])
         d[:, 0] = self.square
-        self.square = _total(d)
+        self.square = total(d)
         self.count = self.count + found
         self.missing = self.missing + (y.shape[1] - found)
         self._extremes(y, finite, first)
 
     def _extremes(self, y: Array, finite: NDArray[np.bool_], first: int) -> None:
-        at = np.where(finite, y, np.inf).argmin(axis=1)
-        value = np.where(finite.any(axis=1), _at(y, at), np.inf)
+        where = np.where(finite, y, np.inf).argmin(axis=1)
+        value = np.where(finite.any(axis=1), at(y, where), np.inf)
         better = value < self.least
-        self.least, self.least_at = np.where(better, value, self.least), np.where(better, at + first, self.least_at)
-        at = np.where(finite, y, -np.inf).argmax(axis=1)
-        value = np.where(finite.any(axis=1), _at(y, at), -np.inf)
+        self.least, self.least_at = np.where(better, value, self.least), np.where(better, where + first, self.least_at)
+        where = np.where(finite, y, -np.inf).argmax(axis=1)
+        value = np.where(finite.any(axis=1), at(y, where), -np.inf)
         better = value > self.largest
         self.largest = np.where(better, value, self.largest)
-        self.largest_at = np.where(better, at + first, self.largest_at)
+        self.largest_at = np.where(better, where + first, self.largest_at)
 
     def state(self) -> Arrays:
         """What was counted; ``squares`` is the sum of squared deviations from the mean."""
@@ -145,12 +145,12 @@ class MomentsTally:
         }
 
 
-def _at(y: Array, index: NDArray[np.int64]) -> Array:
+def at(y: Array, index: NDArray[np.int64]) -> Array:
     """The values of each output and pose at its own sample."""
     return np.take_along_axis(y, index[:, None], axis=1)[:, 0]
 
 
-def _total(d: Array) -> Array:
+def total(d: Array) -> Array:
     """The sum over samples, one after the other: over a lone column NumPy's own sum would go pairwise."""
     if d.shape[2] > 1:
         return np.asarray(np.add.reduce(d, axis=1))

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.report.data import Chart
-from linkwright.studies.sweep_outcome import widened
+from linkwright.studies.histograms import widened
 
 Array = NDArray[np.float64]
 

@@ -1,15 +1,16 @@
 """Studies: what a model file asks to be done with its mechanism."""
 
 from linkwright.studies import cycle, limits, modes, sweeping  # noqa: F401  (each registers itself)
+from linkwright.studies.accuracy.study import AccuracyStudy  # noqa: F401
 from linkwright.studies.cycle import CycleOptions, CycleOutcome
 from linkwright.studies.limits import LimitsOptions, LimitsOutcome
 from linkwright.studies.measures import MeasureResult
 from linkwright.studies.modes import ModesOptions, ModesOutcome, find_modes
 from linkwright.studies.registry import STUDIES, Task, read_studies
+from linkwright.studies.sampling import Interrupted
 from linkwright.studies.site import NOWHERE, Site
 from linkwright.studies.sweep_options import SweepOptions
 from linkwright.studies.sweep_outcome import SweepOutcome
-from linkwright.studies.sweeping import Interrupted
 
 __all__ = [
     "NOWHERE",

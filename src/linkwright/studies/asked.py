@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Annotated, Any, ClassVar, Self
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
 from pydantic import BeforeValidator, Field, PrivateAttr, ValidationInfo, WithJsonSchema, model_validator
 
@@ -18,6 +18,7 @@ from linkwright.model.places import Place, Scope
 from linkwright.model.sampled import dependent
 from linkwright.model.unknown import near
 from linkwright.studies.cycle import TURNS, CycleOptions, beside, span
+from linkwright.studies.plans import Draws
 
 
 def one_of(study: str, key: str, known: Sequence[str]) -> Any:
@@ -76,6 +77,22 @@ class Asked(Frozen):
         known = compiled.mechanism.measures
         texts = {output.text: output for output in self.outputs or () if output.text not in known}
         return [*texts.values()]
+
+
+class Sampling(Asked):
+    """The options of a study of many samples."""
+
+    if TYPE_CHECKING:
+        kernel: str
+
+    @property
+    def keeps(self) -> bool:
+        """Whether every value of every signal is kept."""
+        return False
+
+    def drawn(self, compiled: Compiled) -> Draws:
+        """The samples."""
+        raise NotImplementedError
 
 
 def check_outputs(compiled: Compiled, options: Asked) -> Iterator[Finding]:

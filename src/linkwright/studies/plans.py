@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from functools import cached_property
 from math import prod
 from threading import Lock
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +29,29 @@ TINY = 2.0**-54
 """Shares of 0, which random numbers may be, are taken as this."""
 
 
+class Draws(Protocol):
+    """The samples of a study by a plan."""
+
+    @property
+    def name(self) -> str:
+        """The plan's."""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The parameters that they have values of."""
+
+    @property
+    def samples(self) -> int:
+        """How many samples there are."""
+
+    @property
+    def independent(self) -> bool:
+        """Whether shares of samples have the confidence interval of independent ones (or a narrower one)."""
+
+    def values(self, unit: int) -> Array:
+        """The values of a unit's samples in SI, a function of the unit alone: (names, samples of the unit)."""
+
+
 class Plan:
     """Base of the plans, over the spreads of the varied parameters in their order."""
 
@@ -40,8 +63,9 @@ class Plan:
     independent: ClassVar[bool] = False
     """Whether shares of samples have the confidence interval of independent ones (or a narrower one)."""
 
-    def __init__(self, spreads: Sequence[Spread], samples: int, seed: int) -> None:
+    def __init__(self, spreads: Sequence[Spread], samples: int, seed: int, names: Sequence[str] = ()) -> None:
         self.spreads, self.samples, self.seed = tuple(spreads), self.count(spreads, samples), seed
+        self.names = tuple(names)
 
     @classmethod
     def count(cls, spreads: Sequence[Spread], samples: int) -> int:
@@ -138,8 +162,8 @@ class Sobol(Plan):
     BITS = 32
     most = 2**BITS
 
-    def __init__(self, spreads: Sequence[Spread], samples: int, seed: int) -> None:
-        super().__init__(spreads, samples, seed)
+    def __init__(self, spreads: Sequence[Spread], samples: int, seed: int, names: Sequence[str] = ()) -> None:
+        super().__init__(spreads, samples, seed, names)
         self._lock = Lock()
         self._engine: Any = None
 

@@ -21,7 +21,7 @@ from linkwright.model.findings import Finding, ModelError
 from linkwright.model.parts import freeze
 from linkwright.model.quantities import LARGEST
 from linkwright.model.unknown import near
-from linkwright.studies.asked import Asked, check_outputs, check_span, one_of
+from linkwright.studies.asked import Sampling, check_outputs, check_span, one_of
 from linkwright.studies.distributions import Spread, Vary
 from linkwright.studies.plans import PLANS, Plan
 
@@ -34,7 +34,7 @@ PlanName = one_of("sweep", "plan", [*PLANS])
 KernelName = one_of("sweep", "kernel", ["auto", *KERNELS])
 
 
-class SweepOptions(Asked):
+class SweepOptions(Sampling):
     """Which parameters take which values, and what is wanted of each sample."""
 
     study = "sweep"
@@ -52,6 +52,10 @@ class SweepOptions(Asked):
     )
     kernel: KernelName = Field("auto", description="what computes it: chosen by the size of the work, or one by name")  # type: ignore[valid-type]
 
+    @property
+    def keeps(self) -> bool:
+        return self.keep == "all"
+
     def spreads(self, compiled: Compiled) -> list[Spread]:
         """What the parameters take, in SI."""
         quantities = compiled.quantities
@@ -65,10 +69,10 @@ class SweepOptions(Asked):
         fitting = "grid" if all(spread.points is not None for spread in spreads) else "latin"
         return PLANS[self.plan or fitting]
 
-    def made(self, compiled: Compiled) -> Plan:
+    def drawn(self, compiled: Compiled) -> Plan:
         """The plan with its samples."""
         spreads = self.spreads(compiled)
-        return self.planned(spreads)(spreads, self.samples or SAMPLES, self.seed)
+        return self.planned(spreads)(spreads, self.samples or SAMPLES, self.seed, tuple(self.vary))
 
 
 def check(compiled: Compiled, options: SweepOptions) -> Iterator[Finding]:

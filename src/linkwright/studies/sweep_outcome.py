@@ -146,17 +146,3 @@ def bands(texts: list[str], compiled: Compiled, moments: Arrays) -> dict[str, Ba
         text: Band(text, quantities.dimensions.dimension(parse(text)), *(moments[key][i] for key in keys))
         for i, text in enumerate(texts)
     }
-
-
-def histogram(values: Array, bins: int) -> tuple[Array, NDArray[np.int64]]:
-    """Edges and counts of the finite ones of some values."""
-    known = values[np.isfinite(values)]
-    low, high = (float(known.min()), float(known.max())) if known.size else (0.0, 0.0)
-    counts, edges = np.histogram(known, bins, widened(low, high))
-    return edges, counts.astype(np.int64)
-
-
-def widened(low: float, high: float) -> tuple[float, float]:
-    """A range that has a width: values that differ by no more than round-off lie in its middle."""
-    size = max(abs(low), abs(high)) or 1.0
-    return (low, high) if high - low > 1e-12 * size else (low - 1e-6 * size, high + 1e-6 * size)

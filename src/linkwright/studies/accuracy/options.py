@@ -6,19 +6,21 @@ from typing import Annotated
 
 from pydantic import Field, FiniteFloat
 
+from linkwright.kernels import Compiled
 from linkwright.kernels.registry import KERNELS
 from linkwright.model.fields import FrozenDict, Text
 from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import freeze
 from linkwright.model.tolerances import ClassName, DistributionName
+from linkwright.studies.accuracy.deviations import Deviations
 from linkwright.studies.accuracy.stated_options import Correlation, Thermal
-from linkwright.studies.asked import Asked, one_of
+from linkwright.studies.asked import Sampling, one_of
 
 PlanName = one_of("accuracy", "plan", ["random", "latin", "sobol"])
 KernelName = one_of("accuracy", "kernel", ["auto", *KERNELS])
 
 
-class AccuracyOptions(Asked):
+class AccuracyOptions(Sampling):
     """Which outputs, what deviates and how, and what is asked of it."""
 
     study = "accuracy"
@@ -51,3 +53,14 @@ class AccuracyOptions(Asked):
     plan: PlanName = Field("random", description="how samples are chosen")  # type: ignore[valid-type]
     seed: int = Field(0, ge=0, le=2**63, description="another seed gives other samples")
     kernel: KernelName = Field("auto", description="what computes it: chosen by the size of the work, or one by name")  # type: ignore[valid-type]
+
+    # The worst case by evaluating the mechanism.
+    nonlinear: float = Field(
+        0.05, ge=0, le=1, description="the worst case is searched where the linear one is off by more of its width"
+    )
+
+    def drawn(self, compiled: Compiled) -> Deviations:
+        """The random samples of the deviations that the file states."""
+        from linkwright.studies.accuracy.stated import contributors  # which looks at these options
+
+        return Deviations(compiled, contributors(compiled, self), self.plan, self.samples, self.seed)

@@ -27,7 +27,8 @@ class Searched:
     """The worst case found by evaluating the mechanism itself: deviations of the figure from the nominal one.
 
     ``low_at`` and ``high_at`` (contributors,) are the deviations at which it was found; ``off`` is how far the linear
-    one is away, over its width. ``proven`` where it can't be exceeded, else it is a lower bound.
+    one is away, over its width. ``proven`` where it can't be exceeded, else it is a lower bound. ``lost`` of the
+    ``looked`` mechanisms that were evaluated can't be assembled or followed.
     """
 
     low: float
@@ -36,12 +37,15 @@ class Searched:
     high_at: Array
     off: float
     proven: bool
+    looked: int = 0
+    lost: int = 0
 
 
 @dataclass(frozen=True)
 class MonteCarlo:
     """A figure over random samples. ``interval`` holds ``coverage`` of the samples; ``mean_interval`` and
-    ``sigma_interval`` hold mean and standard deviation of all that might be made, with ``confidence``.
+    ``sigma_interval`` hold mean and standard deviation of all that might be made, with ``confidence``; ``None`` where
+    the plan (Sobol' points) or too few samples allow no such statement.
 
     ``convergence`` has rows (samples, mean, sigma) as the number of samples grows. ``edges`` and ``counts`` are the
     histogram. ``failed`` samples can't be assembled or followed: they are in no other figure.
@@ -54,8 +58,8 @@ class MonteCarlo:
     least: float
     largest: float
     interval: tuple[float, float]
-    mean_interval: tuple[float, float]
-    sigma_interval: tuple[float, float]
+    mean_interval: tuple[float, float] | None
+    sigma_interval: tuple[float, float] | None
     convergence: Array
     edges: Array
     counts: NDArray[np.int64]

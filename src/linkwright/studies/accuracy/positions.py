@@ -16,7 +16,7 @@ from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.model.names import Names
 from linkwright.model.places import Place, Scope
-from linkwright.model.unknown import near
+from linkwright.model.unknown import unknown
 from linkwright.model.written import FrozenDict
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.cycle import span
@@ -36,7 +36,7 @@ def check_positions(compiled: Compiled, options: AccuracyOptions) -> Iterator[Fi
         path = (*PATH, name)
         if match := _END.fullmatch(text):
             if match[2] not in m.windows:
-                yield Finding("name.unknown-window", path, {"name": match[2], "near": near(match[2], [*m.windows])})
+                yield unknown("window", path, match[2], m.windows)
             continue
         match = _EXTREME.fullmatch(text)
         try:
@@ -113,6 +113,5 @@ def augmented(
     outputs = [output.raw for output in options.outputs or ()]
     if places:
         studies["accuracy"]["outputs"] = [*outputs, *places]
-    changed = {"measures": measures, "windows": windows, "studies": studies}
-    made = document.model_copy(update={name: FrozenDict(entries) for name, entries in changed.items()})
-    return Augmented(made, places)
+    changed = {"measures": FrozenDict(measures), "windows": FrozenDict(windows), "studies": FrozenDict(studies)}
+    return Augmented(document.model_copy(update=changed), places)

@@ -631,6 +631,40 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "to t = {time} s: on the way from the nominal pose it reaches a singular one.",
         "Narrow the ranges of the varied parameters, or count on the samples that are left.",
     ),
+    "accuracy.position": (
+        "'{text}' is no position.",
+        "Write 'max E.x' or 'min E.x' with a signal, 'start of W' or 'end of W' with a window, or a time.",
+    ),
+    "accuracy.outside-run": (
+        "The position '{text}' isn't between 0 and {stop} {unit}, the run of the cycle.",
+        "Give a time within the run.",
+    ),
+    "accuracy.correlation-limit": (
+        "Deviations of {names} can't have the correlation {stated}: with their distributions, which aren't alike, it can be "
+        "{limit} at most.",
+        "State a smaller correlation, or the same distribution for both.",
+    ),
+    "accuracy.correlation-mended": (
+        "No normal scores give these distributions the stated correlations, all at once; the samples have some that are near: "
+        "those of the scores differ by {change} at most.",
+        "State smaller correlations, or normal distributions.",
+    ),
+    "accuracy.samples-fail": (
+        "{count} of {samples} random samples inside the tolerances have no value at some place, {share} % (of all that "
+        "might be made {low} to {high} %, with 95 % confidence). They are in no other figure.",
+        "Narrow the tolerances, or change the dimensions so that the mechanism can be assembled with all of them.",
+    ),
+    "accuracy.points-fail": (
+        "{count} of {samples} samples inside the tolerances have no value at some place, {share} %. They are in no other "
+        "figure.",
+        "Narrow the tolerances, or change the dimensions so that the mechanism can be assembled with all of them. Take the "
+        "plan random or latin for a confidence interval of the share.",
+    ),
+    "accuracy.vertices-fail": (
+        "The search for the worst case met {lost} of {looked} places inside the tolerances at which the mechanism can't be "
+        "assembled or followed: there is no worst case, only one of those that work.",
+        "Narrow the tolerances, or change the dimensions so that the mechanism can be assembled with all of them.",
+    ),
     # Of sweeps.
     "study.needs-cycle": (
         "The study {study} looks at the motion of the file's cycle, and there is none.",

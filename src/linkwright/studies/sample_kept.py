@@ -1,4 +1,4 @@
-"""What a sweep keeps while it runs: its sinks, and the files from which an interrupted one goes on."""
+"""What a study of many samples keeps while it runs: its sinks, and the files from which an interrupted one goes on."""
 
 from __future__ import annotations
 
@@ -13,10 +13,9 @@ from linkwright.blocks.checkpoint import unsaved
 from linkwright.blocks.store import Stored, Variable
 from linkwright.blocks.work import Arrays
 from linkwright.model.findings import Finding, ModelError
+from linkwright.studies.sample_sink import Samples
+from linkwright.studies.sample_work import SampleTask
 from linkwright.studies.site import Site
-from linkwright.studies.sweep_options import PATH
-from linkwright.studies.sweep_sink import Samples
-from linkwright.studies.sweep_work import SweepTask
 
 Array = NDArray[np.float64]
 
@@ -24,7 +23,16 @@ ROWS = 1_000_000
 """The most samples of which a row each is kept."""
 VALUES = 1 << 27
 """The most values that are kept in memory, where there is no folder."""
-STORE = "sweep.zarr"
+
+
+def tabled(samples: int) -> bool:
+    """Whether a row is kept of each of so many samples."""
+    return samples <= ROWS
+
+
+def store(study: str) -> str:
+    """The name of the Zarr store of a study's values."""
+    return f"{study}.zarr"
 
 
 class Held:
@@ -47,7 +55,7 @@ class Held:
 
 @dataclass
 class Kept:
-    """The sinks of a sweep; ``files`` hold their state, of no use once its outcome is written."""
+    """The sinks of a study; ``files`` hold their state, of no use once its outcome is written."""
 
     samples: Samples
     signals: Folding
@@ -56,9 +64,10 @@ class Kept:
     files: list[Path] = field(default_factory=list)
 
     @classmethod
-    def begun(cls, task: SweepTask, key: str, site: Site) -> Kept:
+    def begun(cls, task: SampleTask, key: str, site: Site) -> Kept:
         """Sinks that go on where the site's folder has them. Raises :class:`ModelError`."""
         files: list[Path] = []
+        study = task.options.study
 
         def kept(name: str) -> Checkpoint | None:
             if site.out is None:
@@ -67,20 +76,19 @@ class Kept:
                 site.out.mkdir(parents=True, exist_ok=True)
             except OSError as error:
                 raise unsaved(site.out, error) from None
-            files.append(site.out / f"sweep-{key[:12]}.{name}")
+            files.append(site.out / f"{study}-{key[:12]}.{name}")
             return Checkpoint(files[-1], key, site.fresh)
 
         rows = len(task.figures.columns) + len(task.figures.required)
         tallied: dict[str, Reduction] = task.tallied if rows else {}
-        table = task.plan.samples <= ROWS
-        samples = Samples(task.cut, rows, len(task.varied.causes), tallied, table, kept("samples"))
+        samples = Samples(task.cut, rows, len(task.varied.causes), tallied, tabled(task.plan.samples), kept("samples"))
         made = cls(samples, Folding(task.cut, task.reductions, kept("signals")), files=files)
-        if task.options.keep == "all" and task.signals.texts:
+        if task.options.keeps and task.signals.texts:
             if site.out is not None:
                 made.stored = _stored(task, key, site.out, site.fresh)
-                files.append(site.out / f"{STORE}.checkpoint")
+                files.append(site.out / f"{store(study)}.checkpoint")
             elif len(task.signals.texts) * task.cut.samples * task.cut.poses > VALUES:
-                raise ModelError([Finding("study.no-folder", (*PATH, "keep"), {"limit": f"{VALUES:,}"})])
+                raise ModelError([Finding("study.no-folder", ("studies", study, "keep"), {"limit": f"{VALUES:,}"})])
             else:
                 made.held = Held(task.cut, task.signals.texts)
         return made
@@ -91,10 +99,10 @@ class Kept:
         return Together([sink for sink in (self.samples, self.signals, self.stored, self.held) if sink is not None])
 
 
-def _stored(task: SweepTask, key: str, out: Path, fresh: bool) -> Stored:
-    """The store of all values. One without a checkpoint beside it is the result of an earlier sweep: it is replaced."""
-    path = out / STORE
-    anew = fresh or not path.with_name(f"{STORE}.checkpoint").exists()
+def _stored(task: SampleTask, key: str, out: Path, fresh: bool) -> Stored:
+    """The store of all values. One without a checkpoint beside it is the result of an earlier study: it is replaced."""
+    path = out / store(task.options.study)
+    anew = fresh or not path.with_name(f"{path.name}.checkpoint").exists()
     time = Variable("t", ("pose",), "s", coordinate=True)
     attributes = {"title": task.compiled.mechanism.name, "source": "linkwright", "plan": task.plan.name}
     variables = [time, *task.of_samples(), *task.of_signals()]

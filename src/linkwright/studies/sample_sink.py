@@ -1,4 +1,4 @@
-"""Where the figures of a sweep's samples go: a row a sample while these are few, statistics over all of them."""
+"""Where the figures of samples go: a row a sample while these are few, statistics over all of them."""
 
 from __future__ import annotations
 
@@ -10,19 +10,22 @@ from numpy.typing import NDArray
 from linkwright.blocks import Checkpoint, Cut, Reduction, Tallies
 from linkwright.blocks.reductions import part
 from linkwright.blocks.work import UNIT, Arrays
-from linkwright.studies.sweep_work import FINE
+from linkwright.studies.sample_work import FINE
 
 Array = NDArray[np.float64]
 
 FOLDED = "folded"
+MARKS = 12
+"""How often it is noted how far figures have settled."""
 
 
 class Samples:
     """Takes what atoms say of whole samples, unit after unit: figures and verdicts folded, and kept where ``table``.
 
     ``rows`` (figures and verdicts, samples) holds them, ``cause`` and ``since`` (samples,) say which lack a value, why,
-    since when (:class:`~linkwright.studies.sweep_work.SweepTask`). ``failed`` (causes, 3) says of each cause, the last
-    being none, how many samples it has, which the first of them is, and since when that one lacks a value.
+    since when (:class:`~linkwright.studies.sample_work.SampleTask`). ``failed`` (causes, 3) says of each cause, the
+    last being none, how many samples it has, which the first of them is, and since when that one lacks a value.
+    ``trail`` (marks, 3, rows) are count, mean and deviation after the ``marks`` first samples, where no rows are kept.
     """
 
     def __init__(
@@ -40,6 +43,9 @@ class Samples:
         self.rows = np.full((rows, cut.samples), np.nan) if table else None
         kept = cut.samples if table else 0
         self.cause, self.since = np.full(kept, FINE), np.full(kept, np.nan)
+        units = np.empty(0) if table else np.geomspace(1, max(cut.units, 1), MARKS).round()
+        self.marks = np.minimum(np.unique(units).astype(np.int64) * UNIT, cut.samples)
+        self.trail = np.full((self.marks.size, 3, rows), np.nan)
         self._state: Arrays = {}
         self._unit: Arrays = {}
         if checkpoint is not None and (saved := checkpoint.read()) is not None:
@@ -48,7 +54,7 @@ class Samples:
 
     def _restore(self, arrays: Arrays) -> None:
         self._state = part(arrays, FOLDED)
-        self.failed = arrays["failed"]
+        self.failed, self.trail = arrays["failed"], arrays["trail"]
         if self.rows is not None:
             done = slice(arrays["rows"].shape[1])
             self.rows[:, done], self.cause[done], self.since[done] = (arrays[k] for k in ("rows", "cause", "since"))
@@ -87,13 +93,16 @@ class Samples:
             if some.start:
                 state = reduction.fold(part(self._state, name), state)
             self._state |= {f"{name}.{key}": value for key, value in state.items()}
+        for k in np.flatnonzero(self.marks == some.stop) if self._reductions else ():
+            found = self.results()["moments"]
+            self.trail[k] = [found[key] for key in ("count", "mean", "deviation")]
 
     def save(self) -> None:
         """Write the checkpoint: whole units only."""
         if self._checkpoint is None:
             return
         arrays = {f"{FOLDED}.{key}": value for key, value in self._state.items()}
-        arrays["failed"] = self.failed
+        arrays |= {"failed": self.failed, "trail": self.trail}
         if self.rows is not None:
             done = slice(self._done)
             arrays |= {"rows": self.rows[:, done], "cause": self.cause[done], "since": self.since[done]}

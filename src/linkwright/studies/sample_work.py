@@ -1,4 +1,4 @@
-"""The work of a sweep: what a process needs to perform it, and what comes of each of its atoms."""
+"""The work of a study of many samples: what a process needs to perform it, and what comes of each of its atoms."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import linkwright
-from linkwright.blocks import Cut, Histogram, Moments, Reduction, Tallies
+from linkwright.blocks import Cut, Fourth, Histogram, Moments, Reduction, Tallies
 from linkwright.blocks.store import Variable
 from linkwright.blocks.work import Arrays
 from linkwright.kernels import Compiled, examine
@@ -28,10 +28,11 @@ from linkwright.model.mechanism import Document, Mechanism
 from linkwright.notation.angles import whole_turns
 from linkwright.results import Run
 from linkwright.results.result import si_unit
+from linkwright.studies.asked import Sampling
 from linkwright.studies.cycle import span
 from linkwright.studies.figures import Figures
+from linkwright.studies.histograms import fine
 from linkwright.studies.registry import read_studies
-from linkwright.studies.sweep_options import SweepOptions
 
 Array = NDArray[np.float64]
 
@@ -41,8 +42,8 @@ STRIP = 1 << 18
 
 
 @dataclass(frozen=True)
-class SweepWork:
-    """A sweep that any process can perform: the file's document and the content of its tables.
+class SampleWork:
+    """A ``study`` of many samples that any process can perform: the file's document and the content of its tables.
 
     ``reach`` (figures, 2) are the least and largest edges of the histograms that atoms make, in SI; none of them
     where the figures of all samples are kept.
@@ -51,18 +52,19 @@ class SweepWork:
     document: Document
     files: tuple[tuple[str, bytes], ...]
     kernel: str
+    study: str
     reach: tuple[tuple[float, float], ...] = ()
 
     @cached_property
     def key(self) -> str:
         """A hash of all that the figures depend on."""
         data = plain(self.document)
-        data["studies"] = {name: data["studies"][name] for name in ("cycle", "sweep")}
+        data["studies"] = {name: data["studies"][name] for name in ("cycle", self.study)}
         said = json.dumps([linkwright.__version__, data, self.kernel, self.reach], sort_keys=True)
         sums = [f"{name} {hashlib.sha256(content).hexdigest()}" for name, content in self.files]
         return hashlib.sha256("\n".join([said, *sums]).encode()).hexdigest()
 
-    def open(self) -> SweepTask:
+    def open(self) -> SampleTask:
         """Compile the mechanism."""
         with tempfile.TemporaryDirectory() as folder:
             for name, content in self.files:
@@ -72,10 +74,11 @@ class SweepWork:
             compiled, findings = examine(self.document, Path(folder))
         raise_errors(findings)
         assert compiled is not None
-        tasks, findings = read_studies({k: v for k, v in self.document.studies.items() if k in ("cycle", "sweep")})
+        studies = {name: self.document.studies[name] for name in ("cycle", self.study)}
+        tasks, findings = read_studies(studies)
         raise_errors(findings)
-        options = next(task.options for task in tasks if isinstance(task.options, SweepOptions))
-        return SweepTask(compiled, options, self.kernel, self.reach)
+        options = next(task.options for task in tasks if task.study.name == self.study)
+        return SampleTask(compiled, options, self.kernel, self.reach)
 
 
 def table_files(mechanism: Mechanism, folder: Path | None) -> tuple[tuple[str, bytes], ...]:
@@ -84,21 +87,21 @@ def table_files(mechanism: Mechanism, folder: Path | None) -> tuple[tuple[str, b
     return tuple((name, ((folder or Path()) / name).read_bytes()) for name in names)
 
 
-class SweepTask:
-    """A sweep in one process.
+class SampleTask:
+    """Many samples in one process.
 
     An atom gives the states of the signals' reductions (``moments.…``); of each sample (samples,) the ``cause`` why it
     lacks a value, one of :attr:`Varied.causes`, -1 for none of these or -2 where it lacks none, and the time (s)
     ``since`` when, NaN where that isn't known; that of a unit's first poses the measures' ``figures`` (figures,
-    samples) in SI with their ``verdicts``. With ``keep: all`` also every value by its variable's name.
+    samples) in SI with their ``verdicts``. Where all values are kept also every value by its variable's name.
     """
 
     def __init__(
-        self, compiled: Compiled, options: SweepOptions, kernel: str, reach: Sequence[tuple[float, float]] = ()
+        self, compiled: Compiled, options: Sampling, kernel: str, reach: Sequence[tuple[float, float]] = ()
     ) -> None:
         self.compiled, self.options, self.kernel, self.reach = compiled, options, kernel, reach
-        self.plan = options.made(compiled)
-        self.varied = Varied(compiled, tuple(options.vary))
+        self.plan = options.drawn(compiled)
+        self.varied = Varied(compiled, self.plan.names)
         stop = span(compiled, options.cycle)[0]
         self.run = Run(compiled, 0.0, stop, options.steps)
         self.signals = Signals(self.run, self.varied, [s.text for s in options.signals(compiled)], kernel)
@@ -125,9 +128,8 @@ class SweepTask:
         """The reductions of figures and verdicts."""
         made: dict[str, Reduction] = {"moments": Moments()}
         if self.reach:
-            bins = self.options.histogram
-            edges = [tuple(np.linspace(low, high, bins + 1).tolist()) for low, high in self.reach]
-            made["histogram"] = Histogram(edges)
+            made["histogram"] = Histogram([tuple(fine(*ends, self.options.histogram).tolist()) for ends in self.reach])
+            made["fourth"] = Fourth()
         return made
 
     def perform(self, atom: int) -> Arrays:
@@ -142,7 +144,7 @@ class SweepTask:
         if self.cut.range(atom) == 0:
             result["figures"], result["verdicts"] = self.figures.of(p)
             bad |= ~np.isfinite(result["figures"]).all(axis=0)
-            if self.options.keep == "all":
+            if self.options.keeps:
                 rows = np.concatenate([values, result["figures"]])
                 result |= {v.name: row for v, row in zip(self.of_samples(), rows, strict=True)}
         return result | self._causes(p, bad, since)
@@ -162,7 +164,7 @@ class SweepTask:
         count, samples, width = len(self.signals.texts), p.shape[1], poses.stop - poses.start
         since, t = np.full(samples, np.inf), self.run.t[poses]
         tallies = Tallies(self.reductions, count, width)
-        kept = np.empty((count, samples, width)) if self.options.keep == "all" else None
+        kept = np.empty((count, samples, width)) if self.options.keeps else None
         strip = max(1, STRIP // (count * width))
         for start in range(0, samples, strip):
             some = slice(start, min(start + strip, samples))
@@ -179,7 +181,7 @@ class SweepTask:
 
     def of_samples(self) -> list[Variable]:
         """The varied parameters and the figures, as variables of a store: (samples,) in SI."""
-        quantities, names = self.compiled.quantities, list(self.options.vary)
+        quantities, names = self.compiled.quantities, list(self.plan.names)
         columns = self.figures.columns
         return [
             *(Variable(name, ("sample",), si_unit(quantities.dimensions.of(name)), True) for name in names),
