@@ -42,14 +42,18 @@ class Tangents:
         """The parameters with each direction: (2 parameters + plays, directions)."""
         return np.concatenate([np.repeat(self.parameters[:, None], self.count, axis=1), along])
 
-    def moved(self, parameters: Array) -> Tangents:
-        """The same at other parameters (parameters,), as :meth:`Varied.parameters` gives them; branches stay."""
+    def moved(self, parameters: Array, directions: Array | None = None) -> Tangents:
+        """The same at other parameters (parameters,), as :meth:`Varied.parameters` gives them, and along other
+        ``directions`` where parameters follow the deviations by expressions that aren't linear; branches stay."""
         other = copy(self)
         names = [
             n for n, a, b in zip(self.graph.parameters, parameters, self.compiled.parameters, strict=True) if a != b
         ]
         other.parameters, other._varied = parameters, Varied(self.compiled, names)
-        other.p = other._with(self.p[len(parameters) :])
+        along = self.p[len(parameters) :].copy()
+        if directions is not None:
+            along[: len(parameters), : directions.shape[1]] = directions
+        other.along, other.p = along[: len(parameters)], other._with(along)
         return other
 
     def given(self) -> dict[str, float | Dual]:

@@ -50,6 +50,9 @@ def _beside(raw: Any) -> str:
     return name
 
 
+FileBeside = Annotated[str, BeforeValidator(_beside)]
+
+
 def column_unit(text: str | None) -> tuple[float, Dimension]:
     """The unit of ``'COLUMN UNIT'``: its SI value and dimension. Raises UnitError."""
     words = (text or "").split(None, 1)
@@ -81,9 +84,7 @@ def _rows(raw: Any) -> Any:
 class Table(Frozen):
     """A function given by points, inline or in a CSV file beside the model."""
 
-    file: Annotated[str, BeforeValidator(_beside)] | None = Field(
-        None, description="a CSV file beside the model; with x and y"
-    )
+    file: FileBeside | None = Field(None, description="a CSV file beside the model; with x and y")
     points: Annotated[tuple[Row, ...], BeforeValidator(_rows)] | None = Field(
         None, description="the points [x, y] themselves, x ascending"
     )

@@ -12,6 +12,9 @@ from linkwright.model.fields import FrozenDict, Text
 from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import freeze
 from linkwright.model.tolerances import ClassName, DistributionName
+from linkwright.studies.accuracy.allocate import Allocate
+from linkwright.studies.accuracy.calibrate import Calibrate
+from linkwright.studies.accuracy.clearance_options import Clearance
 from linkwright.studies.accuracy.deviations import Deviations
 from linkwright.studies.accuracy.stated_options import Correlation, Thermal
 from linkwright.studies.asked import Sampling, one_of
@@ -48,11 +51,23 @@ class AccuracyOptions(Sampling):
         default_factory=FrozenDict, max_length=100, description="changes of temperature by name"
     )
 
+    # The way back: tolerances from what is wanted, dimensions from what is measured.
+    allocate: Allocate | None = Field(None, description="the cheapest tolerances for a wanted accuracy")
+    calibrate: Calibrate | None = Field(None, description="actual dimensions from measured outputs")
+
     # The random samples.
     samples: int = Field(10_000, ge=0, le=10**9, description="random samples; 0 for none")
     plan: PlanName = Field("random", description="how samples are chosen")  # type: ignore[valid-type]
     seed: int = Field(0, ge=0, le=2**63, description="another seed gives other samples")
     kernel: KernelName = Field("auto", description="what computes it: chosen by the size of the work, or one by name")  # type: ignore[valid-type]
+
+    # Clearances in joints.
+    clearances: Annotated[dict[NameField, Clearance], freeze] = Field(
+        default_factory=FrozenDict, description="joints with clearance: pins and prismatic joints by name"
+    )
+    contact: float = Field(
+        0.05, gt=0, lt=1, description="the share of a joint's RMS reaction below which contact may be lost"
+    )
 
     # The worst case by evaluating the mechanism.
     nonlinear: float = Field(

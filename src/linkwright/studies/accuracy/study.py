@@ -10,6 +10,10 @@ from linkwright.kernels.varied import Varied
 from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.mechanism import Document
 from linkwright.results import Run
+from linkwright.studies.accuracy.clearance import PATH as CLEARANCES
+from linkwright.studies.accuracy.clearance_figures import state_plays
+from linkwright.studies.accuracy.clearance_options import check_clearances
+from linkwright.studies.accuracy.designing import add_allocation, add_calibration, check_design
 from linkwright.studies.accuracy.deviations import Shift
 from linkwright.studies.accuracy.figures import curves, figures
 from linkwright.studies.accuracy.monte_carlo import check_monte_carlo, monte_carlo
@@ -47,6 +51,7 @@ class AccuracyStudy:
             outcome.failures = found
             return outcome
         texts = [signal.text for signal in options.signals(compiled)]
+        add_calibration(outcome, site.folder)
         outcome.curves = curves(nominal, Slopes(nominal, deviations.directions), deviations, texts)
         widest = {text: float(nominal.t[curve.widest]) for text, curve in outcome.curves.items()}
         placed = augmented(site.document, compiled, options, widest)
@@ -68,7 +73,9 @@ class AccuracyStudy:
                 figure.monte_carlo = random.figures.get(name)
             for text, sampled in random.curves.items():
                 outcome.curves[text].sampled = sampled
+        state_plays(outcome, run, options, every)
         _place(outcome, every, placed.places)
+        add_allocation(outcome)
         return outcome
 
 
@@ -77,6 +84,7 @@ def _check(compiled: Compiled, options: AccuracyOptions) -> Iterator[Finding]:
     yield from wrong
     yield from check_outputs(compiled, options)
     yield from check_positions(compiled, options)
+    yield from check_clearances(compiled, options.clearances, CLEARANCES)
     if wrong:
         return
     deviations = contributors(compiled, options)
@@ -87,6 +95,9 @@ def _check(compiled: Compiled, options: AccuracyOptions) -> Iterator[Finding]:
     except ModelError as error:
         yield from error.findings
     yield from check_monte_carlo(options, deviations)
+    stop, findings = span(compiled, options.cycle)
+    if not findings:
+        yield from check_design(compiled, options, deviations, stop)
 
 
 def _opened(document: Document, site: Site) -> tuple[Compiled, AccuracyOptions]:

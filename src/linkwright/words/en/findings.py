@@ -723,6 +723,61 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The file asks for no study.",
         "Add one, for example studies: {{cycle: {{period: 1.5 s, samples: 200}}}}.",
     ),
+    # Of clearances.
+    "clearance.no-joint": (
+        "{name} is neither a pin nor a prismatic joint, so it has no clearance.",
+        "Name one of the joints: {near}; a pin made by a revolute joint is called after that.",
+    ),
+    "clearance.one-link": (
+        "{name} is a point of {link} alone, so there is no joint that could have a clearance.",
+        "Give another link a point of that name, or take the clearance out.",
+    ),
+    "clearance.not-positive": (
+        "The length {text} isn't positive.",
+        "Give a positive length; a joint without clearance needn't be named.",
+    ),
+    "clearance.no-length": (
+        "The guide {name} has no length, which decides whether its slider tilts.",
+        "Give it beside the clearance, for example length: 60.",
+    ),
+    "clearance.centre": (
+        "{name} is no point of {links}, the two links of this guide.",
+        "Name the point of one of them that is in the middle of the length over which the guide bears.",
+    ),
+    "clearance.short-guide": (
+        "The clearance of {name} is half of its length or more: the slider isn't guided.",
+        "Check both numbers and their units.",
+    ),
+    "clearance.not-of-pin": (
+        "{name} is a pin, which has no {key}.",
+        "Take {key} out; it belongs to the clearance of a prismatic joint.",
+    ),
+    "clearance.not-of-guide": (
+        "{name} is a prismatic joint; {key} is for pins.",
+        "Take {key} out.",
+    ),
+    "clearance.not-on-pin": (
+        "{link} isn't on the pin {name}, so the pin can't be fixed in it.",
+        "Name one of the links on it: {links}.",
+    ),
+    "clearance.too-large": (
+        "The clearance of {name} isn't smaller than the link {link}, which reaches {length} from there.",
+        "Check the number and its unit: it is the radial clearance, half the difference of the diameters.",
+    ),
+    "clearance.no-force": (
+        "The joint {name} of {links} transmits no force in the whole run, so it isn't known where it rests: its clearance "
+        "counts in the bound alone.",
+        "Give masses, loads or springs that press the joint, or read the bound.",
+    ),
+    "clearance.undetermined": (
+        "The reaction in the joint {name} of {links} has no finite value somewhere in the run: its clearance counts in "
+        "the bound alone.",
+        "Look for a singular pose, or for a load without a value there.",
+    ),
+    "clearance.no-figure": (
+        "No effect of the clearances is stated on {names}: {why}.",
+        "Ask for a position, an angle or a length, and of it for max, min, extremes, span, value, mean or rms.",
+    ),
     # Tolerances.
     "tolerance.unknown-class": (
         "'{given}' is neither a class of tolerances nor a parameter of this file.",
@@ -845,6 +900,116 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "tolerance.not-a-length": (
         "{name} isn't a length, so it doesn't expand.",
         "Name lengths only.",
+    ),
+    # Of accuracy: tolerances from what is wanted, dimensions from what is measured.
+    "accuracy.cost": (
+        "The cost law {law} can't have these numbers: {given}.",
+        "Give finite ones: the first of several may be 0, all others are positive; costs in a table may be 0.",
+    ),
+    "accuracy.no-contributor": (
+        "{name} is no deviation of this study: its tolerance can't be allotted, nor its deviation estimated.",
+        "Write one that is ({near}); or give the parameter a tolerance, or general, and name it under parameters.",
+    ),
+    "accuracy.no-target": (
+        "'{name}' is no figure of this study.",
+        "Write one of its outputs, for example {near}; of a signal at a position 'E.x at POSITION'.",
+    ),
+    "accuracy.target": (
+        "The wanted half-width {text} isn't positive.",
+        "Give how far the output may be off to either side, for example 0.5.",
+    ),
+    "accuracy.half-widths": (
+        "The half-widths of a tolerance don't rise from a positive one: {low}, {high}.",
+        "Give between: [least, largest], in the parameter's unit.",
+    ),
+    "accuracy.no-grade": (
+        "ISO 286 has no half-width of {grades} for {name}: it has grades of lengths up to 3150 mm.",
+        "Give a table of half-widths in {unit}: table: [[half-width, cost], ...]; or grades: false.",
+    ),
+    "accuracy.no-grade-between": (
+        "No standard grade of {name} lies between {low} and {high} {unit}.",
+        "Widen between, or give grades: false.",
+    ),
+    "accuracy.target-unreachable": (
+        "{name} can't be held within {wanted} {unit}: the least tolerances that may be allotted leave {best} {unit}.",
+        "Allow smaller half-widths (between), give more parameters a cost law, or tighten those without one.",
+    ),
+    "accuracy.targets-loose": (
+        "All targets are kept by the largest tolerances that may be allotted, so that they decide nothing.",
+        "Set narrower targets, or allow larger half-widths (between).",
+    ),
+    "accuracy.no-choice": (
+        "No choice of standard grades or processes keeps the targets that continuous half-widths do.",
+        "Allow finer ones: widen between, or add processes to the tables.",
+    ),
+    "accuracy.measured-source": (
+        "Measurements come either from a file or from points.",
+        "Give file: measured.csv, or points: [{{t: 0.1 s, E.x: 712.3}}, ...].",
+    ),
+    "accuracy.no-place": (
+        "No column says where the outputs were measured; there are: {given}.",
+        "Add one of these, or name it with at: {known}.",
+    ),
+    "accuracy.measured-unit": (
+        "The unit {unit} doesn't fit {name}.",
+        "Write one such as {usual}.",
+    ),
+    "accuracy.measured-number": (
+        "In row {row} of the measurements, {name} isn't a number.",
+        "Write a number with a decimal point; only a cell of an output may be left empty.",
+    ),
+    "accuracy.nothing-measured": (
+        "There are no measured outputs.",
+        "Add a column for each output, and a row for each position.",
+    ),
+    "accuracy.no-pose": (
+        "Row {row} was measured at {name} = {value} {unit}, where the run never is.",
+        "Correct the row, or let studies.cycle cover it.",
+    ),
+    "accuracy.several-poses": (
+        "Row {row} was measured at a value that {name} has several times, in different poses: at {times}.",
+        "Give the time t of each row instead, or let studies.cycle cover one way only.",
+    ),
+    "accuracy.sigma": (
+        "The standard deviation {sigma} of measurements isn't positive.",
+        "Give a positive one, in the output's unit, or leave it out: it is then estimated from the residuals.",
+    ),
+    "accuracy.not-measured": (
+        "{name} isn't measured; there are: {known}.",
+        "Write sigma for a measured output.",
+    ),
+    "accuracy.few-measurements": (
+        "There are {count} measurements for {parameters} deviations; at least {least} are needed.",
+        "Measure at more positions, name fewer under parameters, state sigma, or take prior: true.",
+    ),
+    "accuracy.sigma-open": (
+        "The measurements of {name} don't suffice to estimate their standard deviation too.",
+        "State it under sigma, or measure at more positions.",
+    ),
+    "accuracy.measured-without-value": (
+        "An output has no finite value or derivative at a measured position of the nominal motion.",
+        "Leave the rows near dead centres and other singular poses out.",
+    ),
+    "accuracy.scale-open": (
+        "The measurements don't tell the size of the mechanism: {names} may all be larger or smaller in proportion.",
+        "Measure a length too, or leave one of them out of parameters; only their ratios are estimated.",
+    ),
+    "accuracy.not-told-apart": (
+        "The measurements don't tell {names} apart: deviations of these can cancel in every measured output.",
+        "Measure another output or at other positions, or leave one of them out of parameters.",
+    ),
+    "accuracy.poor-fit": (
+        "The residuals are larger than the stated sigmas explain: chi square is {ratio} times its degrees of freedom, which "
+        "happens by chance with probability {share}.",
+        "Look for outliers, for a deviation that isn't among the parameters, or state larger sigmas.",
+    ),
+    "accuracy.outliers": (
+        "{count} measurement(s) lie farther off than random errors do; rows {rows}.",
+        "Check these rows, and leave them out where they are wrong.",
+    ),
+    "accuracy.not-settled": (
+        "The estimate doesn't stand still: another step would move it by {step} of the tolerances' sigmas.",
+        "Measure at more positions, or name fewer deviations under parameters.",
     ),
     # Structure.
     "structure.drive-no-joint": (
@@ -1016,6 +1181,8 @@ _TERMS: dict[str, str] = {
     "interval": "[low, high]",
     "triangle": "[low, most likely, high]",
     "varying": "steps (from, to, count), a list of values, or a distribution (normal, uniform, triangular)",
+    "cost": "a cost law, such as reciprocal: B or [A, B], exponential: [A, B, M], table: {{IT7: COST}}; numbers without units",
+    "processes": "grades with costs ({{IT6: 12, IT7: 8}}), or [[half-width, cost], ...]",
     "tolerance": "a number, [lower, upper], a class such as ISO 2768-m, or a mapping",
     "correlation": "a number, or a matrix of numbers as a list of rows",
     "two-links": "[LINK, LINK]",
@@ -1051,6 +1218,10 @@ _TERMS: dict[str, str] = {
     "a-measure": "a measure",
     "the-shaking": "the shaking force",
     "the-energies": "the energies",
+    # Why a clearance has no effect to state.
+    "play-no-position": "that holds rates or forces, of which the play isn't known",
+    "play-reduction": "that looks at many places at once, or at rates",
+    "play-window": "the window moves with the clearances",
     # Quantities.
     "mass": "mass",
     "inertia": "moment of inertia",

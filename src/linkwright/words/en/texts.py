@@ -154,4 +154,11 @@ TEXTS: dict[str, str] = {
     "cli.rate": "{rate} poses/s",
     "cli.left": ", {time} left",
     "cli.interrupted": "Interrupted. What is written already is whole.",
+    # Why a joint with clearance may lose contact.
+    "contact.pin-light": "the reaction is small",
+    "contact.pin-turned": "the reaction turns over",
+    "contact.pin-at-once": "the reaction turns over at once, by a load that sets in or ends",
+    "contact.guide-light": "an end of the guide is all but unloaded",
+    "contact.guide-turned": "an end of the guide changes sides",
+    "contact.guide-at-once": "an end of the guide changes sides at once, by a load that sets in or ends",
 }
