@@ -12,6 +12,7 @@ from string import Formatter
 import pytest
 
 from linkwright.words.en import WORDS
+from linkwright.words.en.accuracy import ACCURACY
 from linkwright.words.en.findings import FINDINGS
 from linkwright.words.en.texts import TEXTS
 
@@ -20,6 +21,8 @@ if __name__ != "__main__":
 
 DOCUMENT = Path(__file__).parents[2] / "docs" / "findings.md"
 CODES = [key.removesuffix(".what") for key in FINDINGS if key.endswith(".what")]
+OTHERS = {*TEXTS, *ACCURACY}
+"""Keys of other texts, that may look like codes."""
 SPOKEN_FOR = {"window.outside"}
 """Codes that have their words before anything raises them."""
 
@@ -97,7 +100,7 @@ def rendered() -> str:
 
 def in_source() -> set[str]:
     """The codes that the source raises: what looks and begins like one, and isn't another text's key or a file."""
-    codes = {text for text in source.texts() if text.split(".")[0] in TITLES and text not in TEXTS}
+    codes = {text for text in source.texts() if text.split(".")[0] in TITLES and text not in OTHERS}
     return {code for code in codes if not code.endswith((".csv", ".nc"))}
 
 

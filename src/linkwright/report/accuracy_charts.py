@@ -51,7 +51,7 @@ def _band(curve: Curve, outcome: AccuracyOutcome, centred: bool = False) -> Char
     low, high = nominal + curve.worst[:, some] / curve.size
     mean, wide = nominal + curve.mean[some] / curve.size, WIDE * curve.sigma[some] / curve.size
     shift, bound = np.zeros((2, some.size)) if curve.play is None else curve.play[:, some] / curve.size
-    title = named(say("accuracies.chart.deviation", name=curve.text) if centred else curve.text, curve.unit)
+    title = named(say("accuracy.chart.deviation", name=curve.text) if centred else curve.text, curve.unit)
     every = _known(np.stack([nominal, low - bound, high + bound, mean - wide, mean + wide, nominal + shift]))
     axes = Axes((t[0], t[-1]), (float(every.min()), float(every.max())), named(say("plot.time"), time_unit))
     shapes = [axes.area(t, low, high, "range"), axes.area(t, mean - wide, mean + wide, "spread")]
@@ -72,7 +72,7 @@ def _contributions(curve: Curve, outcome: AccuracyOutcome) -> Chart:
     time_unit, second = outcome.compiled.quantities.unit_of(TIME)
     some = thinned(curve.t.size, MOST_POSES)
     parts = curve.coefficients[:, some] * outcome.contributors.sigma[:, None] / curve.size
-    title = named(say("accuracies.chart.contributions", name=curve.text), curve.unit)
+    title = named(say("accuracy.chart.contributions", name=curve.text), curve.unit)
     first = np.argsort(-np.nanmax(np.abs(parts), axis=1, initial=0.0), kind="stable")[:MOST_LINES].tolist()
     known, t = _known(parts[first]), curve.t[some] / second
     top = float(known.max() + 0.12 * np.ptp(known))  # room for the names
@@ -89,14 +89,14 @@ def _contributions(curve: Curve, outcome: AccuracyOutcome) -> Chart:
 
 def _pareto(figure: Figure, outcome: AccuracyOutcome) -> Chart:
     """A bar for the share of each contributor in the variance, and the line of their sum."""
-    title = say("accuracies.chart.pareto", name=figure.name)
+    title = say("accuracy.chart.pareto", name=figure.name)
     first = ranked(figure)[:MOST_BARS]
     shares = 100 * np.nan_to_num(figure.shares[first])
     if not shares.any():
         return {"title": title, "drawing": ""}
     names = [outcome.contributors.every[i].name for i in first]
     if rest := figure.shares.size - len(first):
-        names.append(say("accuracies.rest", count=rest))
+        names.append(say("accuracy.rest", count=rest))
         shares = np.append(shares, 100 * np.nansum(figure.shares) - shares.sum())
     whole = np.cumsum(shares)
     axes = Axes((0.0, len(names)), (min(0.0, shares.min()), 1.1 * max(100.0, whole.max())), "", names)
@@ -131,13 +131,13 @@ def _histogram(figure: Figure, found: MonteCarlo) -> Chart:
     if curve.size:
         shapes.append(axes.line(x, curve, "normal"))
     shapes += [axes.line(np.full(2, limit), np.array([0.0, top]), "limit") for limit in limits]
-    title = say("accuracies.chart.histogram", name=figure.name)
+    title = say("accuracy.chart.histogram", name=figure.name)
     return {"title": title, "drawing": axes.drawing(shapes, title)}
 
 
 def _convergence(figure: Figure, found: MonteCarlo, row: str) -> Chart:
     """Mean or standard deviation over the number of samples, with what RSS says and the interval of confidence."""
-    title = say(f"accuracies.chart.convergence.{row}", name=named(figure.name, figure.column.unit))
+    title = say(f"accuracy.chart.convergence.{row}", name=named(figure.name, figure.column.unit))
     if len(found.convergence) < 2:
         return {"title": title, "drawing": ""}
     rows = found.convergence
@@ -152,7 +152,7 @@ def _convergence(figure: Figure, found: MonteCarlo, row: str) -> Chart:
     axes = Axes(
         (0.0, float(count[-1])),
         (float(every.min()) - 0.2 * reach, float(every.max()) + 0.2 * reach),
-        say("accuracies.samples"),
+        say("accuracy.samples"),
     )
     narrower = np.sqrt(count[-1] / np.maximum(count, 1))
     low, high = (np.clip((last + (end - last) * narrower) / size, *axes.y) for end in ends)

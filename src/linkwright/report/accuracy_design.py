@@ -109,18 +109,18 @@ def design_sentences(allocation: Any, calibration: Any) -> Iterator[str]:
     if allocation is not None:
         now, cheapest, rounded = allocation.costs
         key = "loose" if allocation.loose else "reached" if allocation.reached else "missed"
-        yield say(f"accuracies.allocation.{key}", now=_shown(now), cheapest=_shown(cheapest))
+        yield say(f"accuracy.allocation.{key}", now=_shown(now), cheapest=_shown(cheapest))
         if rounded is not None:
             proven = "proven" if allocation.proven else "found"
-            yield say(f"accuracies.allocation.{proven}", cost=_shown(rounded), loss=_shown(allocation.loss))
+            yield say(f"accuracy.allocation.{proven}", cost=_shown(rounded), loss=_shown(allocation.loss))
     if calibration is not None:
-        yield say("accuracies.calibration", measured=len(calibration.observed), count=len(calibration.estimates))
+        yield say("accuracy.calibration", measured=len(calibration.observed), count=len(calibration.estimates))
         for one in calibration.confounded:
-            yield say(f"accuracies.confounded{'.scaling' if one.scaling else ''}", names=", ".join(one.names))
+            yield say(f"accuracy.confounded{'.scaling' if one.scaling else ''}", names=", ".join(one.names))
         for one in calibration.observed:
             if one.outlier:
                 name, size = calibration.outputs[one.output], calibration.units[one.output][1]
-                yield say("accuracies.outlier", row=one.row, name=name, rest=_shown(one.residual, size))
+                yield say("accuracy.outlier", row=one.row, name=name, rest=_shown(one.residual, size))
 
 
 def design_tables(allocation: Any, calibration: Any) -> Iterator[tuple[str, tuple[str, ...], Rows]]:
@@ -150,7 +150,7 @@ def _demand(one: Any) -> list[str]:
 def _estimated(one: Any) -> list[str]:
     figures = (_shown(value, one.size) for value in (one.nominal, one.value, one.deviation, one.error))
     ends = [_shown(end, one.size) for end in one.interval or ()]
-    return [one.name, *figures, " .. ".join(ends) if one.identified else say("accuracies.not-told"), one.unit]
+    return [one.name, *figures, " .. ".join(ends) if one.identified else say("accuracy.not-told"), one.unit]
 
 
 def _fitted(found: Any, i: int) -> list[str]:

@@ -32,16 +32,16 @@ def accuracy_page(outcome: AccuracyOutcome) -> dict[str, AccuracyData]:
 def sentences(outcome: AccuracyOutcome) -> list[str]:
     """What was done, and what doesn't hold to first order."""
     if not outcome.every:
-        return [say("accuracies.sentence.none")]
+        return [say("accuracy.sentence.none")]
     data = {"contributors": len(outcome.contributors), "samples": f"{outcome.samples:,}", "kernel": outcome.kernel}
-    told = [say("accuracies.sentence.samples" if outcome.samples else "accuracies.sentence", **data)]
+    told = [say("accuracy.sentence.samples" if outcome.samples else "accuracy.sentence", **data)]
     if outcome.failed:
         share = percent(outcome.failed / outcome.samples)
-        told.append(say("accuracies.failed", failed=f"{outcome.failed:,}", samples=data["samples"], share=share))
+        told.append(say("accuracy.failed", failed=f"{outcome.failed:,}", samples=data["samples"], share=share))
     told += [text for figure in outcome.every.values() for text in _remarks(figure, outcome, brief=True)]
     apart = (disagreement(figure, outcome) for figure in outcome.every.values())
     if any(parted and parted.parted for parted in apart):
-        told.append(say("accuracies.parted.why"))
+        told.append(say("accuracy.parted.why"))
     return [*told, *design_sentences(outcome.allocation, outcome.calibration)]
 
 
@@ -49,7 +49,7 @@ def section(data: AccuracyData, title: str, table: Callable[[Grid], str]) -> str
     """The report's section; ``table`` makes a table of HTML."""
     head = "".join(f"<p>{escape(text)}</p>" for text in data["sentences"])
     outputs = "".join(_output(output, table) for output in data["outputs"])
-    legend = f'<p class="note">{escape(say("accuracies.chart.legend"))}</p>' if outputs else ""
+    legend = f'<p class="note">{escape(say("accuracy.chart.legend"))}</p>' if outputs else ""
     tables = "".join(map(table, data["tables"]))
     return (
         f'<section id="accuracy"><h2>{escape(title)}</h2>{head}{"".join(map(table, data["overview"]))}'
@@ -61,7 +61,7 @@ def _output(output: OutputData, table: Callable[[Grid], str]) -> str:
     notes = "".join(f'<p class="note">{escape(text)}</p>' for text in output["sentences"])
     button = (
         f'<button type="button" class="copy screen" data-copy="{escape(output["copied"])}" hidden>'
-        f"{escape(say('accuracies.copy'))}</button>"
+        f"{escape(say('accuracy.copy'))}</button>"
     )
     return f'{table(output["review"])}{button}{notes}<div class="plots">{figures(output["charts"])}</div>'
 
@@ -91,19 +91,19 @@ def _remarks(figure: Figure, outcome: AccuracyOutcome, brief: bool = False) -> I
     if (parted := disagreement(figure, outcome)) and (text := parted.sentence(figure.name)):
         yield text
     if found is not None and not (brief and found.off <= outcome.options.nonlinear):
-        key = "accuracies.searched" if found.proven else "accuracies.searched.bound"
+        key = "accuracy.searched" if found.proven else "accuracy.searched.bound"
         ends = {"low": deviation(found.low / size, figure), "high": deviation(found.high / size, figure)}
         yield say(key, name=figure.name, off=percent(found.off), unit=figure.column.unit, **ends)
     if brief:
         return
     if figure.time is not None:
-        yield say("accuracies.at", time=moment(figure.time, outcome))
+        yield say("accuracy.at", time=moment(figure.time, outcome))
     if figure.tie:
-        yield say("accuracies.tie", name=figure.name)
+        yield say("accuracy.tie", name=figure.name)
     if figure.play is not None:
         ends = {"shift": deviation(figure.play.shift / size, figure)}
         ends["bound"] = deviation(figure.play.bound / size, figure)
-        yield say("accuracies.play", name=figure.name, unit=figure.column.unit, **ends)
+        yield say("accuracy.play", name=figure.name, unit=figure.column.unit, **ends)
 
 
 def _along(curve: Curve, outcome: AccuracyOutcome) -> Iterable[str]:
@@ -111,4 +111,4 @@ def _along(curve: Curve, outcome: AccuracyOutcome) -> Iterable[str]:
     places = np.flatnonzero(along(curve, outcome))
     if places.size:
         ends = {"low": moment(curve.t[places[0]], outcome), "high": moment(curve.t[places[-1]], outcome)}
-        yield say("accuracies.parted.along", count=places.size, poses=curve.t.size, **ends)
+        yield say("accuracy.parted.along", count=places.size, poses=curve.t.size, **ends)

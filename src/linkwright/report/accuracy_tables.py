@@ -39,7 +39,7 @@ def _places(outcome: AccuracyOutcome) -> Iterator[tuple[str, str, Figure]]:
     """Each output, the name of a position, and the figure there."""
     yield from ((name, "", figure) for name, figure in outcome.figures.items())
     for text, curve in outcome.curves.items():
-        yield text, say("accuracies.widest"), curve.figure
+        yield text, say("accuracy.widest"), curve.figure
         yield from ((text, name, figure) for name, figure in curve.positions.items())
 
 
@@ -117,7 +117,7 @@ def _joints(outcome: AccuracyOutcome) -> Grid:
     for joint in _study(outcome)["joints"]:
         lost = "\n".join(
             say(
-                "accuracies.lost",
+                "accuracy.lost",
                 low=_number(span["from"]),
                 high=_number(span["to"]),
                 unit=span["unit"],
@@ -133,7 +133,7 @@ def _joints(outcome: AccuracyOutcome) -> Grid:
                 ", ".join(joint["links"]),
                 clearance,
                 _with(reaction, joint["reaction_unit"]),
-                lost or say("accuracies.kept"),
+                lost or say("accuracy.kept"),
             ]
         )
     heads = ("joint", "links", "clearance", "reaction", "lost")
@@ -146,14 +146,14 @@ def _study(outcome: AccuracyOutcome) -> dict[str, Any]:
 
 
 def _grid(name: str, heads: Iterable[str], rows: list[list[str]], outcome: AccuracyOutcome, of: str = "") -> Grid:
-    title = say(f"accuracies.table.{name}", name=of)
+    title = say(f"accuracy.table.{name}", name=of)
     return {"name": name, "title": title, "heads": [_head(head, outcome) for head in heads], "rows": rows}
 
 
 def _head(key: str, outcome: AccuracyOutcome) -> str:
     sampled = (figure.monte_carlo for figure in outcome.every.values() if figure.monte_carlo is not None)
     coverage = next((found.coverage for found in sampled), MonteCarlo.coverage)
-    return say(f"accuracies.column.{key}", coverage=percent(coverage, 4))
+    return say(f"accuracy.column.{key}", coverage=percent(coverage, 4))
 
 
 # Numbers.

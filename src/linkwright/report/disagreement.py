@@ -41,10 +41,10 @@ class Disagreement:
         if not self.parted:
             return None
         if self.sigma_ratio is None or self.mean_shift is None:
-            return say("accuracies.parted.still", name=name)
+            return say("accuracy.parted.still", name=name)
         data = {"ratio": f"{self.sigma_ratio:.4g}", "shift": f"{self.mean_shift:+.3g}".replace("-", "−")}
         errors = {"ratio_errors": _rounded(self.sigma_errors), "shift_errors": _rounded(self.mean_errors)}
-        return say("accuracies.parted", name=name, **data, **errors)
+        return say("accuracy.parted", name=name, **data, **errors)
 
 
 def disagreement(figure: Figure, outcome: AccuracyOutcome) -> Disagreement | None:
