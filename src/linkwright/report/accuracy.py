@@ -215,6 +215,6 @@ def _joint(joint: JointPlay, outcome: AccuracyOutcome) -> dict[str, Any]:
         "reaction_unit": force,
         "contact_lost": [
             {"from": start / second, "to": end / second, "unit": time, "cause": say(cause)}
-            for start, end, cause in joint.lost
+            for start, end, cause in dict.fromkeys(joint.lost)  # both ends of a guide may lose it at once
         ],
     }

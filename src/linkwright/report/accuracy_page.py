@@ -100,10 +100,6 @@ def _remarks(figure: Figure, outcome: AccuracyOutcome, brief: bool = False) -> I
         yield say("accuracy.at", time=moment(figure.time, outcome))
     if figure.tie:
         yield say("accuracy.tie", name=figure.name)
-    if figure.play is not None:
-        ends = {"shift": deviation(figure.play.shift / size, figure)}
-        ends["bound"] = deviation(figure.play.bound / size, figure)
-        yield say("accuracy.play", name=figure.name, unit=figure.column.unit, **ends)
 
 
 def _along(curve: Curve, outcome: AccuracyOutcome) -> Iterable[str]:

@@ -28,8 +28,8 @@ def overview(outcome: AccuracyOutcome) -> list[Grid]:
 
 
 def further(outcome: AccuracyOutcome) -> list[Grid]:
-    """Correlations, joints with clearance, allocation, calibration; those that there are."""
-    grids = [_correlations(outcome), _joints(outcome)]
+    """Correlations, what clearances do, joints with clearance, allocation, calibration; those that there are."""
+    grids = [_correlations(outcome), _play(outcome), _joints(outcome)]
     design = design_tables(outcome.allocation, outcome.calibration)
     grids += [_grid(name, heads, rows, outcome) for name, heads, rows in design]
     return [grid for grid in grids if grid["rows"]]
@@ -46,9 +46,13 @@ def _places(outcome: AccuracyOutcome) -> Iterator[tuple[str, str, Figure]]:
 def _line(name: str, position: str, figure: Figure, outcome: AccuracyOutcome) -> list[str]:
     first = [(outcome.contributors.every[i].name, float(figure.shares[i])) for i in ranked(figure)[:FIRST]]
     told = ", ".join(f"{name} {percent(share, 2)}" for name, share in first if share > 0)
-    at = ": ".join(filter(None, (position, "" if figure.time is None else moment(figure.time, outcome))))
     ranges = (_range(ends, figure) for ends in _totals(figure).values())
-    return [name, at or "–", _with(_nominal(figure), figure.column.unit), *ranges, told or "–"]
+    return [name, _at(position, figure, outcome), _with(_nominal(figure), figure.column.unit), *ranges, told or "–"]
+
+
+def _at(position: str, figure: Figure, outcome: AccuracyOutcome) -> str:
+    time = "" if figure.time is None else moment(figure.time, outcome)
+    return ": ".join(filter(None, (position, time))) or "–"
 
 
 def _totals(figure: Figure) -> dict[str, tuple[float, ...]]:
@@ -110,6 +114,22 @@ def _correlations(outcome: AccuracyOutcome) -> Grid:
     pairs = _study(outcome)["correlations"]
     rows = [[*pair["of"], _number(pair["is"])] for pair in pairs]
     return _grid("correlations", ("dimension", "dimension", "correlation"), rows, outcome)
+
+
+def _play(outcome: AccuracyOutcome) -> Grid:
+    """What clearances add: under load, and at most; worst tolerances and clearances together; the joints' parts."""
+    rows = []
+    for name, position, figure in _places(outcome):
+        if (play := figure.play) is None:
+            continue
+        size, (low, high) = figure.column.size, figure.worst
+        joints = sorted(play.bounds, key=lambda joint: -play.bounds[joint])
+        told = ", ".join(f"{joint} ±{_fixed(play.bounds[joint] / size, play.bound / size, 3)}" for joint in joints)
+        bound = f"±{_fixed(play.bound / size, play.bound / size, 3)}"
+        both = _range([(low - play.bound) / size, (high + play.bound) / size], figure)
+        shift, nominal = deviation(play.shift / size, figure), _with(_nominal(figure), figure.column.unit)
+        rows.append([name, _at(position, figure, outcome), nominal, shift, bound, both, told])
+    return _grid("play", ("output", "at", "nominal", "shift", "bound", "together", "joints"), rows, outcome)
 
 
 def _joints(outcome: AccuracyOutcome) -> Grid:
