@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from math import floor, log10
-from typing import Any
+from math import floor, inf, log10
 
 import numpy as np
 
 from linkwright.model.units import TIME
-from linkwright.report.accuracy import WIDE, accuracy_entry, part, per, ranked
+from linkwright.report.accuracy import WIDE, part, per, ranked, study_entry
 from linkwright.report.accuracy_design import design_tables
 from linkwright.report.data import Grid
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, Figure, MonteCarlo
@@ -111,7 +110,7 @@ def review_text(figure: Figure, outcome: AccuracyOutcome) -> str:
 
 
 def _correlations(outcome: AccuracyOutcome) -> Grid:
-    pairs = _study(outcome)["correlations"]
+    pairs = study_entry(outcome)["correlations"]
     rows = [[*pair["of"], _number(pair["is"])] for pair in pairs]
     return _grid("correlations", ("dimension", "dimension", "correlation"), rows, outcome)
 
@@ -134,7 +133,7 @@ def _play(outcome: AccuracyOutcome) -> Grid:
 
 def _joints(outcome: AccuracyOutcome) -> Grid:
     rows = []
-    for joint in _study(outcome)["joints"]:
+    for joint in study_entry(outcome)["joints"]:
         lost = "\n".join(
             say(
                 "accuracy.lost",
@@ -160,11 +159,6 @@ def _joints(outcome: AccuracyOutcome) -> Grid:
     return _grid("joints", heads, rows, outcome)
 
 
-def _study(outcome: AccuracyOutcome) -> dict[str, Any]:
-    study: dict[str, Any] = accuracy_entry(outcome)["accuracy_study"]
-    return study
-
-
 def _grid(name: str, heads: Iterable[str], rows: list[list[str]], outcome: AccuracyOutcome, of: str = "") -> Grid:
     title = say(f"accuracy.table.{name}", name=of)
     return {"name": name, "title": title, "heads": [_head(head, outcome) for head in heads], "rows": rows}
@@ -188,7 +182,7 @@ def _fixed(value: float | None, scale: float | None, digits: int) -> str:
     """A number with so many digits of what is ``scale`` large."""
     if value is None or scale is None or not np.isfinite(value):
         return "–"
-    decimals = digits - 1 - floor(log10(scale)) if scale > 0 else 12
+    decimals = digits - 1 - floor(log10(scale)) if 0 < scale < inf else 12
     return _sign(f"{value:.{decimals}f}" if 0 <= decimals <= 9 and abs(value) < 1e9 else f"{value:.6g}")
 
 
@@ -197,6 +191,7 @@ def _nominal(figure: Figure) -> str:
 
 
 def deviation(value: float, figure: Figure) -> str:
+    """A deviation in the figure's unit, with its sign."""
     text = _fixed(value, _scale(figure), 3)
     return f"+{text}" if value > 0 else text
 
@@ -230,10 +225,12 @@ def _with(text: str, unit: str) -> str:
 
 
 def percent(share: float, digits: int = 3) -> str:
+    """A share in percent."""
     rounded = float(f"{100 * share:.{digits}g}")  # no 1e+02
     return _sign(f"{rounded:g} %") if np.isfinite(share) else "–"
 
 
 def moment(time: float | None, outcome: AccuracyOutcome) -> str:
+    """A time (s) in the file's unit."""
     unit, second = outcome.compiled.quantities.unit_of(TIME)
     return "–" if time is None else f"{time / second:.6g} {unit}"
