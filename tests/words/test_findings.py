@@ -12,7 +12,6 @@ from string import Formatter
 import pytest
 
 from linkwright.words.en import WORDS
-from linkwright.words.en.accuracy import ACCURACY
 from linkwright.words.en.findings import FINDINGS
 from linkwright.words.en.texts import TEXTS
 
@@ -21,8 +20,8 @@ if __name__ != "__main__":
 
 DOCUMENT = Path(__file__).parents[2] / "docs" / "findings.md"
 CODES = [key.removesuffix(".what") for key in FINDINGS if key.endswith(".what")]
-OTHERS = {*TEXTS, *ACCURACY}
-"""Keys of other texts, that may look like codes."""
+OTHERS = WORDS.keys() - FINDINGS.keys()
+"""Keys of texts that are no findings."""
 SPOKEN_FOR = {"window.outside"}
 """Codes that have their words before anything raises them."""
 
@@ -99,9 +98,10 @@ def rendered() -> str:
 
 
 def in_source() -> set[str]:
-    """The codes that the source raises: what looks and begins like one, and isn't another text's key or a file."""
-    codes = {text for text in source.texts() if text.split(".")[0] in TITLES and text not in OTHERS}
-    return {code for code in codes if not code.endswith((".csv", ".nc"))}
+    """The codes that the source raises: what looks like one, begins like one, and isn't another text's key."""
+    files = (".csv", ".nc")
+    codes = {text for text in source.texts() if text.split(".")[0] in TITLES and not text.endswith(files)}
+    return codes - OTHERS
 
 
 def test_every_code_has_both_texts() -> None:
