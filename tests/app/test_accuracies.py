@@ -60,3 +60,22 @@ def test_faults_are_raised() -> None:
     with pytest.raises(lw.ModelError) as refusal:
         lw.accuracy(model(), ["nothing"], 10)
     assert [finding.code for finding in refusal.value.findings] == ["study.no-output"]
+
+
+def test_a_signal_without_any_value_is_left_out_and_named(tmp_path: Path) -> None:
+    outcome = lw.accuracy(model(positions={}), ["sqrt(C.x - 999)", "C.x"], 20, out=tmp_path)
+    assert [*outcome.every] == ["C.x"]
+    told = [finding.what for finding in outcome.warnings if finding.code == "measure.not-finite"]
+    assert told == ["The measure sqrt(C.x - 999) has no finite value."]
+
+
+def test_clearances_are_written(tmp_path: Path) -> None:
+    outcome = lw.accuracy(model(), ["stroke"], 0, options={"clearances": {"B": 0.02}, "positions": {}}, out=tmp_path)
+    entry = json.loads((tmp_path / "summary.json").read_text("utf-8"))
+    play = entry["accuracy"]["stroke"]["play"]
+    # Both ends of the stroke lie along the crank and the rod, so that the clearance adds to it twice.
+    assert play["bound"] == pytest.approx(2 * 0.02, rel=0.02)
+    assert play["high"] == pytest.approx(entry["accuracy"]["stroke"]["worst_case"]["high"] + play["bound"])
+    assert entry["accuracy_study"]["joints"][0]["clearance"] == pytest.approx(0.02)
+    assert len(outcome.joints) == 1
+    assert "What clearances add" in (tmp_path / "report.html").read_text("utf-8")

@@ -12,7 +12,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from helpers.accuracies import outcome
 from linkwright.report import ReportData, Scene, page
+from linkwright.report.accuracy_page import accuracy_page
 
 pytestmark = pytest.mark.browser
 sync_api = pytest.importorskip("playwright.sync_api")
@@ -89,6 +91,11 @@ def show(browser: Any, tmp_path: Path) -> Iterator[Any]:
     yield open_
     for each in opened:
         each.context.close()
+
+
+@pytest.fixture
+def accuracy() -> dict[str, Any]:
+    return {**accuracy_page(outcome(count=50))}
 
 
 def test_loads_silently_and_asks_for_nothing(show: Any, report: ReportData) -> None:
@@ -318,9 +325,18 @@ def test_prints_with_still_drawing_and_all_plots(show: Any, report: ReportData, 
     assert view.complaints == []
 
 
-def test_fits_a_phone(show: Any, report: ReportData) -> None:
-    view = show(report, viewport={"width": 360, "height": 740})
+def test_fits_a_phone(show: Any, report: ReportData, accuracy: dict[str, Any]) -> None:
+    view = show({**report, **accuracy}, viewport={"width": 360, "height": 740})
     assert view.page.evaluate("document.documentElement.scrollWidth") == 360
+
+
+def test_a_drawing_review_is_copied_for_a_spreadsheet(show: Any, report: ReportData, accuracy: dict[str, Any]) -> None:
+    view = show({**report, **accuracy}, permissions=["clipboard-read", "clipboard-write"])
+    button = view.page.locator("button.copy").first
+    button.click()
+    view.page.wait_for_function("document.querySelector('button.copy').textContent === 'Copied'")
+    assert view.page.evaluate("navigator.clipboard.readText()") == accuracy["accuracy"]["outputs"][0]["copied"]
+    assert view.complaints == []
 
 
 def test_drawing_works_alone_as_a_notebook_widget(browser: Any, report: ReportData) -> None:

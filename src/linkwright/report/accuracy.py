@@ -33,7 +33,7 @@ def accuracy_entry(outcome: AccuracyOutcome) -> dict[str, Any]:
     """The outputs by name under ``accuracy``, all that isn't of a single one under ``accuracy_study``."""
     outputs = {name: _output(figure, outcome) for name, figure in outcome.figures.items()}
     outputs |= {text: _curve(curve, outcome) for text, curve in outcome.curves.items()}
-    return {"accuracy": outputs, "accuracy_study": _study(outcome)}
+    return {"accuracy": outputs, "accuracy_study": study_entry(outcome)}
 
 
 def per(unit: str, other: str) -> str:
@@ -174,7 +174,8 @@ def _limits(contributor: Contributor) -> list[float | None]:
     return [known(contributor.low / contributor.size), known(contributor.high / contributor.size)]
 
 
-def _study(outcome: AccuracyOutcome) -> dict[str, Any]:
+def study_entry(outcome: AccuracyOutcome) -> dict[str, Any]:
+    """What isn't of a single output."""
     every, correlation = outcome.contributors.every, outcome.contributors.correlation
     pairs = np.argwhere(np.triu(correlation, 1)).tolist()
     return {
@@ -215,6 +216,6 @@ def _joint(joint: JointPlay, outcome: AccuracyOutcome) -> dict[str, Any]:
         "reaction_unit": force,
         "contact_lost": [
             {"from": start / second, "to": end / second, "unit": time, "cause": say(cause)}
-            for start, end, cause in joint.lost
+            for start, end, cause in dict.fromkeys(joint.lost)  # both ends of a guide may lose it at once
         ],
     }

@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 
 from linkwright.report.data import known, listed
+from linkwright.studies.accuracy.allocated import Allocation, Allotted, Held
+from linkwright.studies.accuracy.calibrated import Calibration, Estimate, Observed
 from linkwright.words import say
 
 Rows = list[list[str]]
@@ -15,7 +17,7 @@ THOUSANDTH = 1e-3
 """What a thousandth of a unit of width saves is shown: a micron, of millimetres."""
 
 
-def allocation_entry(found: Any) -> dict[str, Any] | None:
+def allocation_entry(found: Allocation | None) -> dict[str, Any] | None:
     """The cheapest tolerances; half-widths in units of the file, prices in cost over these."""
     if found is None:
         return None
@@ -34,7 +36,7 @@ def allocation_entry(found: Any) -> dict[str, Any] | None:
     }
 
 
-def _allotted(one: Any) -> dict[str, Any]:
+def _allotted(one: Allotted) -> dict[str, Any]:
     widths = {"now": one.now, "cheapest": one.half, "least": one.low, "largest": one.high, "rounded": one.rounded}
     return {
         "unit": one.unit,
@@ -46,7 +48,7 @@ def _allotted(one: Any) -> dict[str, Any]:
     }
 
 
-def _target(one: Any) -> dict[str, Any]:
+def _target(one: Held) -> dict[str, Any]:
     widths = {"wanted": one.wanted, "now": one.now, "cheapest": one.after, "rounded": one.rounded}
     return {
         "unit": one.unit,
@@ -57,7 +59,7 @@ def _target(one: Any) -> dict[str, Any]:
     }
 
 
-def calibration_entry(found: Any) -> dict[str, Any] | None:
+def calibration_entry(found: Calibration | None) -> dict[str, Any] | None:
     """The estimated dimensions, how well they fit, and which can't be told apart."""
     if found is None:
         return None
@@ -84,27 +86,27 @@ def calibration_entry(found: Any) -> dict[str, Any] | None:
     }
 
 
-def _estimate(one: Any) -> dict[str, Any]:
+def _estimate(one: Estimate) -> dict[str, Any]:
     interval = None if one.interval is None else [end / one.size for end in one.interval]
     figures = {"nominal": one.nominal, "value": one.value, "deviation": one.deviation, "error": one.error}
     shown = {key: _known(value, one.size) for key, value in figures.items()}
     return {"unit": one.unit, **shown, "interval": interval, "identified": one.identified}
 
 
-def _fit(found: Any, i: int) -> dict[str, Any]:
+def _fit(found: Calibration, i: int) -> dict[str, Any]:
     """How far the measured values of one output lie from the computed ones: root mean square before and after."""
     unit, size = found.units[i]
     rest = {"before": found.before[i] / size, "after": found.after[i] / size} if found.after else {}
     return {"unit": unit, "sigma": known(found.sigmas[i] / size), "sigma_stated": found.stated[i], **rest}
 
 
-def _observed(found: Any, one: Any) -> dict[str, Any]:
+def _observed(found: Calibration, one: Observed) -> dict[str, Any]:
     size = found.units[one.output][1]
     values = {"measured": known(one.measured / size), "fitted": known(one.fitted / size)}
     return {"output": found.outputs[one.output], "row": one.row, **values, "studentised": known(one.studentised)}
 
 
-def design_sentences(allocation: Any, calibration: Any) -> Iterator[str]:
+def design_sentences(allocation: Allocation | None, calibration: Calibration | None) -> Iterator[str]:
     """What came out of them, in sentences."""
     if allocation is not None:
         now, cheapest, rounded = allocation.costs
@@ -115,45 +117,49 @@ def design_sentences(allocation: Any, calibration: Any) -> Iterator[str]:
             yield say(f"accuracy.allocation.{proven}", cost=_shown(rounded), loss=_shown(allocation.loss))
     if calibration is not None:
         yield say("accuracy.calibration", measured=len(calibration.observed), count=len(calibration.estimates))
-        for one in calibration.confounded:
-            yield say(f"accuracy.confounded{'.scaling' if one.scaling else ''}", names=", ".join(one.names))
+        for same in calibration.confounded:
+            yield say(f"accuracy.confounded{'.scaling' if same.scaling else ''}", names=", ".join(same.names))
         for one in calibration.observed:
             if one.outlier:
                 name, size = calibration.outputs[one.output], calibration.units[one.output][1]
                 yield say("accuracy.outlier", row=one.row, name=name, rest=_shown(one.residual, size))
 
 
-def design_tables(allocation: Any, calibration: Any) -> Iterator[tuple[str, tuple[str, ...], Rows]]:
+def design_tables(
+    allocation: Allocation | None, calibration: Calibration | None
+) -> Iterator[tuple[str, tuple[str, ...], Rows]]:
     """Their tables: key, heads, rows."""
     widths = ("width", "cheapest", "rounded")
     if allocation is not None:
         yield "allocation", ("dimension", *widths, "grade", "saves", "unit"), list(map(_tolerance, allocation.items))
         yield "targets", ("output", "wanted", *widths, "saves", "unit"), list(map(_demand, allocation.targets))
     if calibration is not None:
-        heads = ("dimension", "nominal", "estimate", "estimated", "error", "interval", "unit")
+        heads = ("dimension", "nominal", "estimate", "estimated", "interval", "error", "unit")
         yield "calibration", heads, list(map(_estimated, calibration.estimates))
         if calibration.after:
             rows = [_fitted(calibration, i) for i in range(len(calibration.outputs))]
             yield "fit", ("output", "sigma", "before", "after", "unit"), rows
 
 
-def _tolerance(one: Any) -> list[str]:
+def _tolerance(one: Allotted) -> list[str]:
     widths = (_shown(width, one.size) for width in (one.now, one.half, one.rounded))
-    return [one.name, *widths, one.grade or "–", _shown(one.price * one.size * THOUSANDTH), one.unit]
+    grade = say("accuracy.fixed") if one.fixed else one.grade or "–"
+    return [one.name, *widths, grade, _shown(one.price * one.size * THOUSANDTH), one.unit]
 
 
-def _demand(one: Any) -> list[str]:
+def _demand(one: Held) -> list[str]:
     widths = (_shown(width, one.size) for width in (one.wanted, one.now, one.after, one.rounded))
     return [one.name, *widths, _shown(one.price * one.size * THOUSANDTH), one.unit]
 
 
-def _estimated(one: Any) -> list[str]:
-    figures = (_shown(value, one.size) for value in (one.nominal, one.value, one.deviation, one.error))
-    ends = [_shown(end, one.size) for end in one.interval or ()]
-    return [one.name, *figures, " .. ".join(ends) if one.identified else say("accuracy.not-told"), one.unit]
+def _estimated(one: Estimate) -> list[str]:
+    figures = (_shown(value, one.size) for value in (one.nominal, one.value, one.deviation))
+    ends = " .. ".join(_shown(end, one.size) for end in one.interval or ())
+    told = ends if one.identified else say("accuracy.not-told")
+    return [one.name, *figures, told, _shown(one.error, one.size), one.unit]
 
 
-def _fitted(found: Any, i: int) -> list[str]:
+def _fitted(found: Calibration, i: int) -> list[str]:
     unit, size = found.units[i]
     return [found.outputs[i], *(_shown(row[i], size) for row in (found.sigmas, found.before, found.after)), unit]
 

@@ -90,7 +90,7 @@ def _remarks(figure: Figure, outcome: AccuracyOutcome, brief: bool = False) -> I
     found, size = figure.searched, figure.column.size
     if (parted := disagreement(figure, outcome)) and (text := parted.sentence(figure.name)):
         yield text
-    if found is not None and not (brief and found.off <= getattr(outcome.options, "nonlinear", 0.05)):
+    if found is not None and not (brief and found.off <= outcome.options.nonlinear):
         key = "accuracy.searched" if found.proven else "accuracy.searched.bound"
         ends = {"low": deviation(found.low / size, figure), "high": deviation(found.high / size, figure)}
         yield say(key, name=figure.name, off=percent(found.off), unit=figure.column.unit, **ends)
@@ -100,10 +100,6 @@ def _remarks(figure: Figure, outcome: AccuracyOutcome, brief: bool = False) -> I
         yield say("accuracy.at", time=moment(figure.time, outcome))
     if figure.tie:
         yield say("accuracy.tie", name=figure.name)
-    if figure.play is not None:
-        ends = {"shift": deviation(figure.play.shift / size, figure)}
-        ends["bound"] = deviation(figure.play.bound / size, figure)
-        yield say("accuracy.play", name=figure.name, unit=figure.column.unit, **ends)
 
 
 def _along(curve: Curve, outcome: AccuracyOutcome) -> Iterable[str]:

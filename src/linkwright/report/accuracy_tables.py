@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from math import floor, log10
-from typing import Any
+from math import floor, inf, log10
 
 import numpy as np
 
 from linkwright.model.units import TIME
-from linkwright.report.accuracy import WIDE, accuracy_entry, part, per, ranked
+from linkwright.report.accuracy import WIDE, part, per, ranked, study_entry
 from linkwright.report.accuracy_design import design_tables
 from linkwright.report.data import Grid
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, Figure, MonteCarlo
@@ -28,8 +27,8 @@ def overview(outcome: AccuracyOutcome) -> list[Grid]:
 
 
 def further(outcome: AccuracyOutcome) -> list[Grid]:
-    """Correlations, joints with clearance, allocation, calibration; those that there are."""
-    grids = [_correlations(outcome), _joints(outcome)]
+    """Correlations, what clearances do, joints with clearance, allocation, calibration; those that there are."""
+    grids = [_correlations(outcome), _play(outcome), _joints(outcome)]
     design = design_tables(outcome.allocation, outcome.calibration)
     grids += [_grid(name, heads, rows, outcome) for name, heads, rows in design]
     return [grid for grid in grids if grid["rows"]]
@@ -46,9 +45,13 @@ def _places(outcome: AccuracyOutcome) -> Iterator[tuple[str, str, Figure]]:
 def _line(name: str, position: str, figure: Figure, outcome: AccuracyOutcome) -> list[str]:
     first = [(outcome.contributors.every[i].name, float(figure.shares[i])) for i in ranked(figure)[:FIRST]]
     told = ", ".join(f"{name} {percent(share, 2)}" for name, share in first if share > 0)
-    at = ": ".join(filter(None, (position, "" if figure.time is None else moment(figure.time, outcome))))
     ranges = (_range(ends, figure) for ends in _totals(figure).values())
-    return [name, at or "–", _with(_nominal(figure), figure.column.unit), *ranges, told or "–"]
+    return [name, _at(position, figure, outcome), _with(_nominal(figure), figure.column.unit), *ranges, told or "–"]
+
+
+def _at(position: str, figure: Figure, outcome: AccuracyOutcome) -> str:
+    time = "" if figure.time is None else moment(figure.time, outcome)
+    return ": ".join(filter(None, (position, time))) or "–"
 
 
 def _totals(figure: Figure) -> dict[str, tuple[float, ...]]:
@@ -107,14 +110,30 @@ def review_text(figure: Figure, outcome: AccuracyOutcome) -> str:
 
 
 def _correlations(outcome: AccuracyOutcome) -> Grid:
-    pairs = _study(outcome)["correlations"]
+    pairs = study_entry(outcome)["correlations"]
     rows = [[*pair["of"], _number(pair["is"])] for pair in pairs]
     return _grid("correlations", ("dimension", "dimension", "correlation"), rows, outcome)
 
 
+def _play(outcome: AccuracyOutcome) -> Grid:
+    """What clearances add: under load, and at most; worst tolerances and clearances together; the joints' parts."""
+    rows = []
+    for name, position, figure in _places(outcome):
+        if (play := figure.play) is None:
+            continue
+        size, (low, high) = figure.column.size, figure.worst
+        joints = sorted(play.bounds, key=lambda joint: -play.bounds[joint])
+        told = ", ".join(f"{joint} ±{_fixed(play.bounds[joint] / size, play.bound / size, 3)}" for joint in joints)
+        bound = f"±{_fixed(play.bound / size, play.bound / size, 3)}"
+        both = _range([(low - play.bound) / size, (high + play.bound) / size], figure)
+        shift, nominal = deviation(play.shift / size, figure), _with(_nominal(figure), figure.column.unit)
+        rows.append([name, _at(position, figure, outcome), nominal, shift, bound, both, told])
+    return _grid("play", ("output", "at", "nominal", "shift", "bound", "together", "joints"), rows, outcome)
+
+
 def _joints(outcome: AccuracyOutcome) -> Grid:
     rows = []
-    for joint in _study(outcome)["joints"]:
+    for joint in study_entry(outcome)["joints"]:
         lost = "\n".join(
             say(
                 "accuracy.lost",
@@ -140,11 +159,6 @@ def _joints(outcome: AccuracyOutcome) -> Grid:
     return _grid("joints", heads, rows, outcome)
 
 
-def _study(outcome: AccuracyOutcome) -> dict[str, Any]:
-    study: dict[str, Any] = accuracy_entry(outcome)["accuracy_study"]
-    return study
-
-
 def _grid(name: str, heads: Iterable[str], rows: list[list[str]], outcome: AccuracyOutcome, of: str = "") -> Grid:
     title = say(f"accuracy.table.{name}", name=of)
     return {"name": name, "title": title, "heads": [_head(head, outcome) for head in heads], "rows": rows}
@@ -168,7 +182,7 @@ def _fixed(value: float | None, scale: float | None, digits: int) -> str:
     """A number with so many digits of what is ``scale`` large."""
     if value is None or scale is None or not np.isfinite(value):
         return "–"
-    decimals = digits - 1 - floor(log10(scale)) if scale > 0 else 12
+    decimals = digits - 1 - floor(log10(scale)) if 0 < scale < inf else 12
     return _sign(f"{value:.{decimals}f}" if 0 <= decimals <= 9 and abs(value) < 1e9 else f"{value:.6g}")
 
 
@@ -177,6 +191,7 @@ def _nominal(figure: Figure) -> str:
 
 
 def deviation(value: float, figure: Figure) -> str:
+    """A deviation in the figure's unit, with its sign."""
     text = _fixed(value, _scale(figure), 3)
     return f"+{text}" if value > 0 else text
 
@@ -210,10 +225,12 @@ def _with(text: str, unit: str) -> str:
 
 
 def percent(share: float, digits: int = 3) -> str:
+    """A share in percent."""
     rounded = float(f"{100 * share:.{digits}g}")  # no 1e+02
     return _sign(f"{rounded:g} %") if np.isfinite(share) else "–"
 
 
 def moment(time: float | None, outcome: AccuracyOutcome) -> str:
+    """A time (s) in the file's unit."""
     unit, second = outcome.compiled.quantities.unit_of(TIME)
     return "–" if time is None else f"{time / second:.6g} {unit}"

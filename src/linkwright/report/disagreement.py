@@ -91,7 +91,7 @@ def _compared(
 
 
 def _parted(compared: Array, outcome: AccuracyOutcome) -> NDArray[np.bool_]:
-    share = getattr(outcome.options, "nonlinear", 0.05)
+    share = outcome.options.nonlinear
     ratio, shift, sigma_errors, mean_errors = compared
     with np.errstate(invalid="ignore"):
         wide = (np.abs(ratio - 1) > share) & (np.abs(sigma_errors) > ERRORS)

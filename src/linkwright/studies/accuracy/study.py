@@ -59,7 +59,7 @@ class AccuracyStudy:
         run = Run(own, 0.0, nominal.stop, nominal.steps)
         names = asked.measures(own)
         every = figures(run, Slopes(run, deviations.directions), deviations, names)
-        outcome.warnings += [*skipped(compiled, options), *_valueless(names, every)]
+        outcome.warnings += [*skipped(compiled, options), *_valueless(names, every, placed.places)]
         searched = search(evaluating(run, deviations, names), deviations, every, options.nonlinear)
         outcome.warnings += check_searched(searched)
         for name, figure in every.items():
@@ -111,24 +111,35 @@ def _opened(document: Document, site: Site) -> tuple[Compiled, AccuracyOptions]:
     return compiled, options
 
 
-def _valueless(names: list[str], every: Mapping[str, Figure]) -> Iterator[Finding]:
-    """Measures without a value at the nominal dimensions."""
+def _valueless(
+    names: list[str], every: Mapping[str, Figure], places: Mapping[str, tuple[str, str]]
+) -> Iterator[Finding]:
+    """Measures without a value at the nominal dimensions, and signals without one at a position."""
     known = {figure.column.measure for figure in every.values()}
     for name in names:
         if name not in known:
-            yield Finding("measure.not-finite", ("measures", name), {"name": name}, severity="warning")
+            path = ("studies", "accuracy", "outputs") if name in places else ("measures", name)
+            shown = _shown(*places[name]) if name in places else name
+            yield Finding("measure.not-finite", path, {"name": shown}, severity="warning")
+
+
+def _shown(text: str, position: str) -> str:
+    """How a signal at a position is called."""
+    return f"{text} at {position}" if position != WIDEST else text
 
 
 def _place(outcome: AccuracyOutcome, every: Mapping[str, Figure], places: Mapping[str, tuple[str, str]]) -> None:
-    """Give each figure its place in the outcome: a measure's, or that of a signal at a position."""
+    """Give each figure its place in the outcome: a measure's, or that of a signal at a position. A signal without any
+    value has no curve."""
     for name, figure in every.items():
         if name not in places:
             outcome.figures[name] = figure
             continue
         text, position = places[name]
-        shown = f"{text} at {position}" if position != WIDEST else text
-        figure.column = replace(figure.column, measure=shown)
+        figure.column = replace(figure.column, measure=_shown(text, position))
         if position == WIDEST:
             outcome.curves[text].figure = figure
         else:
             outcome.curves[text].positions[position] = figure
+    valued = {places[name][0] for name in every if name in places and places[name][1] == WIDEST}
+    outcome.curves = {text: curve for text, curve in outcome.curves.items() if text in valued}
