@@ -185,7 +185,8 @@ def linkwright(arguments: list[str]) -> int:
 
 def test(arguments: list[str]) -> int:
     own = ("-n", "-p", "-x", "-s", "--pdb", "--trace", "--dist", "--numprocesses", "--exitfirst")
-    workers = [] if any(argument.startswith(own) for argument in arguments) else ["-n", "auto"]
+    # Neighbours stay together with worksteal: they share fixtures and compiled kernels.
+    workers = [] if any(argument.startswith(own) for argument in arguments) else ["-n", "auto", "--dist", "worksteal"]
     return run("-m", "pytest", *workers, *arguments, cwd=ROOT)
 
 

@@ -256,15 +256,18 @@ def test_all_goes_on_after_a_failure_and_names_it(
     machine.answers = {"ruff": 3}
     assert dev.main(["all"]) == 3
     assert machine.calls[-2][1] == "tools/smoke.py"
-    assert machine.calls[-1][1:] == ["-m", "pytest", "-n", "auto"]
+    assert machine.calls[-1][1:] == ["-m", "pytest", "-n", "auto", "--dist", "worksteal"]
     assert capfd.readouterr().out.splitlines()[-1] == "failed: lint"
 
 
 @pytest.mark.parametrize(
     ("given", "passed"),
     [
-        ([], ["-n", "auto"]),
-        (["tests/test_dev.py", "-k", "stamp"], ["-n", "auto", "tests/test_dev.py", "-k", "stamp"]),
+        ([], ["-n", "auto", "--dist", "worksteal"]),
+        (
+            ["tests/test_dev.py", "-k", "stamp"],
+            ["-n", "auto", "--dist", "worksteal", "tests/test_dev.py", "-k", "stamp"],
+        ),
         (["-n0"], ["-n0"]),
         (["-p", "no:xdist"], ["-p", "no:xdist"]),
         (["-x"], ["-x"]),

@@ -30,6 +30,7 @@ PUBLIC = [
     "ModelError",
     "Result",
     "Run",
+    "accuracy",
     "check",
     "compile",
     "dump",

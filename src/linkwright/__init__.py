@@ -13,7 +13,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from linkwright.app import Job, check, modes, run, sweep
+    from linkwright.app import Job, accuracy, check, modes, run, sweep
     from linkwright.kernels import Compiled
     from linkwright.kernels import compile_mechanism as compile
     from linkwright.model.builder import Builder
@@ -35,6 +35,7 @@ _PLACES = {
     "ModelError": ("linkwright.model.findings", "ModelError"),
     "Result": ("linkwright.results", "Result"),
     "Run": ("linkwright.results", "Run"),
+    "accuracy": ("linkwright.app", "accuracy"),
     "check": ("linkwright.app", "check"),
     "compile": ("linkwright.kernels", "compile_mechanism"),
     "dump": ("linkwright.model.document", "dump"),
@@ -56,6 +57,7 @@ __all__ = [
     "ModelError",
     "Result",
     "Run",
+    "accuracy",
     "check",
     "compile",
     "dump",

@@ -1,4 +1,5 @@
-"""One small Dask cluster, of processes, for all tests that need one."""
+"""One small Dask cluster, of processes, for all tests of this folder; after them it is closed, as idle workers take
+processor time too."""
 
 from __future__ import annotations
 
@@ -8,7 +9,7 @@ from typing import Any
 import pytest
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def cluster() -> Iterator[Any]:
     distributed = pytest.importorskip("distributed")
     made = distributed.LocalCluster(

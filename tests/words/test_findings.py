@@ -58,6 +58,7 @@ TITLES = {
     "window": "Windows",
     "measure": "Measures",
     "study": "Studies",
+    "clearance": "Clearances",
     "tolerance": "Tolerances",
     "accuracy": "Accuracy",
     "varied": "Many parameter sets",

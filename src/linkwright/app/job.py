@@ -17,7 +17,6 @@ from linkwright.model.yaml_text import Source
 from linkwright.report.build import report_data
 from linkwright.report.page import page
 from linkwright.report.parts import PARTS, drawn, found, summary
-from linkwright.report.sweep_files import netcdf_bytes
 from linkwright.studies import (
     NOWHERE,
     CycleOutcome,
@@ -28,6 +27,7 @@ from linkwright.studies import (
     Task,
     read_studies,
 )
+from linkwright.studies.accuracy.outcome import AccuracyOutcome
 
 CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite")
 """Codes that begin so mean a model that can't do what is asked (exit code 1); all others a wrong file (2)."""
@@ -123,6 +123,11 @@ class Job:
         return self.outcomes.get("sweep")
 
     @property
+    def accuracy(self) -> AccuracyOutcome | None:
+        """The outcome of the accuracy study, where the file asks for it."""
+        return self.outcomes.get("accuracy")
+
+    @property
     def found(self) -> list[Finding]:
         """What the studies found: why a run isn't whole, and warnings."""
         findings = found(self.outcomes)
@@ -158,23 +163,20 @@ def perform(examined: Examined, site: Site = NOWHERE) -> Job:
 
 
 def write(job: Job, folder: Path, netcdf: bool = False) -> None:
-    """Write report.html, summary.json, the studies' own files (cycle.csv, sweep.csv, sweep_bands.csv) and, if asked,
-    cycle.nc and sweep.nc, each whole or not at all."""
+    """Write report.html, summary.json, the studies' own files (cycle.csv, sweep.csv ...) and, if asked, those in
+    netCDF, each whole or not at all."""
     folder.mkdir(parents=True, exist_ok=True)
     document = job.examined.document
     if document is not None and drawn(job.outcomes) is not None:
         write_aside(folder / "report.html", page(report_data(document, job.outcomes)))
     for study, outcome in job.outcomes.items():
-        for name, text in PARTS[study].files.items():
-            if (content := text(outcome)) is not None:
-                write_aside(folder / name, content)
-    if netcdf and job.cycle is not None:
-        job.cycle.result.to_netcdf(folder / "cycle.nc", warnings=job.cycle.warnings)
-    if netcdf and job.sweep is not None:
-        write_aside(folder / "sweep.nc", netcdf_bytes(job.sweep))
+        part = PARTS[study]
+        for name, content in (part.files | part.netcdf if netcdf else part.files).items():
+            if (made := content(outcome)) is not None:
+                write_aside(folder / name, made)
     write_aside(folder / "summary.json", summary_text(job.summary) + "\n")
-    if job.sweep is not None:
-        job.sweep.settle()
+    for study, outcome in job.outcomes.items():
+        PARTS[study].settle(outcome)
     job.folder = folder
 
 

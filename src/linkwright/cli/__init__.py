@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -118,37 +118,60 @@ def limits(file: Path, as_json: bool) -> None:
     _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
 
 
-@cli.command(help=say("cli.sweep"))
-@_file
-@click.option("--out", type=click.Path(path_type=Path), help=say("cli.out"))
-@click.option("--cluster", metavar="ADDRESS", help=say("cli.cluster"))
-@click.option("--workers", type=click.IntRange(1, 1024), help=say("cli.workers"))
-@click.option("--kernel", metavar="NAME", help=say("cli.kernel"))
-@click.option("--fresh", is_flag=True, help=say("cli.fresh"))
-@click.option("--netcdf", is_flag=True, help=say("cli.netcdf"))
-@_json
-def sweep(
+def _at_length(command: Callable[..., None]) -> Callable[..., None]:
+    """The options of a command that performs one long study alone."""
+    for option in (
+        _json,
+        click.option("--netcdf", is_flag=True, help=say("cli.netcdf")),
+        click.option("--fresh", is_flag=True, help=say("cli.fresh")),
+        click.option("--kernel", metavar="NAME", help=say("cli.kernel")),
+        click.option("--workers", type=click.IntRange(1, 1024), help=say("cli.workers")),
+        click.option("--cluster", metavar="ADDRESS", help=say("cli.cluster")),
+        click.option("--out", type=click.Path(path_type=Path), help=say("cli.out")),
+        _file,
+    ):
+        command = option(command)
+    return command
+
+
+def _perform_alone(
+    study: str,
+    given: Mapping[str, Any],
     file: Path,
     out: Path | None,
     cluster: str | None,
     workers: int | None,
-    kernel: str | None,
     fresh: bool,
     netcdf: bool,
     as_json: bool,
 ) -> None:
-    """Perform the sweep alone, or go on with an interrupted one."""
+    """Perform one study of a file, with the options ``given`` in place of its own."""
     from linkwright import app
     from linkwright.cli import show
     from linkwright.studies import Site
 
-    examined = app.examine_sweep(file, kernel)
+    examined = app.examine_alone(file, study, given)
     folder = out or _beside(file)
-    with app.runner_of(workers, cluster) as runner, show.working(file, "sweep", quiet=as_json) as progress:
+    with app.runner_of(workers, cluster) as runner, show.working(file, study, quiet=as_json) as progress:
         job = app.perform(examined, Site(out=folder, runner=runner, progress=progress, fresh=fresh))
-        if job.sweep is not None:
+        if job.outcomes:
             _writing(folder, job, netcdf)
     _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
+
+
+@cli.command(help=say("cli.sweep"))
+@_at_length
+def sweep(kernel: str | None, **others: Any) -> None:
+    """Perform the sweep alone, or go on with an interrupted one."""
+    _perform_alone("sweep", {"kernel": kernel}, **others)
+
+
+@cli.command(help=say("cli.accuracy"))
+@click.option("--samples", type=click.IntRange(0, 10**9), help=say("cli.samples"))
+@_at_length
+def accuracy(samples: int | None, kernel: str | None, **others: Any) -> None:
+    """Perform the accuracy study alone, or go on with an interrupted one."""
+    _perform_alone("accuracy", {"samples": samples, "kernel": kernel}, **others)
 
 
 @cli.command(help=say("cli.bench"))

@@ -19,6 +19,8 @@ from linkwright.blocks import Progress as Told
 from linkwright.cli.progress import Bar
 from linkwright.model.findings import Finding
 from linkwright.model.units import TIME
+from linkwright.report.accuracy_page import sentences as accuracy_sentences
+from linkwright.report.accuracy_tables import further, overview
 from linkwright.report.data import Grid, MeasureValue
 from linkwright.report.facts import checks, facts
 from linkwright.report.limits import limits_entry, limits_tables
@@ -114,6 +116,10 @@ def job(done: Job, file: Path) -> None:
     if done.sweep is not None:
         out.print(escape(sweep_sentence(done.sweep)))
         _grids(sweep_tables(done.sweep))
+    if done.accuracy is not None:
+        for text in accuracy_sentences(done.accuracy):
+            out.print(escape(text))
+        _grids([*overview(done.accuracy), *further(done.accuracy)])
     for item in done.examined.located(done.found):
         finding(item, file)
     if done.folder is not None:

@@ -84,9 +84,7 @@ def _rows(raw: Any) -> Any:
 class Table(Frozen):
     """A function given by points, inline or in a CSV file beside the model."""
 
-    file: FileBeside | None = Field(
-        None, description="a CSV file beside the model; with x and y"
-    )
+    file: FileBeside | None = Field(None, description="a CSV file beside the model; with x and y")
     points: Annotated[tuple[Row, ...], BeforeValidator(_rows)] | None = Field(
         None, description="the points [x, y] themselves, x ascending"
     )

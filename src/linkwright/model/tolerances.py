@@ -43,8 +43,13 @@ def _kind(raw: Any) -> str:
 
 
 _PAIR = Annotated[Two, BeforeValidator(pair("tolerance")), Tag("a pair")]
+# Of the schemas of a union just one may fit: a text is an expression or a class.
+_CLASS = Annotated[
+    ClassName, Tag("a class"), WithJsonSchema({**ClassName.json_type, "description": "an expression, or a class"})
+]
+_NUMBER = Annotated[Expression, Tag("a number"), WithJsonSchema({"type": "number"})]
 Limits = Annotated[
-    _PAIR | Annotated[ClassName, Tag("a class")] | Annotated[Expression, Tag("a number")],
+    _PAIR | _CLASS | _NUMBER,
     Discriminator(lambda raw: "a number" if (kind := _kind(raw)) == "a mapping" else kind),
 ]
 
@@ -88,10 +93,7 @@ class Stated(Spread):
 
 
 Tolerance = Annotated[
-    _PAIR
-    | Annotated[Stated, Tag("a mapping")]
-    | Annotated[ClassName, Tag("a class")]
-    | Annotated[Expression, Tag("a number")],
+    _PAIR | Annotated[Stated, Tag("a mapping")] | _CLASS | _NUMBER,
     Discriminator(_kind),
 ]
 AnyTolerance = Two | Stated | ClassName | Expression

@@ -20,7 +20,12 @@ Values = Sequence[float | None]
 
 def listed(values: NDArray[np.float64]) -> list[float | None]:
     """An array as plain numbers."""
-    return [value if isfinite(value) else None for value in values.tolist()]
+    return [known(value) for value in values.tolist()]
+
+
+def known(value: float) -> float | None:
+    """A number, where it is one."""
+    return value if isfinite(value) else None
 
 
 class Time(TypedDict):
@@ -170,6 +175,25 @@ class SweepData(TypedDict):
     charts: Sequence[Chart]
 
 
+class OutputData(TypedDict):
+    """One output of the accuracy study: sentences, its contributors as a table and tab-separated, charts."""
+
+    name: str
+    sentences: Sequence[str]
+    review: Grid
+    copied: str
+    charts: Sequence[Chart]
+
+
+class AccuracyData(TypedDict):
+    """The accuracy study: what was done in sentences, a table of all outputs, each output, further tables."""
+
+    sentences: Sequence[str]
+    overview: Sequence[Grid]
+    outputs: Sequence[OutputData]
+    tables: Sequence[Grid]
+
+
 class Check(TypedDict):
     """One line of the certificate: its figure and what it means, in a sentence."""
 
@@ -213,3 +237,4 @@ class ReportData(TypedDict):
     model_text: str
     modes: NotRequired[ModesData]
     sweep: NotRequired[SweepData]
+    accuracy: NotRequired[AccuracyData]

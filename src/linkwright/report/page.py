@@ -15,6 +15,7 @@ POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inli
 
 SCRIPT_WORDS = (
     "report.centrodes",
+    "report.copied",
     "report.drawing",
     "report.link_names",
     "report.not_assembled",
@@ -50,6 +51,7 @@ def page(data: ReportData) -> str:
             sections.certificate(data),
             sections.limits(data),
             sections.sweep(data),
+            sections.accuracy(data),
             sections.plots(data),
             sections.modes(data),
             sections.structure(data),

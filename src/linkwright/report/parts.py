@@ -10,6 +10,11 @@ import linkwright
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.model.units import TIME
+from linkwright.report.accuracy import accuracy_entry
+from linkwright.report.accuracy_files import bands_csv as accuracy_bands_csv
+from linkwright.report.accuracy_files import contributors_csv
+from linkwright.report.accuracy_files import netcdf_bytes as accuracy_netcdf
+from linkwright.report.accuracy_page import accuracy_page
 from linkwright.report.data import Measure
 from linkwright.report.facts import checks
 from linkwright.report.limits import limits_entry, limits_tables
@@ -17,8 +22,11 @@ from linkwright.report.modes import modes_data, told
 from linkwright.report.summary import cycle_entry
 from linkwright.report.sweep import sweep_entry, sweep_page
 from linkwright.report.sweep_files import bands_csv, samples_csv
+from linkwright.report.sweep_files import netcdf_bytes as sweep_netcdf
 from linkwright.results import Result
-from linkwright.studies import CycleOutcome, LimitsOutcome, MeasureResult
+from linkwright.results.netcdf import netcdf_bytes
+from linkwright.studies import CycleOutcome, LimitsOutcome, MeasureResult, SweepOutcome
+from linkwright.studies.accuracy.outcome import AccuracyOutcome
 from linkwright.words import say
 
 
@@ -27,13 +35,16 @@ class Part:
     """How one study is written.
 
     ``summary`` gives its entries in summary.json, ``page`` its keys of the report's data, ``result`` what the report
-    draws (where no study before it has one), ``files`` the text of further files by name (none of those it lacks).
+    draws (where no study before it has one), ``files`` the text of further files by name (none of those it lacks),
+    ``netcdf`` those that are written only where asked for. ``settle`` is told that all is written.
     """
 
     summary: Callable[[Any], dict[str, Any]]
     page: Callable[[Any], dict[str, Any]]
     result: Callable[[Any], Result | None]
-    files: Mapping[str, Callable[[Any], str | None]] = field(default_factory=dict)
+    files: dict[str, Callable[[Any], str | bytes | None]] = field(default_factory=dict)
+    netcdf: dict[str, Callable[[Any], str | bytes | None]] = field(default_factory=dict)
+    settle: Callable[[Any], None] = lambda outcome: None
 
 
 def _cycle_page(outcome: CycleOutcome) -> dict[str, Any]:
@@ -45,6 +56,10 @@ def _cycle_page(outcome: CycleOutcome) -> dict[str, Any]:
         "measures": [measure(m, second, time_unit) for m in outcome.measures],
         "certificate": checks(result.certificate, nearest_text) if result.certificate else [],
     }
+
+
+def _cycle_netcdf(outcome: CycleOutcome) -> bytes:
+    return netcdf_bytes(outcome.result, outcome.result.names, outcome.warnings)
 
 
 def _limits_page(outcome: LimitsOutcome) -> dict[str, Any]:
@@ -84,6 +99,7 @@ PARTS: dict[str, Part] = {
         page=_cycle_page,
         result=lambda outcome: outcome.result,
         files={"cycle.csv": lambda outcome: outcome.result.to_csv()},
+        netcdf={"cycle.nc": _cycle_netcdf},
     ),
     "limits": Part(summary=limits_entry, page=_limits_page, result=lambda outcome: outcome.result),
     "modes": Part(
@@ -96,6 +112,16 @@ PARTS: dict[str, Part] = {
         page=sweep_page,
         result=lambda outcome: Result(outcome.run),
         files={"sweep.csv": samples_csv, "sweep_bands.csv": bands_csv},
+        netcdf={"sweep.nc": sweep_netcdf},
+        settle=SweepOutcome.settle,
+    ),
+    "accuracy": Part(
+        summary=accuracy_entry,
+        page=accuracy_page,
+        result=lambda outcome: Result(outcome.run),
+        files={"accuracy.csv": contributors_csv, "accuracy_bands.csv": accuracy_bands_csv},
+        netcdf={"accuracy.nc": accuracy_netcdf},
+        settle=AccuracyOutcome.settle,
     ),
 }
 """By study, in the order in which they stand in summary and report."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from html import escape
 
+from linkwright.report.accuracy_page import section as accuracy_section
 from linkwright.report.data import Check, Grid, Measure, Plot, ReportData
 from linkwright.report.modes import section
 from linkwright.report.sweep import section as sweep_section
@@ -36,7 +37,7 @@ def header(data: ReportData) -> str:
 def _contents(data: ReportData) -> str:
     parts = [("mechanism", True), ("measures", bool(data["measures"]))]
     parts += [("certificate", bool(data["certificate"])), ("limits", bool(data.get("limits")))]
-    parts += [("sweep", "sweep" in data)]
+    parts += [("sweep", "sweep" in data), ("accuracy", "accuracy" in data)]
     parts += [(group, any(plot["group"] == group for plot in data["plots"])) for group in GROUPS]
     parts += [("modes", "modes" in data), ("structure", bool(data["structure"])), ("model", bool(data["model_text"]))]
     words = data["words"]
@@ -134,6 +135,13 @@ def sweep(data: ReportData) -> str:
     if "sweep" not in data:
         return ""
     return sweep_section(data["sweep"], data["words"]["report.sweep"], "".join(map(_grid, data["sweep"]["tables"])))
+
+
+def accuracy(data: ReportData) -> str:
+    """Worst case, statistics and contributors of each output."""
+    if "accuracy" not in data:
+        return ""
+    return accuracy_section(data["accuracy"], data["words"]["report.accuracy"], _grid)
 
 
 def structure(data: ReportData) -> str:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from html import escape
-from math import isfinite
 from typing import Any
 
 import numpy as np
 
-from linkwright.report.data import Grid, SweepData
+from linkwright.report.charts import figures
+from linkwright.report.data import Grid, SweepData, known
 from linkwright.report.sweep_charts import charts
 from linkwright.studies import SweepOutcome
 from linkwright.studies.shares import CONFIDENCE
@@ -37,10 +37,6 @@ def sweep_entry(outcome: SweepOutcome) -> dict[str, Any]:
     }
 
 
-def _known(value: float) -> float | None:
-    return value if isfinite(value) else None
-
-
 def _varied(outcome: SweepOutcome, index: int) -> dict[str, Any]:
     quantities = outcome.compiled.quantities
     name = outcome.names[index]
@@ -55,8 +51,8 @@ def _varied(outcome: SweepOutcome, index: int) -> dict[str, Any]:
 def _statistics(found: Statistics) -> dict[str, Any]:
     size = found.column.size
     entry: dict[str, Any] = {"unit": found.column.unit, "count": found.count}
-    entry |= {"mean": _known(found.mean / size), "deviation": _known(found.deviation / size)}
-    entry |= {"min": _known(found.least / size), "max": _known(found.largest / size)}
+    entry |= {"mean": known(found.mean / size), "deviation": known(found.deviation / size)}
+    entry |= {"min": known(found.least / size), "max": known(found.largest / size)}
     return entry | {"min_sample": found.least_at, "max_sample": found.largest_at}
 
 
@@ -81,9 +77,9 @@ def _band(outcome: SweepOutcome, text: str) -> dict[str, Any]:
     unit, size = outcome.compiled.quantities.unit_of(band.dimension)
     return {
         "unit": unit,
-        "min": _known(float(np.fmin.reduce(band.least)) / size),
-        "max": _known(float(np.fmax.reduce(band.largest)) / size),
-        "deviation_max": _known(float(np.fmax.reduce(band.deviation)) / size),
+        "min": known(float(np.fmin.reduce(band.least)) / size),
+        "max": known(float(np.fmax.reduce(band.largest)) / size),
+        "deviation_max": known(float(np.fmax.reduce(band.deviation)) / size),
         "count_min": int(band.count.min()),
     }
 
@@ -142,14 +138,11 @@ def sweep_page(outcome: SweepOutcome) -> dict[str, SweepData]:
 
 def section(data: SweepData, title: str, tables: str) -> str:
     """The report's section on a sweep; ``tables`` is its tables as HTML."""
-    figures = "".join(
-        f'<figure class="chart-still"><figcaption>{escape(chart["title"])}</figcaption>{chart["drawing"]}</figure>'
-        for chart in data["charts"]
-    )
-    note = f'<p class="note">{escape(say("sweep.chart.legend"))}</p>' if figures else ""
+    drawn = figures(data["charts"])
+    note = f'<p class="note">{escape(say("sweep.chart.legend"))}</p>' if drawn else ""
     return (
         f'<section id="sweep"><h2>{escape(title)}</h2><p>{escape(data["sentence"])}</p>{tables}'
-        f'{note}<div class="plots">{figures}</div></section>'
+        f'{note}<div class="plots">{drawn}</div></section>'
     )
 
 

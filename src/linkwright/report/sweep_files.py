@@ -2,27 +2,20 @@
 
 from __future__ import annotations
 
-import csv
 import io
-from collections.abc import Iterable
-from math import isfinite
 
 import numpy as np
 from numpy.typing import NDArray
 
-import linkwright
 from linkwright.model.units import TIME
-from linkwright.results.netcdf import stored, variable_name
+from linkwright.report.csv_text import cell, head, written
+from linkwright.results.netcdf import described, stored, variable_name
 from linkwright.results.result import si_unit
 from linkwright.studies import SweepOutcome
 
 Array = NDArray[np.float64]
 
 BANDS = ("mean", "deviation", "least", "largest", "count")
-
-
-def _head(name: str, unit: str) -> str:
-    return f"{name} [{unit}]" if unit else name
 
 
 def samples_csv(outcome: SweepOutcome) -> str | None:
@@ -34,19 +27,19 @@ def samples_csv(outcome: SweepOutcome) -> str | None:
     header, columns = ["sample"], []
     for name, values in zip(outcome.names, table.parameters, strict=True):
         unit, size = quantities.unit_of(quantities.dimensions.of(name))
-        header.append(_head(name, unit))
+        header.append(head(name, unit))
         columns.append(values / size)
     for found, values in zip(outcome.measures, table.figures, strict=True):
-        header.append(_head(found.column.name, found.column.unit))
+        header.append(head(found.column.name, found.column.unit))
         columns.append(values / found.column.size)
     for name, met in zip(outcome.shares, table.met, strict=True):
         header.append(f"{name} met")
         columns.append(met.astype(np.int64))
     unit, second = quantities.unit_of(TIME)
-    header += ["failed", _head("since", unit)]
+    header += ["failed", head("since", unit)]
     columns += [table.failed.astype(np.int64), table.since / second]
     rows = zip(*(column.tolist() for column in columns), strict=True)
-    return _text(header, ([str(k), *map(_cell, row)] for k, row in enumerate(rows)))
+    return written(header, ([str(k), *map(cell, row)] for k, row in enumerate(rows)))
 
 
 def bands_csv(outcome: SweepOutcome) -> str | None:
@@ -55,15 +48,15 @@ def bands_csv(outcome: SweepOutcome) -> str | None:
     if not outcome.bands:
         return None
     unit, second = outcome.compiled.quantities.unit_of(TIME)
-    header, columns = [_head("t", unit)], [outcome.t / second]
+    header, columns = [head("t", unit)], [outcome.t / second]
     for text, band in outcome.bands.items():
         unit, size = outcome.compiled.quantities.unit_of(band.dimension)
         for kind in BANDS:
             values = getattr(band, kind)
-            header.append(f"{text} count" if kind == "count" else _head(f"{text} {kind}", unit))
+            header.append(f"{text} count" if kind == "count" else head(f"{text} {kind}", unit))
             columns.append(values if kind == "count" else values / size)
     rows = zip(*(column.tolist() for column in columns), strict=True)
-    return _text(header, (list(map(_cell, row)) for row in rows))
+    return written(header, (list(map(cell, row)) for row in rows))
 
 
 def netcdf_bytes(outcome: SweepOutcome) -> bytes:
@@ -102,24 +95,5 @@ def netcdf_bytes(outcome: SweepOutcome) -> bytes:
 
 
 def _attributes(outcome: SweepOutcome) -> dict[str, str]:
-    return {
-        "Conventions": "CF-1.11",
-        "title": outcome.compiled.mechanism.name,
-        "source": f"linkwright {linkwright.__version__}",
-        "plan": outcome.plan.name,
-        "seed": str(outcome.options.seed),
-        "kernel": outcome.kernel,
-        "findings": "\n".join(f"{f.code}: {f.what}" for f in (*outcome.failures, *outcome.warnings)) or "none",
-    }
-
-
-def _cell(value: float | int) -> str:
-    return repr(value) if isfinite(value) else ""
-
-
-def _text(header: list[str], rows: Iterable[list[str]]) -> str:
-    stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(header)
-    writer.writerows(rows)
-    return stream.getvalue()
+    facts = described(outcome.compiled, (*outcome.failures, *outcome.warnings))
+    return {**facts, "plan": outcome.plan.name, "seed": str(outcome.options.seed), "kernel": outcome.kernel}

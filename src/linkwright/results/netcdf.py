@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
+    from linkwright.kernels import Compiled
     from linkwright.model.findings import Finding
     from linkwright.results.result import Result
 
@@ -42,17 +43,22 @@ def variable_name(name: str) -> str:
     return _UNFIT.sub(lambda match: f"_u{ord(match[0]):04x}", name.strip())
 
 
-def attributes(result: Result, warnings: Sequence[Finding] = ()) -> dict[str, Any]:
-    """Title, source, the certificate's figures and all findings, as numbers and texts."""
+def described(compiled: Compiled, findings: Sequence[Finding]) -> dict[str, str]:
+    """Title, source and findings."""
     import linkwright
 
-    compiled, c = result.run.compiled, result.certificate
-    data: dict[str, Any] = {
+    return {
         "Conventions": "CF-1.11",
         "title": compiled.mechanism.name,
         "source": f"linkwright {linkwright.__version__}",
-        "findings": "\n".join(f"{f.code}: {f.what}" for f in (*result.failures, *warnings)) or "none",
+        "findings": "\n".join(f"{f.code}: {f.what}" for f in findings) or "none",
     }
+
+
+def attributes(result: Result, warnings: Sequence[Finding] = ()) -> dict[str, Any]:
+    """Title, source, the certificate's figures and all findings, as numbers and texts."""
+    c = result.certificate
+    data: dict[str, Any] = described(result.run.compiled, (*result.failures, *warnings))
     if c is None:
         return data
     figures = {**c.residuals, "mobility": c.mobility, "gruebler": c.gruebler, "rank": c.rank, "poses": c.poses}

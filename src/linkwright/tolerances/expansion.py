@@ -1,8 +1,8 @@
 """Coefficients of linear thermal expansion of engineering materials near room temperature, in 1e-6/K.
 
-Sources: (1) ISO 3650, steel of gauge blocks, 10 to 30 degrees Celsius, +-1; (2) EN 10088-1, annex E, 20 to 100 degrees;
-(3) CRC Handbook of Chemistry and Physics, pure metals at 25 degrees; (4) EN 1561, annex; (5) ASM Handbook vol. 2,
-copper alloys 20 to 300 degrees, Fe-36Ni 20 to 100. Alloys of one name differ by several percent, plastics by far more:
+Sources: (1) ISO 3650, 6.2.2, steel of gauge blocks near 20 deg C, +-1; (2) EN 10088-1, annex E, 20 to 100 deg C;
+(3) CRC Handbook of Chemistry and Physics, pure metals at 25 deg C; (4) EN 1561, annex; (5) ASM Handbook vol. 2,
+copper alloys 20 to 300 deg C, Fe-36Ni 20 to 100. Alloys of one name differ by several percent, plastics by far more:
 these are stated by their own ``expansion``.
 """
 

@@ -313,5 +313,31 @@ window.addEventListener("beforeprint", toPaper);
 window.addEventListener("afterprint", toScreen);
 matchMedia("print").addEventListener("change", (event) => (event.matches ? toPaper() : toScreen()));
 
+// ---------------------------------------------------------------- tables for spreadsheets
+
+/** Text to the clipboard; where a browser gives a page from disk none, by a selection. */
+async function copy(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+  } catch {
+    const area = document.createElement("textarea");
+    area.value = text;
+    document.body.append(area);
+    area.select();
+    document.execCommand("copy");
+    area.remove();
+  }
+}
+
+for (const button of document.querySelectorAll("button.copy")) {
+  button.hidden = false;
+  const said = button.textContent;
+  button.addEventListener("click", async () => {
+    await copy(button.dataset.copy);
+    button.textContent = words["report.copied"];
+    setTimeout(() => (button.textContent = said), 2000);
+  });
+}
+
 // for the browser's console and for tests
 window.linkwright = { drawing, charts: views.map(({ chart }) => chart) };

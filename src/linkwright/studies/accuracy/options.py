@@ -14,6 +14,7 @@ from linkwright.model.parts import freeze
 from linkwright.model.tolerances import ClassName, DistributionName
 from linkwright.studies.accuracy.allocate import Allocate
 from linkwright.studies.accuracy.calibrate import Calibrate
+from linkwright.studies.accuracy.clearance_options import Clearance
 from linkwright.studies.accuracy.deviations import Deviations
 from linkwright.studies.accuracy.stated_options import Correlation, Thermal
 from linkwright.studies.asked import Sampling, one_of
@@ -59,6 +60,14 @@ class AccuracyOptions(Sampling):
     plan: PlanName = Field("random", description="how samples are chosen")  # type: ignore[valid-type]
     seed: int = Field(0, ge=0, le=2**63, description="another seed gives other samples")
     kernel: KernelName = Field("auto", description="what computes it: chosen by the size of the work, or one by name")  # type: ignore[valid-type]
+
+    # Clearances in joints.
+    clearances: Annotated[dict[NameField, Clearance], freeze] = Field(
+        default_factory=FrozenDict, description="joints with clearance: pins and prismatic joints by name"
+    )
+    contact: float = Field(
+        0.05, gt=0, lt=1, description="the share of a joint's RMS reaction below which contact may be lost"
+    )
 
     # The worst case by evaluating the mechanism.
     nonlinear: float = Field(

@@ -177,12 +177,14 @@ class _Reader:
         nominal = self.quantities.parameters[name]
         found = self._class(name, limits, entry) if isinstance(limits, ClassName) else self._limits(name, limits)
         spread = self._spread(path, entry, found or (-1.0, 1.0), dimension)
-        if found is None or spread is None:
+        if found is None:
             return None
         if dimension in (u.LENGTH, u.MASS) and nominal and max(map(abs, found)) >= abs(nominal):
             unit, size = self.quantities.unit_of(dimension)
             data = {"limit": f"{max(found, key=abs) / size:.6g}", "nominal": f"{nominal / size:.6g}", "unit": unit}
             self._wrong("tolerance.too-large", path, **data)
+        if spread is None:
+            return None
         return _Deviation(name, nominal, *found, *spread, dimension, "", _text(limits), (name,), np.ones(1))
 
     def _limits(self, name: str, limits: Expression | tuple[Expression, Expression]) -> Limits | None:

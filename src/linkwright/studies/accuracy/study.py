@@ -10,6 +10,9 @@ from linkwright.kernels.varied import Varied
 from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.mechanism import Document
 from linkwright.results import Run
+from linkwright.studies.accuracy.clearance import PATH as CLEARANCES
+from linkwright.studies.accuracy.clearance_figures import state_plays
+from linkwright.studies.accuracy.clearance_options import check_clearances
 from linkwright.studies.accuracy.designing import add_allocation, add_calibration, check_design
 from linkwright.studies.accuracy.deviations import Shift
 from linkwright.studies.accuracy.figures import curves, figures
@@ -44,7 +47,7 @@ class AccuracyStudy:
         nominal = Run(compiled, 0.0, span(compiled, options.cycle)[0], options.steps)
         deviations = contributors(compiled, options)
         outcome = AccuracyOutcome(compiled, options, nominal, deviations)
-        if found := refused(nominal, options, deviations.names, "parameters"):
+        if found := refused(nominal, options, deviations.names):
             outcome.failures = found
             return outcome
         texts = [signal.text for signal in options.signals(compiled)]
@@ -70,6 +73,7 @@ class AccuracyStudy:
                 figure.monte_carlo = random.figures.get(name)
             for text, sampled in random.curves.items():
                 outcome.curves[text].sampled = sampled
+        state_plays(outcome, run, options, every)
         _place(outcome, every, placed.places)
         add_allocation(outcome)
         return outcome
@@ -80,6 +84,7 @@ def _check(compiled: Compiled, options: AccuracyOptions) -> Iterator[Finding]:
     yield from wrong
     yield from check_outputs(compiled, options)
     yield from check_positions(compiled, options)
+    yield from check_clearances(compiled, options.clearances, CLEARANCES)
     if wrong:
         return
     deviations = contributors(compiled, options)

@@ -1,9 +1,10 @@
 """English words, by key. Chinese and others follow as packages beside this one."""
 
+from linkwright.words.en.accuracy import ACCURACY
 from linkwright.words.en.findings import FINDINGS
 from linkwright.words.en.limits import LIMITS
 from linkwright.words.en.report import REPORT
 from linkwright.words.en.sweep import SWEEP
 from linkwright.words.en.texts import TEXTS
 
-WORDS: dict[str, str] = {**FINDINGS, **LIMITS, **REPORT, **SWEEP, **TEXTS}
+WORDS: dict[str, str] = {**ACCURACY, **FINDINGS, **LIMITS, **REPORT, **SWEEP, **TEXTS}

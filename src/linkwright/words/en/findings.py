@@ -710,32 +710,6 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The length of the run depends on {name}, which isn't the same in all samples.",
         "State the length by itself, for example cycle: {{duration: 1.5 s}}, or don't vary that parameter.",
     ),
-    "accuracy.correlation-limit": (
-        "Deviations of {names} can't have the correlation {stated}: with their distributions, which aren't alike, it can be "
-        "{limit} at most.",
-        "State a smaller correlation, or the same distribution for both.",
-    ),
-    "accuracy.correlation-mended": (
-        "No normal scores give these distributions the stated correlations, all at once; the samples have some that are near: "
-        "those of the scores differ by {change} at most.",
-        "State smaller correlations, or normal distributions.",
-    ),
-    "accuracy.samples-fail": (
-        "{count} of {samples} random samples inside the tolerances have no value at some place, {share} % (of all that "
-        "might be made {low} to {high} %, with 95 % confidence). They are in no other figure.",
-        "Narrow the tolerances, or change the dimensions so that the mechanism can be assembled with all of them.",
-    ),
-    "accuracy.points-fail": (
-        "{count} of {samples} samples inside the tolerances have no value at some place, {share} %. They are in no other "
-        "figure.",
-        "Narrow the tolerances, or change the dimensions so that the mechanism can be assembled with all of them. Take the "
-        "plan random or latin for a confidence interval of the share.",
-    ),
-    "accuracy.vertices-fail": (
-        "The search for the worst case met {lost} of {looked} places inside the tolerances at which the mechanism can't be "
-        "assembled or followed: there is no worst case, only one of those that work.",
-        "Narrow the tolerances, or change the dimensions so that the mechanism can be assembled with all of them.",
-    ),
     "study.no-folder": (
         "More than {limit} values would have to be kept in memory.",
         "Name a folder to write them to, with --out or out=...; or take keep: reduced.",
@@ -748,6 +722,61 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "study.none": (
         "The file asks for no study.",
         "Add one, for example studies: {{cycle: {{period: 1.5 s, samples: 200}}}}.",
+    ),
+    # Of clearances.
+    "clearance.no-joint": (
+        "{name} is neither a pin nor a prismatic joint, so it has no clearance.",
+        "Name one of the joints: {near}; a pin made by a revolute joint is called after that.",
+    ),
+    "clearance.one-link": (
+        "{name} is a point of {link} alone, so there is no joint that could have a clearance.",
+        "Give another link a point of that name, or take the clearance out.",
+    ),
+    "clearance.not-positive": (
+        "The length {text} isn't positive.",
+        "Give a positive length; a joint without clearance needn't be named.",
+    ),
+    "clearance.no-length": (
+        "The guide {name} has no length, which decides whether its slider tilts.",
+        "Give it beside the clearance, for example length: 60.",
+    ),
+    "clearance.centre": (
+        "{name} is no point of {links}, the two links of this guide.",
+        "Name the point of one of them that is in the middle of the length over which the guide bears.",
+    ),
+    "clearance.short-guide": (
+        "The clearance of {name} is half of its length or more: the slider isn't guided.",
+        "Check both numbers and their units.",
+    ),
+    "clearance.not-of-pin": (
+        "{name} is a pin, which has no {key}.",
+        "Take {key} out; it belongs to the clearance of a prismatic joint.",
+    ),
+    "clearance.not-of-guide": (
+        "{name} is a prismatic joint; {key} is for pins.",
+        "Take {key} out.",
+    ),
+    "clearance.not-on-pin": (
+        "{link} isn't on the pin {name}, so the pin can't be fixed in it.",
+        "Name one of the links on it: {links}.",
+    ),
+    "clearance.too-large": (
+        "The clearance of {name} isn't smaller than the link {link}, which reaches {length} from there.",
+        "Check the number and its unit: it is the radial clearance, half the difference of the diameters.",
+    ),
+    "clearance.no-force": (
+        "The joint {name} of {links} transmits no force in the whole run, so it isn't known where it rests: its clearance "
+        "counts in the bound alone.",
+        "Give masses, loads or springs that press the joint, or read the bound.",
+    ),
+    "clearance.undetermined": (
+        "The reaction in the joint {name} of {links} has no finite value somewhere in the run: its clearance counts in "
+        "the bound alone.",
+        "Look for a singular pose, or for a load without a value there.",
+    ),
+    "clearance.no-figure": (
+        "No effect of the clearances is stated on {names}: {why}.",
+        "Ask for a position, an angle or a length, and of it for max, min, extremes, span, value, mean or rms.",
     ),
     # Tolerances.
     "tolerance.unknown-class": (
@@ -1189,6 +1218,10 @@ _TERMS: dict[str, str] = {
     "a-measure": "a measure",
     "the-shaking": "the shaking force",
     "the-energies": "the energies",
+    # Why a clearance has no effect to state.
+    "play-no-position": "that holds rates or forces, of which the play isn't known",
+    "play-reduction": "that looks at many places at once, or at rates",
+    "play-window": "the window moves with the clearances",
     # Quantities.
     "mass": "mass",
     "inertia": "moment of inertia",

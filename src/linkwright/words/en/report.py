@@ -1,10 +1,12 @@
 """The report's words in English; ``{...}`` are filled in by the page."""
 
 REPORT: dict[str, str] = {
+    "report.accuracy": "Accuracy",
     "report.centrodes": "Centrodes",
     "report.certificate": "Certificate",
     "report.check": "Check",
     "report.contents": "Contents",
+    "report.copied": "Copied",
     "report.drawing": "Drawing of the mechanism",
     "report.fail": "not met",
     "report.failures": "Findings",

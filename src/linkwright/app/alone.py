@@ -1,0 +1,85 @@
+"""A study by itself: that of a file, or one stated in Python."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import closing, contextmanager
+from pathlib import Path
+from typing import Any
+
+from linkwright.app.job import Examined, examine_document, perform, read_file, write
+from linkwright.blocks import RUNNERS, Runner
+from linkwright.model.document import load, parse_document, plain
+from linkwright.model.findings import raise_errors
+from linkwright.model.mechanism import Document
+from linkwright.studies import Site
+
+
+@contextmanager
+def runner_of(workers: int | None = None, cluster: str | None = None) -> Iterator[Runner | None]:
+    """Threads of this process, so many of them, or the workers of a Dask cluster by its address; else the study's own
+    choice."""
+    if cluster is None and workers is None:
+        yield None
+        return
+    runner: Runner = RUNNERS["threads"](workers) if cluster is None else RUNNERS["cluster"](cluster)  # type: ignore[call-arg]
+    with closing(runner):
+        yield runner
+
+
+def examine_alone(path: Path, study: str, given: Mapping[str, Any]) -> Examined:
+    """Read and compile a model file for one study alone, with the options ``given`` in place of the file's."""
+    read = read_file(path)
+    if read.document is None:
+        return read
+    examined = examine_document(altered(read.document, study, given), path.parent, only=study)
+    examined.source = read.source
+    examined.findings = examined.located(examined.findings)
+    return examined
+
+
+def perform_alone(
+    model: str | Path | Document,
+    study: str,
+    given: Mapping[str, Any],
+    without: Sequence[str] = (),
+    *,
+    out: str | Path | None = None,
+    folder: str | Path | None = None,
+    workers: int | None = None,
+    cluster: str | None = None,
+    fresh: bool = False,
+) -> Any:
+    """The outcome of one study with the options ``given`` in place of the file's, and ``without`` some of these. Raises
+    :class:`ModelError` with all findings."""
+    document = model if isinstance(model, Document) else load(model)
+    tables = Path(folder) if folder else None if isinstance(model, Document) else Path(model).parent
+    examined = examine_document(altered(document, study, given, without), tables, only=study)
+    raise_errors(examined.findings)
+    target = Path(out) if out is not None else None
+    with runner_of(workers, cluster) as runner:
+        job = perform(examined, Site(out=target, runner=runner, fresh=fresh))
+    raise_errors(examined.findings)
+    if target is not None:
+        write(job, target)
+    return job.outcomes[study]
+
+
+def altered(document: Document, study: str, given: Mapping[str, Any], without: Sequence[str] = ()) -> Document:
+    """The document with other options of a study; what is ``None`` isn't given."""
+    data = plain(document)
+    studies = data.setdefault("studies", {})
+    options = {key: value for key, value in studies.get(study, {}).items() if key not in without}
+    studies[study] = options | {key: _listed(value) for key, value in given.items() if value is not None}
+    made = parse_document(data)
+    assert made is not None
+    return made
+
+
+def _listed(value: Any) -> Any:
+    """NumPy's arrays and numbers as plain ones."""
+    if isinstance(value, Mapping):
+        return {key: _listed(entry) for key, entry in value.items()}
+    if isinstance(value, str) or not hasattr(value, "__iter__"):
+        return value
+    return [_listed(entry) for entry in value]

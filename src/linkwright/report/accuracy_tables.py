@@ -1,0 +1,219 @@
+"""The accuracy study as tables of text: outputs, contributors, joints with clearance."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from math import floor, log10
+from typing import Any
+
+import numpy as np
+
+from linkwright.model.units import TIME
+from linkwright.report.accuracy import WIDE, accuracy_entry, part, per, ranked
+from linkwright.report.accuracy_design import design_tables
+from linkwright.report.data import Grid
+from linkwright.studies.accuracy.outcome import AccuracyOutcome, Figure, MonteCarlo
+from linkwright.words import say
+
+FIRST = 3
+"""So many contributors are named beside an output."""
+
+
+def overview(outcome: AccuracyOutcome) -> list[Grid]:
+    """A line for each output and position: worst case, RSS, Monte Carlo as deviations from the nominal value, and the
+    first contributors."""
+    rows = [_line(*place, outcome) for place in _places(outcome)]
+    heads = ("output", "at", "nominal", "worst", "rss", "monte_carlo", "first")
+    return [_grid("outputs", heads, rows, outcome)] if rows else []
+
+
+def further(outcome: AccuracyOutcome) -> list[Grid]:
+    """Correlations, joints with clearance, allocation, calibration; those that there are."""
+    grids = [_correlations(outcome), _joints(outcome)]
+    design = design_tables(outcome.allocation, outcome.calibration)
+    grids += [_grid(name, heads, rows, outcome) for name, heads, rows in design]
+    return [grid for grid in grids if grid["rows"]]
+
+
+def _places(outcome: AccuracyOutcome) -> Iterator[tuple[str, str, Figure]]:
+    """Each output, the name of a position, and the figure there."""
+    yield from ((name, "", figure) for name, figure in outcome.figures.items())
+    for text, curve in outcome.curves.items():
+        yield text, say("accuracy.widest"), curve.figure
+        yield from ((text, name, figure) for name, figure in curve.positions.items())
+
+
+def _line(name: str, position: str, figure: Figure, outcome: AccuracyOutcome) -> list[str]:
+    first = [(outcome.contributors.every[i].name, float(figure.shares[i])) for i in ranked(figure)[:FIRST]]
+    told = ", ".join(f"{name} {percent(share, 2)}" for name, share in first if share > 0)
+    at = ": ".join(filter(None, (position, "" if figure.time is None else moment(figure.time, outcome))))
+    ranges = (_range(ends, figure) for ends in _totals(figure).values())
+    return [name, at or "–", _with(_nominal(figure), figure.column.unit), *ranges, told or "–"]
+
+
+def _totals(figure: Figure) -> dict[str, tuple[float, ...]]:
+    """Deviations of worst case, RSS, Monte Carlo (none without samples), in the figure's unit."""
+    wide, found, size = WIDE * figure.sigma, figure.monte_carlo, figure.column.size
+    sampled = () if found is None else [end - figure.nominal for end in found.interval]
+    ends = {"worst": figure.worst, "rss": (figure.mean - wide, figure.mean + wide), "monte_carlo": sampled}
+    return {key: tuple(end / size for end in pair) for key, pair in ends.items()}
+
+
+def review(figure: Figure, outcome: AccuracyOutcome) -> Grid:
+    """A figure's contributors as a drawing review wants them, with what they come to."""
+    heads = ("dimension", "nominal", "tolerance", "limits", "coefficient", "share", "contribution")
+    size, unit, rows = figure.column.size, figure.column.unit, list[list[str]]()
+    for i in ranked(figure):
+        one = outcome.contributors.every[i]
+        below, above = figure.coefficients[i] * one.size / size
+        coefficient = f"{_number(below, 5)} / {_number(above, 5)}" if figure.tie else _number(above, 5)
+        rows.append(
+            [
+                one.name,
+                _with(_number(one.nominal / one.size), one.unit),
+                one.stated,
+                _with(f"{_signed(one.low / one.size)} / {_signed(one.high / one.size)}", one.unit),
+                _with(coefficient, per(unit, one.unit)),
+                percent(float(figure.shares[i])),
+                _with(_range([end / size for end in part(figure, i, one)], figure), unit),
+            ]
+        )
+    nominal = _with(_nominal(figure), unit)
+    for key, ends in _totals(figure).items():
+        rows.append([_head(key, outcome), nominal, "", "", "", "", _with(_range(ends, figure), unit)])
+    return _grid("review", heads, rows, outcome, figure.name)
+
+
+def review_text(figure: Figure, outcome: AccuracyOutcome) -> str:
+    """The same for a spreadsheet: tab-separated, plain numbers, their units in columns of their own."""
+    heads = (
+        "dimension", "nominal", "unit", "tolerance", "lower", "upper", "coefficient", "coefficient_unit", "share",
+        "contribution_low", "contribution_high", "output_unit",
+    )  # fmt: skip
+    size, unit = figure.column.size, figure.column.unit
+    rows = [[_head(head, outcome) for head in heads]]
+    for i in ranked(figure):
+        one = outcome.contributors.every[i]
+        low, high = part(figure, i, one)
+        slope = float(figure.coefficients[i].mean()) * one.size / size
+        limits = (_plain(one.low / one.size), _plain(one.high / one.size))
+        share, ends = _plain(float(figure.shares[i])), (_plain(low / size), _plain(high / size))
+        known = (one.name, _plain(one.nominal / one.size), one.unit, one.stated, *limits)
+        rows.append([*known, _plain(slope), per(unit, one.unit), share, *ends, unit])
+    for key, deviations in _totals(figure).items():
+        contributions = [_plain(end) for end in deviations] or ["", ""]
+        rows.append([_head(key, outcome), _plain(figure.nominal / size), unit, *[""] * 6, *contributions, unit])
+    return "\n".join("\t".join(" ".join(cell.split()) for cell in row) for row in rows) + "\n"
+
+
+def _correlations(outcome: AccuracyOutcome) -> Grid:
+    pairs = _study(outcome)["correlations"]
+    rows = [[*pair["of"], _number(pair["is"])] for pair in pairs]
+    return _grid("correlations", ("dimension", "dimension", "correlation"), rows, outcome)
+
+
+def _joints(outcome: AccuracyOutcome) -> Grid:
+    rows = []
+    for joint in _study(outcome)["joints"]:
+        lost = "\n".join(
+            say(
+                "accuracy.lost",
+                low=_number(span["from"]),
+                high=_number(span["to"]),
+                unit=span["unit"],
+                why=span["cause"],
+            )
+            for span in joint["contact_lost"]
+        )
+        reaction = " .. ".join(_fixed(joint[end], joint["reaction_max"], 4) for end in ("reaction_min", "reaction_max"))
+        clearance = _with(_number(joint["clearance"]), joint["unit"])
+        rows.append(
+            [
+                joint["joint"],
+                ", ".join(joint["links"]),
+                clearance,
+                _with(reaction, joint["reaction_unit"]),
+                lost or say("accuracy.kept"),
+            ]
+        )
+    heads = ("joint", "links", "clearance", "reaction", "lost")
+    return _grid("joints", heads, rows, outcome)
+
+
+def _study(outcome: AccuracyOutcome) -> dict[str, Any]:
+    study: dict[str, Any] = accuracy_entry(outcome)["accuracy_study"]
+    return study
+
+
+def _grid(name: str, heads: Iterable[str], rows: list[list[str]], outcome: AccuracyOutcome, of: str = "") -> Grid:
+    title = say(f"accuracy.table.{name}", name=of)
+    return {"name": name, "title": title, "heads": [_head(head, outcome) for head in heads], "rows": rows}
+
+
+def _head(key: str, outcome: AccuracyOutcome) -> str:
+    sampled = (figure.monte_carlo for figure in outcome.every.values() if figure.monte_carlo is not None)
+    coverage = next((found.coverage for found in sampled), MonteCarlo.coverage)
+    return say(f"accuracy.column.{key}", coverage=percent(coverage, 4))
+
+
+# Numbers.
+
+
+def _scale(figure: Figure) -> float:
+    """How large a figure's deviations are, in its unit."""
+    return max(figure.half, abs(figure.worst[0]), abs(figure.worst[1]), figure.sigma) / figure.column.size
+
+
+def _fixed(value: float | None, scale: float | None, digits: int) -> str:
+    """A number with so many digits of what is ``scale`` large."""
+    if value is None or scale is None or not np.isfinite(value):
+        return "–"
+    decimals = digits - 1 - floor(log10(scale)) if scale > 0 else 12
+    return _sign(f"{value:.{decimals}f}" if 0 <= decimals <= 9 and abs(value) < 1e9 else f"{value:.6g}")
+
+
+def _nominal(figure: Figure) -> str:
+    return _fixed(figure.nominal / figure.column.size, _scale(figure), 3)
+
+
+def deviation(value: float, figure: Figure) -> str:
+    text = _fixed(value, _scale(figure), 3)
+    return f"+{text}" if value > 0 else text
+
+
+def _range(ends: Iterable[float], figure: Figure) -> str:
+    """Least and largest deviation; one figure where they are opposite."""
+    texts = [deviation(end, figure) for end in ends]
+    if len(texts) == 2 and texts[0].startswith("−") and texts[1] == f"+{texts[0][1:]}":
+        return f"±{texts[0][1:]}"
+    return " .. ".join(texts) or "–"
+
+
+def _number(value: float | None, digits: int = 6) -> str:
+    return "–" if value is None or not np.isfinite(value) else _sign(f"{value:.{digits}g}")
+
+
+def _signed(value: float) -> str:
+    return f"+{_number(value)}" if value > 0 else _number(value)
+
+
+def _plain(value: float) -> str:
+    return f"{value:.10g}" if np.isfinite(value) else ""
+
+
+def _sign(text: str) -> str:
+    return text.replace("-", "−")
+
+
+def _with(text: str, unit: str) -> str:
+    return f"{text} {unit}" if unit and text != "–" else text
+
+
+def percent(share: float, digits: int = 3) -> str:
+    rounded = float(f"{100 * share:.{digits}g}")  # no 1e+02
+    return _sign(f"{rounded:g} %") if np.isfinite(share) else "–"
+
+
+def moment(time: float | None, outcome: AccuracyOutcome) -> str:
+    unit, second = outcome.compiled.quantities.unit_of(TIME)
+    return "–" if time is None else f"{time / second:.6g} {unit}"

@@ -1,0 +1,27 @@
+"""Tables as CSV text: heads with units, numbers with all their digits, blank cells where there is none."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterable
+from math import isfinite
+
+
+def head(name: str, unit: str) -> str:
+    """A column's head: its name and unit."""
+    return f"{name} [{unit}]" if unit else name
+
+
+def cell(value: float | int) -> str:
+    """A number."""
+    return repr(value) if isfinite(value) else ""
+
+
+def written(header: list[str], rows: Iterable[list[str]]) -> str:
+    """The whole table."""
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow(header)
+    writer.writerows(rows)
+    return stream.getvalue()
