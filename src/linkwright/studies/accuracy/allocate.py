@@ -21,7 +21,7 @@ from linkwright.model.unknown import near
 from linkwright.studies.accuracy.allocated import Allocation
 from linkwright.studies.accuracy.allocation import Demand, Item, Problem, allocate
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
-from linkwright.studies.accuracy.costs import AnyCost, Stepped, Table
+from linkwright.studies.accuracy.costs import AnyCost, Processes, Stepped
 from linkwright.tolerances import NoTolerance, tolerance_class
 
 Array = NDArray[np.float64]
@@ -86,7 +86,7 @@ def problem(
         if name not in known:
             data = {"name": name[:60], "near": near(name, known)}
             findings.append(Finding("accuracy.no-contributor", (*PATH, "costs", name), data))
-    rounding = options.grades or any(isinstance(cost, Table) for cost in options.costs.values())
+    rounding = options.grades or any(isinstance(cost, Processes) for cost in options.costs.values())
     for one in contributors.every:
         half = (one.high - one.low) / 2
         spread = one.sigma / half if half else 0.0
@@ -180,7 +180,7 @@ def _demanded(
 def _no_grade(one: Contributor, cost: Any, path: tuple[str, ...], rounding: bool) -> Iterator[Finding]:
     """Grades that the standard has no value of for this parameter."""
     lacking = cost.unknown(partial(it_half, one))
-    if rounding and not isinstance(cost, Table) and it_half(one, f"IT{FINEST}") is None:
+    if rounding and not isinstance(cost, Processes) and it_half(one, f"IT{FINEST}") is None:
         lacking = [f"IT{FINEST}"]
     if lacking:
         yield Finding("accuracy.no-grade", path, {"name": one.name, "grades": ", ".join(lacking), "unit": one.unit})
