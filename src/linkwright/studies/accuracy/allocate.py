@@ -28,6 +28,8 @@ Array = NDArray[np.float64]
 Method = Literal["rss", "worst"]
 
 PATH = ("studies", "accuracy", "allocate")
+PROVEN = 1e-6
+"""How far an optimum may be from the conditions that prove it, over the cost."""
 FINEST, COARSEST = 5, 14
 """The grades, IT5 to IT14, within which the half-widths of lengths lie that state no others."""
 DECADE = 10.0
@@ -134,6 +136,9 @@ def allocated(problem: Problem) -> tuple[Allocation, list[Finding]]:
             notes.append(
                 Finding("accuracy.target-unreachable", (*PATH, "targets", target.name), data, severity="warning")
             )
+    if found.reached and found.optimality.worst > PROVEN:
+        data = {"off": f"{found.optimality.worst:.2g}"}
+        notes.append(Finding("accuracy.not-optimal", PATH, data, severity="warning"))
     if found.loose:
         notes.append(Finding("accuracy.targets-loose", (*PATH, "targets"), {}, severity="warning"))
     if found.reached and found.bound is not None and found.costs[2] is None:

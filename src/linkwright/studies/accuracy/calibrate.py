@@ -246,8 +246,10 @@ def _warnings(made: Calibration) -> Iterator[Finding]:
         return Finding(code, PATH, data, severity="warning")
 
     for one in made.confounded:
-        key = "accuracy.scale-open" if one.scaling else "accuracy.not-told-apart"
-        yield note(key, names=", ".join(one.names))
+        if len(one.names) == 1:
+            yield note("accuracy.no-effect", name=one.names[0])
+            continue
+        yield note("accuracy.scale-open" if one.scaling else "accuracy.not-told-apart", names=", ".join(one.names))
     if made.probability is not None and made.probability < UNLIKELY:
         ratio, share = made.chi_square / made.freedom, made.probability
         yield note("accuracy.poor-fit", ratio=f"{ratio:.3g}", share=f"{share:.2g}")
