@@ -71,7 +71,7 @@ def places(m: Mechanism) -> Iterator[Place]:
     for name, parameter in m.parameters.items():
         yield Place(("parameters", name), parameter.value, name)
         for key, part in tolerance_parts(parameter.tolerance):
-            yield Place(("parameters", name, "tolerance", *key), part, _TOLERANCE.get("".join(key), name))
+            yield Place(("parameters", name, "tolerance", *key), part, _TOLERANCE.get(key, name))
     for g in m.gravity or ():
         yield Place(("gravity",), g, u.ACCELERATION)
     yield from _links(m)
@@ -93,7 +93,7 @@ def places(m: Mechanism) -> Iterator[Place]:
             yield from (Place(("require", name), bound, figure(name, measure)) for bound in bounds)
 
 
-_TOLERANCE: dict[str, Wanted] = {"cp": u.PURE, "side": u.LENGTH}
+_TOLERANCE: dict[tuple[str, ...], Wanted] = {("cp",): u.PURE, ("side",): u.LENGTH}
 """What stands in a parameter's tolerance and isn't of the parameter's own dimension."""
 
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, Field, FiniteFloat, Tag
-from pydantic.types import Discriminator
+from pydantic import BeforeValidator, Discriminator, Field, FiniteFloat, Tag
 
 from linkwright.model.fields import Expression, Frozen, Text
 from linkwright.model.fields import Name as NameField

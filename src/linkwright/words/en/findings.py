@@ -837,7 +837,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "tolerance.none": (
         "Nothing deviates: no parameter has a tolerance, and there is no change of temperature.",
-        "Give parameters a tolerance, for example AB: {{value: 155, tolerance: 0.05}}; or write general: ISO 2768-m.",
+        "Name dimensions under parameters and give them a tolerance, for example AB: {{value: 155, tolerance: 0.05}}; or "
+        "write general: ISO 2768-m.",
     ),
     "tolerance.skipped": (
         "{general} has no tolerance for the size of {names}, so these are taken as exact.",

@@ -1,0 +1,60 @@
+"""Changes of temperature: lengths that expand together, as one deviation."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from linkwright.model import units as u
+from linkwright.model.unknown import near
+from linkwright.studies.accuracy.reader import PATH, Moving, Path, Reader
+from linkwright.studies.accuracy.stated_options import Thermal
+from linkwright.tolerances import EXPANSION
+
+
+def thermal(reader: Reader, name: str, entry: Thermal) -> Moving | None:
+    """The change of temperature (K); each length L follows it by alpha L."""
+    path = (*PATH, "thermal", name)
+    if name in reader.tolerances:
+        reader.wrong("tolerance.thermal-name", path, name=name)
+    low, high = (reader.value(end, u.PURE, (*path, "change")) for end in entry.change)
+    limits = None if low is None or high is None else (low, high)
+    if limits and not limits[0] < limits[1]:
+        data = {"low": entry.change[0].text[:40], "high": entry.change[1].text[:40]}
+        reader.wrong("value.not-rising", (*path, "change"), **data)
+        limits = None
+    alpha, moved = _expansion(reader, entry, path), _lengths(reader, entry, path)
+    spread = reader.spread(path, entry, "uniform", limits or (-1.0, 1.0), u.PURE)
+    if limits is None or alpha is None or spread is None:
+        return None
+    weights = alpha * 1e-6 * np.array([reader.quantities.parameters[length] for length in moved])
+    text = f"{limits[0]:g} .. {limits[1]:g} K, {entry.material or f'{alpha:g} 1e-6/K'}"
+    return Moving(name, 0.0, limits, *spread, u.PURE, text, tuple(moved), weights, "K")
+
+
+def _expansion(reader: Reader, entry: Thermal, path: Path) -> float | None:
+    """The coefficient of linear expansion in 1e-6/K."""
+    if entry.expansion is not None:
+        return reader.value(entry.expansion, u.PURE, (*path, "expansion"))
+    material = (entry.material or "").strip().lower()
+    if material not in EXPANSION:
+        data = {"given": material[:40], "near": near(material, [*EXPANSION])}
+        reader.wrong("tolerance.material", (*path, "material"), **data)
+    return EXPANSION.get(material)
+
+
+def _lengths(reader: Reader, entry: Thermal, path: Path) -> list[str]:
+    """The lengths that expand."""
+    lengths = [name for name in reader.independent if reader.quantities.dimensions.of(name) == u.LENGTH]
+    if entry.parameters is None:
+        if not lengths:
+            reader.wrong("tolerance.no-length", path)
+        return lengths
+    for i, name in enumerate(entry.parameters):
+        at = (*path, "parameters", i)
+        if name not in reader.tolerances:
+            reader.wrong("name.unknown-parameter", at, name=name, near=near(name, lengths))
+        elif name not in reader.independent:
+            reader.of_derived(name, at)
+        elif name not in lengths:
+            reader.wrong("tolerance.not-a-length", at, name=name)
+    return [name for name in dict.fromkeys(entry.parameters) if name in lengths]
