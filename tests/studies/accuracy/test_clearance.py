@@ -107,6 +107,9 @@ def test_an_output_moves_with_a_gap_as_the_joint_is_loaded_by_it(name: str) -> N
     forces = np.array([part for one in found.held for seat in one.forces(rows) for part in seat])
     assert np.abs(forces).max() > 0.1
     np.testing.assert_allclose(slope, forces, atol=1e-11 * np.abs(forces).max())
+    # So the loaded point gives way in the direction of the load, by all that the joints allow.
+    shift, bound = found.curve(tree(found.compiled, f"0.6*{point}.x + 0.8*{point}.y"), t)
+    np.testing.assert_allclose(shift, bound, rtol=1e-12)
 
 
 def test_links_that_go_along_with_their_pin_move_nothing() -> None:
@@ -248,11 +251,11 @@ def test_contact_is_lost_where_an_end_of_the_guide_is_all_but_unloaded() -> None
     )
     least = 0.03 * np.sqrt(quad(lambda t: normal(t) ** 2, 0, 1, epsabs=1e-12)[0])
     expected = []
-    for share in (0.5 + ARM / 0.06, 0.5 - ARM / 0.06):
-        for zero in (np.arcsin(E / R) / (2 * np.pi), 0.5 - np.arcsin(E / R) / (2 * np.pi)):
-            levels = (-least / share, least / share)
-            ends = [brentq(lambda t, at=at: normal(t) - at, zero - 0.11, zero + 0.11, xtol=1e-15) for at in levels]
-            expected.append(sorted(ends))
+    for zero in (np.arcsin(E / R) / (2 * np.pi), 0.5 - np.arcsin(E / R) / (2 * np.pi)):
+        # The end behind takes the share 1/2 - 25/60 of N, the other one more: it is out of contact for a shorter time.
+        levels = (-least / (0.5 - ARM / 0.06), least / (0.5 - ARM / 0.06))
+        ends = [brentq(lambda t, at=at: normal(t) - at, zero - 0.11, zero + 0.11, xtol=1e-15) for at in levels]
+        expected.append(sorted(ends))
     (joint,) = found.joints()
     assert {cause for *_, cause in joint.lost} == {"contact.guide-turned"}
     np.testing.assert_allclose([span[:2] for span in joint.lost], sorted(expected), atol=1e-10)
@@ -319,6 +322,15 @@ def test_measures_add_up_what_the_curve_shows() -> None:
     t = np.linspace(0, 1, 2000, endpoint=False)  # a whole turn: the trapezoidal rule converges at once
     shift, bound = found.curve(tree(found.compiled, "P.x"), t).mean(axis=1)
     assert (effects["mean", ""].shift, effects["mean", ""].bound) == pytest.approx((shift, bound), rel=1e-6)
+
+
+def test_no_joint_rests_beyond_the_bound() -> None:
+    """The left end of the feeder's stroke is where reactions turn fast, and the place with them."""
+    compiled = compiled_from(plain(load(EXAMPLES / "paper_feeder.yaml")))
+    found = Plays(compiled, Run(compiled, 0.0, 1.5, 60), options(dict.fromkeys("ABCD", 0.001)))
+    effect = play_effects(found, ["left_limit_angle"])[0]["left_limit_angle", ""]
+    assert effect.bound > 0
+    assert all(abs(shift) <= effect.bounds[name] for name, shift in effect.shifts.items())
 
 
 def test_an_outcome_is_given_its_plays() -> None:

@@ -18,7 +18,7 @@ from linkwright.model.expressions import Node
 from linkwright.model.findings import Finding
 from linkwright.results import Run
 from linkwright.results.quadrature import gauss_points
-from linkwright.studies.accuracy.contact import lost
+from linkwright.studies.accuracy.contact import joined, lost
 from linkwright.studies.accuracy.gaps import Gaps, Resting
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.outcome import JointPlay, PlayEffect
@@ -114,7 +114,7 @@ class Plays:
             shift = one.displacement([tuple(one.clearance * part.d[0] for part in unit) for unit in units])
             seats = range(len(units)) if load else ()
             spans = [span for i in seats for span in lost(self.run, self._force(one, i), self.contact * load)]
-            named = tuple(sorted((a, b, f"contact.{one.kind}-{cause}") for a, b, cause in spans))
+            named = tuple((a, b, f"contact.{one.kind}-{cause}") for a, b, cause in joined(spans))
             found.append(JointPlay(one.joint, one.links, one.clearance, t, reaction, np.stack(shift), named))
         return found
 

@@ -54,7 +54,8 @@ def play_effects(plays: Plays, names: Sequence[str]) -> tuple[Effects, dict[str,
         for name in fitting:
             bounds = BOUNDS[known[name].reduction](plays, moved, name)
             for shift, worst in zip(rested.of(name), bounds, strict=True):
-                found[name, shift.label] = plays.effect(shift.sides[:, 1], worst)
+                shifts = shift.sides[:, 1]  # a place also moves as directions turn, which no held one shows
+                found[name, shift.label] = plays.effect(shifts, np.maximum(worst, np.abs(shifts[1:])))
     return found, lacking
 
 

@@ -1,12 +1,12 @@
 """Where a joint with clearance may lose contact: its reaction all but vanishes, or turns over at once.
 
 With contact kept, the clearance acts as a massless link; where the link's force all but vanishes, or turns over, it
-isn't held (Earles and Wu's contact loss; see docs/theory.md). Found by roots of exact rates, not read off samples.
+isn't held (Wu and Earles 1977; docs/theory.md). Found by roots of exact rates, not read off samples.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -71,3 +71,16 @@ def _turned(forces: Forces, before: float, after: float) -> bool:
     """Whether a force points more than 90 deg away from where it did."""
     force, _ = forces(np.array([before, after]))
     return bool(force[:, 0] @ force[:, 1] < 0)
+
+
+def joined(spans: Iterable[Span]) -> list[Span]:
+    """The spans of several contacts in the order of time, those that overlap as one; that something turns counts more
+    than that it is light."""
+    found: list[Span] = []
+    for start, stop, cause in sorted(spans):
+        if found and start <= found[-1][1]:
+            before, end, known = found[-1]
+            found[-1] = before, max(stop, end), cause if known == LIGHT else known
+        else:
+            found.append((start, stop, cause))
+    return found

@@ -76,10 +76,11 @@ class Derivatives:
         best = (sign * values).max()
         near = times[sign * values >= best - TIE * np.abs(values).max()]
         slopes = np.stack([self.place(probe.node, float(time), window) for time in near])
-        below, above = sign * (sign * slopes).min(axis=0), sign * (sign * slopes).max(axis=0)
-        tie = bool((np.abs(above - below) > APART * np.abs(slopes).max()).any())
-        sides = np.stack([below, above] if tie else [slopes[0]] * 2, axis=1)
-        return Derivative("max" if sign > 0 else "min", float(near[0]), sides, tie)
+        apart = [slopes[0]]
+        for slope in slopes[1:]:
+            if all(np.abs(slope - one).max() > APART * np.abs(slopes).max() for one in apart):
+                apart.append(slope)
+        return Derivative("max" if sign > 0 else "min", float(near[0]), np.stack(apart), sign)
 
     def instant(self, name: str, measure: Measure) -> tuple[float, Array]:
         """The place of a value and its derivative."""
@@ -148,7 +149,8 @@ def _extremes(found: Derivatives, name: str, measure: Measure) -> list[Derivativ
 
 def _span(found: Derivatives, name: str, measure: Measure) -> list[Derivative]:
     low, high = _extremes(found, name, measure)
-    return [Derivative("", None, high.sides - low.sides, low.tie or high.tie)]
+    pairs = high.places[:, None] - low.places[None]  # a largest value less a smallest is a largest difference
+    return [Derivative("", None, pairs.reshape(-1, found.slopes.count))]
 
 
 def _value(found: Derivatives, name: str, measure: Measure) -> list[Derivative]:

@@ -27,7 +27,7 @@ def curves(run: Run, slopes: Slopes, contributors: Contributors, texts: Sequence
     for text, tree in zip(texts, trees, strict=True):
         here = slopes.at([tree], run.t, rates=False)
         coefficients = here.slope[0]
-        limits = np.stack(worst(np.stack([coefficients, coefficients], axis=1), contributors))
+        limits = np.stack(worst(coefficients, contributors))
         mean, sigma = spread(coefficients, contributors)
         dimension = quantities.dimensions.dimension(parse(text))
         unit, size = quantities.unit_of(dimension)
@@ -46,7 +46,7 @@ def figures(run: Run, slopes: Slopes, contributors: Contributors, names: Sequenc
         triples = zip(columns(run.compiled, name), result.found, derivatives.of(name), strict=True)
         for column, number, one in triples:
             coefficients = larger(one.sides)
-            limits = worst(one.sides, contributors)
+            limits = one.limits(contributors.low, contributors.high)
             mean, sigma = spread(coefficients, contributors)
             made[column.name] = Figure(
                 column,
@@ -54,7 +54,7 @@ def figures(run: Run, slopes: Slopes, contributors: Contributors, names: Sequenc
                 number.time,
                 one.sides,
                 one.tie,
-                (float(limits[0]), float(limits[1])),
+                limits,
                 float(mean),
                 float(sigma),
                 shares(coefficients, contributors),

@@ -15,21 +15,12 @@ from linkwright.studies.accuracy.contributors import Contributors
 Array = NDArray[np.float64]
 
 
-def worst(sides: Array, contributors: Contributors) -> tuple[Array, Array]:
-    """Least and largest deviation of outputs from coefficients below and above the nominal value, (contributors, 2,
-    ...), within the limits of all deviations."""
-    shape = (len(contributors), *(1,) * (sides.ndim - 2))
-    low, high = contributors.low.reshape(shape), contributors.high.reshape(shape)
-    # Of each deviation both limits and, where these lie on one side, nothing in between.
-    terms = np.stack([_term(sides, low), _term(sides, high)])
-    inside = (low <= 0) & (high >= 0)
-    least, largest = terms.min(axis=0), terms.max(axis=0)
-    least, largest = (np.where(inside, f(part, 0.0), part) for f, part in ((np.minimum, least), (np.maximum, largest)))
-    return least.sum(axis=0), largest.sum(axis=0)
-
-
-def _term(sides: Array, deviation: Array) -> Array:
-    return np.where(deviation < 0, sides[:, 0], sides[:, 1]) * deviation
+def worst(coefficients: Array, contributors: Contributors) -> tuple[Array, Array]:
+    """Least and largest deviation of outputs from coefficients (contributors, ...), within the limits of all
+    deviations."""
+    shape = (len(contributors), *(1,) * (coefficients.ndim - 1))
+    terms = np.stack([coefficients * end.reshape(shape) for end in (contributors.low, contributors.high)])
+    return terms.min(axis=0).sum(axis=0), terms.max(axis=0).sum(axis=0)
 
 
 def larger(sides: Array) -> Array:
