@@ -137,6 +137,7 @@ FAULTS: dict[str, tuple[dict[str, Any], str, list[str]]] = {
     "no file": ({"file": "nothing.csv"}, "", ["table.unreadable"]),
     "empty": ({"file": "m.csv"}, "", ["accuracy.no-place"]),
     "places alone": ({"file": "m.csv"}, "t\n0.1\n", ["accuracy.nothing-measured"]),
+    "empty column": ({"file": "m.csv"}, "t,P.x,P.y\n0.1,3,\n0.2,4,\n", ["accuracy.empty-column"]),
     "not numbers": ({"file": "m.csv"}, "t,P.x\n0.1,many\n,3\nnan,3\n", ["accuracy.measured-number"] * 3),
     "unit": ({"file": "m.csv"}, "t,P.x [kg]\n0.1,3\n", ["accuracy.measured-unit"]),
     "no unit": ({"file": "m.csv"}, "t,P.x [furlong]\n0.1,3\n", ["units.unknown"]),

@@ -20,7 +20,7 @@ from linkwright.model.fields import Expression, Frozen, Text
 from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.parts import freeze
 from linkwright.model.unknown import near
-from linkwright.model.written import Fault
+from linkwright.model.written import Fault, FrozenDict
 from linkwright.notation.angles import whole_turns
 from linkwright.notation.duals import Dual, slope_of, value_of
 from linkwright.results import Run
@@ -33,6 +33,8 @@ from linkwright.studies.accuracy.measured import PATH, Column, Sheet, read, read
 
 Array = NDArray[np.float64]
 
+SCALE = 1e-4
+"""The scale of a deviation without a tolerance, over its nominal value."""
 UNLIKELY = 0.01
 """A chi square that is exceeded by chance less often than this is a warning."""
 
@@ -51,7 +53,8 @@ class Calibrate(Frozen):
         None, min_length=1, max_length=1000, description="contributors to estimate; all by default"
     )
     sigma: Annotated[dict[str, Expression], freeze] = Field(
-        default_factory=dict, description="by output, the standard deviation of a measurement; else from the residuals"
+        default_factory=FrozenDict,
+        description="by output, the standard deviation of a measurement; else from the residuals",
     )
     prior: bool = Field(False, description="whether the stated tolerances count as knowledge besides the measurements")
     confidence: float = Field(0.95, gt=0, lt=1, description="of the intervals")
@@ -123,7 +126,9 @@ def calibrate(
 def _begun(contributors: Contributors, chosen: list[int], prior: bool) -> tuple[Array, Array]:
     """Where the deviations begin and what their scale is: with a prior, its mean and a root of its covariance."""
     if not prior:
-        return np.zeros(len(chosen)), np.diag(contributors.sigma[chosen])
+        size = np.array([abs(contributors.every[i].nominal) for i in chosen])
+        sigma = contributors.sigma[chosen]  # a tolerance of nothing is no scale
+        return np.zeros(len(chosen)), np.diag(np.where(sigma > 0, sigma, SCALE * np.where(size > 0, size, 1.0)))
     values, vectors = np.linalg.eigh(contributors.correlation[np.ix_(chosen, chosen)])
     return contributors.mean[chosen], contributors.sigma[chosen][:, None] * vectors * np.sqrt(np.maximum(values, 0))
 

@@ -967,6 +967,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "There are no measured outputs.",
         "Add a column for each output, and a row for each position.",
     ),
+    "accuracy.empty-column": (
+        "The column {name} has no values.",
+        "Write numbers, or leave the column out.",
+    ),
     "accuracy.no-pose": (
         "Row {row} was measured at {name} = {value} {unit}, where the run never is.",
         "Correct the row, or let studies.cycle cover it.",
