@@ -33,8 +33,6 @@ from linkwright.studies.accuracy.measured import PATH, Column, Sheet, read, read
 
 Array = NDArray[np.float64]
 
-SCALE = 1e-4
-"""The scale of a deviation without a tolerance, over its nominal value."""
 UNLIKELY = 0.01
 """A chi square that is exceeded by chance less often than this is a warning."""
 
@@ -126,9 +124,7 @@ def calibrate(
 def _begun(contributors: Contributors, chosen: list[int], prior: bool) -> tuple[Array, Array]:
     """Where the deviations begin and what their scale is: with a prior, its mean and a root of its covariance."""
     if not prior:
-        size = np.array([abs(contributors.every[i].nominal) for i in chosen])
-        sigma = contributors.sigma[chosen]  # a tolerance of nothing is no scale
-        return np.zeros(len(chosen)), np.diag(np.where(sigma > 0, sigma, SCALE * np.where(size > 0, size, 1.0)))
+        return np.zeros(len(chosen)), np.diag(contributors.sigma[chosen])
     values, vectors = np.linalg.eigh(contributors.correlation[np.ix_(chosen, chosen)])
     return contributors.mean[chosen], contributors.sigma[chosen][:, None] * vectors * np.sqrt(np.maximum(values, 0))
 

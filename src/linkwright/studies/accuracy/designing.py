@@ -54,6 +54,7 @@ def add_allocation(outcome: AccuracyOutcome) -> None:
         return
     outputs = {name: _of_figure(figure) for name, figure in outcome.every.items()}
     outputs |= {text: _of_curve(curve) for text, curve in outcome.curves.items()}
+    outputs = {name: output for name, output in outputs.items() if output.coefficients.size}
     posed, findings = problem(outcome.compiled.quantities, options, outcome.contributors, outputs)
     if posed is None:  # a measure without a value has no figure
         outcome.warnings += [replace(finding, severity="warning") for finding in findings]
