@@ -25,18 +25,18 @@ def many_starts(closure: Closure, turning: NDArray[np.bool_], size: float, toler
     """
     spread = np.where(turning, np.pi, size)
     random, idle = np.random.default_rng(1), 0
-    found: list[list[float]] = []
+    found = np.empty((0, spread.size))
     for _ in range(BATCHES):
         starts = random.uniform(-1.0, 1.0, (spread.size, STARTS)) * spread[:, None]
         before = len(found)
         for u in levenberg(closure, starts, tolerance).T:
             u[turning] = wrapped(u[turning])
-            if not any(np.abs((u - other) / spread).max() < NEW for other in found):
-                found.append(u.tolist())
+            if not (np.abs((u - found) / spread).max(axis=1) < NEW).any():
+                found = np.vstack([found, u])
         idle = idle + 1 if len(found) == before else 0
         if idle == 2:
             break
-    return found
+    return [[float(q) for q in u] for u in found]
 
 
 def levenberg(closure: Closure, u: Array, tolerance: float) -> Array:
