@@ -25,7 +25,6 @@ from linkwright.kernels import KERNELS
 from linkwright.model.document import plain
 from linkwright.results import Run
 from linkwright.studies import Site
-from linkwright.studies.accuracy import study  # noqa: F401  (registers itself)
 from linkwright.studies.accuracy.deviations import Deviations
 from linkwright.studies.accuracy.figures import curves
 from linkwright.studies.accuracy.monte_carlo import Random, monte_carlo

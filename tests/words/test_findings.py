@@ -19,8 +19,9 @@ if __name__ != "__main__":
     from words import source
 
 DOCUMENT = Path(__file__).parents[2] / "docs" / "findings.md"
-OTHERS = set(WORDS) - set(FINDINGS)
 CODES = [key.removesuffix(".what") for key in FINDINGS if key.endswith(".what")]
+OTHERS = WORDS.keys() - FINDINGS.keys()
+"""Keys of texts that are no findings."""
 SPOKEN_FOR = {"window.outside"}
 """Codes that have their words before anything raises them."""
 
@@ -98,8 +99,9 @@ def rendered() -> str:
 
 def in_source() -> set[str]:
     """The codes that the source raises: what looks like one, begins like one, and isn't another text's key."""
-    codes = {text for text in source.texts() if text.split(".")[0] in TITLES and text not in OTHERS}
-    return {code for code in codes if not code.endswith((".csv", ".nc"))}
+    files = (".csv", ".nc")
+    codes = {text for text in source.texts() if text.split(".")[0] in TITLES and not text.endswith(files)}
+    return codes - OTHERS
 
 
 def test_every_code_has_both_texts() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import signal
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,7 @@ from linkwright.results import Run
 from linkwright.studies import Interrupted, Site, sample_kept
 from linkwright.studies.accuracy.monte_carlo import Random, check_monte_carlo, monte_carlo
 from linkwright.studies.cycle import span
+from linkwright.studies.sample_work import SampleWork
 from studies.accuracy.by_hand import contributors, options, stated
 from studies.models import four_bar, slider_crank
 
@@ -166,3 +168,25 @@ def test_more_samples_than_a_plan_has(monkeypatch: pytest.MonkeyPatch) -> None:
     of = contributors(lw.compile(given), {"r": (1e-5, "normal"), "e": (1e-5, "uniform")}, [[1, 0.99], [0.99, 1]])
     codes = [finding.code for finding in check_monte_carlo(options(given), of)]
     assert codes == ["study.too-many-samples", "accuracy.correlation-limit"]
+
+
+def test_another_process_has_all_in_the_work() -> None:
+    """The document's own tolerances, correlated; what comes of a unit is the same after the work was sent."""
+    data = slider_crank(measures={"at_start": {"value": LINEAR, "where": "start"}})
+    data["parameters"] |= {"r": {"value": 50, "tolerance": 0.03}, "e": {"value": 20, "tolerance": [-0.02, 0.06]}}
+    together = [{"of": ["r", "e"], "is": 0.6}]
+    given = document(data, outputs=["at_start", LINEAR], correlations=together, poses=12, samples=UNIT + 10)
+    work = SampleWork(given, (), "numpy", "accuracy")
+    here, sent = work.open(), pickle.loads(pickle.dumps(work))
+    assert sent.key == work.key
+    there = sent.open().perform(1)
+    for name, value in here.perform(1).items():
+        np.testing.assert_array_equal(there[name], value)
+    figure = lw.accuracy(given).figures["at_start"]
+    assert figure.monte_carlo is not None
+    assert figure.monte_carlo.sigma_interval is not None
+    low, high = figure.monte_carlo.sigma_interval
+    sigma = np.sqrt(4 + 16 / 9 + 2 * 0.6 * 2 * 4 / 3) * 1e-5  # 2 r and e, of 1e-5 and 4/3 e-5 m
+    assert figure.sigma == pytest.approx(sigma, rel=1e-9)
+    assert low < sigma < high
+    assert figure.monte_carlo.mean - figure.nominal == pytest.approx(2e-5, abs=5 * sigma / 64)

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.results.stationary import bracketed
 from linkwright.studies.workspace.mesh import HALVINGS, RIM, Mesh, halved
 from linkwright.studies.workspace.sheet import Sheet
 
@@ -20,11 +21,12 @@ Rows = NDArray[np.intp]
 
 ROUNDS = 24
 """Segments are halved at most so many times."""
-SECANTS = 12
 WAY = 0.5
-"""The curve is looked for no further beside the middle of a segment than this share of its length."""
-STEADY = 1e-13
-"""A place is on a curve when a step is below this share of the segment."""
+"""The rim is looked for no further beside a segment than this share of its length ..."""
+LEVELS = 20
+"""Triangles are quartered at most so many times."""
+WAYS = (-0.03, 0.03, -0.3, 0.3)
+"""... and a curve beside its middle these shares of it."""
 
 
 @dataclass(frozen=True)
@@ -50,34 +52,77 @@ def curves(sheet: Sheet, mesh: Mesh, chord: float) -> list[Segments]:
 
 
 def _singular(sheet: Sheet, mesh: Mesh) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
-    """Pieces of the singular curve, one in each triangle that it passes; the rim's, cut where the curve meets it."""
-    q, triangles = mesh.q, mesh.triangles
+    """Pieces of the singular curve, and the rim's, cut where the curve meets it."""
+    rim = np.sort(mesh.rim, axis=1)
+    cuts: dict[tuple[int, int], Array] = {}
+    pieces = _passing(sheet, mesh.q, mesh.triangles, rim, cuts)
+    starts, ends = [], []
+    for first, last in rim.tolist():
+        middle = cuts.get((first, last))
+        stops = [mesh.q[:, first], *([] if middle is None else [middle]), mesh.q[:, last]]
+        starts += stops[:-1]
+        ends += stops[1:]
+    return pieces, (np.array(starts).reshape(-1, 2).T, np.array(ends).reshape(-1, 2).T)
+
+
+def _passing(
+    sheet: Sheet, q: Array, triangles: Rows, rim: Rows, cuts: dict[tuple[int, int], Array], level: int = 0
+) -> tuple[Array, Array]:
+    """One piece of the singular curve in each triangle that it passes, its ends on the sides; ``cuts`` takes those on
+    the rim. Where a piece doesn't follow the curve, as where two branches cross, the triangles around are quartered."""
     positive = sheet.look(q).numerator >= 0
-    mixed = triangles[positive[triangles].any(axis=1) & ~positive[triangles].all(axis=1)]
-    sides = np.concatenate([mixed[:, [0, 1]], mixed[:, [1, 2]], mixed[:, [2, 0]]])
+    passed = np.flatnonzero(positive[triangles].any(axis=1) & ~positive[triangles].all(axis=1))
+    sides = _sides(triangles[passed])
     crossed = positive[sides[:, 0]] != positive[sides[:, 1]]
     pairs, where = np.unique(np.sort(sides[crossed], axis=1), axis=0, return_inverse=True)
-    rim = np.sort(mesh.rim, axis=1)
     on_rim = _among(pairs, rim)
     places = np.empty((2, len(pairs)))
-    for chosen, bend in ((~on_rim, None), (on_rim, sheet)):
-        a, b = q[:, pairs[chosen, 0]], q[:, pairs[chosen, 1]]
+    for chosen, bent in ((~on_rim, False), (on_rim, True)):
+        ends = q[:, pairs[chosen, 0]], q[:, pairs[chosen, 1]]
         sign = positive[pairs[chosen, 0]]
-        path = _straight(a, b) if bend is None else _along_rim(sheet, a, b)
-        share = halved(lambda s, path=path, sign=sign: (sheet.look(path(s)).numerator >= 0) == sign, a.shape[1])
+        path = _along_rim(sheet, *ends) if bent else _straight(*ends)
+        share = halved(lambda s, path=path, sign=sign: (sheet.look(path(s)).numerator >= 0) == sign, sign.size)
         places[:, chosen] = path(share)
+    cuts |= {(i, k): place for (i, k), place in zip(pairs[on_rim].tolist(), places[:, on_rim].T, strict=True)}
     at = np.full(len(sides), -1)
     at[crossed] = where.ravel()
     two = np.sort(at.reshape(3, -1), axis=0)[1:]
-    cut = dict(zip(map(tuple, pairs[on_rim].tolist()), np.flatnonzero(on_rim).tolist(), strict=True))
-    starts, ends = [], []
-    for first, last in rim.tolist():
-        middle = cut.get((first, last))
-        stops = [q[:, first], *([] if middle is None else [places[:, middle]]), q[:, last]]
-        starts += stops[:-1]
-        ends += stops[1:]
-    whole = np.array(starts).reshape(-1, 2).T, np.array(ends).reshape(-1, 2).T
-    return (places[:, two[0]], places[:, two[1]]), whole
+    a, b = places[:, two[0]], places[:, two[1]]
+    astray = passed[~_followed(sheet, a, b)] if level < LEVELS else passed[:0]
+    if not astray.size:
+        return a, b
+    held = np.isin(triangles, np.unique(rim)).any(axis=1)
+    around = np.isin(triangles, np.unique(triangles[astray])).any(axis=1) & ~held
+    kept = ~around[passed]
+    corners, quarters = _quartered(q, triangles[around])
+    inner = _passing(sheet, corners, quarters, rim[:0], cuts, level + 1)
+    return np.concatenate([a[:, kept], inner[0]], axis=1), np.concatenate([b[:, kept], inner[1]], axis=1)
+
+
+def _followed(sheet: Sheet, a: Array, b: Array) -> NDArray[np.bool_]:
+    """Whether pieces of the singular curve can be halved twice."""
+
+    def f(q: Array) -> Array:
+        return sheet.look(q).numerator
+
+    middle, found = _beside(f, a, b)
+    return found & _beside(f, a, middle)[1] & _beside(f, middle, b)[1]
+
+
+def _sides(triangles: Rows) -> Rows:
+    """The three sides of each triangle: all first ones, all second ones, all third ones."""
+    return np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+
+
+def _quartered(q: Array, triangles: Rows) -> tuple[Array, Rows]:
+    """Triangles cut into four each by the middles of their sides."""
+    pairs, where = np.unique(np.sort(_sides(triangles), axis=1), axis=0, return_inverse=True)
+    x, y, z = q.shape[1] + where.reshape(3, -1)
+    a, b, c = triangles.T
+    corners = np.concatenate([q, q[:, pairs].mean(axis=2)], axis=1)
+    made = np.concatenate([np.stack(three, 1) for three in ((a, x, z), (x, b, y), (z, y, c), (x, y, z))])
+    used, own = np.unique(made, return_inverse=True)
+    return corners[:, used], own.reshape(made.shape)
 
 
 def _among(pairs: Rows, known: Rows) -> NDArray[np.bool_]:
@@ -136,18 +181,17 @@ def refined(
 
 
 def _beside(f: Callable[[Array], Array], a: Array, b: Array) -> tuple[Array, NDArray[np.bool_]]:
-    """The zeros of f on the normals through the middles of segments, by the secant method; whether one was found."""
+    """The zeros of f on the normals through the middles of segments; whether there is one nearby."""
     middle, across = (a + b) / 2, np.stack([a[1] - b[1], b[0] - a[0]])
-    s0, s1 = np.zeros(a.shape[1]), np.full(a.shape[1], 1e-4)
-    f0, f1 = f(middle), f(middle + s1 * across)
-    for _ in range(SECANTS):
-        with np.errstate(all="ignore"):
-            step = np.where(f1 == f0, 0.0, f1 * (s1 - s0) / (f1 - f0))
-        s0, f0, s1 = s1, f1, np.clip(s1 - step, -WAY, WAY)
-        f1 = f(middle + s1 * across)
-    with np.errstate(invalid="ignore"):
-        found = np.isfinite(f1) & (np.abs(s1 - s0) <= 1e-7) & (np.abs(s1) < WAY)
-    return middle + s1 * across, found
+    here = f(middle)
+    share, found = np.zeros(a.shape[1]), here == 0
+    for way in WAYS:
+        there = f(middle + way * across)
+        fresh = np.flatnonzero(~found & (np.sign(here) * np.sign(there) < 0))
+        ends = np.zeros(fresh.size), np.full(fresh.size, way)
+        root = bracketed(lambda s, i: f(middle[:, i] + s * across[:, i]), fresh, np.minimum(*ends), np.maximum(*ends))
+        share[fresh], found[fresh] = root, True
+    return middle + share * across, found
 
 
 def _distance(p: Array, a: Array, b: Array) -> Array:

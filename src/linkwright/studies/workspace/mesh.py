@@ -63,7 +63,6 @@ def _cut(sheet: Sheet, q: Array, triangles: Rows, inside: NDArray[np.bool_]) -> 
     crossed = inside[edges[:, 0]] != inside[edges[:, 1]]
     pairs, where = np.unique(np.sort(edges[crossed], axis=1), axis=0, return_inverse=True)
     kept = inside[pairs]
-    a, b = (q[:, np.where(kept[:, side], pairs[:, 0], pairs[:, 1])] for side in (0, 0))
     a = q[:, np.where(kept[:, 0], pairs[:, 0], pairs[:, 1])]
     b = q[:, np.where(kept[:, 0], pairs[:, 1], pairs[:, 0])]
     share = halved(lambda s: sheet.place(a + s * (b - a))[1] > RIM, len(pairs))
@@ -90,8 +89,8 @@ def _limits(q: Array, triangles: Rows, rim: Rows, box: Box) -> Rows:
     sides = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
     found = [np.empty((0, 2), dtype=np.intp)]
     for k in (0, 1):
-        for end in () if box.turns[k] else (box.low[k], box.high[k]):
-            found.append(sides[(q[k][sides] == end).all(axis=1)])
+        ends = () if box.turns[k] else (box.low[k], box.high[k])
+        found += [sides[(q[k][sides] == end).all(axis=1)] for end in ends]
     return np.unique(np.concatenate(found), axis=0)
 
 

@@ -640,8 +640,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Give a time within the run.",
     ),
     "accuracy.correlation-limit": (
-        "Deviations of {names} can't have the correlation {stated}: with their distributions, which aren't alike, it can be "
-        "{limit} at most.",
+        "Deviations of {names} can't have the correlation {stated}: their distributions aren't alike, and with these it goes "
+        "as far as {limit}.",
         "State a smaller correlation, or the same distribution for both.",
     ),
     "accuracy.correlation-mended": (

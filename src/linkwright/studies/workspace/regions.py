@@ -1,0 +1,134 @@
+"""The region that the working point of a sheet reaches: a polygon whose edges lie on the paths of the curves.
+
+The paths cut the plane into faces. As the jacobian is regular away from them, all of a face is reached or none of it:
+one place tells. Whether it is reached is found by Newton's method from the drive values that come nearest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.studies.workspace.curves import Segments, curves
+from linkwright.studies.workspace.mesh import RIM, Box, Mesh, mesh
+from linkwright.studies.workspace.sheet import Sheet
+
+Array = NDArray[np.float64]
+
+SNAP = 1e-10
+"""Ends of pieces nearer than this share of the extent are one."""
+STARTS = 12
+NEWTON = 40
+CLOSED = 1e-9
+"""A place is reached when the working point comes within this share of the extent."""
+
+
+@dataclass(frozen=True)
+class Region:
+    """What one sheet reaches: ``shape`` is a Shapely polygon or several (m). ``segments`` are the curves that may bound
+    it, ``steps`` those of the mesh, ``change`` of the area (share) when they were last doubled."""
+
+    sheet: Sheet
+    box: Box
+    shape: object
+    segments: tuple[Segments, ...]
+    mesh: Mesh
+    steps: int
+    change: float
+
+
+def region(sheet: Sheet, box: Box, chord: float, first: int = 96, most: int = 1536, close: float = 1e-7) -> Region:
+    """The region of a sheet, on meshes that are doubled until its area changes by less than a share ``close``."""
+    last, steps = None, first
+    while True:
+        made = mesh(sheet, box, steps)
+        segments = curves(sheet, made, chord)
+        shape = reached(sheet, box, made, segments)
+        area = float(shape.area)
+        change = abs(area - last) / area if last is not None and area else np.inf
+        if change <= close or 2 * steps > most or not area:
+            return Region(sheet, box, shape, tuple(segments), made, steps, float(change))
+        last, steps = area, 2 * steps
+
+
+def reached(sheet: Sheet, box: Box, made: Mesh, segments: Sequence[Segments]):  # type: ignore[no-untyped-def]
+    """The faces between the curves' paths that are reached, together."""
+    import shapely
+
+    paths = [sheet.place(np.stack([one.a, one.b], axis=1).reshape(2, -1))[0].reshape(2, 2, -1) for one in segments]
+    ends = np.concatenate(paths, axis=2)
+    if not ends.size or not made.q.size:
+        return shapely.Polygon()
+    size = float(np.ptp(ends, axis=(1, 2)).max())
+    apart = np.hypot(*(ends[:, 1] - ends[:, 0])) > SNAP * size
+    lines = shapely.linestrings(np.moveaxis(ends[:, :, apart], (0, 1, 2), (2, 1, 0)))
+    joined = shapely.unary_union(lines, grid_size=SNAP * size)
+    faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(joined)))
+    if not len(faces):
+        return shapely.Polygon()
+    middles = shapely.get_coordinates(shapely.point_on_surface(faces)).T
+    wide = shapely.area(faces) > SNAP * size * shapely.length(faces)
+    hit = np.zeros(len(faces), dtype=bool)
+    hit[wide] = reaches(sheet, box, made, middles[:, wide], CLOSED * size)[0]
+    return shapely.unary_union(faces[hit])
+
+
+def reaches(sheet: Sheet, box: Box, made: Mesh, places: Array, near: float) -> tuple[NDArray[np.bool_], Array]:
+    """Whether the working point comes to places (2, n) within ``near`` (m), and the drive values (2, n) at which."""
+    from scipy.spatial import cKDTree
+
+    corners = made.q[:, np.unique(made.triangles)]
+    at = sheet.place(corners)[0]
+    known = np.isfinite(at).all(axis=0)
+    corners, at = corners[:, known], at[:, known]
+    count = places.shape[1]
+    _, nearest = cKDTree(at.T).query(places.T, k=min(STARTS, at.shape[1]))
+    nearest = nearest.reshape(count, -1)
+    found, values = np.zeros(count, dtype=bool), np.full((2, count), np.nan)
+    for k in range(nearest.shape[1]):
+        rest = np.flatnonzero(~found)
+        if not rest.size:
+            break
+        q, ok = solved(sheet, box, corners[:, nearest[rest, k]], places[:, rest], near)
+        found[rest[ok]] = True
+        values[:, rest[ok]] = q[:, ok]
+    return found, values
+
+
+def solved(sheet: Sheet, box: Box, q: Array, places: Array, near: float) -> tuple[Array, NDArray[np.bool_]]:
+    """Drive values at which the working point is at places (2, n), by damped Newton from ``q``; which were found."""
+    low, high = np.array(box.low)[:, None], np.array(box.high)[:, None]
+    held = ~np.array(box.turns)[:, None]
+    here = sheet.look(q)
+    miss = np.hypot(*(here.at - places))
+    for _ in range(NEWTON):
+        open_ = miss > 1e-3 * near
+        if not open_.any():
+            break
+        off, j, det = here.at - places, here.jacobian, here.determinant
+        with np.errstate(all="ignore"):
+            step = np.stack([j[1, 1] * off[0] - j[0, 1] * off[1], j[0, 0] * off[1] - j[1, 0] * off[0]]) / det
+        step = np.nan_to_num(step, nan=0.0, posinf=0.0, neginf=0.0)
+        step *= np.minimum(1.0, 0.3 * box.size.min() / np.maximum(np.abs(step).max(axis=0), 1e-300))
+        damp, best = np.ones(miss.size), q
+        for _ in range(8):
+            tried = q - damp * step
+            tried = np.where(held, np.clip(tried, low, high), tried)
+            there = sheet.place(tried)
+            with np.errstate(invalid="ignore"):
+                better = (np.hypot(*(there[0] - places)) < miss) & (there[1] > RIM)
+            best = np.where(better | (damp < 0.01), np.where(better, tried, q), best)
+            if (better | ~open_).all():
+                break
+            damp = np.where(better, damp, damp / 3)
+            best = np.where(better, tried, best)
+        q = best
+        here = sheet.look(q)
+        now = np.hypot(*(here.at - places))
+        if not (now < miss).any():
+            break
+        miss = now
+    return q, miss <= near
