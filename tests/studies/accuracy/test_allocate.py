@@ -10,7 +10,7 @@ import pytest
 import linkwright as lw
 from linkwright.model import units as u
 from linkwright.studies.accuracy.allocate import Output, allocated, problem
-from linkwright.studies.accuracy.allocation import Problem
+from linkwright.studies.accuracy.allocation import SETTINGS, Problem
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.stated import contributors
 from studies.models import four_bar
@@ -107,6 +107,13 @@ def test_what_cannot_be_had_is_said() -> None:
     tight, notes = allocated(found)
     assert tight.items[0].rounded == pytest.approx(0.05e-3)
     assert not notes
+
+
+def test_an_optimum_without_its_proof_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(SETTINGS, "ipopt.max_iter", 1)
+    found, _ = posed(targets={"P.x": 0.05}, costs={name: {"reciprocal": 1} for name in LENGTHS})
+    assert found is not None
+    assert [note.code for note in allocated(found)[1]][-1] == "accuracy.not-optimal"
 
 
 FAULTS: dict[str, tuple[dict[str, Any], list[str]]] = {

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from linkwright.studies.accuracy.allocation import Demand, Item, Problem, allocate
-from linkwright.studies.accuracy.costs import Law, Reciprocal, ReciprocalSquared, Table
+from linkwright.studies.accuracy.costs import Law, Processes, Reciprocal, ReciprocalSquared
 
 MM = 1e-3
 B = (2.0, 1.0, 3.0)
@@ -155,7 +155,7 @@ def test_processes_against_full_enumeration() -> None:
         [[0.01, 9], [0.02, 8.5], [0.04, 2], [0.08, 1.9]],
         [[0.005, 20], [0.02, 6], [0.06, 4]],
     ]
-    laws = [Table(table=table).law(MM, lambda grade: None) for table in tables]
+    laws = [Processes(table=table).law(MM, lambda grade: None) for table in tables]
     parts = [
         Item(f"p{i}", 5e-5, 1 / 3, law, law.halves[0], law.halves[-1], tuple(zip(law.labels, law.halves, strict=True)))
         for i, law in enumerate(laws)

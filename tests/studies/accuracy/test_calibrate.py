@@ -32,7 +32,7 @@ def model(parameters: dict[str, Any] | None = None, **sections: Any) -> lw.Docum
 def measured(names: list[str], **sections: Any) -> Array:
     """Outputs of the true mechanism in mm and deg at the angles, (names, angles): one turn takes 1 s."""
     run = Run(lw.compile(model(TRUE, **sections)), 0.0, 1.0, 60)
-    size = [np.pi / 180 if name.endswith("angle") else 1e-3 for name in names]
+    size = [np.pi / 180 if name.endswith(("angle", "omega")) else 1e-3 for name in names]
     return np.asarray(run.evaluate(names, np.array(ANGLES) / 360) / np.array(size)[:, None])
 
 
@@ -137,6 +137,7 @@ FAULTS: dict[str, tuple[dict[str, Any], str, list[str]]] = {
     "no file": ({"file": "nothing.csv"}, "", ["table.unreadable"]),
     "empty": ({"file": "m.csv"}, "", ["accuracy.no-place"]),
     "places alone": ({"file": "m.csv"}, "t\n0.1\n", ["accuracy.nothing-measured"]),
+    "empty column": ({"file": "m.csv"}, "t,P.x,P.y\n0.1,3,\n0.2,4,\n", ["accuracy.empty-column"]),
     "not numbers": ({"file": "m.csv"}, "t,P.x\n0.1,many\n,3\nnan,3\n", ["accuracy.measured-number"] * 3),
     "unit": ({"file": "m.csv"}, "t,P.x [kg]\n0.1,3\n", ["accuracy.measured-unit"]),
     "no unit": ({"file": "m.csv"}, "t,P.x [furlong]\n0.1,3\n", ["units.unknown"]),
@@ -153,6 +154,14 @@ def test_each_fault_has_its_finding(name: str, tmp_path: Path) -> None:
         found(model(), tmp_path, **options)
     assert [finding.code for finding in caught.value.findings] == codes
     assert all(finding.what and finding.mend for finding in caught.value.findings)
+
+
+def test_what_changes_nothing_is_told() -> None:
+    made, notes = found(model(), points=points(["P.x"]), parameters=["a", "b", "c"])
+    assert not notes
+    made, notes = found(model(), points=points(["crank.omega"]), parameters=["a"])
+    assert notes == ["accuracy.no-effect"]
+    assert made.estimates[0].interval is None
 
 
 def test_an_angle_that_comes_twice_needs_the_same_outputs() -> None:

@@ -21,13 +21,15 @@ from linkwright.model.unknown import near
 from linkwright.studies.accuracy.allocated import Allocation
 from linkwright.studies.accuracy.allocation import Demand, Item, Problem, allocate
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
-from linkwright.studies.accuracy.costs import AnyCost, Stepped, Table
+from linkwright.studies.accuracy.costs import AnyCost, Processes, Stepped
 from linkwright.tolerances import NoTolerance, tolerance_class
 
 Array = NDArray[np.float64]
 Method = Literal["rss", "worst"]
 
 PATH = ("studies", "accuracy", "allocate")
+PROVEN = 1e-6
+"""How far an optimum may be from the conditions that prove it, over the cost."""
 FINEST, COARSEST = 5, 14
 """The grades, IT5 to IT14, within which the half-widths of lengths lie that state no others."""
 DECADE = 10.0
@@ -86,7 +88,7 @@ def problem(
         if name not in known:
             data = {"name": name[:60], "near": near(name, known)}
             findings.append(Finding("accuracy.no-contributor", (*PATH, "costs", name), data))
-    rounding = options.grades or any(isinstance(cost, Table) for cost in options.costs.values())
+    rounding = options.grades or any(isinstance(cost, Processes) for cost in options.costs.values())
     for one in contributors.every:
         half = (one.high - one.low) / 2
         spread = one.sigma / half if half else 0.0
@@ -134,6 +136,9 @@ def allocated(problem: Problem) -> tuple[Allocation, list[Finding]]:
             notes.append(
                 Finding("accuracy.target-unreachable", (*PATH, "targets", target.name), data, severity="warning")
             )
+    if found.reached and found.optimality.worst > PROVEN:
+        data = {"off": f"{found.optimality.worst:.2g}"}
+        notes.append(Finding("accuracy.not-optimal", PATH, data, severity="warning"))
     if found.loose:
         notes.append(Finding("accuracy.targets-loose", (*PATH, "targets"), {}, severity="warning"))
     if found.reached and found.bound is not None and found.costs[2] is None:
@@ -180,7 +185,7 @@ def _demanded(
 def _no_grade(one: Contributor, cost: Any, path: tuple[str, ...], rounding: bool) -> Iterator[Finding]:
     """Grades that the standard has no value of for this parameter."""
     lacking = cost.unknown(partial(it_half, one))
-    if rounding and not isinstance(cost, Table) and it_half(one, f"IT{FINEST}") is None:
+    if rounding and not isinstance(cost, Processes) and it_half(one, f"IT{FINEST}") is None:
         lacking = [f"IT{FINEST}"]
     if lacking:
         yield Finding("accuracy.no-grade", path, {"name": one.name, "grades": ", ".join(lacking), "unit": one.unit})

@@ -38,7 +38,7 @@ class Allotted:
 class Held:
     """A target in SI: the half-width ``wanted`` of an output, what it is ``now``, ``after``, and with ``rounded``
     tolerances; ``price`` is what one more SI unit of it would save. ``coefficients`` (rows, contributors) are those
-    used: a row for each pose of a signal, two for a tie; ``row`` is the one that comes closest to the target."""
+    used: a row for each pose of a signal, else one; ``row`` is the one that comes closest to the target."""
 
     name: str
     unit: str

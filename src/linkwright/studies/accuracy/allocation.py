@@ -346,7 +346,7 @@ def _items(problem: Problem, halves: Array, multipliers: Array, choice: Choice |
         i, half = place[k], float(halves[place[k]])
         label, fine = choice.labels[i] if choice is not None and choice.labels is not None else (None, None)
         costs = one.law.cost(one.now), _hull(one.law, half), None if fine is None else one.law.cost(fine)
-        price = -float(np.clip(needed[i], *one.law.slopes(half)))
+        price = 0.0 - float(np.clip(needed[i], *one.law.slopes(half)))
         ends = one.low, one.high
         yield Allotted(one.name, one.unit, one.size, one.now, half, *ends, fine, label, costs, price)
 

@@ -20,7 +20,7 @@ from linkwright.model.fields import Expression, Frozen, Text
 from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.parts import freeze
 from linkwright.model.unknown import near
-from linkwright.model.written import Fault
+from linkwright.model.written import Fault, FrozenDict
 from linkwright.notation.angles import whole_turns
 from linkwright.notation.duals import Dual, slope_of, value_of
 from linkwright.results import Run
@@ -51,7 +51,8 @@ class Calibrate(Frozen):
         None, min_length=1, max_length=1000, description="contributors to estimate; all by default"
     )
     sigma: Annotated[dict[str, Expression], freeze] = Field(
-        default_factory=dict, description="by output, the standard deviation of a measurement; else from the residuals"
+        default_factory=FrozenDict,
+        description="by output, the standard deviation of a measurement; else from the residuals",
     )
     prior: bool = Field(False, description="whether the stated tolerances count as knowledge besides the measurements")
     confidence: float = Field(0.95, gt=0, lt=1, description="of the intervals")
@@ -246,8 +247,10 @@ def _warnings(made: Calibration) -> Iterator[Finding]:
         return Finding(code, PATH, data, severity="warning")
 
     for one in made.confounded:
-        key = "accuracy.scale-open" if one.scaling else "accuracy.not-told-apart"
-        yield note(key, names=", ".join(one.names))
+        if len(one.names) == 1:
+            yield note("accuracy.no-effect", name=one.names[0])
+            continue
+        yield note("accuracy.scale-open" if one.scaling else "accuracy.not-told-apart", names=", ".join(one.names))
     if made.probability is not None and made.probability < UNLIKELY:
         ratio, share = made.chi_square / made.freedom, made.probability
         yield note("accuracy.poor-fit", ratio=f"{ratio:.3g}", share=f"{share:.2g}")

@@ -57,10 +57,10 @@ class Measurements:
 
 
 class Fit(NamedTuple):
-    """Deviations, covariance (n, n) of what is identified, residuals (outputs, positions) as measured less fitted,
-    studentised ones and which are outliers, standard deviations of the outputs, chi square, degrees of freedom and
-    probability, singular values, directions (n, null) in deviations that can't be told, and which are involved in
-    them; the factor of the confidence interval; the step left."""
+    """Deviations, covariance (n, n) of what is identified, fitted outputs (outputs, positions), studentised residuals
+    (measured less fitted) and which are outliers, standard deviations of the outputs, chi square, degrees of freedom
+    and probability, singular values, directions (n, null) in deviations that can't be told, and which deviations aren't
+    involved in them; the factor of the confidence interval; the step left."""
 
     deviations: Array
     covariance: Array

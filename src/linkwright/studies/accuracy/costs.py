@@ -221,7 +221,7 @@ def _processes(raw: Any) -> tuple[tuple[str | float, float], ...]:
 
 
 @register
-class Table(Cost):
+class Processes(Cost):
     """Processes, each with the grade or the half-width that it keeps, and its cost: the choice is among these."""
 
     name = "table"

@@ -21,6 +21,7 @@ from linkwright.studies.accuracy.calibrate import calibrate, check_calibrate
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, Curve, Figure
+from linkwright.studies.accuracy.stacking import larger
 from linkwright.studies.figures import columns
 
 Array = NDArray[np.float64]
@@ -53,6 +54,7 @@ def add_allocation(outcome: AccuracyOutcome) -> None:
         return
     outputs = {name: _of_figure(figure) for name, figure in outcome.every.items()}
     outputs |= {text: _of_curve(curve) for text, curve in outcome.curves.items()}
+    outputs = {name: output for name, output in outputs.items() if output.coefficients.size}
     posed, findings = problem(outcome.compiled.quantities, options, outcome.contributors, outputs)
     if posed is None:  # a measure without a value has no figure
         outcome.warnings += [replace(finding, severity="warning") for finding in findings]
@@ -62,9 +64,8 @@ def add_allocation(outcome: AccuracyOutcome) -> None:
 
 
 def _of_figure(figure: Figure) -> Output:
-    """A row, or in a tie one for each side."""
-    rows = figure.coefficients.T if figure.tie else figure.coefficients.T[:1]
-    return Output(rows, figure.column.dimension, figure.column.unit, figure.column.size)
+    """One row; of a tie the larger coefficients, which are safe for each of its places."""
+    return Output(larger(figure.coefficients)[None], figure.column.dimension, figure.column.unit, figure.column.size)
 
 
 def _of_curve(curve: Curve) -> Output:

@@ -6,6 +6,7 @@ import csv
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -102,7 +103,8 @@ def read_file(compiled: Compiled, file: str, at: str | None, folder: Path | None
     path = (*PATH, "file")
     try:
         with ((folder or Path()) / file).open(newline="", encoding="utf-8-sig") as stream:
-            lines = [(n, line) for n, line in enumerate(csv.reader(stream), start=1) if any(map(str.strip, line))]
+            every = enumerate(islice(csv.reader(stream), 2 * MAX_ROWS), start=1)
+            lines = [(number, cells) for number, cells in every if any(map(str.strip, cells))]
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         return None, [Finding("table.unreadable", path, {"file": file, "reason": str(error)[:100]})]
     if len(lines) > MAX_ROWS + 1:
@@ -148,6 +150,8 @@ def _sheet(
         return None, findings
     table = np.array(rows, dtype=float).T
     others = [i for i, name in enumerate(names) if name != place.text]
+    if empty := [names[i] for i in others if np.isnan(table[i]).all()]:
+        return None, [Finding("accuracy.empty-column", path, {"name": name[:60]}) for name in empty]
     return Sheet(place, tuple(outputs), table[names.index(place.text)], table[others], tuple(numbers), path), []
 
 

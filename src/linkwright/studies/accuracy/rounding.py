@@ -12,7 +12,7 @@ a bound is a sum of the least terms of what isn't chosen yet.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,8 +21,15 @@ from linkwright.studies.accuracy.allocation import SLACK, Problem
 
 Array = NDArray[np.float64]
 
-MOST = 200_000
+Options = tuple[tuple[str, float], ...]
+"""Labels and half-widths that an item may be rounded to."""
+
+MOST = 50_000
 """Nodes after which the search ends with the best that is found."""
+_MOST_LOOKS = 4_000
+"""Changes that are tried on the first choice."""
+NEAR = 0.8
+"""Rows that use more of their target than this are looked at first."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +50,7 @@ def rounded(problem: Problem, halves: Array, multipliers: Array, least: float, m
     rows = _rows(problem, halves, multipliers)
     uses = _separated(problem, halves, rows, options)
     search = _Search(problem, options, costs, uses, multipliers[rows], most)
-    search.run(_down(problem, options, halves))
+    search.run(_first(problem, options, halves))
     bound = max(least, search.root)
     if search.best is None:
         return Choice(None, None, bound, search.whole)
@@ -58,9 +65,7 @@ def _rows(problem: Problem, halves: Array, multipliers: Array) -> list[int]:
     return sorted({*worst, *np.flatnonzero(multipliers > 0).tolist()})
 
 
-def _separated(
-    problem: Problem, halves: Array, rows: list[int], options: list[tuple[tuple[str, float], ...]]
-) -> list[Array]:
+def _separated(problem: Problem, halves: Array, rows: list[int], options: list[Options]) -> list[Array]:
     """Terms of each item's options in lower bounds of the uses: a list of (rows, options); the constant is shared
     out."""
     uses, slopes = problem.uses(halves)[rows], problem.slopes(halves)[rows]
@@ -79,24 +84,57 @@ def _separated(
     return found
 
 
-def _down(problem: Problem, options: list[tuple[tuple[str, float], ...]], halves: Array) -> list[int]:
-    """The next finer options, then loosened one by one, the most saving first, as long as the targets are kept."""
-    chosen = [max([k for k, (_, d) in enumerate(some) if d <= half * (1 + SLACK)], key=lambda k: some[k][1], default=0)
-              for some, half in zip(options, halves, strict=True)]  # fmt: skip
-    while True:
-        now = np.array([some[k][1] for some, k in zip(options, chosen, strict=True)])
-        best: tuple[float, list[int]] | None = None
-        for i, some in enumerate(options):
-            law, old = problem.laws[i], some[chosen[i]][1]
-            for k, (_, half) in enumerate(some):
-                if half <= old:
-                    continue
-                saved = law.cost(old) - law.cost(half)
-                if saved > (best[0] if best else 0.0) and problem.kept(np.array([*now[:i], half, *now[i + 1 :]])):
-                    best = (saved, [*chosen[:i], k, *chosen[i + 1 :]])
-        if best is None:
-            return chosen
-        chosen = best[1]
+def _first(problem: Problem, options: list[Options], halves: Array) -> list[int]:
+    """A good choice: the next finer options, loosened as far as the targets allow; then, as long as that saves, one
+    option tightened by a step and another one loosened."""
+    steps = [sorted(range(len(some)), key=lambda k, some=some: some[k][1]) for some in options]  # type: ignore[misc]
+    sizes = [np.array([some[k][1] for k in order]) for some, order in zip(options, steps, strict=True)]
+    costs = [np.array([law.cost(half) for half in size]) for law, size in zip(problem.laws, sizes, strict=True)]
+    chosen = [max(int((size <= half * (1 + SLACK)).sum()) - 1, 0) for size, half in zip(sizes, halves, strict=True)]
+    looks, near = _MOST_LOOKS, _near(problem, halves)
+
+    def moved(*moves: tuple[int, int]) -> list[int]:
+        made = [*chosen]
+        for i, by in moves:
+            made[i] += by
+        return made
+
+    def kept(choice: list[int]) -> bool:
+        made = np.array([size[k] for size, k in zip(sizes, choice, strict=True)])
+        return near.kept(made) and problem.kept(made)
+
+    def step(i: int, by: int) -> float:
+        """What a step saves; nothing can be stepped to beyond the ends."""
+        k = chosen[i] + by
+        return float(costs[i][chosen[i]] - costs[i][k]) if 0 <= k < costs[i].size else -np.inf
+
+    while looks:
+        single = [(step(i, by), ((i, by),)) for i in range(len(options)) for by in (1, 2)]
+        double = [
+            (step(i, 1) + step(k, -1), ((i, 1), (k, -1)))
+            for i in range(len(options))
+            for k in range(len(options))
+            if i != k
+        ]
+        for _, moves in sorted((move for move in [*single, *double] if move[0] > 0), reverse=True):
+            looks -= 1
+            if kept(moved(*moves)):
+                chosen = moved(*moves)
+                break
+            if not looks:
+                break
+        else:
+            break
+    return [order[k] for order, k in zip(steps, chosen, strict=True)]
+
+
+def _near(problem: Problem, halves: Array) -> Problem:
+    """The problem with those rows alone that come near their targets."""
+    close, demands = problem.uses(halves) > NEAR, []
+    for k, demand in enumerate(problem.demands):
+        if (mine := close[problem.owner == k]).any():
+            demands.append(replace(demand, coefficients=demand.coefficients[mine]))
+    return replace(problem, demands=demands or problem.demands)
 
 
 class _Search:
@@ -105,7 +143,7 @@ class _Search:
     def __init__(
         self,
         problem: Problem,
-        options: list[tuple[tuple[str, float], ...]],
+        options: list[Options],
         costs: list[Array],
         uses: list[Array],
         multipliers: Array,

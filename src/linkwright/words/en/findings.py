@@ -916,7 +916,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Write one of its outputs, for example {near}; of a signal at a position 'E.x at POSITION'.",
     ),
     "accuracy.target": (
-        "The wanted half-width {text} isn't positive.",
+        "The wanted half-width {text} isn't positive, or is too large.",
         "Give how far the output may be off to either side, for example 0.5.",
     ),
     "accuracy.half-widths": (
@@ -943,6 +943,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "No choice of standard grades or processes keeps the targets that continuous half-widths do.",
         "Allow finer ones: widen between, or add processes to the tables.",
     ),
+    "accuracy.not-optimal": (
+        "The cheapest tolerances weren't found: they are off the conditions of the optimum by {off} of the cost.",
+        "Narrow the half-widths (between), or bring costs and targets to usual sizes.",
+    ),
     "accuracy.measured-source": (
         "Measurements come either from a file or from points.",
         "Give file: measured.csv, or points: [{{t: 0.1 s, E.x: 712.3}}, ...].",
@@ -962,6 +966,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "accuracy.nothing-measured": (
         "There are no measured outputs.",
         "Add a column for each output, and a row for each position.",
+    ),
+    "accuracy.empty-column": (
+        "The column {name} has no values.",
+        "Write numbers, or leave the column out.",
     ),
     "accuracy.no-pose": (
         "Row {row} was measured at {name} = {value} {unit}, where the run never is.",
@@ -998,6 +1006,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "accuracy.not-told-apart": (
         "The measurements don't tell {names} apart: deviations of these can cancel in every measured output.",
         "Measure another output or at other positions, or leave one of them out of parameters.",
+    ),
+    "accuracy.no-effect": (
+        "{name} changes no measured output, or far too little to be told.",
+        "Measure another output or at other positions, or leave it out of parameters.",
     ),
     "accuracy.poor-fit": (
         "The residuals are larger than the stated sigmas explain: chi square is {ratio} times its degrees of freedom, which "
