@@ -63,7 +63,7 @@ def reached(sheet: Sheet, box: Box, made: Mesh, segments: Sequence[Segments]):  
     if not ends.size or not made.q.size:
         return shapely.Polygon()
     size = float(np.ptp(ends, axis=(1, 2)).max())
-    apart = np.hypot(*(ends[:, 1] - ends[:, 0])) > SNAP * size
+    apart = (ends[:, 1] != ends[:, 0]).any(axis=0)
     lines = shapely.linestrings(np.moveaxis(ends[:, :, apart], (0, 1, 2), (2, 1, 0)))
     joined = shapely.unary_union(lines, grid_size=SNAP * size)
     faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(joined)))
