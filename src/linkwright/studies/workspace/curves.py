@@ -6,7 +6,7 @@ drives' ranges. Each is found on the triangles of a mesh and refined until its p
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -45,34 +45,49 @@ class Segments:
 
 def curves(sheet: Sheet, mesh: Mesh, chord: float) -> list[Segments]:
     """All of a sheet's curves, their paths' chords within ``chord`` (m)."""
-    inner, rim = _singular(sheet, mesh)
+    inner, rim, pits = _singular(sheet, mesh)
     limit = mesh.q[:, mesh.limit.T].swapaxes(0, 1)
     return [
         refined(sheet, "singular", *inner, chord, lambda q: sheet.look(q).numerator),
         refined(sheet, "modes", *rim, chord, lambda q: sheet.place(q)[1] - RIM),
+        refined(sheet, "pins", *pits, chord, None),
         refined(sheet, "limit", *limit, chord, None),
     ]
 
 
-def _singular(sheet: Sheet, mesh: Mesh) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
-    """Pieces of the singular curve, and the rim's, cut where the curve meets it."""
-    rim = np.sort(mesh.rim, axis=1)
+Ends = tuple[Array, Array]
+
+
+def _singular(sheet: Sheet, mesh: Mesh) -> tuple[Ends, Ends, Ends]:
+    """Pieces of the singular curve; those of the rim and around pits, cut where the curve meets them."""
+    rim, pits = np.sort(mesh.rim, axis=1), np.sort(mesh.pits, axis=1)
     for rings in RINGS:
         cuts: dict[tuple[int, int], Array] = {}
-        pieces = _passing(sheet, mesh.q, mesh.triangles, rim, cuts, rings)
+        pieces = _passing(sheet, mesh.q, mesh.triangles, (rim, pits), cuts, rings)
         if not _loose(sheet, mesh, *pieces):
             break
+    return pieces, _stopped(mesh.q, rim, cuts), _stopped(mesh.q, pits, cuts)
+
+
+def _stopped(q: Array, pairs: Rows, cuts: Mapping[tuple[int, int], Array]) -> Ends:
+    """Pieces between pairs of corners, with a stop where there is a cut."""
     starts, ends = [], []
-    for first, last in rim.tolist():
+    for first, last in pairs.tolist():
         middle = cuts.get((first, last))
-        stops = [mesh.q[:, first], *([] if middle is None else [middle]), mesh.q[:, last]]
+        stops = [q[:, first], *([] if middle is None else [middle]), q[:, last]]
         starts += stops[:-1]
         ends += stops[1:]
-    return pieces, (np.array(starts).reshape(-1, 2).T, np.array(ends).reshape(-1, 2).T)
+    return np.array(starts).reshape(-1, 2).T, np.array(ends).reshape(-1, 2).T
 
 
 def _passing(
-    sheet: Sheet, q: Array, triangles: Rows, rim: Rows, cuts: dict[tuple[int, int], Array], rings: int, level: int = 0
+    sheet: Sheet,
+    q: Array,
+    triangles: Rows,
+    border: tuple[Rows, Rows],
+    cuts: dict[tuple[int, int], Array],
+    rings: int,
+    level: int = 0,
 ) -> tuple[Array, Array]:
     """One piece of the singular curve in each triangle that it passes, its ends on the sides; ``cuts`` takes those on
     the rim. Where a piece doesn't follow the curve, as where two branches cross, the triangles around are quartered."""
@@ -81,7 +96,8 @@ def _passing(
     sides = _sides(triangles[passed])
     crossed = positive[sides[:, 0]] != positive[sides[:, 1]]
     pairs, where = np.unique(np.sort(sides[crossed], axis=1), axis=0, return_inverse=True)
-    on_rim = _among(pairs, rim)
+    rim, pits = border
+    on_rim, on_pit = _among(pairs, rim), _among(pairs, pits)
     places = np.empty((2, len(pairs)))
     for chosen, bent in ((~on_rim, False), (on_rim, True)):
         ends = q[:, pairs[chosen, 0]], q[:, pairs[chosen, 1]]
@@ -89,7 +105,8 @@ def _passing(
         path = _along_rim(sheet, *ends) if bent else _straight(*ends)
         share = halved(lambda s, path=path, sign=sign: (sheet.look(path(s)).numerator >= 0) == sign, sign.size)
         places[:, chosen] = path(share)
-    cuts |= {(i, k): place for (i, k), place in zip(pairs[on_rim].tolist(), places[:, on_rim].T, strict=True)}
+    stops = on_rim | on_pit
+    cuts |= {(i, k): place for (i, k), place in zip(pairs[stops].tolist(), places[:, stops].T, strict=True)}
     at = np.full(len(sides), -1)
     at[crossed] = where.ravel()
     two = np.sort(at.reshape(3, -1), axis=0)[1:]
@@ -97,7 +114,7 @@ def _passing(
     astray = passed[~_followed(sheet, a, b)] if level < LEVELS else passed[:0]
     if not astray.size:
         return a, b
-    held = np.isin(triangles, np.unique(rim)).any(axis=1)
+    held = np.isin(triangles, np.unique(np.concatenate(border))).any(axis=1)
     around = np.zeros(len(triangles), dtype=bool)
     around[astray] = True
     for _ in range(rings):
@@ -105,7 +122,7 @@ def _passing(
     around &= ~held
     kept = ~around[passed]
     corners, quarters = _quartered(q, triangles[around])
-    inner = _passing(sheet, corners, quarters, rim[:0], cuts, rings, level + 1)
+    inner = _passing(sheet, corners, quarters, (rim[:0], rim[:0]), cuts, rings, level + 1)
     return np.concatenate([a[:, kept], inner[0]], axis=1), np.concatenate([b[:, kept], inner[1]], axis=1)
 
 
@@ -117,6 +134,8 @@ def _loose(sheet: Sheet, mesh: Mesh, a: Array, b: Array) -> bool:
     ends = np.concatenate([a, b], axis=1)
     scaled = (ends - low) / (high - low)
     inner = ((scaled > MEET) & (scaled < 1 - MEET)).all(axis=0) & (sheet.place(ends)[1] > 4 * RIM)
+    if mesh.pits.size:
+        inner &= cKDTree(mesh.q[:, np.unique(mesh.pits)].T).query(ends.T)[0] > 1e-7
     places = scaled[:, inner].T
     count = cKDTree(places).query_ball_point(places, MEET, return_length=True) if len(places) else np.empty(0)
     return bool((count % 2).any())
@@ -177,9 +196,7 @@ def _along_rim(sheet: Sheet, a: Array, b: Array) -> Callable[[Array], Array]:
     return path
 
 
-def refined(
-    sheet: Sheet, kind: str, a: Array, b: Array, chord: float, f: Callable[[Array], Array] | None
-) -> Segments:
+def refined(sheet: Sheet, kind: str, a: Array, b: Array, chord: float, f: Callable[[Array], Array] | None) -> Segments:
     """Segments halved until the middle of each path lies within ``chord`` of its chord; the curve is where ``f`` is 0,
     or straight in the drives' plane."""
     done: list[tuple[Array, Array, Array]] = []

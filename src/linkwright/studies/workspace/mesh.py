@@ -16,6 +16,12 @@ Rows = NDArray[np.intp]
 RIM = 1e-14
 """The reach at which the rim is drawn, just inside where two modes meet: its root is 1e-7 of the group's size."""
 HALVINGS = 60
+CLEAR = 1e-3
+"""A reach above this is far from the rim."""
+AROUND = 1.5
+"""Around a pit the mesh is finer within so many steps ..."""
+NARROWER = 30
+"""... halved so often."""
 
 
 @dataclass(frozen=True)
@@ -35,28 +41,93 @@ class Box:
 @dataclass(frozen=True)
 class Mesh:
     """``q`` (2, corners) are drive values, ``triangles`` (triangles, 3) corners of each; ``rim`` (segments, 2) are
-    pairs of corners on the rim, where two modes meet, ``limit`` such on the end of a drive's range."""
+    pairs of corners on the rim, where two modes meet, ``limit`` such on the end of a drive's range, ``pits`` such
+    around places where the two outer pins of a group meet."""
 
     q: Array
     triangles: Rows
     rim: Rows
     limit: Rows
+    pits: Rows
 
 
-def mesh(sheet: Sheet, box: Box, steps: int) -> Mesh:
-    """The mesh on ``steps`` equal steps of each drive, cut at the rim."""
+def mesh(sheet: Sheet, box: Box, steps: int, pits: Array | None = None) -> Mesh:
+    """The mesh on ``steps`` equal steps of each drive, cut at the rim; ``pits`` (2, n) are places where two pins meet
+    (see :func:`found_pits`), around which it becomes finer and finer."""
+    step = box.size[:, None] / steps
+    centres = np.empty((2, 0)) if pits is None else pits
     axes = [np.linspace(a, b, steps + 1) for a, b in zip(box.low, box.high, strict=True)]
     q = np.stack(np.meshgrid(*axes, indexing="ij")).reshape(2, -1)
     corner = np.arange((steps + 1) ** 2).reshape(steps + 1, -1)
     a, b, c, d = (part.ravel() for part in (corner[:-1, :-1], corner[1:, :-1], corner[1:, 1:], corner[:-1, 1:]))
     squares = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
-    inside = sheet.place(q)[1] > RIM
-    q, triangles, rim = _cut(sheet, q, squares, inside)
-    return Mesh(q, triangles, rim, _limits(q, triangles, rim, box))
+
+    def away(q: Array) -> Array:
+        """How far places are from the nearest pit, in steps."""
+        far = np.full(q.shape[1], np.inf)
+        for centre in centres.T:
+            far = np.minimum(far, np.hypot(*((q - centre[:, None]) / step)))
+        return far
+
+    def inside(q: Array) -> NDArray[np.bool_]:
+        return (sheet.place(q)[1] > RIM) & (away(q) > AROUND)
+
+    q, triangles, rim = _cut(inside, q, squares)
+    limit = _limits(q, triangles, box)
+    ring = (np.abs(away(q) - AROUND) < 1e-6)[rim].all(axis=1) if centres.size else np.zeros(len(rim), dtype=bool)
+    q, inner, ends = _pitted(q, rim[ring], centres, step)
+    return Mesh(q, np.concatenate([triangles, inner]), rim[~ring], limit, ends)
 
 
-def _cut(sheet: Sheet, q: Array, triangles: Rows, inside: NDArray[np.bool_]) -> tuple[Array, Rows, Rows]:
+def _pitted(q: Array, ring: Rows, centres: Array, step: Array) -> tuple[Array, Rows, Rows]:
+    """Rings around pits, each half as wide as the one before, down to a share of a step that is round-off."""
+    used, own = np.unique(ring, return_inverse=True)
+    edges = own.reshape(ring.shape)
+    if not used.size:
+        return q, np.empty((0, 3), dtype=np.intp), ring
+    here = q[:, used]
+    nearest = np.argmin([np.hypot(*((here - centre[:, None]) / step)) for centre in centres.T], axis=0)
+    arms = here - centres[:, nearest]
+    rows, made, corners = used, [], [q]
+    for level in range(1, NARROWER + 1):
+        inner = sum(part.shape[1] for part in corners) + np.arange(used.size)
+        corners.append(centres[:, nearest] + arms * 0.5**level)
+        (a, b), (c, d) = rows[edges].T, inner[edges].T
+        made += [np.stack([a, b, d], 1), np.stack([a, d, c], 1)]
+        rows = inner
+    return np.concatenate(corners, axis=1), np.concatenate(made), rows[edges]
+
+
+def found_pits(sheet: Sheet, box: Box, steps: int = 48) -> Array:
+    """The places in the drives' plane where the two outer pins of a group meet, so that its links may point anywhere:
+    (2, n). The closure's determinant is zero there, though the group could reach farther."""
+    from scipy.optimize import minimize
+
+    axes = [np.linspace(a, b, steps + 1) for a, b in zip(box.low, box.high, strict=True)]
+    grid = np.stack(np.meshgrid(*axes, indexing="ij"))
+    here = sheet.look(grid.reshape(2, -1))
+    size = np.where(here.reach > CLEAR, np.abs(here.closure), np.inf).reshape(steps + 1, -1)
+    padded = np.pad(np.nan_to_num(size, nan=np.inf, posinf=np.inf), 1, constant_values=np.inf)
+    around = [padded[i : i + steps + 1, k : k + steps + 1] for i in range(3) for k in range(3) if (i, k) != (1, 1)]
+
+    def missed(q: Array) -> float:
+        found = float(sheet.look(q[:, None]).closure[0])
+        return found**2 if np.isfinite(found) else 1.0
+
+    found: list[Array] = []
+    for i, k in np.argwhere((size <= np.min(around, axis=0)) & (size < 0.3)):
+        best = minimize(
+            missed, grid[:, i, k], method="Nelder-Mead", options={"xatol": 1e-14, "fatol": 1e-32, "maxiter": 2000}
+        )
+        clear = sheet.place(best.x[:, None] + 1e-6 * box.size[:, None])[1][0] > CLEAR
+        if best.fun < 1e-16 and clear and all(np.abs(best.x - one).max() > 1e-6 for one in found):
+            found.append(best.x)
+    return np.array(found).reshape(-1, 2).T
+
+
+def _cut(within: Callable[[Array], NDArray[np.bool_]], q: Array, triangles: Rows) -> tuple[Array, Rows, Rows]:
     """The parts of triangles inside, with new corners on the rim."""
+    inside = within(q)
     count = inside[triangles].sum(axis=1)
     whole, partly = triangles[count == 3], triangles[(count > 0) & (count < 3)]
     edges = np.concatenate([partly[:, [0, 1]], partly[:, [1, 2]], partly[:, [2, 0]]])
@@ -65,7 +136,7 @@ def _cut(sheet: Sheet, q: Array, triangles: Rows, inside: NDArray[np.bool_]) -> 
     kept = inside[pairs]
     a = q[:, np.where(kept[:, 0], pairs[:, 0], pairs[:, 1])]
     b = q[:, np.where(kept[:, 0], pairs[:, 1], pairs[:, 0])]
-    share = halved(lambda s: sheet.place(a + s * (b - a))[1] > RIM, len(pairs))
+    share = halved(lambda s: within(a + s * (b - a)), len(pairs))
     corners = np.concatenate([q, a + share * (b - a)], axis=1)
     new = np.full(len(edges), -1)
     new[crossed] = q.shape[1] + where.ravel()
@@ -84,7 +155,7 @@ def _cut(sheet: Sheet, q: Array, triangles: Rows, inside: NDArray[np.bool_]) -> 
     return corners, np.concatenate(made), np.concatenate(rim)
 
 
-def _limits(q: Array, triangles: Rows, rim: Rows, box: Box) -> Rows:
+def _limits(q: Array, triangles: Rows, box: Box) -> Rows:
     """The sides of triangles that lie on the end of a drive's range."""
     sides = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
     found = [np.empty((0, 2), dtype=np.intp)]

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.studies.workspace.curves import Segments, curves
-from linkwright.studies.workspace.mesh import RIM, Box, Mesh, mesh
+from linkwright.studies.workspace.mesh import RIM, Box, Mesh, found_pits, mesh
 from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]
@@ -42,9 +42,9 @@ class Region:
 
 def region(sheet: Sheet, box: Box, chord: float, first: int = 96, most: int = 1536, close: float = 1e-6) -> Region:
     """The region of a sheet, on meshes that are doubled until its area changes by less than a share ``close``."""
-    last, steps = None, first
+    last, steps, pits = None, first, found_pits(sheet, box)
     while True:
-        made = mesh(sheet, box, steps)
+        made = mesh(sheet, box, steps, pits)
         segments = curves(sheet, made, chord)
         shape = reached(sheet, box, made, segments)
         area = float(shape.area)

@@ -39,7 +39,8 @@ class Look:
     def determinant(self) -> Array:
         """Of the jacobian: (n,)."""
         j = self.jacobian
-        return np.asarray(j[0, 0] * j[1, 1] - j[0, 1] * j[1, 0])
+        with np.errstate(invalid="ignore"):
+            return np.asarray(j[0, 0] * j[1, 1] - j[0, 1] * j[1, 0])
 
     @property
     def numerator(self) -> Array:
