@@ -54,7 +54,7 @@ class Errors:
 
     def slopes(self, q: Array, drives: bool = False) -> tuple[Array, Array]:
         """Values (2 + reaches, n) of the point and the reaches of groups with two modes, and their derivatives by the
-        contributors, (2 + reaches, contributors, n); with ``drives``, by the two drives after them."""
+        contributors and, with ``drives``, by the two drives after them: (2 + reaches, contributors + drives, n)."""
         size, many, more = len(self.graph.inputs), len(self.contributors), 2 if drives else 0
         x = np.zeros((2 * size, many + more, q.shape[1]))
         x[:size] = self.sheet.inputs(q)[:, None]
@@ -123,7 +123,7 @@ class Guaranteed:
 
     ``shape`` (Shapely, m) is reached whatever they are. ``precise`` is the part of it in which the point is off by no
     more than ``limit`` (m) in all poses of the sheet that come there; None where no limit was asked for. ``least`` and
-    ``most`` are the smallest and the greatest inward way of the boundary (m), NaN where there is no boundary.
+    ``most`` are the smallest and the greatest way that the boundary may move inward (m), NaN where there is none.
     """
 
     region: Region
@@ -141,66 +141,117 @@ def guaranteed(
     import shapely
 
     found = Errors(region.sheet, contributors, sum(one.a.shape[1] for one in region.segments))
-    made = [strips(region, found, one.kind, one.a, one.b) for one in region.segments if one.a.size]
-    width = np.concatenate([way for _, way in made]) if made else np.empty(0)
-    cut = shapely.union_all([strip for strip, _ in made if strip is not None])
-    shape = shapely.difference(region.shape, cut)
+    made = edges(region, found)
+    width = np.concatenate([one.width for one in made]) if made else np.array([np.nan])
+    cut = [shapely.buffer(one.lines, one.width / np.cos(np.pi / 4 / ROUND), quad_segs=ROUND) for one in made]
+    shape = shapely.difference(region.shape, shapely.union_all([shapely.union_all(one) for one in cut]))
     precise = None if limit is None else shapely.difference(shape, imprecise(region, found, limit, steps))
-    if not width.size:
-        return Guaranteed(region, shape, np.nan, np.nan, limit, precise)
     return Guaranteed(region, shape, float(width.min()), float(width.max()), limit, precise)
 
 
-def strips(region: Region, found: Errors, kind: str, a: Array, b: Array):  # type: ignore[no-untyped-def]
-    """The strips along those pieces, a to b (2, n) in the drives' plane, that bound a region, together; and how far
-    the boundary may move inward there: (pieces on the boundary,)."""
+@dataclass(frozen=True)
+class Edge:
+    """The boundary's pieces that lie on one kind of curve.
+
+    ``ends`` (2, 2, n) are their places: coordinate, end, piece; ``outward`` (2, n) their unit normals, ``sure`` says
+    for which the region is on one side only, so that these point out of it. ``shifts`` (contributors, 2, n) is how far
+    either end moves along the normal per unit of each deviation, ``width`` (n,) how far inward at worst (m).
+    """
+
+    kind: str
+    ends: Array
+    outward: Array
+    sure: NDArray[np.bool_]
+    shifts: Array
+    width: Array
+
+    @property
+    def lines(self):  # type: ignore[no-untyped-def]
+        """The pieces, in Shapely."""
+        import shapely
+
+        return shapely.linestrings(np.moveaxis(self.ends, (0, 1, 2), (2, 1, 0)))
+
+
+def edges(region: Region, found: Errors) -> list[Edge]:
+    """The boundary of a region by the curves on which it lies."""
     import shapely
 
-    sheet, n = region.sheet, a.shape[1]
-    ends = sheet.place(np.concatenate([a, b], axis=1))[0].reshape(2, 2, n)
-    edge = shapely.boundary(region.shape)
-    low, high = np.nanmin(ends, axis=(1, 2)), np.nanmax(ends, axis=(1, 2))
+    edge, made = shapely.boundary(region.shape), []
+    if shapely.is_empty(edge):
+        return []
+    low, high = np.reshape(shapely.bounds(edge), (2, 2))
     beside = BESIDE * float((high - low).max())
-    shapely.prepare(edge)
-    on = shapely.dwithin(edge, shapely.points(ends.mean(axis=1).T), beside / 10)
-    on &= (ends[:, 0] != ends[:, 1]).any(axis=0)
-    a, b, ends = a[:, on], b[:, on], ends[:, :, on]
-    if not on.any():
-        return None, np.empty(0)
-    along = ends[:, 1] - ends[:, 0]
-    normal = np.stack([along[1], -along[0]]) / np.hypot(*along)
-    shapely.prepare(region.shape)
-    sides = [shapely.contains_xy(region.shape, *(ends.mean(axis=1) + s * beside * normal)) for s in (1, -1)]
-    ways = np.stack([moved(found, kind, q, normal) for q in (a, b)]).max(axis=0)
-    # Where one side alone is inside, the other's way doesn't count.
-    width = np.where(sides[0] & ~sides[1], ways[0], np.where(sides[1] & ~sides[0], ways[1], ways.max(axis=0)))
-    lines = shapely.linestrings(np.moveaxis(ends, (0, 1, 2), (2, 1, 0)))
-    strip = shapely.buffer(lines, width / np.cos(np.pi / 4 / ROUND), quad_segs=ROUND)
-    return shapely.union_all(strip), width
+    shapely.prepare([edge, region.shape])
+    for one in region.segments:
+        if not one.a.size:
+            continue
+        drives = np.stack([one.a, one.b], axis=1)
+        ends = region.sheet.place(drives.reshape(2, -1))[0].reshape(drives.shape)
+        on = shapely.dwithin(edge, shapely.points(ends.mean(axis=1).T), beside / 10)
+        on &= (ends[:, 0] != ends[:, 1]).any(axis=0)
+        drives, ends = drives[:, :, on], ends[:, :, on]
+        if not on.any():
+            continue
+        along, middle = ends[:, 1] - ends[:, 0], ends.mean(axis=1)
+        normal = np.stack([along[1], -along[0]]) / np.hypot(*along)
+        ahead, behind = (shapely.contains_xy(region.shape, *(middle + s * beside * normal)) for s in (1, -1))
+        outward = np.where(ahead & ~behind, -normal, normal)
+        shifts = moved(found, one.kind, drives, outward)
+        inward, out = (_worst(found.contributors, sign * shifts).max(axis=0) for sign in (-1, 1))
+        width = np.where(ahead != behind, inward, np.maximum(inward, out))
+        made.append(Edge(one.kind, ends, outward, ahead != behind, shifts, width))
+    return made
 
 
-def moved(found: Errors, kind: str, q: Array, normal: Array) -> Array:
-    """How far the boundary may move along the normal (2, n), and against it: (2, n) in m, 0 or more."""
-    values, slopes = found.slopes(q, drives=kind in HELD)
-    own = HELD[kind](values, slopes) if kind in HELD else slopes[:2]
-    across = np.einsum("kin,kn->in", own, normal)
-    low, high = found.contributors.low[:, None], found.contributors.high[:, None]
-    ways = [np.maximum(low * one, high * one).sum(axis=0) for one in (across, -across)]
-    return np.asarray(np.maximum(np.nan_to_num(np.stack(ways), nan=0.0), 0.0))
+def _worst(contributors: Contributors, shifts: Array) -> Array:
+    """The greatest sum of shifts (contributors, ...) times deviations, 0 or more."""
+    low, high = (np.reshape(end, (-1, 1, 1)) for end in (contributors.low, contributors.high))
+    return np.maximum(np.maximum(low * shifts, high * shifts).sum(axis=0), 0.0)
 
 
-def _at_reach(values: Array, slopes: Array) -> Array:
-    """The derivatives of the point, (2, contributors, n), while the least reach stays: the drive values follow along
-    the reach's gradient; what they move along the rim doesn't matter."""
+def moved(found: Errors, kind: str, drives: Array, outward: Array) -> Array:
+    """How far the ends of pieces (2, 2, n): coordinate, end, piece, in the drives' plane, move along their own normals,
+    which point about as ``outward`` (2, n) does, per unit of each deviation: (contributors, 2, n).
+
+    The normals come from derivatives: where a curve ends on the rim, these grow without bound and hardly the shifts.
+    """
+    values, slopes = found.slopes(drives.reshape(2, -1), drives=True)
+    way = np.repeat((drives[:, 1] - drives[:, 0])[:, None], 2, axis=1).reshape(2, -1)
+    with np.errstate(all="ignore"):
+        own, along = ALONG.get(kind, _free)(values, slopes, way)
+        normal = np.stack([along[1], -along[0]]) / np.hypot(*along)
+    normal *= np.where((normal * np.tile(outward, 2)).sum(axis=0) < 0, -1.0, 1.0)
+    return np.asarray(np.einsum("kin,kn->in", own, normal).reshape(len(own[0]), 2, -1))
+
+
+Held = tuple[Array, Array]
+"""How the place of a boundary goes with the deviations, (2, contributors, n), and its direction (2, n), of any size."""
+
+
+def _free(values: Array, slopes: Array, way: Array) -> Held:
+    """Along a way in the drives' plane."""
+    return slopes[:2, :-2], np.einsum("kjn,jn->kn", slopes[:2, -2:], way)
+
+
+def _singular(values: Array, slopes: Array, way: Array) -> Held:
+    """All that the drives can do is one direction: that of the larger of their two columns."""
+    one, two = slopes[:2, -2], slopes[:2, -1]
+    return slopes[:2, :-2], np.where(np.hypot(*one) >= np.hypot(*two), one, two)
+
+
+def _rim(values: Array, slopes: Array, way: Array) -> Held:
+    """The least reach stays: drive values follow along its gradient; what they move along the rim doesn't matter."""
     which = values[2:].argmin(axis=0)
     reach = np.take_along_axis(slopes[2:], which[None, None], axis=0)[0]
     by_drives = reach[-2:]
     follow = -by_drives[:, None] * reach[None, :-2] / (by_drives**2).sum(axis=0)
-    return np.asarray(slopes[:2, :-2] + np.einsum("kjn,jin->kin", slopes[:2, -2:], follow))
+    own = slopes[:2, :-2] + np.einsum("kjn,jin->kin", slopes[:2, -2:], follow)
+    return own, np.einsum("kjn,jn->kn", slopes[:2, -2:], np.stack([by_drives[1], -by_drives[0]]))
 
 
-HELD = {"modes": _at_reach}
-"""Kinds of curves on which drive values have to follow the deviations."""
+ALONG = {"singular": _singular, "modes": _rim}
+"""What tells of a kind of curve how it moves."""
 
 
 def imprecise(region: Region, found: Errors, limit: float, steps: int = STEPS):  # type: ignore[no-untyped-def]
