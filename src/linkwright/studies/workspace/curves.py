@@ -26,8 +26,10 @@ WAY = 0.5
 RINGS = (2, 3, 4)
 MEET = 1e-9
 """Ends of pieces that are nearer than this share of the drives' ranges are one."""
-LEVELS = 20
-"""Triangles are quartered at most so many times."""
+SHORT = 1e-7
+"""A piece no longer than this (rad, m) needn't follow the curve."""
+LEVELS, MOST = 20, 200_000
+"""Triangles are quartered at most so many times, and no more of them than that."""
 WAYS = (-0.03, 0.03, -0.3, 0.3)
 """... and a curve beside its middle these shares of it."""
 
@@ -91,7 +93,10 @@ def _passing(
 ) -> tuple[Array, Array]:
     """One piece of the singular curve in each triangle that it passes, its ends on the sides; ``cuts`` takes those on
     the rim. Where a piece doesn't follow the curve, as where two branches cross, the triangles around are quartered."""
-    positive = sheet.look(q).numerator >= 0
+    numerator = sheet.look(q).numerator
+    # A triangle beside the rim may bulge beyond it, so that a quarter of it lies outside.
+    triangles = triangles[np.isfinite(numerator)[triangles].all(axis=1)]
+    positive = numerator >= 0
     passed = np.flatnonzero(positive[triangles].any(axis=1) & ~positive[triangles].all(axis=1))
     sides = _sides(triangles[passed])
     crossed = positive[sides[:, 0]] != positive[sides[:, 1]]
@@ -111,7 +116,8 @@ def _passing(
     at[crossed] = where.ravel()
     two = np.sort(at.reshape(3, -1), axis=0)[1:]
     a, b = places[:, two[0]], places[:, two[1]]
-    astray = passed[~_followed(sheet, a, b)] if level < LEVELS else passed[:0]
+    long = np.abs(a - b).max(axis=0) > SHORT
+    astray = passed[long & ~_followed(sheet, a, b)] if level < LEVELS and len(triangles) < MOST else passed[:0]
     if not astray.size:
         return a, b
     held = np.isin(triangles, np.unique(np.concatenate(border))).any(axis=1)

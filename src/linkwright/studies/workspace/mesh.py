@@ -20,7 +20,7 @@ CLEAR = 1e-3
 """A reach above this is far from the rim."""
 AROUND = 1.5
 """Around a pit the mesh is finer within so many steps ..."""
-NARROWER = 30
+NARROWER = 22
 """... halved so often."""
 
 
