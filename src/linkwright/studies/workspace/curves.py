@@ -18,6 +18,7 @@ from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
+Ends = tuple[Array, Array]
 
 ROUNDS = 24
 """Segments are halved at most so many times."""
@@ -48,16 +49,13 @@ class Segments:
 def curves(sheet: Sheet, mesh: Mesh, chord: float) -> list[Segments]:
     """All of a sheet's curves, their paths' chords within ``chord`` (m)."""
     inner, rim, pits = _singular(sheet, mesh)
-    limit = mesh.q[:, mesh.limit.T].swapaxes(0, 1)
+    limit = mesh.q[:, mesh.limit[:, 0]], mesh.q[:, mesh.limit[:, 1]]
     return [
-        refined(sheet, "singular", *inner, chord, lambda q: sheet.look(q).numerator),
-        refined(sheet, "modes", *rim, chord, lambda q: sheet.place(q)[1] - RIM),
-        refined(sheet, "pins", *pits, chord, None),
-        refined(sheet, "limit", *limit, chord, None),
+        refined(sheet, "singular", inner, chord, lambda q: sheet.look(q).numerator),
+        refined(sheet, "modes", rim, chord, lambda q: sheet.place(q)[1] - RIM),
+        refined(sheet, "pins", pits, chord, None),
+        refined(sheet, "limit", limit, chord, None),
     ]
-
-
-Ends = tuple[Array, Array]
 
 
 def _singular(sheet: Sheet, mesh: Mesh) -> tuple[Ends, Ends, Ends]:
@@ -108,8 +106,7 @@ def _passing(
         ends = q[:, pairs[chosen, 0]], q[:, pairs[chosen, 1]]
         sign = positive[pairs[chosen, 0]]
         path = _along_rim(sheet, *ends) if bent else _straight(*ends)
-        share = halved(lambda s, path=path, sign=sign: (sheet.look(path(s)).numerator >= 0) == sign, sign.size)
-        places[:, chosen] = path(share)
+        places[:, chosen] = path(_turning(sheet, path, sign))
     stops = on_rim | on_pit
     cuts |= {(i, k): place for (i, k), place in zip(pairs[stops].tolist(), places[:, stops].T, strict=True)}
     at = np.full(len(sides), -1)
@@ -157,6 +154,11 @@ def _followed(sheet: Sheet, a: Array, b: Array) -> NDArray[np.bool_]:
     return found & _beside(f, a, middle)[1] & _beside(f, middle, b)[1]
 
 
+def _turning(sheet: Sheet, path: Callable[[Array], Array], sign: NDArray[np.bool_]) -> Array:
+    """The shares of paths up to which the numerator has its first sign."""
+    return halved(lambda share: (sheet.look(path(share)).numerator >= 0) == sign, sign.size)
+
+
 def _sides(triangles: Rows) -> Rows:
     """The three sides of each triangle: all first ones, all second ones, all third ones."""
     return np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
@@ -194,17 +196,22 @@ def _along_rim(sheet: Sheet, a: Array, b: Array) -> Callable[[Array], Array]:
             beyond = sheet.place(q + side * WAY * across)[1] > RIM
             turned = (beyond != inside) & (found == q).all(axis=0)
             if turned.any():
-                start, step, was = q[:, turned], side * WAY * across[:, turned], inside[turned]
-                at = halved(lambda s, i=start, d=step, w=was: (sheet.place(i + s * d)[1] > RIM) == w, start.shape[1])
-                found[:, turned] = start + np.where(was, at, at + 2.0**-HALVINGS) * step
+                found[:, turned] = _to_rim(sheet, q[:, turned], side * WAY * across[:, turned], inside[turned])
         return found
 
     return path
 
 
-def refined(sheet: Sheet, kind: str, a: Array, b: Array, chord: float, f: Callable[[Array], Array] | None) -> Segments:
+def _to_rim(sheet: Sheet, start: Array, step: Array, inside: NDArray[np.bool_]) -> Array:
+    """The places on the rim between start and start + step, just inside."""
+    at = halved(lambda share: (sheet.place(start + share * step)[1] > RIM) == inside, inside.size)
+    return np.asarray(start + np.where(inside, at, at + 2.0**-HALVINGS) * step)
+
+
+def refined(sheet: Sheet, kind: str, ends: Ends, chord: float, f: Callable[[Array], Array] | None) -> Segments:
     """Segments halved until the middle of each path lies within ``chord`` of its chord; the curve is where ``f`` is 0,
     or straight in the drives' plane."""
+    a, b = ends
     done: list[tuple[Array, Array, Array]] = []
     pa, pb = sheet.place(a)[0], sheet.place(b)[0]
     for turn in range(ROUNDS):
