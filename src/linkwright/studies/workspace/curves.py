@@ -150,8 +150,8 @@ def _followed(sheet: Sheet, a: Array, b: Array) -> NDArray[np.bool_]:
     def f(q: Array) -> Array:
         return sheet.look(q).numerator
 
-    middle, found = _beside(f, a, b)
-    return found & _beside(f, a, middle)[1] & _beside(f, middle, b)[1]
+    middle, found = _beside(f, a, b, rough=True)
+    return found & _beside(f, a, middle, rough=True)[1] & _beside(f, middle, b, rough=True)[1]
 
 
 def _turning(sheet: Sheet, path: Callable[[Array], Array], sign: NDArray[np.bool_]) -> Array:
@@ -233,17 +233,21 @@ def refined(sheet: Sheet, kind: str, ends: Ends, chord: float, f: Callable[[Arra
     return Segments(kind, *(np.concatenate(parts, axis=-1) for parts in zip(*done, strict=True)))
 
 
-def _beside(f: Callable[[Array], Array], a: Array, b: Array) -> tuple[Array, NDArray[np.bool_]]:
-    """The zeros of f on the normals through the middles of segments; whether there is one nearby."""
+def _beside(f: Callable[[Array], Array], a: Array, b: Array, rough: bool = False) -> tuple[Array, NDArray[np.bool_]]:
+    """The zeros of f on the normals through the middles of segments (``rough``: where a line through two places has
+    it); whether there is one nearby."""
     middle, across = (a + b) / 2, np.stack([a[1] - b[1], b[0] - a[0]])
     here = f(middle)
     share, found = np.zeros(a.shape[1]), here == 0
     for way in WAYS:
         there = f(middle + way * across)
         fresh = np.flatnonzero(~found & (np.sign(here) * np.sign(there) < 0))
-        ends = np.zeros(fresh.size), np.full(fresh.size, way)
-        root = bracketed(lambda s, i: f(middle[:, i] + s * across[:, i]), fresh, np.minimum(*ends), np.maximum(*ends))
-        share[fresh], found[fresh] = root, True
+        share[fresh] = way * here[fresh] / (here[fresh] - there[fresh])
+        found[fresh] = True
+        if not rough and fresh.size:
+            ends = np.zeros(fresh.size), np.full(fresh.size, way)
+            low, high = np.minimum(*ends), np.maximum(*ends)
+            share[fresh] = bracketed(lambda s, i: f(middle[:, i] + s * across[:, i]), fresh, low, high)
     return middle + share * across, found
 
 
