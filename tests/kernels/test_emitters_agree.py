@@ -22,7 +22,7 @@ from linkwright.kernels import KERNELS, Compiled, compile_mechanism
 from linkwright.model.document import load
 from linkwright.studies.cycle import CycleOptions, span
 
-# An example called so has the links, groups and forces of another one: it shows another study or another law of a drive,
+# An example called so has the links, groups and forces of another: it shows another study or another law of a drive,
 # which are no part of a program. To compile it would take seconds and prove nothing new.
 REPEATS = ("_accuracy", "_allocation", "_calibration", "_dwell", "_sweep", "_workspace")
 FOLDER = Path(__file__).parents[2] / "examples"
