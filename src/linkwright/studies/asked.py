@@ -97,27 +97,35 @@ class Sampling(Asked):
 
 def check_outputs(compiled: Compiled, options: Asked) -> Iterator[Finding]:
     """What is wrong with the outputs."""
-    quantities, known = compiled.quantities, compiled.mechanism.measures
-    names = Names(compiled.mechanism, quantities.signals)
+    known = compiled.mechanism.measures
     if options.outputs is None and not known:
         yield Finding("study.no-outputs", ("studies", options.study))
     for i, output in enumerate(options.outputs or ()):
         if output.text in known:
             continue
         path = ("studies", options.study, "outputs", i)
-        parts = [part for part in nodes(output.node) if isinstance(part, Name | Call)]
-        if not any(is_signal(part) for part in parts):
-            data = {"text": output.text[:60], "near": near(output.text, [*known])}
-            yield Finding("study.no-output", path, data)
-            continue
-        place = Place(path, output, u.PURE, Scope.SIGNALS)
-        wrong = [*names.unknown(place), *names.misplaced(place)]
-        yield from wrong
-        if not wrong:
-            try:
-                quantities.dimensions.bind(output.node, None)
-            except DimensionError as error:
-                yield Finding(error.key, path, quantities.spelt(error.data))
+        if of_signals(output):
+            yield from signal_faults(compiled, output, path)
+        else:
+            yield Finding("study.no-output", path, {"text": output.text[:60], "near": near(output.text, [*known])})
+
+
+def of_signals(expression: Expression) -> bool:
+    """Whether it names any signal."""
+    return any(isinstance(part, Name | Call) and is_signal(part) for part in nodes(expression.node))
+
+
+def signal_faults(compiled: Compiled, expression: Expression, path: tuple[str | int, ...]) -> list[Finding]:
+    """What is wrong with the names of an expression of signals, or else with its dimensions."""
+    quantities = compiled.quantities
+    place, names = Place(path, expression, u.PURE, Scope.SIGNALS), Names(compiled.mechanism, quantities.signals)
+    if wrong := [*names.unknown(place), *names.misplaced(place)]:
+        return wrong
+    try:
+        quantities.dimensions.bind(expression.node, None)
+    except DimensionError as error:
+        return [Finding(error.key, path, quantities.spelt(error.data))]
+    return []
 
 
 def check_span(compiled: Compiled, options: Asked, varied: frozenset[str], at: str) -> Iterator[Finding]:
