@@ -32,10 +32,12 @@ def one_of(study: str, key: str, known: Sequence[str]) -> Any:
     return Annotated[str, BeforeValidator(check), WithJsonSchema({"type": "string", "enum": [*known]})]
 
 
-class Asked(Frozen):
-    """The outputs that are wanted of each sample, over the run of the file's cycle."""
+class Sampling(Frozen):
+    """The options of a study of many samples: the outputs that are wanted of each, over the run of the file's cycle."""
 
     study: ClassVar[str]
+    if TYPE_CHECKING:
+        kernel: str  # a field of each study, since its faults name the study
 
     poses: int | None = Field(
         None, ge=1, le=100_000, description="equal steps at whose ends signals are taken; the cycle's by default"
@@ -78,13 +80,6 @@ class Asked(Frozen):
         texts = {output.text: output for output in self.outputs or () if output.text not in known}
         return [*texts.values()]
 
-
-class Sampling(Asked):
-    """The options of a study of many samples."""
-
-    if TYPE_CHECKING:
-        kernel: str
-
     @property
     def keeps(self) -> bool:
         """Whether every value of every signal is kept."""
@@ -95,7 +90,7 @@ class Sampling(Asked):
         raise NotImplementedError
 
 
-def check_outputs(compiled: Compiled, options: Asked) -> Iterator[Finding]:
+def check_outputs(compiled: Compiled, options: Sampling) -> Iterator[Finding]:
     """What is wrong with the outputs."""
     known = compiled.mechanism.measures
     if options.outputs is None and not known:
@@ -128,7 +123,7 @@ def signal_faults(compiled: Compiled, expression: Expression, path: tuple[str | 
     return []
 
 
-def check_span(compiled: Compiled, options: Asked, varied: frozenset[str], at: str) -> Iterator[Finding]:
+def check_span(compiled: Compiled, options: Sampling, varied: frozenset[str], at: str) -> Iterator[Finding]:
     """The run is as long for all samples, so no parameter that is ``varied`` may change that; ``at`` is the option
     that names these."""
     cycle, m = options.cycle, compiled.mechanism
