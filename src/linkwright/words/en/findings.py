@@ -650,13 +650,13 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "State smaller correlations, or normal distributions.",
     ),
     "accuracy.samples-fail": (
-        "{count} of {samples} random samples inside the tolerances have no value at some place, {share} % (of all that "
-        "might be made {low} to {high} %, with 95 % confidence). They are in no other figure.",
+        "{count} of {samples} random samples inside the tolerances lack a value of some output, {share} % (of all that "
+        "might be made {low} to {high} %, with 95 % confidence). Each output's figures are those of the samples that have it.",
         "Narrow the tolerances, or change the dimensions so that the mechanism can be assembled with all of them.",
     ),
     "accuracy.points-fail": (
-        "{count} of {samples} samples inside the tolerances have no value at some place, {share} %. They are in no other "
-        "figure.",
+        "{count} of {samples} samples inside the tolerances lack a value of some output, {share} %. Each output's figures "
+        "are those of the samples that have it.",
         "Narrow the tolerances, or change the dimensions so that the mechanism can be assembled with all of them. Take the "
         "plan random or latin for a confidence interval of the share.",
     ),
