@@ -24,7 +24,7 @@ Interval = tuple[float, float]
 
 SLACK = 1e-13
 """A group closes with a room above -SLACK times the square of the mechanism's largest link: less is round-off."""
-FIRST, MOST = 128, 512
+FIRST, MOST = 64, 512
 """The grids of both drives are doubled between these steps until the intervals stay the same ..."""
 SAME = 1e-9
 """... to this share of the range."""
@@ -154,6 +154,8 @@ def positive(
     yes = g >= -SLACK
     if yes.all():
         return [(low, high)], True
+    if not yes.any():
+        return [], False
     turn = np.flatnonzero(yes[:-1] != yes[1:])
     slack = np.where(np.maximum(g[turn], g[turn + 1]) < 0, SLACK, 0.0)  # where it only comes near zero
     ends = bracketed(lambda t, i: f(t) + slack[i], np.arange(turn.size), q[turn], q[turn + 1]).tolist()
