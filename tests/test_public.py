@@ -39,6 +39,7 @@ PUBLIC = [
     "run",
     "save",
     "sweep",
+    "workspace",
 ]
 SOURCE = Path(linkwright.__file__).parent
 

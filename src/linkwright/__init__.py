@@ -13,7 +13,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from linkwright.app import Job, accuracy, check, modes, run, sweep
+    from linkwright.app import Job, accuracy, check, modes, run, sweep, workspace
     from linkwright.kernels import Compiled
     from linkwright.kernels import compile_mechanism as compile
     from linkwright.model.builder import Builder
@@ -44,6 +44,7 @@ _PLACES = {
     "run": ("linkwright.app", "run"),
     "save": ("linkwright.model.document", "save"),
     "sweep": ("linkwright.app", "sweep"),
+    "workspace": ("linkwright.app", "workspace"),
 }
 
 __all__ = [
@@ -66,6 +67,7 @@ __all__ = [
     "run",
     "save",
     "sweep",
+    "workspace",
 ]
 
 

@@ -6,6 +6,7 @@ from linkwright.app.assembly_modes import ModesJob, modes, modes_of_file
 from linkwright.app.bench import Bench, bench_file
 from linkwright.app.job import Examined, Job, check, examine_file, perform, run, write
 from linkwright.app.sweeps import sweep
+from linkwright.app.workspaces import workspace
 
 __all__ = [
     "Bench",
@@ -23,5 +24,6 @@ __all__ = [
     "run",
     "runner_of",
     "sweep",
+    "workspace",
     "write",
 ]

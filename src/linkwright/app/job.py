@@ -28,6 +28,7 @@ from linkwright.studies import (
     read_studies,
 )
 from linkwright.studies.accuracy.outcome import AccuracyOutcome
+from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite")
 """Codes that begin so mean a model that can't do what is asked (exit code 1); all others a wrong file (2)."""
@@ -126,6 +127,11 @@ class Job:
     def accuracy(self) -> AccuracyOutcome | None:
         """The outcome of the accuracy study, where the file asks for it."""
         return self.outcomes.get("accuracy")
+
+    @property
+    def workspace(self) -> WorkspaceOutcome | None:
+        """The outcome of the workspace study, where the file asks for it."""
+        return self.outcomes.get("workspace")
 
     @property
     def found(self) -> list[Finding]:

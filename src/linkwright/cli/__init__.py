@@ -174,6 +174,33 @@ def accuracy(samples: int | None, kernel: str | None, **others: Any) -> None:
     _perform_alone("accuracy", {"samples": samples, "kernel": kernel}, **others)
 
 
+@cli.command(help=say("cli.workspace"))
+@_file
+@click.option("--out", type=click.Path(path_type=Path), help=say("cli.out"))
+@click.option("--dxf", is_flag=True, help=say("cli.dxf"))
+@_json
+def workspace(file: Path, out: Path | None, dxf: bool, as_json: bool) -> None:
+    """Perform the workspace study alone."""
+    from linkwright import app
+    from linkwright.cli import show
+    from linkwright.model.findings import ModelError
+    from linkwright.model.machine import needed
+    from linkwright.studies import Site
+
+    examined = app.examine_file(file, only="workspace")
+    if dxf:
+        try:
+            needed("ezdxf", "cad")
+        except ModelError as error:
+            examined.findings += error.findings
+    folder = out or _beside(file)
+    with show.working(file, "workspace", quiet=as_json) as progress:
+        job = app.perform(examined, Site(out=folder, progress=progress))
+        if job.outcomes:
+            _writing(folder, job, False)
+    _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
+
+
 @cli.command(help=say("cli.bench"))
 @_file
 @click.option("--poses", type=click.IntRange(1, 10**9), default=1_000_000, show_default=True, help=say("cli.poses"))

@@ -28,6 +28,7 @@ from linkwright.report.modes import circuit_text, mode_text, modes_data
 from linkwright.report.parts import measure
 from linkwright.report.sweep import sentence as sweep_sentence
 from linkwright.report.sweep import sweep_tables
+from linkwright.report.workspace import workspace_sentences, workspace_tables
 from linkwright.words import say
 
 out = Console(highlight=False, soft_wrap=True)
@@ -120,6 +121,10 @@ def job(done: Job, file: Path) -> None:
         for text in accuracy_sentences(done.accuracy):
             out.print(escape(text))
         _grids([*overview(done.accuracy), *further(done.accuracy)])
+    if done.workspace is not None:
+        for text in workspace_sentences(done.workspace):
+            out.print(escape(text))
+        _grids(workspace_tables(done.workspace))
     for item in done.examined.located(done.found):
         finding(item, file)
     if done.folder is not None:

@@ -194,6 +194,14 @@ class AccuracyData(TypedDict):
     tables: Sequence[Grid]
 
 
+class WorkspaceData(TypedDict):
+    """The workspace study: what was found in sentences, a picture of each workspace, tables."""
+
+    sentences: Sequence[str]
+    charts: Sequence[Chart]
+    tables: Sequence[Grid]
+
+
 class Check(TypedDict):
     """One line of the certificate: its figure and what it means, in a sentence."""
 
@@ -238,3 +246,4 @@ class ReportData(TypedDict):
     modes: NotRequired[ModesData]
     sweep: NotRequired[SweepData]
     accuracy: NotRequired[AccuracyData]
+    workspace: NotRequired[WorkspaceData]

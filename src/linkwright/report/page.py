@@ -52,6 +52,7 @@ def page(data: ReportData) -> str:
             sections.limits(data),
             sections.sweep(data),
             sections.accuracy(data),
+            sections.workspace(data),
             sections.plots(data),
             sections.modes(data),
             sections.structure(data),

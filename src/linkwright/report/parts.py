@@ -23,6 +23,8 @@ from linkwright.report.summary import cycle_entry
 from linkwright.report.sweep import sweep_entry, sweep_page
 from linkwright.report.sweep_files import bands_csv, samples_csv
 from linkwright.report.sweep_files import netcdf_bytes as sweep_netcdf
+from linkwright.report.workspace import workspace_entry, workspace_page
+from linkwright.report.workspace_files import boundary_csv, dxf, geojson, svg
 from linkwright.results import Result
 from linkwright.results.netcdf import netcdf_bytes
 from linkwright.studies import CycleOutcome, LimitsOutcome, MeasureResult, SweepOutcome
@@ -122,6 +124,17 @@ PARTS: dict[str, Part] = {
         files={"accuracy.csv": contributors_csv, "accuracy_bands.csv": accuracy_bands_csv},
         netcdf={"accuracy.nc": accuracy_netcdf},
         settle=AccuracyOutcome.settle,
+    ),
+    "workspace": Part(
+        summary=workspace_entry,
+        page=workspace_page,
+        result=lambda outcome: outcome.result,
+        files={
+            "workspace.geojson": geojson,
+            "workspace.svg": svg,
+            "workspace_boundary.csv": boundary_csv,
+            "workspace.dxf": dxf,
+        },
     ),
 }
 """By study, in the order in which they stand in summary and report."""

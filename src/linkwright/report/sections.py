@@ -9,6 +9,7 @@ from linkwright.report.accuracy_page import section as accuracy_section
 from linkwright.report.data import Check, Grid, Measure, Plot, ReportData
 from linkwright.report.modes import section
 from linkwright.report.sweep import section as sweep_section
+from linkwright.report.workspace import section as workspace_section
 
 GROUPS = ("motion", "force")
 
@@ -37,7 +38,7 @@ def header(data: ReportData) -> str:
 def _contents(data: ReportData) -> str:
     parts = [("mechanism", True), ("measures", bool(data["measures"]))]
     parts += [("certificate", bool(data["certificate"])), ("limits", bool(data.get("limits")))]
-    parts += [("sweep", "sweep" in data), ("accuracy", "accuracy" in data)]
+    parts += [("sweep", "sweep" in data), ("accuracy", "accuracy" in data), ("workspace", "workspace" in data)]
     parts += [(group, any(plot["group"] == group for plot in data["plots"])) for group in GROUPS]
     parts += [("modes", "modes" in data), ("structure", bool(data["structure"])), ("model", bool(data["model_text"]))]
     words = data["words"]
@@ -142,6 +143,14 @@ def accuracy(data: ReportData) -> str:
     if "accuracy" not in data:
         return ""
     return accuracy_section(data["accuracy"], data["words"]["report.accuracy"], _grid)
+
+
+def workspace(data: ReportData) -> str:
+    """The pictures and tables of workspaces."""
+    if "workspace" not in data:
+        return ""
+    found = data["workspace"]
+    return workspace_section(found, data["words"]["report.workspace"], "".join(map(_grid, found["tables"])))
 
 
 def structure(data: ReportData) -> str:

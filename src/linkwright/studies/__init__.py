@@ -11,6 +11,8 @@ from linkwright.studies.sampling import Interrupted
 from linkwright.studies.site import NOWHERE, Site
 from linkwright.studies.sweep_options import SweepOptions
 from linkwright.studies.sweep_outcome import SweepOutcome
+from linkwright.studies.workspace.outcome import WorkspaceOutcome
+from linkwright.studies.workspace.study import WorkspaceStudy  # noqa: F401
 
 __all__ = [
     "NOWHERE",
@@ -27,6 +29,7 @@ __all__ = [
     "SweepOptions",
     "SweepOutcome",
     "Task",
+    "WorkspaceOutcome",
     "find_modes",
     "read_studies",
 ]

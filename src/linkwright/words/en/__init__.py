@@ -6,5 +6,6 @@ from linkwright.words.en.limits import LIMITS
 from linkwright.words.en.report import REPORT
 from linkwright.words.en.sweep import SWEEP
 from linkwright.words.en.texts import TEXTS
+from linkwright.words.en.workspace import WORKSPACE
 
-WORDS: dict[str, str] = {**ACCURACY, **FINDINGS, **LIMITS, **REPORT, **SWEEP, **TEXTS}
+WORDS: dict[str, str] = {**ACCURACY, **FINDINGS, **LIMITS, **REPORT, **SWEEP, **TEXTS, **WORKSPACE}

@@ -650,13 +650,13 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "State smaller correlations, or normal distributions.",
     ),
     "accuracy.samples-fail": (
-        "{count} of {samples} random samples inside the tolerances have no value at some place, {share} % (of all that "
-        "might be made {low} to {high} %, with 95 % confidence). They are in no other figure.",
+        "{count} of {samples} random samples inside the tolerances lack a value of some output, {share} % (of all that "
+        "might be made {low} to {high} %, with 95 % confidence). Each output's figures are those of the samples that have it.",
         "Narrow the tolerances, or change the dimensions so that the mechanism can be assembled with all of them.",
     ),
     "accuracy.points-fail": (
-        "{count} of {samples} samples inside the tolerances have no value at some place, {share} %. They are in no other "
-        "figure.",
+        "{count} of {samples} samples inside the tolerances lack a value of some output, {share} %. Each output's figures "
+        "are those of the samples that have it.",
         "Narrow the tolerances, or change the dimensions so that the mechanism can be assembled with all of them. Take the "
         "plan random or latin for a confidence interval of the share.",
     ),
@@ -722,6 +722,40 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "study.none": (
         "The file asks for no study.",
         "Add one, for example studies: {{cycle: {{period: 1.5 s, samples: 200}}}}.",
+    ),
+    # Of workspaces.
+    "workspace.drives": (
+        "A workspace needs two drives (or one: then it is a curve); this mechanism has {count}: {names}.",
+        "Fix links to each other until two drives are left, or give the mechanism another drive.",
+    ),
+    "workspace.cluster": (
+        "The workspace study knows mechanisms of dyads only; this one has a group that is solved by Newton's method: {groups}.",
+        "Take a mechanism whose groups are pairs of links; the limits study moves one drive of this one.",
+    ),
+    "workspace.fixed-point": (
+        "The working point {name} lies on the frame, so that it doesn't move.",
+        "Take a point of a moving link: {near}.",
+    ),
+    "workspace.no-values": (
+        "There are no values of {name}.",
+        "Give at least one, for example [0, 60, 90]; or leave the parameter out.",
+    ),
+    "workspace.no-range": (
+        "The drive {drive} slides, and nothing says how far.",
+        "Give its range, for example drives: {{{drive}: [0 {unit}, 100 {unit}]}}; or a cylinder's length.",
+    ),
+    "workspace.too-many": (
+        "These would be {count} regions; at most {limit} are computed.",
+        "Take fewer values, or modes: own.",
+    ),
+    "workspace.no-area": (
+        "The point {name} moves along curves only, so that it has no region (values: {values}).",
+        "Take a point that both drives move.",
+    ),
+    "workspace.never-closes": (
+        "The links never close (values: {values}): {links} fail nearest to closing at {at}, where {joints} are {distance} {unit} "
+        "apart, {by} {unit} {way} than the links can span ({limit} {unit}).",
+        "Make the links {direction}, by {by} {unit} at least; or widen the drives' ranges.",
     ),
     # Of clearances.
     "clearance.no-joint": (

@@ -47,5 +47,6 @@ REPORT: dict[str, str] = {
     "report.verdict": "Verdict",
     "report.violated": "does not hold",
     "report.where": "Where",
+    "report.workspace": "Workspace",
     "report.whole_time": "Show the whole time",
 }

@@ -1,0 +1,36 @@
+"""The workspace study by itself: that of a file, or one stated in Python."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from linkwright.app.alone import perform_alone
+from linkwright.model.mechanism import Document
+from linkwright.studies.workspace.outcome import WorkspaceOutcome
+
+
+def workspace(
+    model: str | Path | Document,
+    point: str | None = None,
+    values: Mapping[str, Sequence[Any]] | None = None,
+    *,
+    modes: str | None = None,
+    drives: Mapping[str, Sequence[Any]] | None = None,
+    chord: float | None = None,
+    options: Mapping[str, Any] | None = None,
+    out: str | Path | None = None,
+    folder: str | Path | None = None,
+) -> WorkspaceOutcome:
+    """Where a point gets to with two drives, in each assembly mode.
+
+    What isn't given is that of the file's study ``workspace``: ``values`` of parameters (its key ``for``), as
+    ``{"alpha": [0, 60, 90]}``; ``options`` are further keys of it, written as there. With ``out``, a folder, files are
+    written there. Raises :class:`ModelError` with all findings.
+    """
+    given = {"point": point, "for": values, "modes": modes, "drives": drives, "chord": chord}
+    stated = {key: value for key, value in given.items() if value is not None}
+    outcome = perform_alone(model, "workspace", {**(options or {}), **stated}, out=out, folder=folder)
+    assert isinstance(outcome, WorkspaceOutcome)
+    return outcome

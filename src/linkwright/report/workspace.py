@@ -1,0 +1,175 @@
+"""The workspace study as entries of the summary, sentences and tables, in the file's units."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from linkwright.model import units as u
+from linkwright.report.charts import figures as charts_html
+from linkwright.report.data import Grid, WorkspaceData
+from linkwright.report.workspace_picture import pictures
+from linkwright.studies.workspace.outcome import Figures, Workspace, WorkspaceOutcome, figures
+from linkwright.words import say
+
+
+def workspace_entry(outcome: WorkspaceOutcome) -> dict[str, Any]:
+    """Entries of the summary: lengths in the file's unit, areas in its square."""
+    unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
+    regions, unions, overlaps, curves = [], [], [], []
+    for one in outcome.workspaces:
+        values = shown_values(outcome, one)
+        for reached in one.regions:
+            region = reached.region
+            more = {"unit": unit, "steps": region.steps, "change": known(region.change), "rough": reached.rough / size}
+            regions.append({"mode": reached.mode, **values, **_told(reached.figures, size), **more})
+        if one.regions:
+            both = sum_of_overlaps(one)
+            unions.append({**values, **_told(figures(one.union), size), "several": both / size**2, "unit": unit})
+        for overlap in one.overlaps:
+            first, second = one.regions[overlap.first], one.regions[overlap.second]
+            told = figures(overlap.shape)
+            overlaps.append(
+                {
+                    "modes": [first.mode, second.mode],
+                    **values,
+                    "area": told.area / size**2,
+                    "share": told.area / min(first.figures.area, second.figures.area),
+                    "parts": told.parts,
+                    "bounds": _bounds(told.bounds, size),
+                    "unit": unit,
+                }
+            )
+        for curve in one.curves:
+            told_curve = {"length": curve.length / size, "parts": len(curve.stretches), "unit": unit}
+            closed = all(stretch.closed for stretch in curve.stretches)
+            bounds = _bounds(curve.bounds, size)
+            curves.append({"mode": curve.mode, **values, **told_curve, "closed": closed, "bounds": bounds})
+    entry: dict[str, Any] = {"point": outcome.point, "drives": _drives(outcome), "chord": outcome.chord / size}
+    entry |= {"unit": unit, "regions": regions, "union": unions, "overlap": overlaps}
+    entry |= {"curves": curves} if curves else {}
+    return {"workspace": entry | {name: part.as_dict() for name, part in outcome.parts.items()}}
+
+
+def sum_of_overlaps(one: Workspace) -> float:
+    """The area (m2) that several modes reach."""
+    import shapely
+
+    return float(shapely.union_all([overlap.shape for overlap in one.overlaps]).area) if one.overlaps else 0.0
+
+
+def shown_values(outcome: WorkspaceOutcome, one: Workspace) -> dict[str, float]:
+    """The varied parameters of a workspace by name, in their units; angles in the file's."""
+    made = {}
+    for name, value in one.values.items():
+        size = outcome.compiled.quantities.unit_of(outcome.compiled.quantities.dimensions.of(name))[1]
+        made[name] = float(f"{value / size:.12g}")
+    return made
+
+
+def values_text(outcome: WorkspaceOutcome, one: Workspace) -> str:
+    """The same in a line."""
+    quantities = outcome.compiled.quantities
+    units = {name: quantities.unit_of(quantities.dimensions.of(name))[0] for name in one.values}
+    return ", ".join(f"{name} = {v:.6g} {units[name]}".strip() for name, v in shown_values(outcome, one).items())
+
+
+def known(value: float) -> float | None:
+    """A number, or nothing."""
+    return value if math.isfinite(value) else None
+
+
+def _bounds(bounds: tuple[float, ...], size: float) -> list[float | None]:
+    return [known(edge / size) for edge in bounds]
+
+
+def _told(found: Figures, size: float) -> dict[str, Any]:
+    return {
+        "area": found.area / size**2,
+        "perimeter": found.perimeter / size,
+        "holes": found.holes,
+        "parts": found.parts,
+        "bounds": _bounds(found.bounds, size),
+        "centroid": _bounds(found.centroid, size),
+    }
+
+
+def _drives(outcome: WorkspaceOutcome) -> dict[str, Any]:
+    made = {}
+    for drive in outcome.compiled.graph.drives:
+        unit, size = outcome.compiled.quantities.drive_unit(drive)
+        low, high = outcome.options.range(outcome.compiled, drive) or (math.nan, math.nan)
+        made[drive] = {"from": low / size, "to": high / size, "unit": unit}
+    return made
+
+
+def workspace_page(outcome: WorkspaceOutcome) -> dict[str, WorkspaceData]:
+    """The report's data of the study."""
+    return {
+        "workspace": {
+            "sentences": workspace_sentences(outcome),
+            "charts": pictures(outcome, [values_text(outcome, one) for one in outcome.workspaces]),
+            "tables": workspace_tables(outcome),
+        }
+    }
+
+
+def section(data: WorkspaceData, title: str, tables: str) -> str:
+    """The report's section."""
+    from html import escape
+
+    head = "".join(f"<p>{escape(text)}</p>" for text in data["sentences"])
+    charts = f'<div class="plots">{charts_html(data["charts"])}</div>' if data["charts"] else ""
+    return f'<section id="workspace"><h2>{escape(title)}</h2>{head}{charts}{tables}</section>'
+
+
+def workspace_sentences(outcome: WorkspaceOutcome) -> list[str]:
+    """What was found, and how exact it is."""
+    unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
+    if curves := [curve for one in outcome.workspaces for curve in one.curves]:
+        return [say("workspace.sentence.curves", point=outcome.point, count=len(curves))]
+    if not outcome.regions:
+        return [say("workspace.sentence.none")]
+    data = {"point": outcome.point, "count": len(outcome.regions), "unit": unit}
+    told = [say("workspace.sentence", chord=f"{outcome.chord / size:.2g}", **data)]
+    rough = max(one.rough for one in outcome.regions)
+    if rough > outcome.chord:
+        told.append(say("workspace.rough", rough=f"{rough / size:.2g}", unit=unit))
+    return told
+
+
+def workspace_tables(outcome: WorkspaceOutcome) -> list[Grid]:
+    """Tables of text; those with nothing in them are left out."""
+    entry = workspace_entry(outcome)["workspace"]
+    names = [*outcome.options.for_]
+    grids = [
+        _grid("regions", ("mode", *_SHAPE), names, entry["regions"]),
+        _grid("union", (*_SHAPE[:-1], "both", "unit"), names, entry["union"]),
+        _grid("overlap", ("modes", "area", "share", "parts", "unit"), names, entry["overlap"]),
+        _grid("curves", ("mode", "length", "parts", "x", "y", "unit"), names, entry.get("curves", [])),
+    ]
+    return [grid for grid in grids if grid["rows"]]
+
+
+_SHAPE = ("area", "perimeter", "holes", "parts", "x", "y", "unit")
+
+
+def _grid(name: str, columns: tuple[str, ...], names: list[str], entries: list[Mapping[str, Any]]) -> Grid:
+    heads = [*names, *(say(f"workspace.column.{column}") for column in columns)]
+    rows = [[*(f"{entry[n]:.6g}" for n in names), *(_cell(entry, column) for column in columns)] for entry in entries]
+    return {"name": f"workspace-{name}", "title": say(f"workspace.table.{name}"), "heads": heads, "rows": rows}
+
+
+def _cell(entry: Mapping[str, Any], column: str) -> str:
+    if column in ("x", "y"):
+        low, high = entry["bounds"]["xy".index(column) :: 2]
+        return "-" if low is None else f"{low:.6g} .. {high:.6g}"
+    if column == "modes":
+        return " / ".join(entry["modes"])
+    if column == "mode":
+        return entry["mode"] or say("workspace.one-mode")
+    value = entry["several" if column == "both" else column]
+    if column == "share":
+        return f"{100 * value:.4g} %"
+    return str(value) if isinstance(value, int | str) else f"{value:.7g}"

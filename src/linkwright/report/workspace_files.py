@@ -1,0 +1,170 @@
+"""The files of a workspace study: GeoJSON, SVG, the boundaries as CSV, DXF."""
+
+from __future__ import annotations
+
+import io
+import json
+from collections.abc import Iterator
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.model import units as u
+from linkwright.report.csv_text import cell, head, written
+from linkwright.report.workspace import shown_values, values_text
+from linkwright.report.workspace_picture import pictures
+from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, pieces
+from linkwright.words import say
+
+Array = NDArray[np.float64]
+
+
+def geojson(outcome: WorkspaceOutcome) -> str | None:
+    """All regions, and what all modes together reach, as GeoJSON (RFC 7946, but for plane coordinates)."""
+    if not outcome.regions:
+        return None
+    unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
+    features = []
+    for one in outcome.workspaces:
+        told = {"point": outcome.point, "values": shown_values(outcome, one), "unit": unit}
+        for reached in one.regions:
+            told_region = {"kind": "region", "mode": reached.mode, **told, "area": reached.figures.area / size**2}
+            features.append(_feature(reached.shape, told_region, size))
+        area = float(one.union.area) / size**2
+        features.append(_feature(one.union, {"kind": "union", **told, "area": area}, size))
+    note = say("workspace.note", unit=unit)
+    return json.dumps({"type": "FeatureCollection", "note": note, "features": features}, ensure_ascii=False) + "\n"
+
+
+def _feature(shape: Any, properties: dict[str, Any], size: float) -> dict[str, Any]:
+    from shapely.geometry.polygon import orient
+
+    rings = [
+        [[[x / size, y / size] for x, y in ring.coords] for ring in (turned.exterior, *turned.interiors)]
+        for turned in map(orient, pieces(shape))
+    ]
+    geometry = {"type": "MultiPolygon", "coordinates": rings}
+    return {"type": "Feature", "properties": properties, "geometry": geometry}
+
+
+def svg(outcome: WorkspaceOutcome) -> str | None:
+    """The pictures of all workspaces, one below the other."""
+    if not outcome.workspaces:
+        return None
+    texts = [values_text(outcome, one) for one in outcome.workspaces]
+    drawn, top, width = [], 0.0, 0.0
+    for chart in pictures(outcome, texts):
+        box = chart["drawing"].split('viewBox="0 0 ', 1)[1].split('"', 1)[0]
+        wide, high = map(float, box.split())
+        drawn.append(
+            chart["drawing"].replace("<svg ", f'<svg y="{top:.0f}" width="{wide:.0f}" height="{high:.0f}" ', 1)
+        )
+        top, width = top + high, max(width, wide)
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}" height="{top:.0f}" '
+        f'viewBox="0 0 {width:.0f} {top:.0f}" color="#1d2733">'
+        f'<rect width="100%" height="100%" fill="#fff"/>{"".join(drawn)}</svg>\n'
+    )
+
+
+def boundary_csv(outcome: WorkspaceOutcome) -> str | None:
+    """Each point of each boundary: where, the drives' values that reach it, the kind of curve it lies on."""
+    if not outcome.workspaces:
+        return None
+    quantities = outcome.compiled.quantities
+    unit, size = quantities.unit_of(u.LENGTH)
+    names = [*outcome.options.for_]
+    drives = [(drive, *quantities.drive_unit(drive)) for drive in outcome.compiled.graph.drives]
+    heads = [head(n, quantities.unit_of(quantities.dimensions.of(n))[0]) for n in names]
+    heads += ["mode", "part", "ring", head("x", unit), head("y", unit), *(head(d, w) for d, w, _ in drives), "kind"]
+    sizes = [scale for _, _, scale in drives]
+    return written(heads, _rows(outcome, names, size, sizes))
+
+
+def _rows(outcome: WorkspaceOutcome, names: list[str], size: float, sizes: list[float]) -> Iterator[list[str]]:
+    for one in outcome.workspaces:
+        values = shown_values(outcome, one)
+        front = [cell(values[name]) for name in names]
+        for mode, part, ring, at, q, kinds in _rings(one):
+            for place, drive, kind in zip((at / size).T.tolist(), q.T.tolist(), kinds, strict=True):
+                back = [cell(v / scale) for v, scale in zip(drive, sizes, strict=True)]
+                yield [*front, mode, str(part), str(ring), *map(cell, place), *back, kind]
+
+
+Ring = tuple[str, int, int, Array, Array, list[str]]
+
+
+def _rings(one: Workspace) -> Iterator[Ring]:
+    """Each ring: mode, number of the part, number of the ring (0 is the outer one), places, drive values, kinds."""
+    for reached in one.regions:
+        reaching = Reaching(reached)
+        for part, polygon in enumerate(pieces(reached.shape), start=1):
+            for ring, line in enumerate((polygon.exterior, *polygon.interiors)):
+                at = np.array(line.coords).T
+                yield reached.mode, part, ring, at, *reaching.at(at)
+    for curve in one.curves:
+        for part, stretch in enumerate(curve.stretches, start=1):
+            yield curve.mode, part, 0, stretch.at, stretch.q[None], ["path"] * stretch.q.size
+
+
+class Reaching:
+    """The drive values that reach points of a region's boundary, on the pieces of its curves."""
+
+    def __init__(self, reached: Reached) -> None:
+        import shapely
+
+        sheet, segments = reached.region.sheet, reached.region.segments
+        self.a, self.b = (np.concatenate([getattr(one, end) for one in segments], axis=1) for end in "ab")
+        self.kinds = [one.kind for one in segments for _ in range(one.a.shape[1])]
+        self.ends = sheet.place(np.stack([self.a, self.b], axis=1).reshape(2, -1))[0].reshape(2, 2, -1)
+        self.tree = shapely.STRtree(shapely.linestrings(np.moveaxis(self.ends, (0, 1, 2), (2, 1, 0))))
+
+    def at(self, places: Array) -> tuple[Array, list[str]]:
+        """Drive values (2, n) and kinds at places (2, n)."""
+        import shapely
+
+        nearest = np.asarray(self.tree.nearest(shapely.points(places.T)))
+        start, way = self.ends[:, 0, nearest], self.ends[:, 1, nearest] - self.ends[:, 0, nearest]
+        square = (way * way).sum(axis=0)
+        along = ((places - start) * way).sum(axis=0) / np.where(square > 0, square, 1.0)
+        share = np.clip(along, 0.0, 1.0)
+        a, b = self.a[:, nearest], self.b[:, nearest]
+        return a + share * (b - a), [self.kinds[i] for i in nearest.tolist()]
+
+
+def dxf(outcome: WorkspaceOutcome) -> str | None:
+    """The rings as closed polylines, a layer for each mode and its values; nothing where ezdxf isn't installed."""
+    if not outcome.workspaces or find_spec("ezdxf") is None:
+        return None
+    import ezdxf
+    from ezdxf import units
+
+    unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
+    drawing: Any = ezdxf.new("R2010")  # type: ignore[attr-defined]
+    drawing.units = {"mm": units.MM, "cm": units.CM, "m": units.M, "in": units.IN, "ft": units.FT}.get(unit, 0)
+    space = drawing.modelspace()
+    for one in outcome.workspaces:
+        text = values_text(outcome, one)
+        for number, reached in enumerate(one.regions, start=1):
+            layer = _layer(drawing, f"{number} {reached.mode} {text}", number)
+            for polygon in pieces(reached.shape):
+                for ring in (polygon.exterior, *polygon.interiors):
+                    corners = np.array(ring.coords)[:-1] / size
+                    space.add_lwpolyline(corners.tolist(), close=True, dxfattribs={"layer": layer})
+        for number, curve in enumerate(one.curves, start=1):
+            layer = _layer(drawing, f"{number} {curve.mode} {text}", number)
+            for stretch in curve.stretches:
+                space.add_lwpolyline((stretch.at.T / size).tolist(), dxfattribs={"layer": layer})
+    stream = io.StringIO()
+    drawing.write(stream)
+    return stream.getvalue()
+
+
+def _layer(drawing: Any, text: str, number: int) -> str:
+    """A layer by a name that DXF takes."""
+    name = "".join("-" if letter in '<>/\\":;?*|=`,' else letter for letter in text).strip()[:200]
+    if name not in drawing.layers:
+        drawing.layers.add(name, color=1 + (number - 1) % 6)
+    return name

@@ -1,0 +1,159 @@
+"""The options of the workspace study, and what is wrong with them."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator
+from typing import Annotated
+
+from pydantic import Field
+
+from linkwright.kernels import Compiled
+from linkwright.kernels.varied import Varied
+from linkwright.model.dimensions import DimensionError
+from linkwright.model.fields import Expression, Frozen, FrozenDict
+from linkwright.model.fields import Name as NameField
+from linkwright.model.findings import Finding, ModelError
+from linkwright.model.parts import Interval, freeze
+from linkwright.model.quantities import LARGEST
+from linkwright.model.unknown import near, unknown
+from linkwright.structure import FRAME
+from linkwright.studies.asked import one_of
+from linkwright.studies.ranges import stroke
+from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.signs import combinations
+
+PATH = ("studies", "workspace")
+TURN = 2 * math.pi
+MOST = 200
+"""The most regions of one study."""
+
+Which = one_of("workspace", "modes", ["all", "own"])
+
+
+class WorkspaceOptions(Frozen):
+    """Which point, in which assembly modes, for which values of parameters, over which ranges of the drives."""
+
+    point: NameField = Field(description="the working point: any point of a moving link")
+    modes: Which = Field("all", description="all assembly modes, or the file's own")  # type: ignore[valid-type]
+    for_: Annotated[dict[NameField, tuple[Expression, ...]], freeze] = Field(
+        default_factory=FrozenDict,
+        alias="for",
+        description="values of parameters; each combination has a workspace of its own",
+        examples=[{"alpha": [0, 60, 90]}],
+    )
+    drives: Annotated[dict[NameField, Interval], freeze] = Field(
+        default_factory=FrozenDict,
+        description="[low, high] of a drive's value; else a whole turn, or a cylinder's stroke",
+    )
+    chord: float = Field(
+        1e-6, ge=1e-9, le=1e-2, description="how far the boundary may lie off, over the largest link length"
+    )
+
+    def values(self, compiled: Compiled) -> list[dict[str, float]]:
+        """Each combination of the parameters' values, in SI."""
+        quantities = compiled.quantities
+        lists = [
+            [quantities.value(v, quantities.dimensions.of(name)) for v in some] for name, some in self.for_.items()
+        ]
+        return [dict(zip(self.for_, some, strict=True)) for some in itertools.product(*lists)]
+
+    def box(self, compiled: Compiled) -> Box:
+        """The ranges of the two drives."""
+        ranges = [self.range(compiled, drive) for drive in compiled.graph.drives]
+        assert len(ranges) == 2 and None not in ranges
+        (low, high), turns = zip(*(r for r in ranges if r is not None), strict=True), self.turns(compiled)
+        return Box((low[0], low[1]), (high[0], high[1]), (turns[0], turns[1]))
+
+    def range(self, compiled: Compiled, drive: str) -> tuple[float, float] | None:
+        """The range of a drive's value, SI; ``None`` for a slide of which none is stated."""
+        if drive in self.drives:
+            quantities = compiled.quantities
+            low, high = (quantities.value(end, quantities.drive_dimension(drive)) for end in self.drives[drive])
+            return low, high
+        return (0.0, TURN) if compiled.mechanism.prescribed(drive).turns else stroke(compiled, drive)
+
+    def turns(self, compiled: Compiled) -> tuple[bool, ...]:
+        """Of which drives the range is a whole turn, so that its ends are one."""
+        ranges = [(drive, self.range(compiled, drive)) for drive in compiled.graph.drives]
+        return tuple(
+            bool(compiled.mechanism.prescribed(drive).turns and r and r[1] - r[0] >= TURN * (1 - 1e-12))
+            for drive, r in ranges
+        )
+
+
+def check(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
+    """What is wrong with options that are well-formed."""
+    drives = compiled.graph.drives
+    if not 1 <= len(drives) <= 2:
+        yield Finding("workspace.drives", ("drives",), {"count": len(drives), "names": ", ".join(drives) or "-"})
+    if compiled.structure.clusters:
+        clusters = compiled.structure.clusters
+        data = {"groups": "; ".join(c.label for c in clusters)}
+        yield Finding("workspace.cluster", ("links", clusters[0].links[0]), data)
+    yield from _point(compiled, options.point)
+    wrong = [*_values(compiled, options)]
+    yield from wrong
+    yield from _drives(compiled, options)
+    if not wrong:
+        count = math.prod(map(len, options.for_.values())) * len(combinations(compiled, options.modes))
+        if count > MOST:
+            yield Finding("workspace.too-many", PATH, {"count": count, "limit": MOST})
+
+
+def _point(compiled: Compiled, point: str) -> Iterator[Finding]:
+    homes, frame = compiled.quantities.signals.homes, compiled.mechanism.links[FRAME].points
+    if point in frame:
+        moving = [name for name in homes if name not in frame]
+        yield Finding("workspace.fixed-point", (*PATH, "point"), {"name": point, "near": near(point, moving)})
+    elif point not in homes:
+        yield unknown("point", (*PATH, "point"), point, homes)
+
+
+def _values(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
+    quantities = compiled.quantities
+    names = []
+    for name, values in options.for_.items():
+        path = (*PATH, "for", name)
+        if name not in quantities.parameters:
+            yield Finding("name.unknown-parameter", path, {"name": name, "near": near(name, [*quantities.parameters])})
+            continue
+        names.append(name)
+        if not values:
+            yield Finding("workspace.no-values", path, {"name": name})
+        for i, value in enumerate(values):
+            try:
+                number = quantities.value(value, quantities.dimensions.of(name))
+            except DimensionError as error:
+                yield Finding(error.key, (*path, i), quantities.spelt(error.data))
+                continue
+            if not abs(number) < LARGEST:
+                yield Finding("value.not-finite", (*path, i), {"text": value.text[:60]})
+    try:
+        Varied(compiled, names)
+    except ModelError as error:
+        yield from error.findings
+
+
+def _drives(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
+    known = compiled.graph.drives
+    yield from (unknown("drive", (*PATH, "drives"), name, known) for name in options.drives if name not in known)
+    for drive in known:
+        path = (*PATH, "drives", drive)
+        unit, size = compiled.quantities.drive_unit(drive)
+        try:
+            found = options.range(compiled, drive)
+        except DimensionError as error:
+            yield Finding(error.key, path, compiled.quantities.spelt(error.data))
+            continue
+        if found is None:
+            yield Finding("workspace.no-range", ("drives", drive), {"drive": drive, "unit": unit})
+            continue
+        low, high = (f"{end / size:.6g} {unit}" for end in found)
+        if not all(abs(end) < LARGEST for end in found):
+            yield Finding("value.not-finite", path, {"text": f"{low}, {high}"[:60]})
+        elif not found[0] < found[1]:
+            yield Finding("value.not-rising", path, {"low": low, "high": high})
+        elif compiled.mechanism.prescribed(drive).turns and found[1] - found[0] > TURN * (1 + 1e-9):
+            yield Finding("study.wide-range", path, {"drive": drive, "limit": f"{TURN / size:.4g}", "unit": unit})

@@ -1,0 +1,167 @@
+"""What the workspace study gives, in SI."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import combinations
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.kernels import Compiled
+from linkwright.model.findings import Finding
+from linkwright.results import Result, Run
+from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.regions import Region
+
+if TYPE_CHECKING:
+    from linkwright.studies.workspace.options import WorkspaceOptions
+
+Array = NDArray[np.float64]
+
+THIN = 4.0
+"""What is narrower than so many chord tolerances is where two boundaries are one, each drawn to its own chords."""
+
+
+@dataclass(frozen=True)
+class Figures:
+    """Figures of a shape: m2, m; ``bounds`` are least x, least y, largest x, largest y; ``centroid`` x, y."""
+
+    area: float
+    perimeter: float
+    holes: int
+    parts: int
+    bounds: tuple[float, float, float, float]
+    centroid: tuple[float, float]
+
+
+def figures(shape: Any) -> Figures:
+    """The figures of a polygon or several."""
+    polygons = pieces(shape)
+    if not polygons:
+        nowhere = float("nan")
+        return Figures(0.0, 0.0, 0, 0, (nowhere,) * 4, (nowhere, nowhere))
+    holes = sum(len(polygon.interiors) for polygon in polygons)
+    x, y = shape.centroid.coords[0]
+    return Figures(float(shape.area), float(shape.length), holes, len(polygons), shape.bounds, (float(x), float(y)))
+
+
+def pieces(shape: Any) -> list[Any]:
+    """The polygons of a shape."""
+    import shapely
+
+    return [part for part in shapely.get_parts(shape) if part.geom_type == "Polygon" and not part.is_empty]
+
+
+def without_slivers(shape: Any, chord: float) -> Any:
+    """A shape without the parts and holes that only chords make."""
+    import shapely
+
+    def wide(ring: Any) -> bool:
+        return bool(shapely.Polygon(ring).area > THIN * chord * ring.length / 2)
+
+    kept = [
+        shapely.Polygon(part.exterior, [ring for ring in part.interiors if wide(ring)])
+        for part in pieces(shape)
+        if wide(part.exterior)
+    ]
+    return shapely.MultiPolygon(kept) if len(kept) != 1 else kept[0]
+
+
+@dataclass(frozen=True)
+class Reached:
+    """What one assembly mode reaches: ``mode`` as the file's assembly section states it."""
+
+    mode: str
+    signs: tuple[float, ...]
+    region: Region
+
+    @property
+    def shape(self) -> Any:
+        """The Shapely polygon, or several (m)."""
+        return self.region.shape
+
+    @cached_property
+    def figures(self) -> Figures:
+        """Its area and the like."""
+        return figures(self.shape)
+
+    @property
+    def rough(self) -> float:
+        """How far a piece of the curves may lie off where it couldn't be refined (m)."""
+        return max((float(one.off.max(initial=0.0)) for one in self.region.segments), default=0.0)
+
+
+@dataclass(frozen=True)
+class Overlap:
+    """What two modes both reach: their numbers, and the shape."""
+
+    first: int
+    second: int
+    shape: Any
+
+
+@dataclass(frozen=True)
+class Workspace:
+    """The workspace for one combination of parameter values (SI): a region of each mode, or with one drive a curve."""
+
+    values: dict[str, float]
+    regions: tuple[Reached, ...]
+    curves: tuple[Any, ...] = ()
+    chord: float = 0.0
+
+    @cached_property
+    def union(self) -> Any:
+        """What some mode reaches."""
+        import shapely
+
+        return without_slivers(shapely.union_all([one.shape for one in self.regions]), self.chord)
+
+    @cached_property
+    def overlaps(self) -> tuple[Overlap, ...]:
+        """What each two modes both reach."""
+        import shapely
+
+        return tuple(
+            Overlap(i, k, without_slivers(shapely.intersection(a.shape, b.shape), self.chord))
+            for (i, a), (k, b) in combinations(enumerate(self.regions), 2)
+        )
+
+
+@dataclass
+class WorkspaceOutcome:
+    """The workspaces of a study, one for each combination of parameter values; ``chord`` in m.
+
+    ``parts`` are what is asked of them besides, by name; each has ``as_dict()``.
+    """
+
+    compiled: Compiled
+    options: WorkspaceOptions
+    chord: float
+    box: Box | None = None
+    workspaces: list[Workspace] = field(default_factory=list)
+    parts: dict[str, Any] = field(default_factory=dict)
+    failures: list[Finding] = field(default_factory=list)
+    warnings: list[Finding] = field(default_factory=list)
+
+    @property
+    def done(self) -> bool:
+        """Whether there is a workspace for all values."""
+        return not self.failures
+
+    @property
+    def result(self) -> Result | None:
+        """A pose as an array of one, for a drawing: that of the start."""
+        return Result(Run(self.compiled, 0.0, 0.0, 1)) if self.workspaces else None
+
+    @property
+    def point(self) -> str:
+        """The working point."""
+        return self.options.point
+
+    @property
+    def regions(self) -> list[Reached]:
+        """The regions of all workspaces."""
+        return [one for workspace in self.workspaces for one in workspace.regions]
