@@ -63,6 +63,7 @@ TITLES = {
     "clearance": "Clearances",
     "tolerance": "Tolerances",
     "accuracy": "Accuracy",
+    "workspace": "Workspaces",
     "varied": "Many parameter sets",
     "structure": "Structure",
     "assembly": "Assembly",
