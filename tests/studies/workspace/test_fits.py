@@ -16,7 +16,7 @@ TRIANGLE = shapely.Polygon([(0, 0), (4, 0), (0, 3)])
 
 @pytest.mark.parametrize("aspect", [1.0, 2.5])
 def test_largest_rectangles_of_convex_shapes(aspect: float) -> None:
-    """Base 4 and height 3 of a right triangle: w / 4 + h / 3 = 1. A disc: the diagonal is its diameter, at any angle."""
+    """Base 4 and height 3 of a right triangle: w / 4 + h / 3 = 1. A disc: the diagonal is its diameter."""
     found = largest_rectangle(TRIANGLE, aspect, 0.0)
     assert found is not None
     exact = 1 / (1 / 4 + 1 / (3 * aspect))

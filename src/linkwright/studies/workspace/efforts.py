@@ -17,6 +17,8 @@ from linkwright.kernels.supply import Supply
 from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]
+NOTHING = 1e-12
+"""Work below this share of the kinetic energy is round-off."""
 Motion = Callable[[Array], tuple[Array, Array]]
 
 
@@ -50,10 +52,12 @@ def efforts(sheet: Sheet, names: tuple[str, str], at: Motion, t: Array) -> Effor
             x[row : row + 3] = drive
         return x
 
+    rows.append("energy.kinetic")
     x = inputs(t)
     Supply(graph, compiled.tables, sheet.kernel).fill(x, t, sheet.parameters, inputs)
     y = KERNELS[sheet.kernel](graph.program(rows)).run(x, sheet.parameters)
-    power = y[2:]
+    power = y[2:4]
     work, taken = (trapezoid(np.maximum(part, 0.0), t, axis=1) for part in (power, -power))
     whole = float(work.sum())
-    return Efforts(y[:2], power, work, taken, float(work[1]) / whole if whole > 0 else None)
+    some = whole > NOTHING * float(np.abs(y[4]).max())
+    return Efforts(y[:2], power, work, taken, float(work[1]) / whole if some else None)

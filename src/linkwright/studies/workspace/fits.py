@@ -157,7 +157,7 @@ def circle_fits(shape: Any, radius: float, centre: tuple[float, float] | None = 
     def over(square: Array) -> Array:
         """Places of the figure for those of the square -1 .. 1: (2, n)."""
         long = np.maximum(1.0, np.hypot(*square))
-        return place[:, None] + radius * square / long
+        return np.asarray(place[:, None] + radius * square / long)
 
     point = shapely.Point(centre)
     room = float(point.distance(shape.boundary)) * (1.0 if shape.covers(point) else 0.0)
@@ -185,7 +185,7 @@ def rectangle_fits(
     place = np.array(centre)
 
     def over(square: Array) -> Array:
-        return place[:, None] + turn @ square
+        return np.asarray(place[:, None] + turn @ square)
 
     corners = np.array([[-1.0, 1, 1, -1], [-1, -1, 1, 1]])
     figure = shapely.Polygon(over(corners).T)

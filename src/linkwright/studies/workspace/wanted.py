@@ -172,7 +172,8 @@ def from_formula(quantities: Quantities, x: str, y: str, path: Path_ = PATH) -> 
             data = {"text": text[:60], "reason": error.reason}
             findings.append(Finding("expression.syntax", (*path, name), data))
         except DimensionError as error:
-            findings.append(Finding(error.key, (*path, name), quantities.spelt(error.data)))
+            data = {k: v.replace("t / 1 s", "u") if isinstance(v, str) else v for k, v in error.data.items()}
+            findings.append(Finding(error.key, (*path, name), quantities.spelt(data)))
     if findings:
         raise ModelError(findings)
 

@@ -29,6 +29,8 @@ LOOKS = 2000
 """Places of a path that are held against the region before the ends of stretches outside are halved out."""
 INSIDE = 1e-6
 """A path this near to the region (share of its extent) counts as inside: its edge is drawn to a chord."""
+EDGE = 1e-3
+"""A track that ends this near to a stretch outside ends for that reason."""
 PERIOD = 1e-7
 """Drives that come back to within this (rad or m) have a periodic law."""
 
@@ -120,10 +122,13 @@ def free(
                 best = rank, track, turn, bool(backward)
         if best is not None and best[0][0] >= 1.0:
             break
-    track, turn, back = (best[1], best[2], best[3]) if best is not None else (None, 1.0, False)
+    if best is None:
+        stretches = _stretches(region, wanted, None, 1.0, False)
+        return Way(None, stretches, 0, _said(region, stretches, motor))
+    _, track, turn, back = best
     stretches = _stretches(region, wanted, track, turn, back)
-    if track is None or stretches:
-        return Way(None, stretches, solutions, _said(region, stretches, wanted, motor))
+    if stretches:
+        return Way(None, stretches, solutions, _said(region, stretches, motor))
     first, last = track.nodes[0, m, [0, -1]]
     time = float((last - first) / speed)
 
@@ -152,7 +157,7 @@ def timed(
     found = sorted(tracks(region, wanted), key=lambda track: (-round(float(track.u[-1]), 9), -_least(track)))
     stretches = _stretches(region, wanted, found[0] if found else None, 1.0, False)
     if not found or stretches:
-        return Way(None, stretches, len(found), _said(region, stretches, wanted, motor))
+        return Way(None, stretches, len(found), _said(region, stretches, motor))
 
     def at(t: Array) -> tuple[Array, Array]:
         zero = np.zeros_like(t)
@@ -223,6 +228,11 @@ def _way(
 ) -> Way:
     sheet = region.sheet
     names = (sheet.drives[order[0]], sheet.drives[order[1]])
+
+    def ordered(t: Array) -> tuple[Array, Array]:
+        motion, u = at(t)
+        return motion[:, list(order)], 1.0 - u if backward else u
+
     t = np.linspace(0.0, time, samples)
     motion, u = at(t)
     look = track.mover.look(motion[0], motion[1])
@@ -242,7 +252,7 @@ def _way(
         times,
         backward,
         time if _comes_back(region, wanted, motion) else None,
-        lambda t: (lambda q, u: (q[:, list(order)], 1.0 - u if backward else u))(*at(t)),
+        ordered,
     )
     if forces:
         law = replace(law, efforts=efforts(sheet, names, law.at, t))
@@ -279,9 +289,10 @@ def _stretches(region: Region, wanted: Wanted, track: Track | None, turn: float,
         return Stretch(kind, 0.0, 1.0 - u, drive=drive) if backward else Stretch(kind, u, 1.0, drive=drive)
 
     more: tuple[Stretch, ...] = ()
+    at = 1.0 - float(track.u[-1]) if backward else float(track.u[-1])
     if turn < track.u[-1]:
         more = (beyond("turns", turn),)
-    elif track.end:
+    elif track.end and not any(abs(end - at) < EDGE for one in found for end in (one.start, one.stop)):
         more = (beyond(track.end, float(track.u[-1]), track.drive),)
     return (*found, *more)
 
@@ -318,7 +329,7 @@ def outside(region: Region, wanted: Wanted) -> tuple[Stretch, ...]:
     return tuple(found)
 
 
-def _said(region: Region, stretches: tuple[Stretch, ...], wanted: Wanted, motor: str) -> tuple[Finding, ...]:
+def _said(region: Region, stretches: tuple[Stretch, ...], motor: str) -> tuple[Finding, ...]:
     """What is to be said of stretches that can't be followed."""
     unit, size = region.sheet.compiled.quantities.unit_of(si.LENGTH)
     findings = []
