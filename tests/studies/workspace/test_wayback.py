@@ -178,7 +178,7 @@ def test_a_path_of_the_papers_five_bar_gives_its_law_again() -> None:
     assert law.efforts is not None
     assert law.efforts.share is None  # no masses, no loads
     whole = through(compiled.evaluate(["P.x", "P.y"], np.linspace(0.0, 2.0, 201)).T, "quintic")
-    stopped = free(region, whole, "motor", np.pi)
+    stopped = timed(region, whole, "motor", 2.0)
     assert stopped.law is None
     assert codes(stopped) == ["workspace.path-singular"]
     fine = np.linspace(0.0, 2.0, 2001)

@@ -79,14 +79,16 @@ class Mover:
     def closed(self, q: Array, places: Array) -> tuple[Array, NDArray[np.bool_]]:
         """Drive values at which the working point is at places (2, n), by Newton's method from ``q``; which were
         found."""
-        done = np.zeros(q.shape[1], dtype=bool)
-        for _ in range(NEWTON):
+        done, last = np.zeros(q.shape[1], dtype=bool), np.full(q.shape[1], np.inf)
+        for turn in range(NEWTON):
             look = self.sheet.look(q)
             step = divided(look.jacobian, look.at - places)
             q = q - step
-            done = np.abs(step).max(axis=0) <= SOLVED * (1.0 + np.abs(q).max(axis=0))
-            if done.all() or not np.isfinite(step).any():
+            size = np.abs(step).max(axis=0)
+            done = size <= SOLVED * (1.0 + np.abs(q).max(axis=0))
+            if done.all() or not np.isfinite(step).any() or (turn > 2 and not (done | (size < last / 2)).any()):
                 break
+            last = size
         return q, done
 
 
