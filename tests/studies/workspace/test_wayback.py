@@ -279,8 +279,8 @@ def test_bad_files_are_findings(tmp_path: Path) -> None:
 
 
 def test_a_sliding_servo_with_gravity() -> None:
-    """The right crank replaced by a slider on y = 0: its place is x + sqrt(1.2² - y²). The efforts are those of a run of
-    the file with the pasted law."""
+    """The right crank replaced by a slider on y = 0: its place is x + sqrt(1.2² - y²). The efforts are those of a run
+    of the file with the pasted law."""
     data = deepcopy(FIVE)
     del data["links"]["right"]
     data["gravity"] = [0, -9.81]

@@ -288,8 +288,9 @@ def _comes_back(region: Region, wanted: Wanted, motion: Array) -> bool:
 
 
 def _stretches(region: Region, wanted: Wanted, track: Track | None, turn: float, backward: bool) -> tuple[Stretch, ...]:
-    """Where the path can't be followed."""
-    found = outside(region, wanted)
+    """Where the path can't be followed. A track that is whole proves that the path is inside, whatever the polygon's
+    chords say."""
+    found = () if track is not None and not track.end else outside(region, wanted)
     if track is None:
         return found or (Stretch("singular", 0.0, 1.0),)
 
