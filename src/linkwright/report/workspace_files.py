@@ -142,7 +142,7 @@ def dxf(outcome: WorkspaceOutcome) -> str | None:
     from ezdxf import units
 
     unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
-    drawing: Any = ezdxf.new("R2010")  # type: ignore[attr-defined]
+    drawing: Any = ezdxf.new("R2010")
     drawing.units = {"mm": units.MM, "cm": units.CM, "m": units.M, "in": units.IN, "ft": units.FT}.get(unit, 0)
     space = drawing.modelspace()
     for one in outcome.workspaces:
