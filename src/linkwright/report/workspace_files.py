@@ -164,7 +164,7 @@ def dxf(outcome: WorkspaceOutcome) -> str | None:
 
 def _layer(drawing: Any, text: str, number: int) -> str:
     """A layer by a name that DXF takes."""
-    name = "".join("-" if letter in '<>/\\":;?*|=`,' else letter for letter in text).strip()[:200]
+    name = "".join("-" if letter in '<>/\\":;?*|=`,' else letter for letter in " ".join(text.split()))[:200]
     if name not in drawing.layers:
         drawing.layers.add(name, color=1 + (number - 1) % 6)
     return name
