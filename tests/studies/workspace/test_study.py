@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -10,12 +11,15 @@ from scipy.integrate import quad
 
 import linkwright as lw
 from helpers.workspaces import arm, findings, five_bar, four_bar, performed, polar
+from linkwright.app.alone import altered
+from linkwright.app.job import examine_document
 from linkwright.model.document import parse_document
 from linkwright.studies.site import Site
 from linkwright.studies.workspace.options import WorkspaceOptions
 from linkwright.studies.workspace.study import Stopped, WorkspaceStudy
 
 MM2 = 1e6
+EXAMPLES = Path(__file__).parents[3] / "examples"
 
 
 def test_an_arm_reaches_an_annulus_for_each_value() -> None:
@@ -152,6 +156,10 @@ def test_other_numbers_of_drives_and_clusters_are_refused() -> None:
     three["links"]["hand"] = {"points": {"E": [0, 0], "G": [10, 0]}}
     three["drives"]["wrist"] = {"turns": "hand", "on": "fore", "speed": "10 rpm", "start": "0 deg"}
     assert codes(three) == ["workspace.drives"]
+    triad = examine_document(
+        altered(lw.load(EXAMPLES / "platform.yaml"), "workspace", {"point": "B1"}), only="workspace"
+    )
+    assert [found.code for found in triad.findings] == ["workspace.cluster"]
 
 
 def test_an_interrupt_says_what_is_lost() -> None:
