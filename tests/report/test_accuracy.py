@@ -136,6 +136,14 @@ def test_without_samples() -> None:
     assert overview(done)[0]["rows"][0][5] == "–"
 
 
+def test_what_clearances_add_stands_with_the_outputs_where_there_are_any(made: AccuracyOutcome) -> None:
+    (with_play,), (without,) = overview(made), overview(replace(made, joints=[]))
+    assert with_play["heads"][6] == "Clearances"
+    assert with_play["rows"][0][6] == "±0.040"
+    assert without["heads"] == [*with_play["heads"][:6], with_play["heads"][7]]
+    assert without["rows"] == [[*row[:6], row[7]] for row in with_play["rows"]]
+
+
 def test_a_number_that_is_none_is_null(made: AccuracyOutcome) -> None:
     figure = replace(made.figures["stroke"], nominal=np.nan, shares=np.full(3, np.nan))
     entry = accuracy_entry(replace(made, figures={"stroke": figure}))

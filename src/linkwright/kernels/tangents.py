@@ -65,20 +65,19 @@ class Tangents:
         """Signals at times ``t`` (s) and their derivatives: (names, times) and (names, directions, times) in SI; with
         ``rates`` each with its time derivative, (names, 2, times) and (names, 2, directions, times)."""
         kinds = 2 if rates else 1
-        if not names:
-            return np.empty((0, kinds, t.size)).squeeze(1 if not rates else ()), self._shaped(0, kinds, t)
-        engine = self._engine(tuple(names), rates)
         values, slopes = np.empty((len(names), kinds, t.size)), np.empty((len(names), kinds, self.count, t.size))
-        step = max(1, MOST // self.count)
-        for first in range(0, t.size, step):
+        if names and not self.count:
+            values[:] = self.compiled.evaluate(names, t, rates).reshape(values.shape)
+        step = max(1, MOST // max(1, self.count))
+        for first in range(0, t.size, step) if slopes.size else ():
             some = slice(first, first + step)
-            y = engine.over(self.inputs(t[some]), self.p).reshape(len(names), 2, kinds, self.count, -1)
+            y = (
+                self._engine(tuple(names), rates)
+                .over(self.inputs(t[some]), self.p)
+                .reshape(len(names), 2, kinds, self.count, -1)
+            )
             values[..., some], slopes[..., some] = y[:, 0, :, 0], y[:, 1]
         return (values, slopes) if rates else (values[:, 0], slopes[:, 0])
-
-    def _shaped(self, names: int, kinds: int, t: Array) -> Array:
-        shape = (names, kinds, self.count, t.size) if kinds == 2 else (names, self.count, t.size)
-        return np.empty(shape)
 
     def _engine(self, names: tuple[str, ...], rates: bool) -> Kernel:
         if (names, rates) not in self._kernels:

@@ -19,10 +19,13 @@ FIRST = 3
 
 
 def overview(outcome: AccuracyOutcome) -> list[Grid]:
-    """A line for each output and position: worst case, RSS, Monte Carlo as deviations from the nominal value, and the
-    first contributors."""
+    """A line for each output and position: worst case, RSS, Monte Carlo as deviations from the nominal value, what
+    clearances add at most where there are any, and the first contributors."""
     rows = [_line(*place, outcome) for place in _places(outcome)]
-    heads = ("output", "at", "nominal", "worst", "rss", "monte_carlo", "first")
+    heads = ["output", "at", "nominal", "worst", "rss", "monte_carlo", "play", "first"]
+    if not outcome.joints:
+        for row in (heads, *rows):
+            del row[-2]
     return [_grid("outputs", heads, rows, outcome)] if rows else []
 
 
@@ -46,7 +49,9 @@ def _line(name: str, position: str, figure: Figure, outcome: AccuracyOutcome) ->
     first = [(outcome.contributors.every[i].name, float(figure.shares[i])) for i in ranked(figure)[:FIRST]]
     told = ", ".join(f"{name} {percent(share, 2)}" for name, share in first if share > 0)
     ranges = (_range(ends, figure) for ends in _totals(figure).values())
-    return [name, _at(position, figure, outcome), _with(_nominal(figure), figure.column.unit), *ranges, told or "–"]
+    play = [] if figure.play is None else [sign * figure.play.bound / figure.column.size for sign in (-1, 1)]
+    nominal = _with(_nominal(figure), figure.column.unit)
+    return [name, _at(position, figure, outcome), nominal, *ranges, _range(play, figure), told or "–"]
 
 
 def _at(position: str, figure: Figure, outcome: AccuracyOutcome) -> str:
@@ -175,7 +180,8 @@ def _head(key: str, outcome: AccuracyOutcome) -> str:
 
 def _scale(figure: Figure) -> float:
     """How large a figure's deviations are, in its unit."""
-    return max(figure.half, abs(figure.worst[0]), abs(figure.worst[1]), figure.sigma) / figure.column.size
+    play = 0.0 if figure.play is None else figure.play.bound
+    return max(figure.half, abs(figure.worst[0]), abs(figure.worst[1]), figure.sigma, play) / figure.column.size
 
 
 def _fixed(value: float | None, scale: float | None, digits: int) -> str:

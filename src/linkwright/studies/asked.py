@@ -32,10 +32,12 @@ def one_of(study: str, key: str, known: Sequence[str]) -> Any:
     return Annotated[str, BeforeValidator(check), WithJsonSchema({"type": "string", "enum": [*known]})]
 
 
-class Asked(Frozen):
-    """The outputs that are wanted of each sample, over the run of the file's cycle."""
+class Sampling(Frozen):
+    """The options of a study of many samples: the outputs that are wanted of each, over the run of the file's cycle."""
 
     study: ClassVar[str]
+    if TYPE_CHECKING:
+        kernel: str  # a field of each study, since its faults name the study
 
     poses: int | None = Field(
         None, ge=1, le=100_000, description="equal steps at whose ends signals are taken; the cycle's by default"
@@ -78,13 +80,6 @@ class Asked(Frozen):
         texts = {output.text: output for output in self.outputs or () if output.text not in known}
         return [*texts.values()]
 
-
-class Sampling(Asked):
-    """The options of a study of many samples."""
-
-    if TYPE_CHECKING:
-        kernel: str
-
     @property
     def keeps(self) -> bool:
         """Whether every value of every signal is kept."""
@@ -95,32 +90,40 @@ class Sampling(Asked):
         raise NotImplementedError
 
 
-def check_outputs(compiled: Compiled, options: Asked) -> Iterator[Finding]:
+def check_outputs(compiled: Compiled, options: Sampling) -> Iterator[Finding]:
     """What is wrong with the outputs."""
-    quantities, known = compiled.quantities, compiled.mechanism.measures
-    names = Names(compiled.mechanism, quantities.signals)
+    known = compiled.mechanism.measures
     if options.outputs is None and not known:
         yield Finding("study.no-outputs", ("studies", options.study))
     for i, output in enumerate(options.outputs or ()):
         if output.text in known:
             continue
         path = ("studies", options.study, "outputs", i)
-        parts = [part for part in nodes(output.node) if isinstance(part, Name | Call)]
-        if not any(is_signal(part) for part in parts):
-            data = {"text": output.text[:60], "near": near(output.text, [*known])}
-            yield Finding("study.no-output", path, data)
-            continue
-        place = Place(path, output, u.PURE, Scope.SIGNALS)
-        wrong = [*names.unknown(place), *names.misplaced(place)]
-        yield from wrong
-        if not wrong:
-            try:
-                quantities.dimensions.bind(output.node, None)
-            except DimensionError as error:
-                yield Finding(error.key, path, quantities.spelt(error.data))
+        if of_signals(output):
+            yield from signal_faults(compiled, output, path)
+        else:
+            yield Finding("study.no-output", path, {"text": output.text[:60], "near": near(output.text, [*known])})
 
 
-def check_span(compiled: Compiled, options: Asked, varied: frozenset[str], at: str) -> Iterator[Finding]:
+def of_signals(expression: Expression) -> bool:
+    """Whether it names any signal."""
+    return any(isinstance(part, Name | Call) and is_signal(part) for part in nodes(expression.node))
+
+
+def signal_faults(compiled: Compiled, expression: Expression, path: tuple[str | int, ...]) -> list[Finding]:
+    """What is wrong with the names of an expression of signals, or else with its dimensions."""
+    quantities = compiled.quantities
+    place, names = Place(path, expression, u.PURE, Scope.SIGNALS), Names(compiled.mechanism, quantities.signals)
+    if wrong := [*names.unknown(place), *names.misplaced(place)]:
+        return wrong
+    try:
+        quantities.dimensions.bind(expression.node, None)
+    except DimensionError as error:
+        return [Finding(error.key, path, quantities.spelt(error.data))]
+    return []
+
+
+def check_span(compiled: Compiled, options: Sampling, varied: frozenset[str], at: str) -> Iterator[Finding]:
     """The run is as long for all samples, so no parameter that is ``varied`` may change that; ``at`` is the option
     that names these."""
     cycle, m = options.cycle, compiled.mechanism

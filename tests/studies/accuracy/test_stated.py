@@ -250,11 +250,18 @@ FAULTS: dict[str, tuple[dict[str, Any], dict[str, Any], list[tuple[str, str]]]] 
     "angle without a side": (
         {"phi": {"value": "30 deg", "tolerance": "ISO 2768-m"}}, {}, [("tolerance.side", "phi.tolerance")],
     ),
+    "fit of an angle without a side": (
+        {"phi": {"value": "30 deg", "tolerance": "h7"}}, {}, [("tolerance.class-dimension", "phi.tolerance")],
+    ),
     "side of nothing": (
         {"phi": {"value": "30 deg", "tolerance": {"limits": "ISO 2768-m", "side": 0}}}, {},
         [("value.too-small", "phi.tolerance.side")],
     ),
     "nothing": ({}, {}, [("tolerance.none", "studies.accuracy")]),
+    "nothing to estimate": (
+        {}, {"clearances": {"B": 0.1}, "calibrate": {"points": [{"t": 0.1, "B.x": 1}]}},
+        [("tolerance.none", "studies.accuracy")],
+    ),
     "no tolerance": ({}, {"parameters": ["r"]}, [("tolerance.missing", "0")]),
     "unknown": (PAIR, {"parameters": ["R"]}, [("name.unknown-parameter", "0")]),
     "twice": (PAIR, {"parameters": ["r", "r"]}, [("tolerance.named-twice", "1")]),

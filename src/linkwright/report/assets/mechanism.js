@@ -716,7 +716,8 @@ function controls(root, facts, { say, time, real }) {
     colour: `lw-c${facts.colour.get(facts.links.get(link))}`,
   }));
   const centrodes = choices("centrodes", rolling, false);
-  if (last < 1) for (const part of [bar, speedLabel]) part.classList.add("lw-hidden");
+  const still = last < 1 || facts.times[last] === facts.times[0];
+  if (still) for (const part of [bar, speedLabel]) part.classList.add("lw-hidden");
   return { play, slider, readout, speed, points, links, traces, centrodes };
 }
 
@@ -785,7 +786,7 @@ export function render({ model, el, words = {}, time = { unit: "s", label: "time
     ui.play.setAttribute("aria-label", say("play"));
   };
   const play = () => {
-    if (tick || times.length < 2) return;
+    if (tick || last === first) return;
     ui.play.setAttribute("aria-pressed", "true");
     ui.play.setAttribute("aria-label", say("pause"));
     let before = null;

@@ -40,10 +40,12 @@ class Contributor:
 
 @dataclass(frozen=True, eq=False)
 class Contributors:
-    """All of them, and the correlation coefficients (Pearson's) of their deviations: (contributors, contributors)."""
+    """All of them, and the correlation coefficients (Pearson's) of their deviations: (contributors, contributors).
+    ``parameters`` is how many the graph has, which nothing else tells where none deviates."""
 
     every: tuple[Contributor, ...]
     correlation: Array
+    parameters: int = 0
 
     def __len__(self) -> int:
         return len(self.every)
@@ -56,6 +58,8 @@ class Contributors:
     @property
     def directions(self) -> Array:
         """(parameters, contributors)."""
+        if not self.every:
+            return np.empty((self.parameters, 0))
         return np.stack([one.direction for one in self.every], axis=1)
 
     @property

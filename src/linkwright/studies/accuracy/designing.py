@@ -10,11 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
-from linkwright.model.dimensions import DimensionError
 from linkwright.model.findings import Finding
-from linkwright.model.names import Names
-from linkwright.model.places import Place, Scope
 from linkwright.results import Run
 from linkwright.studies.accuracy.allocate import Output, allocated, problem
 from linkwright.studies.accuracy.calibrate import calibrate, check_calibrate
@@ -22,6 +18,7 @@ from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, Curve, Figure
 from linkwright.studies.accuracy.stacking import larger
+from linkwright.studies.asked import signal_faults
 from linkwright.studies.figures import columns
 
 Array = NDArray[np.float64]
@@ -81,13 +78,9 @@ def _known(compiled: Compiled, options: AccuracyOptions, count: int) -> dict[str
         for column in columns(compiled, name):
             found[column.name] = Output(empty, column.dimension, column.unit, column.size)
     for signal in options.signals(compiled):
-        place, names = Place((), signal, u.PURE, Scope.SIGNALS), Names(compiled.mechanism, quantities.signals)
-        if any(names.unknown(place)) or any(names.misplaced(place)):
+        if signal_faults(compiled, signal, ()):
             continue  # told with the outputs
-        try:
-            dimension = quantities.dimensions.dimension(signal.node)
-        except DimensionError:
-            continue
+        dimension = quantities.dimensions.dimension(signal.node)
         output = Output(empty, dimension, *quantities.unit_of(dimension))
         found |= dict.fromkeys((signal.text, *(f"{signal.text} at {p}" for p in options.positions)), output)
     return found

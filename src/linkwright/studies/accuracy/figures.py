@@ -41,10 +41,13 @@ def curves(run: Run, slopes: Slopes, contributors: Contributors, texts: Sequence
 def figures(run: Run, slopes: Slopes, contributors: Contributors, names: Sequence[str]) -> dict[str, Figure]:
     """All figures of some measures by their names; a measure without a value has none."""
     results = {result.name: result for result in measure_all(run, names)[0] if result.found}
-    derivatives, made = Derivatives(run, slopes, [*results]), {}
+    derivatives, made = Derivatives(run, slopes, [*results]), dict[str, Figure]()
     for name, result in results.items():
-        triples = zip(columns(run.compiled, name), result.found, derivatives.of(name), strict=True)
-        for column, number, one in triples:
+        pairs = list(zip(columns(run.compiled, name), result.found, strict=True))
+        if not len(contributors):
+            made |= {c.name: Figure(c, number.value, number.time, np.empty((0, 2))) for c, number in pairs}
+            continue
+        for (column, number), one in zip(pairs, derivatives.of(name), strict=True):
             coefficients = larger(one.sides)
             limits = one.limits(contributors.low, contributors.high)
             mean, sigma = spread(coefficients, contributors)

@@ -16,15 +16,14 @@ from numpy.typing import NDArray
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError, declared_scale
-from linkwright.model.expressions import Call, Name, Node, is_signal, nodes
+from linkwright.model.expressions import Node
 from linkwright.model.fields import Expression
 from linkwright.model.findings import Finding
-from linkwright.model.names import Names
-from linkwright.model.places import Place, Scope
 from linkwright.model.quantities import LARGEST
 from linkwright.model.units import Dimension, UnitError, unit
 from linkwright.results import Run
 from linkwright.results.stationary import bracketed
+from linkwright.studies.asked import of_signals, signal_faults
 
 Array = NDArray[np.float64]
 Path_ = tuple[str | int, ...]
@@ -188,24 +187,19 @@ def _time(compiled: Compiled, written: str | None, path: Path_, findings: list[F
 
 def _column(compiled: Compiled, name: str, written: str | None, path: Path_, findings: list[Finding]) -> Column | None:
     quantities = compiled.quantities
+    expression: Expression | None
     try:
         expression = Expression(name)
     except ValueError:
+        expression = None
+    if expression is None or not of_signals(expression):
         findings.append(Finding("study.no-output", path, {"text": name[:60], "near": ", ".join(driving(compiled))}))
         return None
-    if not any(isinstance(part, Name | Call) and is_signal(part) for part in nodes(expression.node)):
-        findings.append(Finding("study.no-output", path, {"text": name[:60], "near": ", ".join(driving(compiled))}))
-        return None
-    place, checks = Place(path, expression, u.PURE, Scope.SIGNALS), Names(compiled.mechanism, quantities.signals)
-    if wrong := [*checks.unknown(place), *checks.misplaced(place)]:
+    if wrong := signal_faults(compiled, expression, path):
         findings += wrong
         return None
-    try:
-        tree = quantities.dimensions.bind(expression.node, None)
-        dimension = quantities.dimensions.dimension(expression.node)
-    except DimensionError as error:
-        findings.append(Finding(error.key, path, quantities.spelt(error.data)))
-        return None
+    tree = quantities.dimensions.bind(expression.node, None)
+    dimension = quantities.dimensions.dimension(expression.node)
     return _sized(compiled, name, tree, dimension, written, path, findings)
 
 

@@ -48,7 +48,7 @@ class MonteCarlo:
     the plan (Sobol' points) or too few samples allow no such statement.
 
     ``convergence`` has rows (samples, mean, sigma) as the number of samples grows. ``edges`` and ``counts`` are the
-    histogram. ``failed`` samples can't be assembled or followed: they are in no other figure.
+    histogram. ``failed`` samples have no such figure: they are in nothing else here.
     """
 
     samples: int

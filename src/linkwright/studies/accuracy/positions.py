@@ -10,15 +10,13 @@ from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.actions import Measure
 from linkwright.model.dimensions import DimensionError
-from linkwright.model.expressions import Call, Name, is_signal, nodes
 from linkwright.model.fields import Expression
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
-from linkwright.model.names import Names
-from linkwright.model.places import Place, Scope
 from linkwright.model.unknown import unknown
 from linkwright.model.written import FrozenDict
 from linkwright.studies.accuracy.options import AccuracyOptions
+from linkwright.studies.asked import of_signals, signal_faults
 from linkwright.studies.cycle import span
 
 PATH = ("studies", "accuracy", "positions")
@@ -44,20 +42,11 @@ def check_positions(compiled: Compiled, options: AccuracyOptions) -> Iterator[Fi
         except ValueError:
             yield Finding("accuracy.position", path, {"text": text[:60]})
             continue
-        scope = Scope.SIGNALS if match else Scope.CONSTANT
-        place, names = Place(path, expression, u.PURE, scope), Names(m, quantities.signals)
-        wrong = [*names.unknown(place), *names.misplaced(place)]
-        yield from wrong
-        if wrong:
-            continue
         if match:
-            if not any(isinstance(part, Name | Call) and is_signal(part) for part in nodes(expression.node)):
+            wrong = signal_faults(compiled, expression, path)
+            yield from wrong
+            if not wrong and not of_signals(expression):
                 yield Finding("accuracy.position", path, {"text": text[:60]})
-                continue
-            try:
-                quantities.dimensions.bind(expression.node, None)
-            except DimensionError as error:
-                yield Finding(error.key, path, quantities.spelt(error.data))
             continue
         try:
             time, stop = quantities.value(expression, u.TIME), span(compiled, options.cycle)[0]

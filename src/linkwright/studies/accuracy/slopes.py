@@ -43,7 +43,7 @@ class Slopes:
         """Expressions bound to SI at times ``t`` (s); without ``rates`` these and their slopes are 0."""
         names, kinds = self.run.signals_of(trees), 2 if rates else 1
         value, slope = self.tangents.evaluate(names, t, rates)
-        value, slope = value.reshape(len(names), kinds, -1), slope.reshape(len(names), kinds, self.count, -1)
+        value, slope = (part.reshape(len(names), kinds, *part.shape[-k:]) for k, part in ((1, value), (2, slope)))
         if any(self.run.compiled.graph.wrapped(name) for name in names):
             value[:, 0] = self.run.evaluate(names, t)
         rows = {

@@ -26,7 +26,8 @@ def contributors(compiled: Compiled, options: AccuracyOptions) -> Contributors:
     stated = _Stated(compiled, options)
     raise_errors(stated.findings)
     every = tuple(map(stated.contributor, stated.every))
-    return Contributors(every, matrix([one.name for one in every], options.correlations))
+    correlation = matrix([one.name for one in every], options.correlations)
+    return Contributors(every, correlation, compiled.parameters.size)
 
 
 def check_contributors(compiled: Compiled, options: AccuracyOptions) -> Iterator[Finding]:
@@ -60,7 +61,8 @@ class _Stated(Reader):
             if not np.isfinite(row).all():
                 text = compiled.mechanism.parameters[name].value.text[:60]
                 self.wrong("tolerance.no-derivative", ("parameters", name), text=text)
-        if not read and not self.findings:
+        alone = options.clearances and options.allocate is None and options.calibrate is None
+        if not read and not alone and not self.findings:
             self.wrong("tolerance.none", PATH)
         self.findings += check_correlations([*names, *options.thermal], options.correlations)
 

@@ -64,7 +64,7 @@ class AccuracyStudy:
         outcome.warnings += check_searched(searched)
         for name, figure in every.items():
             figure.searched = searched.get(name)
-        if options.samples:
+        if options.samples and len(deviations):
             random = monte_carlo(run, asked, replace(site, document=placed.document))
             outcome.kernel, outcome.samples, outcome.failed = random.choice.kernel, random.samples, random.failed
             outcome.state = random.state

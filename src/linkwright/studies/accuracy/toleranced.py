@@ -61,6 +61,7 @@ def _of_class(reader: Reader, name: str, stated: ClassName, path: Path) -> Limit
         if dimension != u.ANGLE:
             raise NoTolerance("angle")
         if side is None:
+            found.angular(1.0)  # none at all where the class has none of angles
             reader.wrong("tolerance.side", path, given=found.text)
             return None
         if (length := q.value(side, u.LENGTH)) <= 0:

@@ -54,7 +54,7 @@ def search(
 ) -> dict[str, Searched]:
     """The worst case of each figure: the deviation at the linear worst vertices, and what a search finds where one of
     these is off by more than ``share`` of the linear width."""
-    if not figures:
+    if not figures or not len(contributors):
         return {}
     return _Search(evaluate, contributors, figures).found(share)
 

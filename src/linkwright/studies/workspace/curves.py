@@ -18,6 +18,7 @@ from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
+Ends = tuple[Array, Array]
 
 ROUNDS = 24
 """Segments are halved at most so many times."""
@@ -26,8 +27,10 @@ WAY = 0.5
 RINGS = (2, 3, 4)
 MEET = 1e-9
 """Ends of pieces that are nearer than this share of the drives' ranges are one."""
-LEVELS = 20
-"""Triangles are quartered at most so many times."""
+SHORT = 1e-7
+"""A piece no longer than this (rad, m) needn't follow the curve."""
+LEVELS, MOST = 20, 200_000
+"""Triangles are quartered at most so many times, and no more of them than that."""
 WAYS = (-0.03, 0.03, -0.3, 0.3)
 """... and a curve beside its middle these shares of it."""
 
@@ -46,16 +49,13 @@ class Segments:
 def curves(sheet: Sheet, mesh: Mesh, chord: float) -> list[Segments]:
     """All of a sheet's curves, their paths' chords within ``chord`` (m)."""
     inner, rim, pits = _singular(sheet, mesh)
-    limit = mesh.q[:, mesh.limit.T].swapaxes(0, 1)
+    limit = mesh.q[:, mesh.limit[:, 0]], mesh.q[:, mesh.limit[:, 1]]
     return [
-        refined(sheet, "singular", *inner, chord, lambda q: sheet.look(q).numerator),
-        refined(sheet, "modes", *rim, chord, lambda q: sheet.place(q)[1] - RIM),
-        refined(sheet, "pins", *pits, chord, None),
-        refined(sheet, "limit", *limit, chord, None),
+        refined(sheet, "singular", inner, chord, lambda q: sheet.look(q).numerator),
+        refined(sheet, "modes", rim, chord, lambda q: sheet.place(q)[1] - RIM),
+        refined(sheet, "pins", pits, chord, None),
+        refined(sheet, "limit", limit, chord, None),
     ]
-
-
-Ends = tuple[Array, Array]
 
 
 def _singular(sheet: Sheet, mesh: Mesh) -> tuple[Ends, Ends, Ends]:
@@ -91,7 +91,10 @@ def _passing(
 ) -> tuple[Array, Array]:
     """One piece of the singular curve in each triangle that it passes, its ends on the sides; ``cuts`` takes those on
     the rim. Where a piece doesn't follow the curve, as where two branches cross, the triangles around are quartered."""
-    positive = sheet.look(q).numerator >= 0
+    numerator = sheet.look(q).numerator
+    # A triangle beside the rim may bulge beyond it, so that a quarter of it lies outside.
+    triangles = triangles[np.isfinite(numerator)[triangles].all(axis=1)]
+    positive = numerator >= 0
     passed = np.flatnonzero(positive[triangles].any(axis=1) & ~positive[triangles].all(axis=1))
     sides = _sides(triangles[passed])
     crossed = positive[sides[:, 0]] != positive[sides[:, 1]]
@@ -103,15 +106,15 @@ def _passing(
         ends = q[:, pairs[chosen, 0]], q[:, pairs[chosen, 1]]
         sign = positive[pairs[chosen, 0]]
         path = _along_rim(sheet, *ends) if bent else _straight(*ends)
-        share = halved(lambda s, path=path, sign=sign: (sheet.look(path(s)).numerator >= 0) == sign, sign.size)
-        places[:, chosen] = path(share)
+        places[:, chosen] = path(_turning(sheet, path, sign))
     stops = on_rim | on_pit
     cuts |= {(i, k): place for (i, k), place in zip(pairs[stops].tolist(), places[:, stops].T, strict=True)}
     at = np.full(len(sides), -1)
     at[crossed] = where.ravel()
     two = np.sort(at.reshape(3, -1), axis=0)[1:]
     a, b = places[:, two[0]], places[:, two[1]]
-    astray = passed[~_followed(sheet, a, b)] if level < LEVELS else passed[:0]
+    long = np.abs(a - b).max(axis=0) > SHORT
+    astray = passed[long & ~_followed(sheet, a, b)] if level < LEVELS and len(triangles) < MOST else passed[:0]
     if not astray.size:
         return a, b
     held = np.isin(triangles, np.unique(np.concatenate(border))).any(axis=1)
@@ -147,8 +150,13 @@ def _followed(sheet: Sheet, a: Array, b: Array) -> NDArray[np.bool_]:
     def f(q: Array) -> Array:
         return sheet.look(q).numerator
 
-    middle, found = _beside(f, a, b)
-    return found & _beside(f, a, middle)[1] & _beside(f, middle, b)[1]
+    middle, found = _beside(f, a, b, rough=True)
+    return found & _beside(f, a, middle, rough=True)[1] & _beside(f, middle, b, rough=True)[1]
+
+
+def _turning(sheet: Sheet, path: Callable[[Array], Array], sign: NDArray[np.bool_]) -> Array:
+    """The shares of paths up to which the numerator has its first sign."""
+    return halved(lambda share: (sheet.look(path(share)).numerator >= 0) == sign, sign.size)
 
 
 def _sides(triangles: Rows) -> Rows:
@@ -188,17 +196,22 @@ def _along_rim(sheet: Sheet, a: Array, b: Array) -> Callable[[Array], Array]:
             beyond = sheet.place(q + side * WAY * across)[1] > RIM
             turned = (beyond != inside) & (found == q).all(axis=0)
             if turned.any():
-                start, step, was = q[:, turned], side * WAY * across[:, turned], inside[turned]
-                at = halved(lambda s, i=start, d=step, w=was: (sheet.place(i + s * d)[1] > RIM) == w, start.shape[1])
-                found[:, turned] = start + np.where(was, at, at + 2.0**-HALVINGS) * step
+                found[:, turned] = _to_rim(sheet, q[:, turned], side * WAY * across[:, turned], inside[turned])
         return found
 
     return path
 
 
-def refined(sheet: Sheet, kind: str, a: Array, b: Array, chord: float, f: Callable[[Array], Array] | None) -> Segments:
+def _to_rim(sheet: Sheet, start: Array, step: Array, inside: NDArray[np.bool_]) -> Array:
+    """The places on the rim between start and start + step, just inside."""
+    at = halved(lambda share: (sheet.place(start + share * step)[1] > RIM) == inside, inside.size)
+    return np.asarray(start + np.where(inside, at, at + 2.0**-HALVINGS) * step)
+
+
+def refined(sheet: Sheet, kind: str, ends: Ends, chord: float, f: Callable[[Array], Array] | None) -> Segments:
     """Segments halved until the middle of each path lies within ``chord`` of its chord; the curve is where ``f`` is 0,
     or straight in the drives' plane."""
+    a, b = ends
     done: list[tuple[Array, Array, Array]] = []
     pa, pb = sheet.place(a)[0], sheet.place(b)[0]
     for turn in range(ROUNDS):
@@ -220,17 +233,21 @@ def refined(sheet: Sheet, kind: str, a: Array, b: Array, chord: float, f: Callab
     return Segments(kind, *(np.concatenate(parts, axis=-1) for parts in zip(*done, strict=True)))
 
 
-def _beside(f: Callable[[Array], Array], a: Array, b: Array) -> tuple[Array, NDArray[np.bool_]]:
-    """The zeros of f on the normals through the middles of segments; whether there is one nearby."""
+def _beside(f: Callable[[Array], Array], a: Array, b: Array, rough: bool = False) -> tuple[Array, NDArray[np.bool_]]:
+    """The zeros of f on the normals through the middles of segments (``rough``: where a line through two places has
+    it); whether there is one nearby."""
     middle, across = (a + b) / 2, np.stack([a[1] - b[1], b[0] - a[0]])
     here = f(middle)
     share, found = np.zeros(a.shape[1]), here == 0
     for way in WAYS:
         there = f(middle + way * across)
         fresh = np.flatnonzero(~found & (np.sign(here) * np.sign(there) < 0))
-        ends = np.zeros(fresh.size), np.full(fresh.size, way)
-        root = bracketed(lambda s, i: f(middle[:, i] + s * across[:, i]), fresh, np.minimum(*ends), np.maximum(*ends))
-        share[fresh], found[fresh] = root, True
+        share[fresh] = way * here[fresh] / (here[fresh] - there[fresh])
+        found[fresh] = True
+        if not rough and fresh.size:
+            ends = np.zeros(fresh.size), np.full(fresh.size, way)
+            low, high = np.minimum(*ends), np.maximum(*ends)
+            share[fresh] = bracketed(lambda s, i: f(middle[:, i] + s * across[:, i]), fresh, low, high)
     return middle + share * across, found
 
 

@@ -16,11 +16,16 @@ Rows = NDArray[np.intp]
 RIM = 1e-14
 """The reach at which the rim is drawn, just inside where two modes meet: its root is 1e-7 of the group's size."""
 HALVINGS = 60
+SKEW = (0.7548776662, 0.5698402910)
 CLEAR = 1e-3
 """A reach above this is far from the rim."""
+SMALL, MET = 0.2, 1e-18
+"""Where a pit may be near, and where it is: the closure's determinant squared, over the reach."""
+LOOKS = 150
+WAYS = np.array([[i, k] for i in (-1.0, 0.0, 1.0) for k in (-1.0, 0.0, 1.0) if (i, k) != (0.0, 0.0)])
 AROUND = 1.5
 """Around a pit the mesh is finer within so many steps ..."""
-NARROWER = 30
+NARROWER = 22
 """... halved so often."""
 
 
@@ -36,6 +41,12 @@ class Box:
     def size(self) -> Array:
         """Their widths: (2,)."""
         return np.subtract(self.high, self.low)
+
+    def askew(self) -> Box:
+        """The same ranges, whole turns begun elsewhere: a curve along a round angle is on no line of a mesh."""
+        start = [low + SKEW[k] * self.turns[k] for k, low in enumerate(self.low)]
+        stop = [high + SKEW[k] * self.turns[k] for k, high in enumerate(self.high)]
+        return Box((start[0], start[1]), (stop[0], stop[1]), self.turns)
 
 
 @dataclass(frozen=True)
@@ -101,27 +112,31 @@ def _pitted(q: Array, ring: Rows, centres: Array, step: Array) -> tuple[Array, R
 def found_pits(sheet: Sheet, box: Box, steps: int = 48) -> Array:
     """The places in the drives' plane where the two outer pins of a group meet, so that its links may point anywhere:
     (2, n). The closure's determinant is zero there, though the group could reach farther."""
-    from scipy.optimize import minimize
-
     axes = [np.linspace(a, b, steps + 1) for a, b in zip(box.low, box.high, strict=True)]
     grid = np.stack(np.meshgrid(*axes, indexing="ij"))
-    here = sheet.look(grid.reshape(2, -1))
-    size = np.where(here.reach > CLEAR, np.abs(here.closure), np.inf).reshape(steps + 1, -1)
-    padded = np.pad(np.nan_to_num(size, nan=np.inf, posinf=np.inf), 1, constant_values=np.inf)
+
+    def small(q: Array) -> Array:
+        """The closure's determinant over what it is near the rim, squared."""
+        here = sheet.look(q)
+        with np.errstate(all="ignore"):
+            return np.where(here.reach > CLEAR, here.closure**2 / here.reach, np.inf)
+
+    size = np.nan_to_num(small(grid.reshape(2, -1)), nan=np.inf).reshape(steps + 1, -1)
+    padded = np.pad(size, 1, constant_values=np.inf)
     around = [padded[i : i + steps + 1, k : k + steps + 1] for i in range(3) for k in range(3) if (i, k) != (1, 1)]
-
-    def missed(q: Array) -> float:
-        found = float(sheet.look(q[:, None]).closure[0])
-        return found**2 if np.isfinite(found) else 1.0
-
+    q = grid[:, (size <= np.min(around, axis=0)) & (size < SMALL)]
+    best, step = small(q), np.repeat(box.size[:, None] / steps, q.shape[1], axis=1)
+    for _ in range(LOOKS if q.size else 0):
+        tried = q[:, None] + step[:, None] * WAYS.T[:, :, None]
+        values = small(tried.reshape(2, -1)).reshape(len(WAYS), -1)
+        which = values.argmin(axis=0)
+        better = values.min(axis=0) < best
+        q = np.where(better, tried[:, which, np.arange(which.size)], q)
+        best, step = np.minimum(best, values.min(axis=0)), np.where(better, step, step / 2)
     found: list[Array] = []
-    for i, k in np.argwhere((size <= np.min(around, axis=0)) & (size < 0.3)):
-        best = minimize(
-            missed, grid[:, i, k], method="Nelder-Mead", options={"xatol": 1e-14, "fatol": 1e-32, "maxiter": 2000}
-        )
-        clear = sheet.place(best.x[:, None] + 1e-6 * box.size[:, None])[1][0] > CLEAR
-        if best.fun < 1e-16 and clear and all(np.abs(best.x - one).max() > 1e-6 for one in found):
-            found.append(best.x)
+    for place in q.T[best < MET]:
+        if all(np.abs(place - one).max() > 1e-6 for one in found):
+            found.append(place)
     return np.array(found).reshape(-1, 2).T
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +21,8 @@ Array = NDArray[np.float64]
 
 SNAP = 1e-10
 """Ends of pieces nearer than this share of the extent are one."""
+SLIVER = 4.0
+"""A face narrower than so many chords is a sliver."""
 STARTS = 12
 NEWTON = 40
 CLOSED = 1e-9
@@ -33,7 +36,7 @@ class Region:
 
     sheet: Sheet
     box: Box
-    shape: object
+    shape: Any
     segments: tuple[Segments, ...]
     mesh: Mesh
     steps: int
@@ -42,11 +45,12 @@ class Region:
 
 def region(sheet: Sheet, box: Box, chord: float, first: int = 96, most: int = 1536, close: float = 1e-6) -> Region:
     """The region of a sheet, on meshes that are doubled until its area changes by less than a share ``close``."""
-    last, steps, pits = None, first, found_pits(sheet, box)
+    box, last, steps = box.askew(), None, first
+    pits = found_pits(sheet, box)
     while True:
         made = mesh(sheet, box, steps, pits)
         segments = curves(sheet, made, chord)
-        shape = reached(sheet, box, made, segments)
+        shape = reached(sheet, box, made, segments, chord)
         area = float(shape.area)
         change = abs(area - last) / area if last is not None and area else np.inf
         if change <= close or 2 * steps > most or not area:
@@ -54,26 +58,45 @@ def region(sheet: Sheet, box: Box, chord: float, first: int = 96, most: int = 15
         last, steps = area, 2 * steps
 
 
-def reached(sheet: Sheet, box: Box, made: Mesh, segments: Sequence[Segments]):  # type: ignore[no-untyped-def]
-    """The faces between the curves' paths that are reached, together."""
+def reached(sheet: Sheet, box: Box, made: Mesh, segments: Sequence[Segments], chord: float) -> Any:
+    """The faces between the curves' paths that are reached, together. Slivers between paths that are one but for their
+    chords count as neither; the gaps that they leave are filled."""
     import shapely
 
     paths = [sheet.place(np.stack([one.a, one.b], axis=1).reshape(2, -1))[0].reshape(2, 2, -1) for one in segments]
     ends = np.concatenate(paths, axis=2)
+    ends = ends[:, :, (ends[:, 1] != ends[:, 0]).any(axis=0)]
     if not ends.size or not made.q.size:
         return shapely.Polygon()
     size = float(np.ptp(ends, axis=(1, 2)).max())
-    apart = (ends[:, 1] != ends[:, 0]).any(axis=0)
-    lines = shapely.linestrings(np.moveaxis(ends[:, :, apart], (0, 1, 2), (2, 1, 0)))
+    lines = shapely.linestrings(np.moveaxis(ends, (0, 1, 2), (2, 1, 0)))
     joined = shapely.unary_union(lines, grid_size=SNAP * size)
     faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(joined)))
+    faces = faces[_wide(faces, chord)]
     if not len(faces):
         return shapely.Polygon()
     middles = shapely.get_coordinates(shapely.point_on_surface(faces)).T
-    wide = shapely.area(faces) > SNAP * size * shapely.length(faces)
-    hit = np.zeros(len(faces), dtype=bool)
-    hit[wide] = reaches(sheet, box, made, middles[:, wide], CLOSED * size)[0]
-    return shapely.unary_union(faces[hit])
+    hit = reaches(sheet, box, made, middles, CLOSED * size)[0]
+    return _filled(shapely.unary_union(faces[hit]), chord)
+
+
+def _wide(faces: Any, chord: float) -> NDArray[np.bool_]:
+    """Which faces are no slivers."""
+    import shapely
+
+    return np.asarray(shapely.area(faces) > SLIVER * chord * shapely.length(faces))
+
+
+def _filled(shape: Any, chord: float) -> Any:
+    """A shape without holes that are slivers."""
+    import shapely
+
+    made = []
+    for part in shapely.get_parts(shape):
+        holes = np.array([shapely.Polygon(ring) for ring in part.interiors], dtype=object)
+        kept = holes[_wide(holes, chord)] if holes.size else holes
+        made.append(shapely.Polygon(part.exterior, [hole.exterior for hole in kept]))
+    return shapely.unary_union(made)
 
 
 def reaches(sheet: Sheet, box: Box, made: Mesh, places: Array, near: float) -> tuple[NDArray[np.bool_], Array]:

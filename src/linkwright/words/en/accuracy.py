@@ -62,6 +62,7 @@ ACCURACY: dict[str, str] = {
     "accuracy.column.worst": "Worst case, linear",
     "accuracy.column.rss": "RSS, ±3σ",
     "accuracy.column.monte_carlo": "Monte Carlo, {coverage}",
+    "accuracy.column.play": "Clearances",
     "accuracy.column.first": "Largest contributors",
     "accuracy.column.dimension": "Dimension",
     "accuracy.column.tolerance": "Tolerance",

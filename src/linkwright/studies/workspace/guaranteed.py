@@ -1,0 +1,273 @@
+"""What tolerances leave of a workspace: maps of the working point's errors, and the part of a region that is sure.
+
+At given drive values F(q, p) is the working point, and c_i = dF/dp_i, of contributor i, its error of first order
+(superposition: Peng and Zi, Journal of Mechanical Transmission 34(4), 2010, eq. 8, 9). The boundary of a region
+moves along its normal n by the sum of n . c_i d_i: how the drive values of the boundary move doesn't count there
+(envelope theorem: Danskin, SIAM Journal on Applied Mathematics 14, 1966, 641-664). On the rim, where two modes meet,
+c_i is taken along it, at constant reach, as it grows without bound at given drive values.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.graph.tangent import tangent
+from linkwright.kernels import KERNELS
+from linkwright.kernels.choice import choose
+from linkwright.model import units as u
+from linkwright.studies.accuracy.contributors import Contributors
+from linkwright.studies.workspace import mesh as meshes
+from linkwright.studies.workspace.maps import MOST, Maps, mapped
+from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.regions import Region
+from linkwright.studies.workspace.sheet import Sheet
+
+Array = NDArray[np.float64]
+
+STEPS = 200
+ROUND = 16
+"""Strips end round, in so many pieces a quarter of a turn; they are wider by what these lack."""
+BESIDE = 1e-5
+"""Boundaries are looked for within this share of the region's extent."""
+KINDS = {f"error {what}": u.LENGTH for what in ("x least", "x most", "y least", "y most", "worst")} | {
+    f"spread {what}": u.LENGTH for what in ("x", "y", "worst")
+}
+
+
+class Errors:
+    """The errors of the working point by the contributors' deviations, at given drive values."""
+
+    def __init__(self, sheet: Sheet, contributors: Contributors, poses: int) -> None:
+        self.sheet, self.contributors = sheet, contributors
+        self.graph = sheet.compiled.graph
+        labels = [group.label for group in sheet.compiled.structure.groups if group.modes > 1]
+        self.closed = len(labels)
+        names = [f"{sheet.point}.x", f"{sheet.point}.y", *(f"reach:{label}" for label in labels)]
+        program = tangent(self.graph, names)
+        self.engine = KERNELS[choose(program, poses * (len(contributors) + 2), os.cpu_count() or 1).kernel](program)
+        self.drives = [self.graph.drives.index(drive) * self.graph.width for drive in sheet.drives]
+
+    def slopes(self, q: Array, drives: bool = False) -> tuple[Array, Array]:
+        """Values (2 + reaches, n) of the point and the reaches of groups with two modes, and their derivatives by the
+        contributors and, with ``drives``, by the two drives after them: (2 + reaches, contributors + drives, n)."""
+        size, many, more = len(self.graph.inputs), len(self.contributors), 2 if drives else 0
+        x = np.zeros((2 * size, many + more, q.shape[1]))
+        x[:size] = self.sheet.inputs(q)[:, None]
+        for k, row in enumerate(self.drives[:more]):
+            x[size + row, many + k] = 1.0
+        along = np.zeros((self.sheet.parameters.size, many + more))
+        along[:, :many] = self.contributors.directions
+        p = np.concatenate([np.repeat(self.sheet.parameters[:, None], many + more, axis=1), along])
+        with np.errstate(all="ignore"):
+            y = self.engine.over(x, p).reshape(-1, 2, many + more, q.shape[1])
+        return y[:, 0, 0], y[:, 1]
+
+    def __call__(self, q: Array) -> dict[str, Array]:
+        """The figures of the error maps at drive values (2, n): see :func:`errors`."""
+        step = max(1, MOST // len(self.contributors))
+        parts = [self._figures(q[:, start : start + step]) for start in range(0, q.shape[1], step)]
+        return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]} if parts else {}
+
+    def _figures(self, q: Array) -> dict[str, Array]:
+        values, slopes = self.slopes(q)
+        low, high = self.contributors.low[:, None], self.contributors.high[:, None]
+        found = {"x": values[0], "y": values[1]}
+        with np.errstate(all="ignore"):
+            outside = ~(values[2:] > 0).all(axis=0)
+            for name, slope in zip("xy", slopes[:2], strict=True):
+                found[f"error {name} least"] = np.minimum(low * slope, high * slope).sum(axis=0)
+                found[f"error {name} most"] = np.maximum(low * slope, high * slope).sum(axis=0)
+            found["error worst"] = farthest(slopes[:2], low, high)
+            xx, xy, yy = (
+                np.einsum("in,ij,jn->n", slopes[a], self.contributors.covariance, slopes[b])
+                for a, b in ((0, 0), (0, 1), (1, 1))
+            )
+            found["spread x"], found["spread y"] = 3 * np.sqrt(xx), 3 * np.sqrt(yy)
+            found["spread worst"] = 3 * np.sqrt((xx + yy) / 2 + np.hypot((xx - yy) / 2, xy))
+        return {name: np.where(outside, np.nan, row) for name, row in found.items()}
+
+
+def errors(sheet: Sheet, box: Box, contributors: Contributors, steps: int = STEPS) -> Maps:
+    """Maps of the working point's errors (m), of first order, on ``steps`` equal steps of each drive.
+
+    Worst case: ``error x least`` and ``most`` are its limits along x, y likewise; ``error worst`` is the farthest that
+    the point may be off. ``spread x``, ``y``: three standard deviations; ``spread worst`` those along the direction
+    in which they are largest.
+    """
+    return mapped(sheet.compiled.quantities, box, steps, Errors(sheet, contributors, (steps + 1) ** 2), KINDS)
+
+
+def farthest(slopes: Array, low: Array, high: Array) -> Array:
+    """The greatest length of the sum of slopes (2, contributors, n) times deviations within ``low`` .. ``high``
+    (contributors, 1): (n,).
+
+    The sums fill a polygon, whose corners follow each other as its sides are ordered by their directions.
+    """
+    middle, half = (slopes * (low + high) / 2).sum(axis=1), slopes * (high - low) / 2
+    half = np.where((half[1] < 0) | ((half[1] == 0) & (half[0] < 0)), -half, half)
+    order = np.argsort(np.arctan2(half[1], half[0]), axis=0)
+    sides = np.take_along_axis(half, order[None], axis=1)
+    corners = sides.sum(axis=1, keepdims=True) - 2 * np.cumsum(sides, axis=1)
+    both = np.stack([middle[:, None] + corners, middle[:, None] - corners])
+    return np.asarray(np.hypot(both[:, 0], both[:, 1]).max(axis=(0, 1)))
+
+
+@dataclass(frozen=True)
+class Guaranteed:
+    """What is sure of a region, to first order, for all deviations within their limits at once.
+
+    ``shape`` (Shapely, m) is reached whatever they are. ``precise`` is the part of it in which the point is off by no
+    more than ``limit`` (m) in all poses of the sheet that come there; None where no limit was asked for. ``least`` and
+    ``most`` are the smallest and the greatest way that the boundary may move inward (m), NaN where there is none.
+    """
+
+    region: Region
+    shape: object
+    least: float
+    most: float
+    limit: float | None = None
+    precise: object | None = None
+
+
+def guaranteed(
+    region: Region, contributors: Contributors, limit: float | None = None, steps: int = STEPS
+) -> Guaranteed:
+    """The guaranteed part of a region; ``limit`` of the point's error is looked for on a mesh of ``steps``."""
+    import shapely
+
+    found = Errors(region.sheet, contributors, sum(one.a.shape[1] for one in region.segments))
+    made = edges(region, found)
+    width = np.concatenate([one.width for one in made]) if made else np.array([np.nan])
+    cut = [shapely.buffer(one.lines, one.width / np.cos(np.pi / 4 / ROUND), quad_segs=ROUND) for one in made]
+    shape = shapely.difference(region.shape, shapely.union_all([shapely.union_all(one) for one in cut]))
+    precise = None if limit is None else shapely.difference(shape, imprecise(region, found, limit, steps))
+    return Guaranteed(region, shape, float(width.min()), float(width.max()), limit, precise)
+
+
+@dataclass(frozen=True)
+class Edge:
+    """The boundary's pieces that lie on one kind of curve.
+
+    ``ends`` (2, 2, n) are their places: coordinate, end, piece; ``outward`` (2, n) their unit normals, ``sure`` says
+    for which the region is on one side only, so that these point out of it. ``shifts`` (contributors, 2, n) is how far
+    either end moves along the normal per unit of each deviation, ``width`` (n,) how far inward at worst (m).
+    """
+
+    kind: str
+    ends: Array
+    outward: Array
+    sure: NDArray[np.bool_]
+    shifts: Array
+    width: Array
+
+    @property
+    def lines(self):  # type: ignore[no-untyped-def]
+        """The pieces, in Shapely."""
+        import shapely
+
+        return shapely.linestrings(np.moveaxis(self.ends, (0, 1, 2), (2, 1, 0)))
+
+
+def edges(region: Region, found: Errors) -> list[Edge]:
+    """The boundary of a region by the curves on which it lies."""
+    import shapely
+
+    edge, made = shapely.boundary(region.shape), []
+    if shapely.is_empty(edge):
+        return []
+    low, high = np.reshape(shapely.bounds(edge), (2, 2))
+    beside = BESIDE * float((high - low).max())
+    shapely.prepare([edge, region.shape])
+    for one in region.segments:
+        if not one.a.size:
+            continue
+        drives = np.stack([one.a, one.b], axis=1)
+        ends = region.sheet.place(drives.reshape(2, -1))[0].reshape(drives.shape)
+        on = shapely.dwithin(edge, shapely.points(ends.mean(axis=1).T), beside / 10)
+        on &= (ends[:, 0] != ends[:, 1]).any(axis=0)
+        drives, ends = drives[:, :, on], ends[:, :, on]
+        if not on.any():
+            continue
+        along, middle = ends[:, 1] - ends[:, 0], ends.mean(axis=1)
+        normal = np.stack([along[1], -along[0]]) / np.hypot(*along)
+        ahead, behind = (shapely.contains_xy(region.shape, *(middle + s * beside * normal)) for s in (1, -1))
+        outward = np.where(ahead & ~behind, -normal, normal)
+        shifts = moved(found, one.kind, drives, outward)
+        inward, out = (_worst(found.contributors, sign * shifts).max(axis=0) for sign in (-1, 1))
+        width = np.where(ahead != behind, inward, np.maximum(inward, out))
+        made.append(Edge(one.kind, ends, outward, ahead != behind, shifts, width))
+    return made
+
+
+def _worst(contributors: Contributors, shifts: Array) -> Array:
+    """The greatest sum of shifts (contributors, ...) times deviations, 0 or more."""
+    low, high = (np.reshape(end, (-1, 1, 1)) for end in (contributors.low, contributors.high))
+    return np.maximum(np.maximum(low * shifts, high * shifts).sum(axis=0), 0.0)
+
+
+def moved(found: Errors, kind: str, drives: Array, outward: Array) -> Array:
+    """How far the ends of pieces (2, 2, n): coordinate, end, piece, in the drives' plane, move along their own normals,
+    which point about as ``outward`` (2, n) does, per unit of each deviation: (contributors, 2, n).
+
+    The normals come from derivatives: where a curve ends on the rim, these grow without bound and hardly the shifts.
+    """
+    values, slopes = found.slopes(drives.reshape(2, -1), drives=True)
+    way = np.repeat((drives[:, 1] - drives[:, 0])[:, None], 2, axis=1).reshape(2, -1)
+    with np.errstate(all="ignore"):
+        own, along = ALONG.get(kind, _free)(values, slopes, way)
+        normal = np.stack([along[1], -along[0]]) / np.hypot(*along)
+    normal *= np.where((normal * np.tile(outward, 2)).sum(axis=0) < 0, -1.0, 1.0)
+    return np.asarray(np.einsum("kin,kn->in", own, normal).reshape(len(own[0]), 2, -1))
+
+
+Held = tuple[Array, Array]
+"""How the place of a boundary goes with the deviations, (2, contributors, n), and its direction (2, n), of any size."""
+
+
+def _free(values: Array, slopes: Array, way: Array) -> Held:
+    """Along a way in the drives' plane."""
+    return slopes[:2, :-2], np.einsum("kjn,jn->kn", slopes[:2, -2:], way)
+
+
+def _singular(values: Array, slopes: Array, way: Array) -> Held:
+    """All that the drives can do is one direction: that of the larger of their two columns."""
+    one, two = slopes[:2, -2], slopes[:2, -1]
+    return slopes[:2, :-2], np.where(np.hypot(*one) >= np.hypot(*two), one, two)
+
+
+def _rim(values: Array, slopes: Array, way: Array) -> Held:
+    """The least reach stays: drive values follow along its gradient; what they move along the rim doesn't matter."""
+    which = values[2:].argmin(axis=0)
+    reach = np.take_along_axis(slopes[2:], which[None, None], axis=0)[0]
+    by_drives = reach[-2:]
+    follow = -by_drives[:, None] * reach[None, :-2] / (by_drives**2).sum(axis=0)
+    own = slopes[:2, :-2] + np.einsum("kjn,jin->kin", slopes[:2, -2:], follow)
+    return own, np.einsum("kjn,jn->kn", slopes[:2, -2:], np.stack([by_drives[1], -by_drives[0]]))
+
+
+ALONG = {"singular": _singular, "modes": _rim}
+"""What tells of a kind of curve how it moves."""
+
+
+def imprecise(region: Region, found: Errors, limit: float, steps: int = STEPS):  # type: ignore[no-untyped-def]
+    """Where some pose's error is above a limit, as far as triangles of the mesh show it (Shapely, m)."""
+    import shapely
+
+    sheet, box = region.sheet, region.box
+    made = meshes.mesh(sheet, box, steps)
+
+    def above(q: Array) -> NDArray[np.bool_]:
+        error = found(q)["error worst"]
+        return ~(error <= limit)
+
+    q, triangles, _ = meshes._cut(above, made.q, made.triangles)
+    at = sheet.place(q)[0][:, triangles]
+    at = at[:, np.isfinite(at).all(axis=(0, 2))]
+    if not at.size:
+        return shapely.Polygon()
+    return shapely.union_all(shapely.polygons(np.moveaxis(at, 0, 2)))

@@ -1,0 +1,171 @@
+"""Maps: figures of a sheet over a grid of its drives' values and, by the working point's place, over the plane."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.model.quantities import Quantities
+from linkwright.model.units import Dimension
+from linkwright.results.stationary import bracketed
+from linkwright.studies.workspace.mesh import Box
+
+Array = NDArray[np.float64]
+Figures = Callable[[Array], Mapping[str, Array]]
+"""From drive values (2, n) all figures by name, (n,) each, NaN where the mechanism can't be assembled; ``x`` and ``y``
+of the working point are among them."""
+
+ZOOMS, NARROWER, LOOKS = 16, 4.0, 9
+"""An extreme is looked for on so many grids, each so much narrower than the one before, with so many places a side."""
+ENDLESS = 1e4
+"""What grows by this factor on the way there goes to infinity, what falls by it to zero: a root grows by 3e4."""
+MOST = 1 << 17
+"""Poses that are computed together."""
+
+
+@dataclass(frozen=True)
+class Map:
+    """One figure: values (steps + 1, steps + 1) in SI over the first and the second drive's values, NaN where the
+    mechanism can't be assembled; its dimension, the unit that it is shown in with its SI value."""
+
+    name: str
+    values: Array
+    dimension: Dimension
+    unit: str
+    size: float
+
+
+@dataclass(frozen=True)
+class Extreme:
+    """The least or greatest value of a map (SI), the drive values (2,) and the place (2,) of the working point.
+
+    0 or infinite where it comes as near to that as one likes: then the place is a limit that isn't reached.
+    """
+
+    value: float
+    drives: Array
+    at: Array
+
+
+@dataclass(frozen=True)
+class Line:
+    """A piece of a contour line, (2, k) both: drive values, and places of the working point (m)."""
+
+    drives: Array
+    at: Array
+
+
+@dataclass(frozen=True)
+class Maps:
+    """Maps on a grid of ``axes``: drive values (steps + 1,) of each drive; ``at`` (2, steps + 1, steps + 1) are the
+    places of the working point (m)."""
+
+    box: Box
+    axes: tuple[Array, Array]
+    at: Array
+    maps: dict[str, Map]
+    figures: Figures
+
+    def least(self, name: str) -> Extreme | None:
+        """The least value of a map; None where the mechanism can be assembled nowhere."""
+        return self._extreme(name, -1.0)
+
+    def greatest(self, name: str) -> Extreme | None:
+        """The greatest value of a map."""
+        return self._extreme(name, 1.0)
+
+    def _extreme(self, name: str, sign: float) -> Extreme | None:
+        """From the best place of the grid, on narrower and narrower grids around the best place so far."""
+        values = sign * self.maps[name].values
+        if np.isnan(values).all():
+            return None
+        i, k = np.unravel_index(np.nanargmax(values), values.shape)
+        q, steps = np.array([self.axes[0][i], self.axes[1][k]]), np.array([axis[1] - axis[0] for axis in self.axes])
+        best = float(values[i, k])
+        for zoom in range(ZOOMS):
+            ticks = np.linspace(-1, 1, LOOKS) / NARROWER**zoom
+            offsets = np.stack(np.meshgrid(ticks, ticks, indexing="ij")).reshape(2, -1)
+            places = self._within(q[:, None] + steps[:, None] * offsets)
+            here = np.nan_to_num(sign * self.figures(places)[name], nan=-np.inf)
+            if here.max() > best:
+                best, q = float(here.max()), places[:, here.argmax()]
+        value, first = sign * best, abs(float(values[i, k]))
+        if abs(value) > ENDLESS * first:
+            value = float(np.copysign(np.inf, value))
+        elif abs(value) < first / ENDLESS:
+            value = 0.0
+        at = self.figures(q[:, None])
+        return Extreme(value, q, np.array([at["x"][0], at["y"][0]]))
+
+    def _within(self, q: Array) -> Array:
+        low, high = np.array(self.box.low)[:, None], np.array(self.box.high)[:, None]
+        return np.where(np.array(self.box.turns)[:, None], q, np.clip(q, low, high))
+
+    def contour(self, name: str, level: float) -> list[Line]:
+        """The lines on which a map has a value (SI), by marching triangles; their corners lie on the true line."""
+        n = self.axes[1].size
+        values = self.maps[name].values.ravel() - level
+        corner = np.arange(values.size).reshape(-1, n)
+        a, b, c, d = (part.ravel() for part in (corner[:-1, :-1], corner[1:, :-1], corner[1:, 1:], corner[:-1, 1:]))
+        triangles = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+        triangles = triangles[np.isfinite(values[triangles]).all(axis=1)]
+        above = values >= 0
+        triangles = triangles[above[triangles].any(axis=1) & ~above[triangles].all(axis=1)]
+        sides = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
+        crossed = above[sides[:, 0]] != above[sides[:, 1]]
+        pairs, where = np.unique(sides[crossed], axis=0, return_inverse=True)
+        if not len(pairs):
+            return []
+        grid = np.stack(np.meshgrid(*self.axes, indexing="ij")).reshape(2, -1)
+        start, way = grid[:, pairs[:, 0]], grid[:, pairs[:, 1]] - grid[:, pairs[:, 0]]
+
+        def off(share: Array, rows: NDArray[np.intp]) -> Array:
+            return self.figures(start[:, rows] + share * way[:, rows])[name] - level
+
+        share = bracketed(off, np.arange(len(pairs)), np.zeros(len(pairs)), np.ones(len(pairs)))
+        q = start + share * way
+        found = self.figures(q)
+        at = np.stack([found["x"], found["y"]])
+        of = np.full(len(sides), -1)
+        of[crossed] = where.ravel()
+        ends = np.sort(of.reshape(3, -1), axis=0)[1:].T
+        return [Line(q[:, chain], at[:, chain]) for chain in chained(ends)]
+
+
+def mapped(quantities: Quantities, box: Box, steps: int, figures: Figures, kinds: Mapping[str, Dimension]) -> Maps:
+    """Maps of the named figures on ``steps`` equal steps of each drive, ends included."""
+    first, second = (np.linspace(a, b, steps + 1) for a, b in zip(box.low, box.high, strict=True))
+    grid = np.stack(np.meshgrid(first, second, indexing="ij")).reshape(2, -1)
+    parts = [figures(grid[:, start : start + MOST]) for start in range(0, grid.shape[1], MOST)]
+    rows = {name: np.concatenate([part[name] for part in parts]).reshape(steps + 1, -1) for name in ("x", "y", *kinds)}
+    made = {name: Map(name, rows[name], kind, *quantities.unit_of(kind)) for name, kind in kinds.items()}
+    return Maps(box, (first, second), np.stack([rows["x"], rows["y"]]), made, figures)
+
+
+def chained(pieces: NDArray[np.intp]) -> list[list[int]]:
+    """Pieces (n, 2), given by their ends, as lines: the ends of each in order, the first once more where it closes."""
+    beside: dict[int, list[int]] = defaultdict(list)
+    for a, b in pieces.tolist():
+        beside[a].append(b)
+        beside[b].append(a)
+    lines, seen = [], set()
+    for start in sorted(beside, key=lambda end: len(beside[end])):  # the ends of open lines first
+        if start in seen:
+            continue
+        line, here = [start], start
+        seen.add(start)
+        while True:
+            following = [end for end in beside[here] if end not in seen]
+            if not following:
+                if len(line) > 2 and start in beside[here]:
+                    line.append(start)
+                break
+            here = following[0]
+            seen.add(here)
+            line.append(here)
+        lines.append(line)
+    return lines

@@ -1,0 +1,49 @@
+"""Mechanisms with two drives, whose regions are known in closed form."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from helpers.compiled import compiled_from
+from helpers.examples import UNITS
+from linkwright.kernels import Compiled
+
+
+def five_bar(l1: float, l2: float, l3: float, l4: float, l5: float) -> Compiled:
+    """Cranks O1-B and O4-D, couplers B-C and D-C, ground O1-O4 (m)."""
+    return compiled_from(
+        {
+            "linkwright": 1,
+            "units": UNITS,
+            "links": {
+                "frame": {"points": {"O1": [0, 0], "O4": [l5, 0]}},
+                "crank1": {"points": {"O1": [0, 0], "B": [l1, 0]}},
+                "link2": {"points": {"B": [0, 0], "C": [l2, 0]}},
+                "link3": {"points": {"D": [0, 0], "C": [l3, 0]}},
+                "crank4": {"points": {"O4": [0, 0], "D": [l4, 0]}},
+            },
+            "assembly": {"C": "left of B-D"},
+            "drives": {
+                "motor": {"turns": "crank1", "on": "frame", "speed": 1, "start": 2.0},
+                "servo": {"turns": "crank4", "on": "frame", "speed": 1, "start": 1.0},
+            },
+        }
+    )
+
+
+def arm(l1: float, l2: float) -> Compiled:
+    """A shoulder O, an elbow A, the hand P: an open chain."""
+    data: dict[str, Any] = {
+        "linkwright": 1,
+        "units": UNITS,
+        "links": {
+            "frame": {"points": {"O": [0, 0]}},
+            "upper": {"points": {"O": [0, 0], "A": [l1, 0]}},
+            "fore": {"points": {"A": [0, 0], "P": [l2, 0]}},
+        },
+        "drives": {
+            "shoulder": {"turns": "upper", "on": "frame", "speed": 1, "start": 0},
+            "elbow": {"turns": "fore", "on": "upper", "speed": 1, "start": 1.0},
+        },
+    }
+    return compiled_from(data)
