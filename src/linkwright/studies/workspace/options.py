@@ -27,8 +27,8 @@ from linkwright.studies.workspace.signs import combinations
 PATH = ("studies", "workspace")
 TURN = 2 * math.pi
 MOVED = (0.0137, 0.0219)
-"""A whole turn is looked at from so far (rad) on: what is singular at a round angle, as an arm with a straight elbow, else
-lies on a whole line of the mesh, where round-off decides its side."""
+"""A whole turn is looked at from so far (rad) on: what is singular at a round angle, as a straight arm, else lies on a
+whole line of the mesh, where round-off decides its side."""
 MOST = 200
 """The most regions of one study."""
 
