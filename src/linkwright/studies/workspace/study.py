@@ -62,7 +62,7 @@ class WorkspaceStudy:
         every = options.values(compiled)
         if len(compiled.graph.drives) == 2:
             outcome.box = options.box(compiled)
-        total = len(signs) * len(every)
+        done, total = 0, len(signs) * len(every)
         try:
             for values, parameters in zip(every, _parameters(compiled, every), strict=True):
                 if fault := _senseless(compiled, values):
@@ -71,11 +71,12 @@ class WorkspaceStudy:
                 found: list[Any] = []
                 for one in signs:
                     found.append(_found(outcome, one, parameters))
+                    done += 1
                     if site.progress is not None:
-                        site.progress(len(found) + len(outcome.workspaces) * len(signs), total)
+                        site.progress(done, total)
                 _keep(outcome, values, parameters, [f for f in found if f is not None])
         except KeyboardInterrupt:
-            raise Stopped(len(outcome.regions), total) from None
+            raise Stopped(done, total) from None
         return outcome
 
 
