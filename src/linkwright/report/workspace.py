@@ -17,7 +17,7 @@ from linkwright.words import say
 def workspace_entry(outcome: WorkspaceOutcome) -> dict[str, Any]:
     """Entries of the summary: lengths in the file's unit, areas in its square."""
     unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
-    regions, unions, overlaps, curves = [], [], [], []
+    regions, unions, overlaps, curves, turns = [], [], [], [], []
     for one in outcome.workspaces:
         values = shown_values(outcome, one)
         for reached in one.regions:
@@ -27,6 +27,7 @@ def workspace_entry(outcome: WorkspaceOutcome) -> dict[str, Any]:
         if one.regions:
             both = sum_of_overlaps(one)
             unions.append({**values, **_told(figures(one.union), size), "several": both / size**2, "unit": unit})
+        turns += [{**values, **turning.as_dict(outcome.compiled.quantities)} for turning in one.turnings]
         for overlap in one.overlaps:
             first, second = one.regions[overlap.first], one.regions[overlap.second]
             told = figures(overlap.shape)
@@ -47,7 +48,7 @@ def workspace_entry(outcome: WorkspaceOutcome) -> dict[str, Any]:
             bounds = _bounds(curve.bounds, size)
             curves.append({"mode": curve.mode, **values, **told_curve, "closed": closed, "bounds": bounds})
     entry: dict[str, Any] = {"point": outcome.point, "drives": _drives(outcome), "chord": outcome.chord / size}
-    entry |= {"unit": unit, "regions": regions, "union": unions, "overlap": overlaps}
+    entry |= {"unit": unit, "regions": regions, "union": unions, "overlap": overlaps, "turning": turns}
     entry |= {"curves": curves} if curves else {}
     return {"workspace": entry | {name: part.as_dict() for name, part in outcome.parts.items()}}
 
@@ -147,6 +148,7 @@ def workspace_tables(outcome: WorkspaceOutcome) -> list[Grid]:
         _grid("regions", ("mode", *_SHAPE), names, entry["regions"]),
         _grid("union", (*_SHAPE[:-1], "both", "unit"), names, entry["union"]),
         _grid("overlap", ("modes", "area", "share", "parts", "unit"), names, entry["overlap"]),
+        _grid("turning", ("drive", "turns", "other"), names, entry["turning"]),
         _grid("curves", ("mode", "length", "parts", "x", "y", "unit"), names, entry.get("curves", [])),
     ]
     return [grid for grid in grids if grid["rows"]]
@@ -169,6 +171,10 @@ def _cell(entry: Mapping[str, Any], column: str) -> str:
         return " / ".join(entry["modes"])
     if column == "mode":
         return entry["mode"] or say("workspace.one-mode")
+    if column == "turns":
+        key = "whole" if entry["whole"] else "parts" if entry["intervals"] else "never"
+        spans = ", ".join(f"{low:.7g} .. {high:.7g}" for low, high in entry["intervals"])
+        return say(f"workspace.turns.{key}", intervals=spans, unit=entry["unit"])
     value = entry["several" if column == "both" else column]
     if column == "share":
         return f"{100 * value:.4g} %"

@@ -20,13 +20,13 @@ from linkwright.graph.tangent import tangent
 from linkwright.kernels import KERNELS
 from linkwright.kernels.choice import choose
 from linkwright.model import units as u
+from linkwright.structure import Group
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.workspace import mesh as meshes
 from linkwright.studies.workspace.maps import MOST, Maps, mapped
 from linkwright.studies.workspace.mesh import Box, Mesh
 from linkwright.studies.workspace.regions import Region
 from linkwright.studies.workspace.sheet import Sheet
-from linkwright.structure import Group
 
 Array = NDArray[np.float64]
 

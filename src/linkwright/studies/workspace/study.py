@@ -20,6 +20,7 @@ from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOu
 from linkwright.studies.workspace.regions import region
 from linkwright.studies.workspace.sheet import Sheet
 from linkwright.studies.workspace.signs import combinations, named
+from linkwright.studies.workspace.turning import turnings
 from linkwright.words import say
 
 Array = NDArray[np.float64]
@@ -107,7 +108,7 @@ def _found(outcome: WorkspaceOutcome, signs: tuple[float, ...], parameters: Arra
     if _flat(sheet, box.low, box.high):
         return None
     made = region(sheet, box, outcome.chord, close=max(CLOSE, 10 * options.chord))
-    return Reached(mode, signs, made) if made.shape.area > 0 else None  # type: ignore[attr-defined]
+    return Reached(mode, signs, made) if made.shape.area > 0 else None
 
 
 def _flat(sheet: Sheet, low: tuple[float, float], high: tuple[float, float]) -> bool:
@@ -126,7 +127,8 @@ def _keep(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Array
         return
     curves = tuple(one for one in found if isinstance(one, Curve))
     regions = tuple(one for one in found if isinstance(one, Reached))
-    outcome.workspaces.append(Workspace(values, regions, curves, outcome.chord))
+    turns = turnings([one.region.sheet for one in regions], outcome.box) if outcome.box and regions else []
+    outcome.workspaces.append(Workspace(values, regions, curves, outcome.chord, tuple(turns)))
 
 
 def _nothing(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Array) -> Iterator[Finding]:
