@@ -20,6 +20,7 @@ from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOu
 from linkwright.studies.workspace.regions import region
 from linkwright.studies.workspace.sheet import Sheet
 from linkwright.studies.workspace.signs import combinations, named
+from linkwright.studies.workspace.turning import turnings
 from linkwright.words import say
 
 Array = NDArray[np.float64]
@@ -126,7 +127,9 @@ def _keep(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Array
         return
     curves = tuple(one for one in found if isinstance(one, Curve))
     regions = tuple(one for one in found if isinstance(one, Reached))
-    outcome.workspaces.append(Workspace(values, regions, curves, outcome.chord))
+    sheets = [one.region.sheet for one in regions]
+    turning = tuple(turnings(sheets, outcome.box)) if outcome.box and sheets else ()
+    outcome.workspaces.append(Workspace(values, regions, curves, outcome.chord, turning))
 
 
 def _nothing(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Array) -> Iterator[Finding]:
