@@ -162,7 +162,7 @@ def circle_fits(shape: Any, radius: float, centre: tuple[float, float] | None = 
     point = shapely.Point(centre)
     room = float(point.distance(shape.boundary)) * (1.0 if shape.covers(point) else 0.0)
     fits = bool(room >= radius)
-    margin = room - radius if fits else -_farthest(shape, over, radius)
+    margin = room - radius if fits else -_farthest(shape, over, radius, disc=True)
     disc = point.buffer(radius, quad_segs=256)
     return Fit(fits, centre, margin, room / radius, 0.0 if fits else float(disc.difference(shape).area / disc.area))
 
@@ -202,12 +202,14 @@ def rectangle_fits(
     return Fit(fits, centre, margin, low, 0.0 if fits else float(figure.difference(shape).area / figure.area))
 
 
-def _farthest(shape: Any, over: Callable[[Array], Array], size: float) -> float:
+def _farthest(shape: Any, over: Callable[[Array], Array], size: float, disc: bool = False) -> float:
     """How far the farthest place of a figure lies off a region (m); ``over`` draws the square -1 .. 1 onto the figure
-    and stretches no distance by more than ``size``. Cells of the square are left out as for rectangles."""
+    and stretches no distance by more than ``size``. Cells of the square are left out as for rectangles; so are those
+    off the unit circle of a ``disc``, to which their places would be drawn."""
     import shapely
 
-    half, best = 0.25, 0.0
+    shapely.prepare(shape)
+    half = 0.25
     axis = np.arange(-1 + half, 1, 2 * half)
     at = np.stack(np.meshgrid(axis, axis)).reshape(2, -1)
     edge = np.linspace(-1, 1, 257)
@@ -215,6 +217,8 @@ def _farthest(shape: Any, over: Callable[[Array], Array], size: float) -> float:
     rim = np.concatenate([[edge, one], [edge, -one], [one, edge], [-one, edge]], axis=1)
     best = float(shapely.distance(shape, shapely.points(over(rim).T)).max())
     while half > PRECISION / 4:
+        if disc:
+            at = at[:, np.hypot(*at) <= 1.0 + np.sqrt(2) * half]
         far = shapely.distance(shape, shapely.points(over(at).T))
         best = max(best, float(far.max()))
         at = at[:, far + np.sqrt(2) * half * size > best + PRECISION * size]

@@ -10,7 +10,7 @@ c_i is taken along it, at constant reach, as it grows without bound at given dri
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,9 +23,10 @@ from linkwright.model import units as u
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.workspace import mesh as meshes
 from linkwright.studies.workspace.maps import MOST, Maps, mapped
-from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.mesh import Box, Mesh
 from linkwright.studies.workspace.regions import Region
 from linkwright.studies.workspace.sheet import Sheet
+from linkwright.structure import Group
 
 Array = NDArray[np.float64]
 
@@ -34,27 +35,39 @@ ROUND = 16
 """Strips end round, in so many pieces a quarter of a turn; they are wider by what these lack."""
 BESIDE = 1e-5
 """Boundaries are looked for within this share of the region's extent."""
+AWAY = 2.0**15
+"""How much farther from a pit than its innermost ring the shifts are looked at: the direction alone matters."""
 KINDS = {f"error {what}": u.LENGTH for what in ("x least", "x most", "y least", "y most", "worst")} | {
     f"spread {what}": u.LENGTH for what in ("x", "y", "worst")
 }
 
 
+POSES: dict[str, Callable[[Group], tuple[str, str]]] = {
+    "RRR": lambda group: (f"{group.ends[0]}.angle", f"{group.ends[1]}.angle"),
+    "RPR": lambda group: (f"{group.ends[0]}.angle", f"{group.inner.joint}.s"),
+}
+"""What tells the pose of a dyad with two outer pins, which may meet."""
+
+
 class Errors:
     """The errors of the working point by the contributors' deviations, at given drive values."""
 
-    def __init__(self, sheet: Sheet, contributors: Contributors, poses: int) -> None:
+    def __init__(self, sheet: Sheet, contributors: Contributors, count: int) -> None:
         self.sheet, self.contributors = sheet, contributors
         self.graph = sheet.compiled.graph
-        labels = [group.label for group in sheet.compiled.structure.groups if group.modes > 1]
-        self.closed = len(labels)
-        names = [f"{sheet.point}.x", f"{sheet.point}.y", *(f"reach:{label}" for label in labels)]
+        groups = sheet.compiled.structure.groups
+        closed = [f"reach:{group.label}" for group in groups if group.modes > 1]
+        poses = [row for group in groups if group.signature in POSES for row in POSES[group.signature](group)]
+        self.reaches, self.poses = slice(2, 2 + len(closed)), slice(2 + len(closed), None)
+        names = [f"{sheet.point}.x", f"{sheet.point}.y", *closed, *poses]
         program = tangent(self.graph, names)
-        self.engine = KERNELS[choose(program, poses * (len(contributors) + 2), os.cpu_count() or 1).kernel](program)
+        self.engine = KERNELS[choose(program, count * (len(contributors) + 2), os.cpu_count() or 1).kernel](program)
         self.drives = [self.graph.drives.index(drive) * self.graph.width for drive in sheet.drives]
 
     def slopes(self, q: Array, drives: bool = False) -> tuple[Array, Array]:
-        """Values (2 + reaches, n) of the point and the reaches of groups with two modes, and their derivatives by the
-        contributors and, with ``drives``, by the two drives after them: (2 + reaches, contributors + drives, n)."""
+        """Values (rows, n) of the point, of the ``reaches`` of groups with two modes, of the ``poses`` of those with two
+        outer pins; their derivatives by the contributors and, with ``drives``, by the two drives after them: (rows,
+        contributors + drives, n)."""
         size, many, more = len(self.graph.inputs), len(self.contributors), 2 if drives else 0
         x = np.zeros((2 * size, many + more, q.shape[1]))
         x[:size] = self.sheet.inputs(q)[:, None]
@@ -78,7 +91,7 @@ class Errors:
         low, high = self.contributors.low[:, None], self.contributors.high[:, None]
         found = {"x": values[0], "y": values[1]}
         with np.errstate(all="ignore"):
-            outside = ~(values[2:] > 0).all(axis=0)
+            outside = ~(values[self.reaches] > 0).all(axis=0)
             for name, slope in zip("xy", slopes[:2], strict=True):
                 found[f"error {name} least"] = np.minimum(low * slope, high * slope).sum(axis=0)
                 found[f"error {name} most"] = np.maximum(low * slope, high * slope).sum(axis=0)
@@ -146,7 +159,7 @@ def guaranteed(
     cut = [shapely.buffer(one.lines, one.width / np.cos(np.pi / 4 / ROUND), quad_segs=ROUND) for one in made]
     shape = shapely.difference(region.shape, shapely.union_all([shapely.union_all(one) for one in cut]))
     precise = None if limit is None else shapely.difference(shape, imprecise(region, found, limit, steps))
-    return Guaranteed(region, shape, float(width.min()), float(width.max()), limit, precise)
+    return Guaranteed(region, shape, float(np.min(width)), float(np.max(width)), limit, precise)
 
 
 @dataclass(frozen=True)
@@ -197,11 +210,23 @@ def edges(region: Region, found: Errors) -> list[Edge]:
         normal = np.stack([along[1], -along[0]]) / np.hypot(*along)
         ahead, behind = (shapely.contains_xy(region.shape, *(middle + s * beside * normal)) for s in (1, -1))
         outward = np.where(ahead & ~behind, -normal, normal)
-        shifts = moved(found, one.kind, drives, outward)
-        inward, out = (_worst(found.contributors, sign * shifts).max(axis=0) for sign in (-1, 1))
-        width = np.where(ahead != behind, inward, np.maximum(inward, out))
+        seen = apart(region.mesh, drives) if one.kind == "pins" else drives
+        shifts = moved(found, one.kind, seen, outward)
+        inward, out = (np.fmax.reduce(_worst(found.contributors, sign * shifts)) for sign in (-1, 1))
+        width = np.where(ahead != behind, inward, np.fmax(inward, out))
+        width = np.where(np.isnan(width), np.fmax.reduce(width), width)
         made.append(Edge(one.kind, ends, outward, ahead != behind, shifts, width))
     return made
+
+
+def apart(mesh: Mesh, drives: Array) -> Array:
+    """Drive values (2, 2, n) so near to pits that derivatives have no digits left, moved away from them."""
+    corners = np.unique(mesh.pits)
+    before = corners - corners.size  # the mesh's rings, each half as wide as the one before, follow each other
+    centres = 2 * mesh.q[:, corners] - mesh.q[:, before]
+    far = np.hypot(*(drives[:, :, :, None] - centres[:, None, None]))
+    centre = centres[:, far.argmin(axis=2)]
+    return np.asarray(centre + AWAY * (drives - centre))
 
 
 def _worst(contributors: Contributors, shifts: Array) -> Array:
@@ -219,7 +244,7 @@ def moved(found: Errors, kind: str, drives: Array, outward: Array) -> Array:
     values, slopes = found.slopes(drives.reshape(2, -1), drives=True)
     way = np.repeat((drives[:, 1] - drives[:, 0])[:, None], 2, axis=1).reshape(2, -1)
     with np.errstate(all="ignore"):
-        own, along = ALONG.get(kind, _free)(values, slopes, way)
+        own, along = ALONG.get(kind, _free)(found, values, slopes, way)
         normal = np.stack([along[1], -along[0]]) / np.hypot(*along)
     normal *= np.where((normal * np.tile(outward, 2)).sum(axis=0) < 0, -1.0, 1.0)
     return np.asarray(np.einsum("kin,kn->in", own, normal).reshape(len(own[0]), 2, -1))
@@ -229,28 +254,39 @@ Held = tuple[Array, Array]
 """How the place of a boundary goes with the deviations, (2, contributors, n), and its direction (2, n), of any size."""
 
 
-def _free(values: Array, slopes: Array, way: Array) -> Held:
+def _free(found: Errors, values: Array, slopes: Array, way: Array) -> Held:
     """Along a way in the drives' plane."""
     return slopes[:2, :-2], np.einsum("kjn,jn->kn", slopes[:2, -2:], way)
 
 
-def _singular(values: Array, slopes: Array, way: Array) -> Held:
+def _singular(found: Errors, values: Array, slopes: Array, way: Array) -> Held:
     """All that the drives can do is one direction: that of the larger of their two columns."""
     one, two = slopes[:2, -2], slopes[:2, -1]
     return slopes[:2, :-2], np.where(np.hypot(*one) >= np.hypot(*two), one, two)
 
 
-def _rim(values: Array, slopes: Array, way: Array) -> Held:
+def _rim(found: Errors, values: Array, slopes: Array, way: Array) -> Held:
     """The least reach stays: drive values follow along its gradient; what they move along the rim doesn't matter."""
-    which = values[2:].argmin(axis=0)
-    reach = np.take_along_axis(slopes[2:], which[None, None], axis=0)[0]
+    which = values[found.reaches].argmin(axis=0)
+    reach = np.take_along_axis(slopes[found.reaches], which[None, None], axis=0)[0]
     by_drives = reach[-2:]
     follow = -by_drives[:, None] * reach[None, :-2] / (by_drives**2).sum(axis=0)
     own = slopes[:2, :-2] + np.einsum("kjn,jin->kin", slopes[:2, -2:], follow)
     return own, np.einsum("kjn,jn->kn", slopes[:2, -2:], np.stack([by_drives[1], -by_drives[0]]))
 
 
-ALONG = {"singular": _singular, "modes": _rim}
+def _pins(found: Errors, values: Array, slopes: Array, way: Array) -> Held:
+    """Where outer pins meet their group may have any pose: it stays, and the drive values follow."""
+    pose = slopes[found.poses].reshape(-1, 2, *slopes.shape[1:])
+    size = np.abs(pose[:, 0, -2] * pose[:, 1, -1] - pose[:, 0, -1] * pose[:, 1, -2])  # greatest where pins meet
+    (first, second) = np.take_along_axis(pose, size.argmax(axis=0)[None, None, None], axis=0)[0]
+    a, b, c, d = first[-2], first[-1], second[-2], second[-1]
+    follow = np.stack([b * second[:-2] - d * first[:-2], c * first[:-2] - a * second[:-2]]) / (a * d - b * c)
+    own = slopes[:2, :-2] + np.einsum("kjn,jin->kin", slopes[:2, -2:], follow)
+    return own, _free(found, values, slopes, way)[1]
+
+
+ALONG = {"singular": _singular, "modes": _rim, "pins": _pins}
 """What tells of a kind of curve how it moves."""
 
 

@@ -50,7 +50,7 @@ def pasted(law: ServoLaw, units: tuple[str, str], constant: bool, close: float =
             "between": "quintic",
             **({"period": f"{law.period!r} s"} if law.period else {}),
         }
-        drives[name] = {"position": f"{table}(t) + {drift!r} {unit}/s*t" if drift else f"{table}(t)"}
+        drives[name] = {"position": f"{table}(t) + t*({drift!r} {unit}/s)" if drift else f"{table}(t)"}
     return Pasted(tables, drives, off)
 
 

@@ -27,8 +27,9 @@ FIRST, LEAST = 1 / 64, 1e-10
 FAR, NEAR = 0.1, 0.01
 """The largest step and the largest correction of a drive, in rad where its range is a whole turn."""
 NEWTON = 12
-SOLVED = 1e-13
-"""A step of Newton's method below this is the last."""
+SOLVED, SMALL = 1e-13, 1e-7
+"""A step of Newton's method below the first is the last; so is one that came no nearer after one below the second: what
+is left is round-off."""
 SAMPLES, NEAREST = 600, 24
 SAME = 1e-6
 UNCERTAIN = 1e-4
@@ -79,14 +80,16 @@ class Mover:
     def closed(self, q: Array, places: Array) -> tuple[Array, NDArray[np.bool_]]:
         """Drive values at which the working point is at places (2, n), by Newton's method from ``q``; which were
         found."""
-        done = np.zeros(q.shape[1], dtype=bool)
-        for _ in range(NEWTON):
+        done, last = np.zeros(q.shape[1], dtype=bool), np.full(q.shape[1], np.inf)
+        for turn in range(NEWTON):
             look = self.sheet.look(q)
             step = divided(look.jacobian, look.at - places)
             q = q - step
-            done = np.abs(step).max(axis=0) <= SOLVED * (1.0 + np.abs(q).max(axis=0))
-            if done.all() or not np.isfinite(step).any():
+            size = np.abs(step).max(axis=0)
+            done = (size <= SOLVED * (1.0 + np.abs(q).max(axis=0))) | ((last < SMALL) & (size > last / 4))
+            if done.all() or not np.isfinite(step).any() or (turn > 2 and not (done | (size < last / 2)).any()):
                 break
+            last = size
         return q, done
 
 
@@ -153,7 +156,7 @@ def starts(region: Region, place: Array) -> Array:
     q, ok = solved(sheet, box, tried, np.broadcast_to(place, tried.shape), near)
     turn = np.where(box.turns, 2 * np.pi, np.inf)[:, None]
     low = np.array(box.low)[:, None]
-    q = low + np.mod(q[:, ok] - low, turn)
+    q = q[:, ok] - np.where(box.turns, 2 * np.pi * np.floor((q[:, ok].T - low.T) / (2 * np.pi)), 0.0).T
     found: list[Array] = []
     for one in q.T:
         apart = [np.abs(one - other) for other in found]

@@ -31,6 +31,8 @@ INSIDE = 1e-6
 """A path this near to the region (share of its extent) counts as inside: its edge is drawn to a chord."""
 EDGE = 1e-3
 """A track that ends this near to a stretch outside ends for that reason."""
+STILL = 1e-9
+"""A servo that moves less than this share of what the motor does stands still; so does a path's point."""
 PERIOD = 1e-7
 """Drives that come back to within this (rad or m) have a periodic law."""
 
@@ -110,6 +112,10 @@ def free(
     taken that follows furthest, then the one whose determinant stays largest.
     """
     m = region.sheet.drives.index(motor)
+    u = np.linspace(0.0, 1.0, LOOKS + 1)
+    pace = np.hypot(*wanted.of(u)[1])
+    if pace.min() <= STILL * pace.max():
+        return Way(None, (), 0, (Finding("workspace.path-rests", PATH, {"u": float(u[pace.argmin()])}),))
     best: tuple[tuple[float, float], Track, float, bool] | None = None
     solutions, laps = 0, [wanted, wanted.backward()]
     for backward, way in enumerate(laps):
@@ -237,7 +243,9 @@ def _way(
     motion, u = at(t)
     look = track.mover.look(motion[0], motion[1])
     off = np.hypot(*(look.at - track.wanted.of(u)[0]))
-    turned = crossings(lambda s: track.at(s)[0][1, order[1]], 0.0, 1.0, track.u.size)
+    moves = np.abs(track.nodes[1]).max(axis=1)
+    still = moves[order[1]] <= STILL * moves.max()
+    turned = np.empty(0) if still else crossings(lambda s: track.at(s)[0][1, order[1]], 0.0, 1.0, track.u.size)
     times = np.array([_time_at(at, one, time) for one in turned])
     law = ServoLaw(
         names,
@@ -280,8 +288,9 @@ def _comes_back(region: Region, wanted: Wanted, motion: Array) -> bool:
 
 
 def _stretches(region: Region, wanted: Wanted, track: Track | None, turn: float, backward: bool) -> tuple[Stretch, ...]:
-    """Where the path can't be followed."""
-    found = outside(region, wanted)
+    """Where the path can't be followed. A track that is whole proves that the path is inside, whatever the polygon's
+    chords say."""
+    found = () if track is not None and not track.end else outside(region, wanted)
     if track is None:
         return found or (Stretch("singular", 0.0, 1.0),)
 

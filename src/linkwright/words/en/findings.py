@@ -624,6 +624,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The formula of the wanted path has no value at u = {u:.6g}.",
         "Look for a division by zero or a root of something negative.",
     ),
+    "workspace.path-rests": (
+        "The formula of the wanted path stands still at u = {u:.6g}, where the motor can't.",
+        "Write x and y so that they go on evenly with u, or give the path in time.",
+    ),
     "workspace.path-corner": (
         "The wanted path has {count} corners, the first at u = {u:.6g}: there the speed of the drives jumps.",
         "Round the corners, or let the curve pass through the points (between: cubic).",
