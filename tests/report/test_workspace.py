@@ -39,6 +39,7 @@ def test_the_summary_is_in_the_files_units(job: Job) -> None:
     assert region["rough"] < entry["chord"] == pytest.approx(4e-3)
     assert entry["union"][0]["area"] == pytest.approx(region["area"])
     assert entry["drives"]["elbow"]["unit"] == "deg"
+    assert [(one["drive"], one["whole"]) for one in entry["turning"]] == [("shoulder", True), ("elbow", True)]
     assert entry["drives"]["elbow"]["to"] - entry["drives"]["elbow"]["from"] == pytest.approx(360)
 
 

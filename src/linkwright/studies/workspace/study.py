@@ -127,8 +127,14 @@ def _keep(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Array
         return
     curves = tuple(one for one in found if isinstance(one, Curve))
     regions = tuple(one for one in found if isinstance(one, Reached))
+<<<<<<< HEAD
     turns = turnings([one.region.sheet for one in regions], outcome.box) if outcome.box and regions else []
     outcome.workspaces.append(Workspace(values, regions, curves, outcome.chord, tuple(turns)))
+=======
+    sheets = [one.region.sheet for one in regions]
+    turning = tuple(turnings(sheets, outcome.box)) if outcome.box and sheets else ()
+    outcome.workspaces.append(Workspace(values, regions, curves, outcome.chord, turning))
+>>>>>>> w4
 
 
 def _nothing(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Array) -> Iterator[Finding]:
