@@ -17,11 +17,7 @@ from linkwright.words import say
 def workspace_entry(outcome: WorkspaceOutcome) -> dict[str, Any]:
     """Entries of the summary: lengths in the file's unit, areas in its square."""
     unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
-<<<<<<< HEAD
-    regions, unions, overlaps, curves, turns = [], [], [], [], []
-=======
     regions, unions, overlaps, curves, turning = [], [], [], [], []
->>>>>>> w4
     for one in outcome.workspaces:
         values = shown_values(outcome, one)
         for reached in one.regions:
@@ -31,7 +27,6 @@ def workspace_entry(outcome: WorkspaceOutcome) -> dict[str, Any]:
         if one.regions:
             both = sum_of_overlaps(one)
             unions.append({**values, **_told(figures(one.union), size), "several": both / size**2, "unit": unit})
-        turns += [{**values, **turning.as_dict(outcome.compiled.quantities)} for turning in one.turnings]
         for overlap in one.overlaps:
             first, second = one.regions[overlap.first], one.regions[overlap.second]
             told = figures(overlap.shape)
@@ -53,11 +48,7 @@ def workspace_entry(outcome: WorkspaceOutcome) -> dict[str, Any]:
             bounds = _bounds(curve.bounds, size)
             curves.append({"mode": curve.mode, **values, **told_curve, "closed": closed, "bounds": bounds})
     entry: dict[str, Any] = {"point": outcome.point, "drives": _drives(outcome), "chord": outcome.chord / size}
-<<<<<<< HEAD
-    entry |= {"unit": unit, "regions": regions, "union": unions, "overlap": overlaps, "turning": turns}
-=======
     entry |= {"unit": unit, "regions": regions, "union": unions, "overlap": overlaps, "turning": turning}
->>>>>>> w4
     entry |= {"curves": curves} if curves else {}
     return {"workspace": entry | {name: part.as_dict() for name, part in outcome.parts.items()}}
 
@@ -157,11 +148,7 @@ def workspace_tables(outcome: WorkspaceOutcome) -> list[Grid]:
         _grid("regions", ("mode", *_SHAPE), names, entry["regions"]),
         _grid("union", (*_SHAPE[:-1], "both", "unit"), names, entry["union"]),
         _grid("overlap", ("modes", "area", "share", "parts", "unit"), names, entry["overlap"]),
-<<<<<<< HEAD
-        _grid("turning", ("drive", "turns", "other"), names, entry["turning"]),
-=======
         _grid("turning", ("drive", "intervals", "other", "unit", "signs"), names, entry["turning"]),
->>>>>>> w4
         _grid("curves", ("mode", "length", "parts", "x", "y", "unit"), names, entry.get("curves", [])),
     ]
     return [grid for grid in grids if grid["rows"]]
@@ -184,19 +171,12 @@ def _cell(entry: Mapping[str, Any], column: str) -> str:
         return " / ".join(entry["modes"])
     if column == "mode":
         return entry["mode"] or say("workspace.one-mode")
-<<<<<<< HEAD
-    if column == "turns":
-        key = "whole" if entry["whole"] else "parts" if entry["intervals"] else "never"
-        spans = ", ".join(f"{low:.7g} .. {high:.7g}" for low, high in entry["intervals"])
-        return say(f"workspace.turns.{key}", intervals=spans, unit=entry["unit"])
-=======
     if column == "intervals":
         if entry["whole"]:
             return say("workspace.everywhere")
         return ", ".join(f"{low:.6g} .. {high:.6g}" for low, high in entry["intervals"]) or say("workspace.nowhere")
     if column == "signs":
         return ", ".join(f"{group} {sign:+d}" for group, sign in entry["mode"].items()) or say("workspace.every-mode")
->>>>>>> w4
     value = entry["several" if column == "both" else column]
     if column == "share":
         return f"{100 * value:.4g} %"

@@ -108,22 +108,14 @@ class Overlap:
 class Workspace:
     """The workspace for one combination of parameter values (SI): a region of each mode, or with one drive a curve.
 
-<<<<<<< HEAD
-    ``turnings`` say of each drive at which values of the other one it goes through all of its range.
-=======
     ``turning`` says at which values of one drive the other goes through all of its range.
->>>>>>> w4
     """
 
     values: dict[str, float]
     regions: tuple[Reached, ...]
     curves: tuple[Any, ...] = ()
     chord: float = 0.0
-<<<<<<< HEAD
-    turnings: tuple[Turning, ...] = ()
-=======
     turning: tuple[Turning, ...] = ()
->>>>>>> w4
 
     @cached_property
     def union(self) -> Any:

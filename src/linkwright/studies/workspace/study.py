@@ -108,7 +108,7 @@ def _found(outcome: WorkspaceOutcome, signs: tuple[float, ...], parameters: Arra
     if _flat(sheet, box.low, box.high):
         return None
     made = region(sheet, box, outcome.chord, close=max(CLOSE, 10 * options.chord))
-    return Reached(mode, signs, made) if made.shape.area > 0 else None
+    return Reached(mode, signs, made) if made.shape.area > 0 else None  # type: ignore[attr-defined]
 
 
 def _flat(sheet: Sheet, low: tuple[float, float], high: tuple[float, float]) -> bool:
@@ -127,14 +127,9 @@ def _keep(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Array
         return
     curves = tuple(one for one in found if isinstance(one, Curve))
     regions = tuple(one for one in found if isinstance(one, Reached))
-<<<<<<< HEAD
-    turns = turnings([one.region.sheet for one in regions], outcome.box) if outcome.box and regions else []
-    outcome.workspaces.append(Workspace(values, regions, curves, outcome.chord, tuple(turns)))
-=======
     sheets = [one.region.sheet for one in regions]
     turning = tuple(turnings(sheets, outcome.box)) if outcome.box and sheets else ()
     outcome.workspaces.append(Workspace(values, regions, curves, outcome.chord, turning))
->>>>>>> w4
 
 
 def _nothing(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Array) -> Iterator[Finding]:
