@@ -111,7 +111,7 @@ def test_typing_sees_what_is_loaded() -> None:
 def test_the_registered_names() -> None:
     assert set(REGISTRY) == {"RRR", "RRP", "RPR", "PRP", "RPP"}
     assert set(KERNELS) == {"jax", "numba", "numpy"}
-    assert set(STUDIES) == {"accuracy", "cycle", "limits", "modes", "sweep"}
+    assert set(STUDIES) == {"accuracy", "cycle", "limits", "modes", "sweep", "workspace"}
 
 
 @pytest.mark.parametrize("entry", REGISTRY.values(), ids=REGISTRY)

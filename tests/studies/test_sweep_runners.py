@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import linkwright as lw
-from linkwright.app.sweeps import _with
+from linkwright.app.alone import altered
 from linkwright.kernels.registry import KERNELS
 from linkwright.studies import SweepOutcome
 from linkwright.studies.sample_work import SampleWork
@@ -74,7 +74,7 @@ def test_ranges_of_poses_are_parts_of_the_whole(name: str, parameter: str, signa
     vary = {parameter: {"normal": value / size, "sigma": abs(value) / size / 1000}}
     files = tuple((path.name, path.read_bytes()) for path in EXAMPLES.glob("*.csv"))
     options = {"vary": vary, "outputs": [signal], "samples": 5, "poses": 60}
-    task = SampleWork(_with(given, options), files, "numpy", "sweep").open()
+    task = SampleWork(altered(given, "sweep", options, ("plan", "samples")), files, "numpy", "sweep").open()
     p = task.varied.parameters(task.plan.values(0))
     every = task.signals.values(p, slice(0, 61))
     assert np.isfinite(every).all()

@@ -101,8 +101,8 @@ class Graph:
         """The program of the named signals; with ``rates``, each followed by its time derivative.
 
         The inputs have the clusters' coordinates, or with ``solve`` only starts from which the program solves them.
-        Names are signals, or the internal rows ``reach:GROUP``, ``determinant:GROUP``, ``LINK:cos``, ``LINK:sin``,
-        ``load/NAME``, ``window/NAME``, ``argument/NUMBER``, ``raw/NAME``.
+        Names are signals, or the internal rows ``reach:GROUP``, ``room:GROUP``, ``determinant:GROUP``, ``LINK:cos``,
+        ``LINK:sin``, ``load/NAME``, ``window/NAME``, ``argument/NUMBER``, ``raw/NAME``.
         """
         key = (tuple(names), rates, solve)
         if key not in self._programs:

@@ -122,9 +122,10 @@ class View:
             return {"cos": body.axis.x.d[0], "sin": body.axis.y.d[0], "x": start.x, "y": start.y}[what]
         if owner == "drives over outputs":
             return lever(self.motion, unit_efforts(self.motion)).determinant()
-        if owner == "span":
-            span = next(dyad.span() for group, (dyad, _) in self.motion.dyads.items() if group.label == what)
-            return 1.0 if span is None else span
+        if owner in ("span", "room"):
+            dyad = next(dyad for group, (dyad, _) in self.motion.dyads.items() if group.label == what)
+            found = dyad.span() if owner == "span" else dyad.room()
+            return 1.0 if found is None else found
         if owner in ("reach", "determinant"):
             cluster = next((s for c, s in self.motion.clusters.items() if c.label == what), None)
             if cluster is not None:

@@ -106,6 +106,11 @@ class Dyad(ABC):
         """A distance (m) whose vanishing makes the pose vague while the normalised determinant doesn't show it."""
         return None
 
+    def room(self) -> Scalar | None:
+        """What is under the root (m^2), negative where the group can't close: a polynomial of the known links' places,
+        smooth where the outer pins meet, as the reach isn't. ``None`` where there is no root."""
+        return None
+
     def solve(self, branch: Scalar, order: int) -> Solved:
         """Position in closed form, then each rate from the closure differentiated once more (linear in it)."""
         root = self.root(branch)

@@ -38,6 +38,10 @@ class RPR(Dyad):
         across = abs(self._across())
         return (distance, across) if distance < across * (1 - SLACK) else None
 
+    def room(self) -> Scalar:
+        base, across = pin(self.second).base.now.minus(pin(self.first).base.now), self._across()
+        return base.dot(base) - across * across
+
     def _across(self) -> Scalar:
         """The distance of the second outer pin from the first, across the sliding line: fixed by the links."""
         arm1 = self.inner.first.minus(pin(self.first).foot).turned_back(self.inner.first_heading)

@@ -30,6 +30,10 @@ class RRP(Dyad):
         radius, (_, aside) = length(self.inner.first.minus(pin(self.first).foot)), self._start()
         return (abs(aside), radius) if abs(aside) > radius * (1 + SLACK) else None
 
+    def room(self) -> Scalar:
+        arm, (_, aside) = self.inner.first.minus(pin(self.first).foot), self._start()
+        return arm.dot(arm) - aside * aside
+
     def _start(self) -> tuple[Scalar, Scalar]:
         """The inner pin at zero travel as seen from the outer pin: along the line's direction and across it."""
         hinge, slide = pin(self.first), line(self.second)

@@ -43,6 +43,13 @@ class RRR(Dyad):
             return distance, r1 + r2
         return (distance, abs(r1 - r2)) if distance < abs(r1 - r2) * (1 - SLACK) else None
 
+    def room(self) -> Scalar:
+        first, second = pin(self.first), pin(self.second)
+        r1, r2 = length(self.inner.first.minus(first.foot)), length(self.inner.second.minus(second.foot))
+        base = second.base.now.minus(first.base.now)
+        longest = (r1 + r2) ** 2
+        return (longest - base.dot(base)) * (base.dot(base) - (r1 - r2) ** 2) / longest
+
     def scale(self, a: Body, b: Body) -> Scalar:
         arm1 = self.inner.first.minus(pin(self.first).foot)
         arm2 = self.inner.second.minus(pin(self.second).foot)

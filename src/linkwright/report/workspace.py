@@ -17,7 +17,7 @@ from linkwright.words import say
 def workspace_entry(outcome: WorkspaceOutcome) -> dict[str, Any]:
     """Entries of the summary: lengths in the file's unit, areas in its square."""
     unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
-    regions, unions, overlaps, curves = [], [], [], []
+    regions, unions, overlaps, curves, turning = [], [], [], [], []
     for one in outcome.workspaces:
         values = shown_values(outcome, one)
         for reached in one.regions:
@@ -41,13 +41,14 @@ def workspace_entry(outcome: WorkspaceOutcome) -> dict[str, Any]:
                     "unit": unit,
                 }
             )
+        turning += [{**values, **found.as_dict(outcome.compiled.quantities)} for found in one.turning]
         for curve in one.curves:
             told_curve = {"length": curve.length / size, "parts": len(curve.stretches), "unit": unit}
             closed = all(stretch.closed for stretch in curve.stretches)
             bounds = _bounds(curve.bounds, size)
             curves.append({"mode": curve.mode, **values, **told_curve, "closed": closed, "bounds": bounds})
     entry: dict[str, Any] = {"point": outcome.point, "drives": _drives(outcome), "chord": outcome.chord / size}
-    entry |= {"unit": unit, "regions": regions, "union": unions, "overlap": overlaps}
+    entry |= {"unit": unit, "regions": regions, "union": unions, "overlap": overlaps, "turning": turning}
     entry |= {"curves": curves} if curves else {}
     return {"workspace": entry | {name: part.as_dict() for name, part in outcome.parts.items()}}
 
@@ -147,6 +148,7 @@ def workspace_tables(outcome: WorkspaceOutcome) -> list[Grid]:
         _grid("regions", ("mode", *_SHAPE), names, entry["regions"]),
         _grid("union", (*_SHAPE[:-1], "both", "unit"), names, entry["union"]),
         _grid("overlap", ("modes", "area", "share", "parts", "unit"), names, entry["overlap"]),
+        _grid("turning", ("drive", "intervals", "other", "unit", "signs"), names, entry["turning"]),
         _grid("curves", ("mode", "length", "parts", "x", "y", "unit"), names, entry.get("curves", [])),
     ]
     return [grid for grid in grids if grid["rows"]]
@@ -169,6 +171,12 @@ def _cell(entry: Mapping[str, Any], column: str) -> str:
         return " / ".join(entry["modes"])
     if column == "mode":
         return entry["mode"] or say("workspace.one-mode")
+    if column == "intervals":
+        if entry["whole"]:
+            return say("workspace.everywhere")
+        return ", ".join(f"{low:.6g} .. {high:.6g}" for low, high in entry["intervals"]) or say("workspace.nowhere")
+    if column == "signs":
+        return ", ".join(f"{group} {sign:+d}" for group, sign in entry["mode"].items()) or say("workspace.every-mode")
     value = entry["several" if column == "both" else column]
     if column == "share":
         return f"{100 * value:.4g} %"

@@ -142,7 +142,7 @@ def dxf(outcome: WorkspaceOutcome) -> str | None:
     from ezdxf import units
 
     unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
-    drawing: Any = ezdxf.new("R2010")  # type: ignore[attr-defined]
+    drawing: Any = ezdxf.new("R2010")
     drawing.units = {"mm": units.MM, "cm": units.CM, "m": units.M, "in": units.IN, "ft": units.FT}.get(unit, 0)
     space = drawing.modelspace()
     for one in outcome.workspaces:
@@ -164,7 +164,7 @@ def dxf(outcome: WorkspaceOutcome) -> str | None:
 
 def _layer(drawing: Any, text: str, number: int) -> str:
     """A layer by a name that DXF takes."""
-    name = "".join("-" if letter in '<>/\\":;?*|=`,' else letter for letter in text).strip()[:200]
+    name = "".join("-" if letter in '<>/\\":;?*|=`,' else letter for letter in " ".join(text.split()))[:200]
     if name not in drawing.layers:
         drawing.layers.add(name, color=1 + (number - 1) % 6)
     return name

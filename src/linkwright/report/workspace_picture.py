@@ -121,7 +121,8 @@ def _drawn(plane: Plane, shapes: Sequence[str], legend: Sequence[tuple[str, str]
     told, y = "", plane.bottom + 52
     for look, text in legend:
         lines = [*_folded(text, int((WIDTH - LEFT - 40) / LETTER))]
-        told += f'<path class="{look}" d="M{LEFT - 30:.0f} {y - 8:.0f}h24v8h-24z"/>'
+        box = "v8h-24z" if look.startswith("region") else ""
+        told += f'<path class="{look}" d="M{LEFT - 30:.0f} {y - 8 + 4 * (not box):.0f}h24{box}"/>'
         for line in lines:
             told += f'<text x="{LEFT:.0f}" y="{y:.0f}">{escape(line)}</text>'
             y += LINE
@@ -161,7 +162,7 @@ def _lines(sheet: Sheet, segments: Iterable[Segments], kind: str, plane: Plane, 
         ends = sheet.place(np.stack([one.a, one.b], axis=1).reshape(2, -1))[0].reshape(2, 2, -1)
         kept = np.isfinite(ends).all(axis=(0, 1)) & (ends[:, 0] != ends[:, 1]).any(axis=0)
         lines = shapely.linestrings(np.moveaxis(ends[:, :, kept], (0, 1, 2), (2, 1, 0)))
-        merged = shapely.line_merge(shapely.union_all(shapely.set_precision(lines, 1e-9 * size)))
+        merged = shapely.line_merge(shapely.multilinestrings(shapely.set_precision(lines, 1e-9 * size)))
         for line in shapely.get_parts(shapely.simplify(merged, 0.1 / plane.scale * size)):
             if not line.is_empty:
                 yield points(*plane.at(*(np.array(line.coords).T / size)))

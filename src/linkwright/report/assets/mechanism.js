@@ -786,7 +786,7 @@ export function render({ model, el, words = {}, time = { unit: "s", label: "time
     ui.play.setAttribute("aria-label", say("play"));
   };
   const play = () => {
-    if (tick || times.length < 2) return;
+    if (tick || last === first) return;
     ui.play.setAttribute("aria-pressed", "true");
     ui.play.setAttribute("aria-label", say("pause"));
     let before = null;

@@ -2,7 +2,7 @@
 
 To first order an output y deviates by c G(t) u(t) for each contact: c the clearance, u the direction of the force there
 and G the derivative of y by a displacement in the joint, exact from the graph. The worst over all directions is c |G|.
-Sources: docs/theory.md, Clearance.
+Sources: docs/theory.md, Clearances in joints.
 """
 
 from __future__ import annotations
@@ -90,12 +90,6 @@ class Plays:
         shift = self.resting.at([tree], t, rates=False).slope[0, 0]
         worst = self.gaps.worst(self.gaps.at([tree], t, rates=False).slope[0])
         return np.stack([shift, worst.sum(axis=0)])
-
-    def figure(self, tree: Node, time: float) -> PlayEffect:
-        """The effect on the value of an expression of positions at a fixed time."""
-        t = np.array([time])
-        shifts = self.resting.at([tree], t, rates=False).slope[0, :, 0]
-        return self.effect(shifts, self.gaps.worst(self.gaps.at([tree], t, rates=False).slope[0])[:, 0])
 
     def effect(self, shifts: Array, bounds: Array) -> PlayEffect:
         """From shifts of all together and of each, and the bound of each."""

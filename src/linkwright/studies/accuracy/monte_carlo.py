@@ -41,7 +41,6 @@ class Random:
     figures: dict[str, MonteCarlo] = field(default_factory=dict)
     curves: dict[str, Array] = field(default_factory=dict)
     state: tuple[Path, ...] = ()
-    seconds: float = 0.0
     warnings: list[Finding] = field(default_factory=list)
 
 
@@ -62,7 +61,7 @@ def monte_carlo(nominal: Run, options: AccuracyOptions, site: Site) -> Random:
     """
     choice = chosen(nominal, options)
     done = perform(nominal, options, choice.kernel, site)
-    found = Random(options.samples, done.failed, choice, state=tuple(done.kept.files), seconds=done.seconds)
+    found = Random(options.samples, done.failed, choice, state=tuple(done.kept.files))
     if done.task.figures.columns:
         found.figures = _figures(done)
     if done.task.signals.texts:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from linkwright.graph.assembly import shortfall_data
 from linkwright.graph.geometry import Geometry
@@ -32,10 +33,10 @@ class _Gap:
         self.group: Group | None = None
         self.distance, self.limit = 0.0, 0.0
 
-    def at(self, q: Sequence[float], signs: tuple[float, ...]) -> tuple[int, float]:
+    def at(self, q: Iterable[float], signs: tuple[float, ...]) -> tuple[int, float]:
         """How many groups are left from the first that fails, and by how much (m) that one does; (0, 0) for none."""
         groups = self.compiled.structure.groups
-        given = dict(zip(self.compiled.graph.branched, signs, strict=True))
+        given: dict[Group, float] = dict(zip(self.compiled.graph.branched, signs, strict=True))
         self.group = None
 
         def branch(group: Group, dyad: Dyad) -> float:
@@ -53,7 +54,7 @@ class _Gap:
             pass
         if self.group is None:
             return 0, 0.0
-        return len(groups) - groups.index(self.group), abs(self.distance - self.limit)
+        return len(groups) - groups.index(self.group), float(abs(self.distance - self.limit))
 
 
 def _none(_: Any) -> list[float]:
@@ -74,10 +75,10 @@ def never(
     if not left:
         return None
 
-    def missing(q: Any) -> float:
+    def missing(q: NDArray[np.float64]) -> float:
         low_left, by = gap.at(q, signs)
         inside = all(a - 1e-12 <= v <= b + 1e-12 for v, (a, b) in zip(q, ranges, strict=True))
-        return by if low_left == left and inside else 2 * least + 1.0
+        return float(by) if low_left == left and inside else 2 * least + 1.0
 
     best = minimize(missing, start, method="Nelder-Mead", options={"xatol": 1e-9, "fatol": 1e-15 * (1 + least)})
     place = best.x if best.fun <= least else np.array(start)

@@ -15,6 +15,7 @@ from linkwright.model.findings import Finding
 from linkwright.results import Result, Run
 from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.regions import Region
+from linkwright.studies.workspace.turning import Turning
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.options import WorkspaceOptions
@@ -105,12 +106,16 @@ class Overlap:
 
 @dataclass(frozen=True)
 class Workspace:
-    """The workspace for one combination of parameter values (SI): a region of each mode, or with one drive a curve."""
+    """The workspace for one combination of parameter values (SI): a region of each mode, or with one drive a curve.
+
+    ``turning`` says at which values of one drive the other goes through all of its range.
+    """
 
     values: dict[str, float]
     regions: tuple[Reached, ...]
     curves: tuple[Any, ...] = ()
     chord: float = 0.0
+    turning: tuple[Turning, ...] = ()
 
     @cached_property
     def union(self) -> Any:

@@ -20,6 +20,7 @@ from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOu
 from linkwright.studies.workspace.regions import region
 from linkwright.studies.workspace.sheet import Sheet
 from linkwright.studies.workspace.signs import combinations, named
+from linkwright.studies.workspace.turning import turnings
 from linkwright.words import say
 
 Array = NDArray[np.float64]
@@ -62,7 +63,7 @@ class WorkspaceStudy:
         every = options.values(compiled)
         if len(compiled.graph.drives) == 2:
             outcome.box = options.box(compiled)
-        total = len(signs) * len(every)
+        done, total = 0, len(signs) * len(every)
         try:
             for values, parameters in zip(every, _parameters(compiled, every), strict=True):
                 if fault := _senseless(compiled, values):
@@ -71,11 +72,12 @@ class WorkspaceStudy:
                 found: list[Any] = []
                 for one in signs:
                     found.append(_found(outcome, one, parameters))
+                    done += 1
                     if site.progress is not None:
-                        site.progress(len(found) + len(outcome.workspaces) * len(signs), total)
+                        site.progress(done, total)
                 _keep(outcome, values, parameters, [f for f in found if f is not None])
         except KeyboardInterrupt:
-            raise Stopped(len(outcome.regions), total) from None
+            raise Stopped(done, total) from None
         return outcome
 
 
@@ -125,7 +127,9 @@ def _keep(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Array
         return
     curves = tuple(one for one in found if isinstance(one, Curve))
     regions = tuple(one for one in found if isinstance(one, Reached))
-    outcome.workspaces.append(Workspace(values, regions, curves, outcome.chord))
+    sheets = [one.region.sheet for one in regions]
+    turning = tuple(turnings(sheets, outcome.box)) if outcome.box and sheets else ()
+    outcome.workspaces.append(Workspace(values, regions, curves, outcome.chord, turning))
 
 
 def _nothing(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Array) -> Iterator[Finding]:

@@ -603,6 +603,59 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The range of {drive} is wider than {limit} {unit}.",
         "Give a smaller range.",
     ),
+    # Of the workspace: wanted paths.
+    "workspace.path-short": (
+        "The wanted path has {given} distinct points; its curve wants {wanted} or more.",
+        "Give more points, or take straight pieces (between: linear).",
+    ),
+    "workspace.path-unit": (
+        "The column '{column}' of the wanted path is no length.",
+        "Write its unit in brackets, as in 'x [mm]'.",
+    ),
+    "workspace.path-drawing": (
+        "The drawing {file} holds {count} curves where the wanted path is one.",
+        "Join them into one polyline, or name the layer that holds only the path.",
+    ),
+    "workspace.path-name": (
+        "'{name}' can't stand in the formula of a wanted path.",
+        "Write x and y in u, which runs from 0 to 1, with parameters and functions.",
+    ),
+    "workspace.path-value": (
+        "The formula of the wanted path has no value at u = {u:.6g}.",
+        "Look for a division by zero or a root of something negative.",
+    ),
+    "workspace.path-rests": (
+        "The formula of the wanted path stands still at u = {u:.6g}, where the motor can't.",
+        "Write x and y so that they go on evenly with u, or give the path in time.",
+    ),
+    "workspace.path-corner": (
+        "The wanted path has {count} corners, the first at u = {u:.6g}: there the speed of the drives jumps.",
+        "Round the corners, or let the curve pass through the points (between: cubic).",
+    ),
+    "workspace.path-outside": (
+        "{point} can't reach the wanted path from u = {start} to {stop}: it runs up to {by} outside the region.",
+        "Move or shrink the path, or choose another assembly mode; the largest circle and rectangle say what has room.",
+    ),
+    "workspace.path-singular": (
+        "From u = {start} to {stop} the wanted path can't be followed: a singular curve is met, on which {point} can't move in one direction (the determinant of d(x, y)/d(drives) is zero).",
+        "Keep the path away from the singular curves, which the pictures show, or begin it elsewhere.",
+    ),
+    "workspace.path-modes": (
+        "From u = {start} to {stop} the wanted path can't be followed: two assembly modes meet, where the drives don't hold the mechanism (the determinant of a closure is zero).",
+        "Keep the path away from the edge of this assembly mode, or choose another one.",
+    ),
+    "workspace.path-limit": (
+        "From u = {start} to {stop} the wanted path can't be followed: {drive} is at the end of its range.",
+        "Widen the range of {drive}, or move the path.",
+    ),
+    "workspace.path-turns": (
+        "From u = {start} to {stop} the wanted path can't be followed at constant speed: {drive} would have to turn back.",
+        "End the path there, or give it in time, so that both drives follow it.",
+    ),
+    "workspace.servo-reverses": (
+        "Along the wanted path {servo} turns back {count} times, the first time at {time:.6g} s, though never_reverse forbids it.",
+        "Choose another path, another speed of the motor, or another start; or allow it.",
+    ),
     # Many parameter sets of one mechanism.
     "varied.passage": (
         "The motion goes on through a change point (through: keep), which another value of {names} would move.",

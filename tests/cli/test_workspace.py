@@ -1,0 +1,69 @@
+"""``linkwright workspace``: the study alone, for people and as JSON; ``lw.workspace`` the same from Python."""
+
+from __future__ import annotations
+
+import json
+from importlib.util import find_spec
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner, Result
+
+import linkwright as lw
+from helpers.workspaces import arm
+from linkwright.cli import cli
+from linkwright.model.document import parse_document
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    document = parse_document(arm())
+    assert document is not None
+    lw.save(document, tmp_path / "arm.yaml")
+    return tmp_path / "arm.yaml"
+
+
+def call(*words: object) -> Result:
+    return CliRunner().invoke(cli, [str(word) for word in words], catch_exceptions=False)
+
+
+def test_the_study_alone(file: Path, tmp_path: Path) -> None:
+    result = call("workspace", file, "--out", tmp_path / "out")
+    assert result.exit_code == 0
+    assert "Where E gets to: 1 regions" in result.stdout and "1507" in result.stdout
+    files = {"report.html", "summary.json", "workspace.geojson", "workspace.svg", "workspace_boundary.csv"}
+    assert {path.name for path in (tmp_path / "out").iterdir()} - {"workspace.dxf"} == files
+
+
+def test_json(file: Path) -> None:
+    result = call("workspace", file, "--json")
+    assert result.exit_code == 0
+    (region,) = json.loads(result.stdout)["workspace"]["regions"]
+    assert region["holes"] == 1
+
+
+def test_dxf_needs_its_package(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("linkwright.model.machine.import_module", _missing)
+    result = call("workspace", file, "--dxf")
+    assert result.exit_code == 2
+    assert "file.needs-package" in result.stderr and "linkwright[cad]" in result.stderr
+
+
+def _missing(package: str) -> None:
+    raise ImportError(package)
+
+
+def test_a_file_without_a_point(tmp_path: Path) -> None:
+    document = parse_document(arm() | {"studies": {}})
+    assert document is not None
+    lw.save(document, tmp_path / "arm.yaml")
+    result = call("workspace", tmp_path / "arm.yaml")
+    assert result.exit_code == 2 and "point" in result.stderr
+
+
+def test_from_python(file: Path, tmp_path: Path) -> None:
+    outcome = lw.workspace(file, values={"b": [20]}, chord=1e-3, out=tmp_path / "out")
+    (region,) = outcome.regions
+    assert region.figures.area * 1e6 == pytest.approx(np.pi * (60**2 - 20**2), rel=3e-3)
+    assert (tmp_path / "out" / "workspace.dxf").exists() == (find_spec("ezdxf") is not None)

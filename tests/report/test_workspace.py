@@ -1,0 +1,119 @@
+"""What is said of a workspace: figures in the file's units, files that other programs read, pictures with a legend."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from typing import Any
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from helpers.workspaces import arm, five_bar, four_bar, performed
+from linkwright.app.job import Job
+from linkwright.report.build import report_data
+from linkwright.report.page import page
+from linkwright.report.workspace_files import boundary_csv, dxf, geojson, svg
+
+
+@pytest.fixture(scope="module")
+def job() -> Job:
+    return performed(arm(**{"for": {"b": [30]}}))
+
+
+@pytest.fixture(scope="module")
+def two() -> Job:
+    return performed(five_bar(drives={"motor": [80, 120], "servo": [40, 100]}))
+
+
+def test_the_summary_is_in_the_files_units(job: Job) -> None:
+    entry: dict[str, Any] = json.loads(json.dumps(job.summary["workspace"]))
+    (region,) = entry["regions"]
+    assert region["b"] == 30 and region["unit"] == "mm" and region["mode"] == ""
+    assert region["area"] == pytest.approx(np.pi * (70**2 - 10**2), rel=3e-4)
+    assert region["perimeter"] == pytest.approx(2 * np.pi * 80, rel=3e-4)
+    assert (region["holes"], region["parts"]) == (1, 1)
+    assert region["bounds"] == pytest.approx([-70, -70, 70, 70], abs=0.01)
+    assert region["rough"] < entry["chord"] == pytest.approx(4e-3)
+    assert entry["union"][0]["area"] == pytest.approx(region["area"])
+    assert entry["drives"]["elbow"]["unit"] == "deg"
+    assert [(one["drive"], one["whole"]) for one in entry["turning"]] == [("shoulder", True), ("elbow", True)]
+    assert entry["drives"]["elbow"]["to"] - entry["drives"]["elbow"]["from"] == pytest.approx(360)
+
+
+def test_modes_overlaps_and_union_add_up(two: Job) -> None:
+    entry = two.summary["workspace"]
+    first, second = (region["area"] for region in entry["regions"])
+    assert entry["overlap"][0]["modes"] == [region["mode"] for region in entry["regions"]]
+    assert entry["union"][0]["area"] == pytest.approx(first + second - entry["overlap"][0]["area"], rel=1e-6)
+    assert entry["union"][0]["several"] == pytest.approx(entry["overlap"][0]["area"], abs=1e-9)
+
+
+def test_geojson_holds_the_polygons_with_their_holes(job: Job) -> None:
+    from shapely.geometry import shape
+
+    assert job.workspace is not None
+    text = geojson(job.workspace)
+    assert text is not None
+    data = json.loads(text)
+    region, union = data["features"]
+    assert "mm" in data["note"] and region["properties"]["values"] == {"b": 30}
+    made = shape(region["geometry"])
+    assert made.is_valid and made.area == pytest.approx(region["properties"]["area"])
+    (polygon,) = made.geoms
+    assert polygon.exterior.is_ccw and not polygon.interiors[0].is_ccw
+    assert union["properties"]["kind"] == "union"
+
+
+def test_the_boundary_holds_drive_values_that_reach_it(two: Job) -> None:
+    """The five-bar's own closure, written out: each row's pin lies 12 mm from both cranks' ends."""
+    assert two.workspace is not None
+    rows = [*csv.DictReader(io.StringIO(boundary_csv(two.workspace) or ""))]
+    assert {row["mode"] for row in rows} == {"C: left of B-D", "C: right of B-D"}
+    assert {row["kind"] for row in rows} == {"limit"}
+    x, y, motor, servo = (
+        np.array([float(row[name]) for row in rows]) for name in ("x [mm]", "y [mm]", "motor [deg]", "servo [deg]")
+    )
+    a, b = np.exp(1j * np.radians(motor)) * 10, 10 + np.exp(1j * np.radians(servo)) * 10
+    for pin in (a, b):
+        assert np.abs(np.abs(x + 1j * y - pin) - 12).max() < 2e-4 * 12
+    assert ((motor > 79.99) & (motor < 120.01) & (servo > 39.99) & (servo < 100.01)).all()
+
+
+def test_dxf_holds_a_closed_polyline_for_each_ring(job: Job) -> None:
+    ezdxf = pytest.importorskip("ezdxf")
+    assert job.workspace is not None
+    drawing = ezdxf.read(io.StringIO(dxf(job.workspace)))
+    outer, inner = drawing.modelspace().query("LWPOLYLINE")
+    assert outer.closed and drawing.units == ezdxf.units.MM and outer.dxf.layer == "1 b - 30 mm"
+    radius = [max(np.hypot(x, y) for x, y, *_ in line) for line in (outer, inner)]
+    assert radius == pytest.approx([70, 10], abs=0.01)
+
+
+def test_the_picture_names_the_determinants_and_is_sound(job: Job, two: Job) -> None:
+    assert job.workspace is not None and two.workspace is not None
+    text = svg(job.workspace)
+    assert text is not None and "d(E.x, E.y)/d(shoulder, elbow) is" in " ".join(ElementTree.fromstring(text).itertext())
+    assert text.count('class="region') == 2  # the region and its place in the legend
+    assert "end of a drive" in " ".join(ElementTree.fromstring(svg(two.workspace) or "").itertext())
+
+
+def test_the_page_has_its_section_and_escapes_names(job: Job) -> None:
+    document = job.examined.document
+    assert document is not None
+    text = page(report_data(document, job.outcomes))
+    assert '<section id="workspace">' in text and "Where E gets to for b = 30 mm" in text
+    assert "<2R>" not in text
+
+
+def test_a_curve_is_written_too() -> None:
+    job = performed(four_bar())
+    assert job.workspace is not None
+    own = job.summary["workspace"]["curves"][0]
+    assert own["mode"] == "C: left of B-D" and own["closed"] and own["length"] > 0
+    assert geojson(job.workspace) is None
+    rows = [*csv.DictReader(io.StringIO(boundary_csv(job.workspace) or ""))]
+    assert {row["kind"] for row in rows} == {"path"}
+    assert 'class="path' in (svg(job.workspace) or "")
