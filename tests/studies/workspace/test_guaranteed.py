@@ -177,7 +177,7 @@ def test_where_pins_meet_the_boundary_follows_them() -> None:
 
 def test_all_mechanisms_within_tolerances_reach_the_guaranteed_part() -> None:
     """Those at the corners of the tolerances reach its border but for terms of second order; most places that are a
-    little farther out some of them don't reach (where two curves bound the region at once, the wider strip counts)."""
+    little farther out some of them don't reach."""
     compiled, box, within = five_bar(), Box((0.3, 0.2), (2.5, 2.9)), 2e-3
     who = deviating(compiled, "be", within)
     region = region_of(sheet_of(compiled), box, 20, 1e-4)
@@ -187,7 +187,9 @@ def test_all_mechanisms_within_tolerances_reach_the_guaranteed_part() -> None:
     middles = np.concatenate([one.ends.mean(axis=1) for one in parts], axis=1)
     outward = np.concatenate([one.outward for one in parts], axis=1)
     width = np.concatenate([e.width for e in parts])
-    some = np.flatnonzero(width > 5e-4)[::7]
+    steps = mesh(region.sheet, box, 40)
+    true = ~reaches(region.sheet, box, steps, middles + 5e-4 * outward, 1e-7)[0]  # not a gap between coarse chords
+    some = np.flatnonzero(true & (width > 5e-4))[::4]
     inner = shapely.boundary(made.shape.buffer(-50 * within**2)).simplify(1e-3)
     places = np.concatenate([shapely.get_coordinates(inner).T, (middles - 0.8 * width * outward)[:, some]], axis=1)
     found = []
@@ -196,7 +198,7 @@ def test_all_mechanisms_within_tolerances_reach_the_guaranteed_part() -> None:
         found.append(reaches(sheet, box, mesh(sheet, box, 40), places, 1e-7)[0])
     reached_by_all = np.all(found, axis=0)
     assert reached_by_all[: -some.size].all()
-    assert reached_by_all[-some.size :].mean() < 0.4
+    assert reached_by_all[-some.size :].mean() < 0.1
 
 
 def test_where_the_point_is_precise() -> None:
