@@ -31,9 +31,9 @@ from linkwright.studies.workspace.sheet import Sheet
 Array = NDArray[np.float64]
 
 STEPS = 200
-ROUND = 16
+ROUND = 8
 """Strips end round, in so many pieces a quarter of a turn; they are wider by what these lack."""
-BESIDE = 1e-5
+BESIDE = 1e-6
 """Curves within this share of the region's extent from its boundary bound it."""
 AWAY = 2.0**15
 """How much farther from a pit than its innermost ring the shifts are looked at: the direction alone matters."""
@@ -156,8 +156,16 @@ def guaranteed(
     found = Errors(region.sheet, contributors, sum(one.a.shape[1] for one in region.segments))
     made = edges(region, found)
     width = np.concatenate([one.width for one in made]) if made else np.array([np.nan])
-    cut = [shapely.buffer(one.lines, one.width / np.cos(np.pi / 4 / ROUND), quad_segs=ROUND) for one in made]
-    shape = shapely.difference(region.shape, shapely.union_all([shapely.union_all(one) for one in cut]))
+    shape = region.shape
+    if made:
+        which, first, every = np.unique(
+            np.concatenate([one.segment for one in made]), return_index=True, return_inverse=True
+        )
+        widest = np.zeros(which.size)
+        np.maximum.at(widest, every, width)
+        lines = np.concatenate([one.lines for one in made])[first]
+        strips = shapely.buffer(lines, widest / np.cos(np.pi / 4 / ROUND), quad_segs=ROUND)
+        shape = shapely.difference(shape, shapely.union_all(strips))
     precise = None if limit is None else shapely.difference(shape, imprecise(region, found, limit, steps))
     return Guaranteed(region, shape, float(np.min(width)), float(np.max(width)), limit, precise)
 
@@ -168,7 +176,7 @@ class Edge:
 
     ``ends`` (2, 2, n) are their places: coordinate, end, piece; ``outward`` (2, n) their unit normals. ``shifts``
     (contributors, 2, n) is how far either end moves outward per unit of each deviation, ``width`` (n,) how far inward
-    at worst (m).
+    at worst (m); ``segment`` (n,) numbers the boundary's segments, which may lie on several curves.
     """
 
     kind: str
@@ -176,6 +184,7 @@ class Edge:
     outward: Array
     shifts: Array
     width: Array
+    segment: NDArray[np.intp]
 
     @property
     def lines(self):  # type: ignore[no-untyped-def]
@@ -216,7 +225,7 @@ def edges(region: Region, found: Errors) -> list[Edge]:
             shifts = moved(found, one.kind, seen, outward[:, which[of]])
             width = np.fmax.reduce(_worst(found.contributors, -shifts))
             width[np.isnan(width)] = np.fmax.reduce(width)
-            made.append(Edge(one.kind, ends[:, :, which[of]], outward[:, which[of]], shifts, width))
+            made.append(Edge(one.kind, ends[:, :, which[of]], outward[:, which[of]], shifts, width, which[of]))
     return made
 
 
