@@ -35,7 +35,9 @@ def legs(q: np.ndarray) -> np.ndarray:
     c = pin1 + (along * base + aside * np.stack([-base[1], base[0]])) / d
     arms = np.stack([c - pin1, c - pin2])
     turned = np.stack([np.stack([-pin1[1], pin1[0]]), np.stack([-pin2[1], pin2[0] - 1])])
-    found = np.linalg.solve(np.moveaxis(arms, 2, 0), np.eye(2)[None] * np.moveaxis((arms * turned).sum(1), 1, 0)[..., None])
+    found = np.linalg.solve(
+        np.moveaxis(arms, 2, 0), np.eye(2)[None] * np.moveaxis((arms * turned).sum(1), 1, 0)[..., None]
+    )
     return np.moveaxis(found, 0, 2)
 
 

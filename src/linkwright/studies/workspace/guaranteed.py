@@ -31,10 +31,10 @@ from linkwright.studies.workspace.sheet import Sheet
 Array = NDArray[np.float64]
 
 STEPS = 200
-ROUND = 16
+ROUND = 8
 """Strips end round, in so many pieces a quarter of a turn; they are wider by what these lack."""
-BESIDE = 1e-5
-"""Boundaries are looked for within this share of the region's extent."""
+BESIDE = 1e-6
+"""Curves within this share of the region's extent from its boundary bound it."""
 AWAY = 2.0**15
 """How much farther from a pit than its innermost ring the shifts are looked at: the direction alone matters."""
 KINDS = {f"error {what}": u.LENGTH for what in ("x least", "x most", "y least", "y most", "worst")} | {
@@ -65,9 +65,9 @@ class Errors:
         self.drives = [self.graph.drives.index(drive) * self.graph.width for drive in sheet.drives]
 
     def slopes(self, q: Array, drives: bool = False) -> tuple[Array, Array]:
-        """Values (rows, n) of the point, of the ``reaches`` of groups with two modes, of the ``poses`` of those with two
-        outer pins; their derivatives by the contributors and, with ``drives``, by the two drives after them: (rows,
-        contributors + drives, n)."""
+        """Values (rows, n) of the point, of the ``reaches`` of groups with two modes, of the ``poses`` of those with
+        two outer pins; their derivatives by the contributors and, with ``drives``, by the two drives after them:
+        (rows, contributors + drives, n)."""
         size, many, more = len(self.graph.inputs), len(self.contributors), 2 if drives else 0
         x = np.zeros((2 * size, many + more, q.shape[1]))
         x[:size] = self.sheet.inputs(q)[:, None]
@@ -156,8 +156,16 @@ def guaranteed(
     found = Errors(region.sheet, contributors, sum(one.a.shape[1] for one in region.segments))
     made = edges(region, found)
     width = np.concatenate([one.width for one in made]) if made else np.array([np.nan])
-    cut = [shapely.buffer(one.lines, one.width / np.cos(np.pi / 4 / ROUND), quad_segs=ROUND) for one in made]
-    shape = shapely.difference(region.shape, shapely.union_all([shapely.union_all(one) for one in cut]))
+    shape = region.shape
+    if made:
+        which, first, every = np.unique(
+            np.concatenate([one.segment for one in made]), return_index=True, return_inverse=True
+        )
+        widest = np.zeros(which.size)
+        np.maximum.at(widest, every, width)
+        lines = np.concatenate([one.lines for one in made])[first]
+        strips = shapely.buffer(lines, widest / np.cos(np.pi / 4 / ROUND), quad_segs=ROUND)
+        shape = shapely.difference(shape, shapely.union_all(strips))
     precise = None if limit is None else shapely.difference(shape, imprecise(region, found, limit, steps))
     return Guaranteed(region, shape, float(np.min(width)), float(np.max(width)), limit, precise)
 
@@ -166,17 +174,17 @@ def guaranteed(
 class Edge:
     """The boundary's pieces that lie on one kind of curve.
 
-    ``ends`` (2, 2, n) are their places: coordinate, end, piece; ``outward`` (2, n) their unit normals, ``sure`` says
-    for which the region is on one side only, so that these point out of it. ``shifts`` (contributors, 2, n) is how far
-    either end moves along the normal per unit of each deviation, ``width`` (n,) how far inward at worst (m).
+    ``ends`` (2, 2, n) are their places: coordinate, end, piece; ``outward`` (2, n) their unit normals. ``shifts``
+    (contributors, 2, n) is how far either end moves outward per unit of each deviation, ``width`` (n,) how far inward
+    at worst (m); ``segment`` (n,) numbers the boundary's segments, which may lie on several curves.
     """
 
     kind: str
     ends: Array
     outward: Array
-    sure: NDArray[np.bool_]
     shifts: Array
     width: Array
+    segment: NDArray[np.intp]
 
     @property
     def lines(self):  # type: ignore[no-untyped-def]
@@ -190,32 +198,34 @@ def edges(region: Region, found: Errors) -> list[Edge]:
     """The boundary of a region by the curves on which it lies."""
     import shapely
 
-    edge, made = shapely.boundary(region.shape), []
-    if shapely.is_empty(edge):
+    rings = shapely.get_parts(shapely.boundary(shapely.orient_polygons(region.shape)))
+    corners = [shapely.get_coordinates(ring).T for ring in rings]  # the region lies to their left
+    if not corners:
         return []
-    low, high = np.reshape(shapely.bounds(edge), (2, 2))
-    beside = BESIDE * float((high - low).max())
-    shapely.prepare([edge, region.shape])
-    for one in region.segments:
-        if not one.a.size:
-            continue
-        drives = np.stack([one.a, one.b], axis=1)
-        ends = region.sheet.place(drives.reshape(2, -1))[0].reshape(drives.shape)
-        on = shapely.dwithin(edge, shapely.points(ends.mean(axis=1).T), beside / 10)
-        on &= (ends[:, 0] != ends[:, 1]).any(axis=0)
-        drives, ends = drives[:, :, on], ends[:, :, on]
-        if not on.any():
-            continue
-        along, middle = ends[:, 1] - ends[:, 0], ends.mean(axis=1)
-        normal = np.stack([along[1], -along[0]]) / np.hypot(*along)
-        ahead, behind = (shapely.contains_xy(region.shape, *(middle + s * beside * normal)) for s in (1, -1))
-        outward = np.where(ahead & ~behind, -normal, normal)
-        seen = apart(region.mesh, drives) if one.kind == "pins" else drives
-        shifts = moved(found, one.kind, seen, outward)
-        inward, out = (np.fmax.reduce(_worst(found.contributors, sign * shifts)) for sign in (-1, 1))
-        width = np.where(ahead != behind, inward, np.fmax(inward, out))
-        width = np.where(np.isnan(width), np.fmax.reduce(width), width)
-        made.append(Edge(one.kind, ends, outward, ahead != behind, shifts, width))
+    ends = np.concatenate([np.stack([ring[:, :-1], ring[:, 1:]], axis=1) for ring in corners], axis=2)
+    along = ends[:, 1] - ends[:, 0]
+    outward = np.stack([along[1], -along[0]]) / np.hypot(*along)
+    middles = shapely.points(ends.mean(axis=1).T)
+    drives = [np.stack([one.a, one.b], axis=1) for one in region.segments]
+    kinds = np.repeat(np.arange(len(drives)), [part.shape[2] for part in drives])
+    every = np.concatenate(drives, axis=2)
+    paths = region.sheet.place(every.reshape(2, -1))[0].reshape(every.shape)
+    known = np.flatnonzero(np.isfinite(paths).all(axis=(0, 1)))
+    tree = shapely.STRtree(shapely.linestrings(np.moveaxis(paths[:, :, known], (0, 1, 2), (2, 1, 0))))
+    beside = BESIDE * float(np.ptp(ends, axis=(1, 2)).max())
+    near = tree.query(middles, predicate="dwithin", distance=beside)
+    nearest = tree.query_nearest(middles)
+    which, piece = np.unique(np.concatenate([near, nearest], axis=1), axis=1)
+    piece, made = known[piece], []
+    for k, one in enumerate(region.segments):
+        of = kinds[piece] == k
+        if of.any():
+            seen = every[:, :, piece[of]]
+            seen = apart(region.mesh, seen) if one.kind == "pins" else seen
+            shifts = moved(found, one.kind, seen, outward[:, which[of]])
+            width = np.fmax.reduce(_worst(found.contributors, -shifts))
+            width[np.isnan(width)] = np.fmax.reduce(width)
+            made.append(Edge(one.kind, ends[:, :, which[of]], outward[:, which[of]], shifts, width, which[of]))
     return made
 
 
@@ -232,7 +242,7 @@ def apart(mesh: Mesh, drives: Array) -> Array:
 def _worst(contributors: Contributors, shifts: Array) -> Array:
     """The greatest sum of shifts (contributors, ...) times deviations, 0 or more."""
     low, high = (np.reshape(end, (-1, 1, 1)) for end in (contributors.low, contributors.high))
-    return np.maximum(np.maximum(low * shifts, high * shifts).sum(axis=0), 0.0)
+    return np.asarray(np.maximum(np.maximum(low * shifts, high * shifts).sum(axis=0), 0.0))
 
 
 def moved(found: Errors, kind: str, drives: Array, outward: Array) -> Array:

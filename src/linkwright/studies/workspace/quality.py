@@ -1,7 +1,7 @@
 """How well a mechanism with two drives works over its workspace: maps of one sheet, and where it is singular.
 
-J is d(x, y)/d(drives) of the working point. All figures but the transmission angle follow from it; they are static, of a
-mechanism without weight and friction, whose drives exert J^T F on what the point presses with the force F (N).
+J is d(x, y)/d(drives) of the working point. All figures but the transmission angle follow from it; they are static,
+of a mechanism without weight and friction, whose drives exert J^T F on what the point presses with the force F (N).
 """
 
 from __future__ import annotations
@@ -108,7 +108,7 @@ class _Measuring:
         self.rows = [graph.drives.index(drive) * graph.width for drive in sheet.drives]
         turns = [bool(sheet.compiled.mechanism.drives[drive].turns) for drive in sheet.drives]
         self.arms = np.where(turns, graph.size, 1.0) if any(turns) and not all(turns) else np.ones(2)
-        self.kinds = self._kinds([Dimension(0, 0, 0, 1) if turn else u.LENGTH for turn in turns], turns)
+        self.kinds = self._kinds([u.ANGLE if turn else u.LENGTH for turn in turns], turns)
 
     def _kinds(self, drives: list[Dimension], turns: list[bool]) -> dict[str, Dimension]:
         """The maps and their dimensions."""
@@ -123,8 +123,8 @@ class _Measuring:
         if self.task.efforts is not None:
             kinds |= {"force": u.FORCE, "force any way": u.FORCE}
         if self.task.force is not None:
-            for drive, turn in zip(self.sheet.drives, turns, strict=True):
-                kinds[f"effort {drive}"] = u.TORQUE if turn else u.FORCE
+            for name, turn in zip(self.sheet.drives, turns, strict=True):
+                kinds[f"effort {name}"] = u.TORQUE if turn else u.FORCE
         return kinds
 
     def __call__(self, q: Array) -> dict[str, Array]:
