@@ -82,6 +82,17 @@ def test_the_boundary_holds_drive_values_that_reach_it(two: Job) -> None:
     assert ((motor > 79.99) & (motor < 120.01) & (servo > 39.99) & (servo < 100.01)).all()
 
 
+def test_drive_values_stay_within_a_whole_turn(job: Job) -> None:
+    """On the outer circle the arm is straight, on the inner one folded."""
+    assert job.workspace is not None
+    rows = [*csv.DictReader(io.StringIO(boundary_csv(job.workspace) or ""))]
+    shoulder, elbow = (np.array([float(row[f"{name} [deg]"]) for row in rows]) for name in ("shoulder", "elbow"))
+    assert ((shoulder >= 0) & (shoulder < 360) & (elbow >= 0) & (elbow < 360)).all()
+    folded = np.where(np.array([row["ring"] for row in rows]) == "0", 0.0, 180.0)
+    assert np.abs((elbow - folded + 180) % 360 - 180).max() < 1e-6
+    assert {row["kind"] for row in rows} == {"singular"}
+
+
 def test_dxf_holds_a_closed_polyline_for_each_ring(job: Job) -> None:
     ezdxf = pytest.importorskip("ezdxf")
     assert job.workspace is not None

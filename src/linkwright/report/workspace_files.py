@@ -15,6 +15,7 @@ from linkwright.model import units as u
 from linkwright.report.csv_text import cell, head, written
 from linkwright.report.workspace import shown_values, values_text
 from linkwright.report.workspace_picture import pictures
+from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, pieces
 from linkwright.words import say
 
@@ -87,7 +88,7 @@ def _rows(outcome: WorkspaceOutcome, names: list[str], size: float, sizes: list[
     for one in outcome.workspaces:
         values = shown_values(outcome, one)
         front = [cell(values[name]) for name in names]
-        for mode, part, ring, at, q, kinds in _rings(one):
+        for mode, part, ring, at, q, kinds in _rings(one, outcome.box):
             for place, drive, kind in zip((at / size).T.tolist(), q.T.tolist(), kinds, strict=True):
                 back = [cell(v / scale) for v, scale in zip(drive, sizes, strict=True)]
                 yield [*front, mode, str(part), str(ring), *map(cell, place), *back, kind]
@@ -96,10 +97,10 @@ def _rows(outcome: WorkspaceOutcome, names: list[str], size: float, sizes: list[
 Ring = tuple[str, int, int, Array, Array, list[str]]
 
 
-def _rings(one: Workspace) -> Iterator[Ring]:
+def _rings(one: Workspace, box: Box | None) -> Iterator[Ring]:
     """Each ring: mode, number of the part, number of the ring (0 is the outer one), places, drive values, kinds."""
     for reached in one.regions:
-        reaching = Reaching(reached)
+        reaching = Reaching(reached, box or reached.region.box)
         for part, polygon in enumerate(pieces(reached.shape), start=1):
             for ring, line in enumerate((polygon.exterior, *polygon.interiors)):
                 at = np.array(line.coords).T
@@ -110,11 +111,13 @@ def _rings(one: Workspace) -> Iterator[Ring]:
 
 
 class Reaching:
-    """The drive values that reach points of a region's boundary, on the pieces of its curves."""
+    """The drive values that reach points of a region's boundary, on the pieces of its curves; whole turns within the
+    ranges of ``box``."""
 
-    def __init__(self, reached: Reached) -> None:
+    def __init__(self, reached: Reached, box: Box) -> None:
         import shapely
 
+        self.box = box
         sheet, segments = reached.region.sheet, reached.region.segments
         self.a, self.b = (np.concatenate([getattr(one, end) for one in segments], axis=1) for end in "ab")
         self.kinds = [one.kind for one in segments for _ in range(one.a.shape[1])]
@@ -131,7 +134,9 @@ class Reaching:
         along = ((places - start) * way).sum(axis=0) / np.where(square > 0, square, 1.0)
         share = np.clip(along, 0.0, 1.0)
         a, b = self.a[:, nearest], self.b[:, nearest]
-        return a + share * (b - a), [self.kinds[i] for i in nearest.tolist()]
+        q, low = a + share * (b - a), np.array(self.box.low)[:, None]
+        q = np.where(np.array(self.box.turns)[:, None], low + (q - low) % (2 * np.pi), q)
+        return q, [self.kinds[i] for i in nearest.tolist()]
 
 
 def dxf(outcome: WorkspaceOutcome) -> str | None:

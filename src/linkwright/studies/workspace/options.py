@@ -26,9 +26,6 @@ from linkwright.studies.workspace.signs import combinations
 
 PATH = ("studies", "workspace")
 TURN = 2 * math.pi
-MOVED = (0.0137, 0.0219)
-"""A whole turn is looked at from so far (rad) on: what is singular at a round angle, as a straight arm, else lies on a
-whole line of the mesh, where round-off decides its side."""
 MOST = 200
 """The most regions of one study."""
 
@@ -66,9 +63,8 @@ class WorkspaceOptions(Frozen):
         """The ranges of the two drives."""
         ranges = [self.range(compiled, drive) for drive in compiled.graph.drives]
         assert len(ranges) == 2 and None not in ranges
+        low, high = ([r[end] for r in ranges if r is not None] for end in (0, 1))
         turns = self.turns(compiled)
-        moved = [by if whole else 0.0 for by, whole in zip(MOVED, turns, strict=True)]
-        low, high = ([r[end] + by for r, by in zip(ranges, moved, strict=True) if r is not None] for end in (0, 1))
         return Box((low[0], low[1]), (high[0], high[1]), (turns[0], turns[1]))
 
     def range(self, compiled: Compiled, drive: str) -> tuple[float, float] | None:

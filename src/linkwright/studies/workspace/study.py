@@ -108,7 +108,7 @@ def _found(outcome: WorkspaceOutcome, signs: tuple[float, ...], parameters: Arra
     if _flat(sheet, box.low, box.high):
         return None
     made = region(sheet, box, outcome.chord, close=max(CLOSE, 10 * options.chord))
-    return Reached(mode, signs, made) if made.shape.area > 0 else None  # type: ignore[attr-defined]
+    return Reached(mode, signs, made) if made.shape.area > 0 else None
 
 
 def _flat(sheet: Sheet, low: tuple[float, float], high: tuple[float, float]) -> bool:
