@@ -311,7 +311,7 @@ def imprecise(region: Region, found: Errors, limit: float, steps: int = STEPS): 
         error = found(q)["error worst"]
         return ~(error <= limit)
 
-    q, triangles, _ = meshes._cut(above, made.q, made.triangles)
+    q, triangles, _ = meshes.cut(above, made.q, made.triangles)
     at = sheet.place(q)[0][:, triangles]
     at = at[:, np.isfinite(at).all(axis=(0, 2))]
     if not at.size:

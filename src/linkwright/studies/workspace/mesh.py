@@ -83,7 +83,7 @@ def mesh(sheet: Sheet, box: Box, steps: int, pits: Array | None = None) -> Mesh:
     def inside(q: Array) -> NDArray[np.bool_]:
         return (sheet.place(q)[1] > RIM) & (away(q) > AROUND)
 
-    q, triangles, rim = _cut(inside, q, squares)
+    q, triangles, rim = cut(inside, q, squares)
     limit = _limits(q, triangles, box)
     ring = (np.abs(away(q) - AROUND) < 1e-6)[rim].all(axis=1) if centres.size else np.zeros(len(rim), dtype=bool)
     q, inner, ends = _pitted(q, rim[ring], centres, step)
@@ -140,7 +140,7 @@ def found_pits(sheet: Sheet, box: Box, steps: int = 48) -> Array:
     return np.array(found).reshape(-1, 2).T
 
 
-def _cut(within: Callable[[Array], NDArray[np.bool_]], q: Array, triangles: Rows) -> tuple[Array, Rows, Rows]:
+def cut(within: Callable[[Array], NDArray[np.bool_]], q: Array, triangles: Rows) -> tuple[Array, Rows, Rows]:
     """The parts of triangles inside, with new corners on the rim."""
     inside = within(q)
     count = inside[triangles].sum(axis=1)
