@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +16,9 @@ from linkwright.app.alone import altered
 from linkwright.app.job import examine_document
 from linkwright.model.document import parse_document
 from linkwright.studies.site import Site
+from linkwright.studies.workspace import study
 from linkwright.studies.workspace.options import WorkspaceOptions
+from linkwright.studies.workspace.regions import Region
 from linkwright.studies.workspace.study import Stopped, WorkspaceStudy
 
 MM2 = 1e6
@@ -175,3 +178,20 @@ def test_an_interrupt_says_what_is_lost() -> None:
     with pytest.raises(Stopped) as stopped:
         WorkspaceStudy().run(compiled, options, Site(progress=told))
     assert "1 of 2 regions" in stopped.value.what
+
+
+def test_a_region_that_lacks_a_part_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Half of the annulus taken away from each region that is made."""
+    import shapely
+
+    made = study.region
+
+    def halved(*given: Any, **more: Any) -> Region:
+        whole = made(*given, **more)
+        return replace(whole, shape=whole.shape.intersection(shapely.box(0, -1, 1, 1)))
+
+    monkeypatch.setattr(study, "region", halved)
+    outcome = performed(arm()).workspace
+    assert outcome is not None
+    (found,) = outcome.warnings
+    assert found.code == "workspace.incomplete" and float(found.data["share"]) == pytest.approx(50, abs=1.5)

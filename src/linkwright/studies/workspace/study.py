@@ -17,7 +17,7 @@ from linkwright.studies.workspace.never import never
 from linkwright.studies.workspace.one import Curve, curve
 from linkwright.studies.workspace.options import PATH, WorkspaceOptions, check
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome
-from linkwright.studies.workspace.regions import region
+from linkwright.studies.workspace.regions import Region, region
 from linkwright.studies.workspace.sheet import Sheet
 from linkwright.studies.workspace.signs import combinations, named
 from linkwright.studies.workspace.turning import turnings
@@ -28,6 +28,10 @@ Array = NDArray[np.float64]
 CLOSE = 1e-6
 """Meshes are doubled until the area changes by less than this share, or that which the chords leave open."""
 LOOKS = 64
+MESHES = ((96, 1536), (96, 96), (80, 80), (112, 112))
+"""First and last steps of meshes; others are tried where a region doesn't hold all that is sampled ..."""
+SAMPLES = 20_000
+"""... at so many random values of the drives."""
 FLAT = 1e-9
 """A jacobian's determinant below this share of its columns' lengths everywhere: the point moves along curves only."""
 
@@ -107,8 +111,30 @@ def _found(outcome: WorkspaceOutcome, signs: tuple[float, ...], parameters: Arra
     sheet = Sheet(compiled, options.point, drives, signs, parameters)
     if _flat(sheet, box.low, box.high):
         return None
-    made = region(sheet, box, outcome.chord, close=max(CLOSE, 10 * options.chord))
-    return Reached(mode, signs, made) if made.shape.area > 0 else None
+    tried: list[tuple[float, Region]] = []
+    for first, most in MESHES:
+        made = region(sheet, box, outcome.chord, first, most, close=max(CLOSE, 10 * options.chord))
+        tried.append((_missed(made, outcome.chord), made))
+        if not tried[-1][0]:
+            break
+    missed, best = min(tried, key=lambda one: one[0])
+    if missed:
+        data = {"mode": mode or "-", "share": f"{100 * missed:.3g}"}
+        outcome.warnings.append(Finding("workspace.incomplete", PATH, data, severity="warning"))
+    return Reached(mode, signs, best) if best.shape.area > 0 else None
+
+
+def _missed(found: Region, chord: float) -> float:
+    """The share of places, sampled at random drive values, that lie outside of a region."""
+    import shapely
+
+    box = found.box
+    q = np.random.default_rng(0).uniform(box.low, box.high, (SAMPLES, 2)).T
+    at = found.sheet.place(q)[0]
+    at = at[:, np.isfinite(at).all(axis=0)]
+    shapely.prepare(found.shape)
+    outside = at[:, ~shapely.contains_xy(found.shape, *at)]
+    return float((shapely.distance(found.shape, shapely.points(outside.T)) > 2 * chord).sum()) / SAMPLES
 
 
 def _flat(sheet: Sheet, low: tuple[float, float], high: tuple[float, float]) -> bool:

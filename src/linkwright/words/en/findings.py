@@ -801,6 +801,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "These would be {count} regions; at most {limit} are computed.",
         "Take fewer values, or modes: own.",
     ),
+    "workspace.incomplete": (
+        "The region of the mode {mode} isn't whole: {share} % of the places sampled at random lie outside of it.",
+        "Take another chord, or a part of the drives' ranges; trust its area as a lower bound only.",
+    ),
     "workspace.no-area": (
         "The point {name} moves along curves only, so that it has no region (values: {values}).",
         "Take a point that both drives move.",
