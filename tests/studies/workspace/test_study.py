@@ -195,3 +195,17 @@ def test_a_region_that_lacks_a_part_is_told(monkeypatch: pytest.MonkeyPatch) -> 
     assert outcome is not None
     (found,) = outcome.warnings
     assert found.code == "workspace.incomplete" and float(found.data["share"]) == pytest.approx(50, abs=1.5)
+
+
+def test_what_is_sampled_lies_inside_where_a_dead_position_meets_a_limit() -> None:
+    """The arm is straight inside of the elbow's range, so that the singular curve ends on the limits."""
+    import shapely
+
+    outcome = performed(arm(drives={"shoulder": [10, 100], "elbow": [-50, 95]})).workspace
+    assert outcome is not None
+    (reached,) = outcome.regions
+    shoulder, elbow = np.radians(np.random.default_rng(1).uniform([[10], [-50]], [[100], [95]], (2, 20_000)))
+    tip = 0.04 * np.exp(1j * shoulder) + 0.03 * np.exp(1j * (shoulder + elbow))
+    shape = reached.shape.buffer(2 * outcome.chord)
+    assert shapely.contains_xy(shape, tip.real, tip.imag).all()
+    assert reached.figures.bounds[3] == pytest.approx(0.07, abs=2 * outcome.chord)

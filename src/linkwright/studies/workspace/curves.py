@@ -48,8 +48,7 @@ class Segments:
 
 def curves(sheet: Sheet, mesh: Mesh, chord: float) -> list[Segments]:
     """All of a sheet's curves, their paths' chords within ``chord`` (m)."""
-    inner, rim, pits = _singular(sheet, mesh)
-    limit = mesh.q[:, mesh.limit[:, 0]], mesh.q[:, mesh.limit[:, 1]]
+    inner, rim, pits, limit = _singular(sheet, mesh)
     return [
         refined(sheet, "singular", inner, chord, lambda q: sheet.look(q).numerator),
         refined(sheet, "modes", rim, chord, lambda q: sheet.place(q)[1] - RIM),
@@ -58,15 +57,16 @@ def curves(sheet: Sheet, mesh: Mesh, chord: float) -> list[Segments]:
     ]
 
 
-def _singular(sheet: Sheet, mesh: Mesh) -> tuple[Ends, Ends, Ends]:
+def _singular(sheet: Sheet, mesh: Mesh) -> tuple[Ends, Ends, Ends, Ends]:
     """Pieces of the singular curve; those of the rim and around pits, cut where the curve meets them."""
-    rim, pits = np.sort(mesh.rim, axis=1), np.sort(mesh.pits, axis=1)
+    rim, pits, limit = (np.sort(pairs, axis=1) for pairs in (mesh.rim, mesh.pits, mesh.limit))
+    straight = np.concatenate([pits, limit])
     for rings in RINGS:
         cuts: dict[tuple[int, int], Array] = {}
-        pieces = _passing(sheet, mesh.q, mesh.triangles, (rim, pits), cuts, rings)
+        pieces = _passing(sheet, mesh.q, mesh.triangles, (rim, straight), cuts, rings)
         if not _loose(sheet, mesh, *pieces):
             break
-    return pieces, _stopped(mesh.q, rim, cuts), _stopped(mesh.q, pits, cuts)
+    return pieces, _stopped(mesh.q, rim, cuts), _stopped(mesh.q, pits, cuts), _stopped(mesh.q, limit, cuts)
 
 
 def _stopped(q: Array, pairs: Rows, cuts: Mapping[tuple[int, int], Array]) -> Ends:
