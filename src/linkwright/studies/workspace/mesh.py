@@ -21,12 +21,12 @@ CLEAR = 1e-3
 """A reach above this is far from the rim."""
 SMALL, MET = 0.2, 1e-18
 """Where a pit may be near, and where it is: the closure's determinant squared, over the reach."""
-LOOKS = 150
+LOOKS = 400
 WAYS = np.array([[i, k] for i in (-1.0, 0.0, 1.0) for k in (-1.0, 0.0, 1.0) if (i, k) != (0.0, 0.0)])
 AROUND = 1.5
 """Around a pit the mesh is finer within so many steps ..."""
-NARROWER = 22
-"""... halved so often."""
+NARROW = 3e-8
+"""... halved until they are no wider than this (rad, m)."""
 
 
 @dataclass(frozen=True)
@@ -100,7 +100,7 @@ def _pitted(q: Array, ring: Rows, centres: Array, step: Array) -> tuple[Array, R
     nearest = np.argmin([np.hypot(*((here - centre[:, None]) / step)) for centre in centres.T], axis=0)
     arms = here - centres[:, nearest]
     rows, made, corners = used, [], [q]
-    for level in range(1, NARROWER + 1):
+    for level in range(1, int(np.ceil(np.log2(AROUND * step.max() / NARROW))) + 1):
         inner = sum(part.shape[1] for part in corners) + np.arange(used.size)
         corners.append(centres[:, nearest] + arms * 0.5**level)
         (a, b), (c, d) = rows[edges].T, inner[edges].T
@@ -133,6 +133,8 @@ def found_pits(sheet: Sheet, box: Box, steps: int = 48) -> Array:
         better = values.min(axis=0) < best
         q = np.where(better, tried[:, which, np.arange(which.size)], q)
         best, step = np.minimum(best, values.min(axis=0)), np.where(better, step, step / 2)
+    low, turns = np.array(box.low), np.array(box.turns)
+    q = np.where(turns[:, None], low[:, None] + np.mod(q - low[:, None], 2 * np.pi), q)
     found: list[Array] = []
     for place in q.T[best < MET]:
         if all(np.abs(place - one).max() > 1e-6 for one in found):
