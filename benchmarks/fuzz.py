@@ -34,9 +34,11 @@ from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.words import catalogue
 
-PATIENCE = 5
+PATIENCE = 10
 """Seconds of processor time for one file."""
 SAMPLES = 6
+LONG = ("workspace",)
+"""Studies that take seconds: their options are examined, and that is all."""
 EXAMPLES = Path(__file__).resolve().parent.parent / "examples"
 RUN, UNPROVEN = "run", "run, its certificate not sound"
 QUOTED, WORD = re.compile(r"'.*'"), re.compile(r"\w+")
@@ -100,14 +102,16 @@ def examine(raw: bytes, case: Case) -> None:
 
 def short(document: Document) -> Document:
     """A document with few samples, where its study says how many or nothing."""
-    cycle = document.studies.get("cycle")
-    if not isinstance(cycle, dict):
-        return document
-    return document.model_copy(update={"studies": {**document.studies, "cycle": {**cycle, "samples": SAMPLES}}})
+    studies = dict(document.studies)
+    for name in ("cycle", "accuracy"):
+        if isinstance(entry := studies.get(name), dict):
+            studies[name] = {**entry, "samples": SAMPLES}
+    return document.model_copy(update={"studies": studies})
 
 
 def run(examined: Examined, case: Case) -> None:
     """Perform the studies; what they find must have words too, and the summary no gaps."""
+    examined.tasks = [task for task in examined.tasks if task.study.name not in LONG]
     job = perform(examined)
     found = [*examined.findings, *examined.located(job.found)]
     certificate = job.cycle.result.certificate if job.cycle else None
@@ -122,9 +126,9 @@ def gaps(finding: Finding) -> Iterator[str]:
     if f"{finding.code}.what" not in catalogue() or f"{finding.code}.mend" not in catalogue():
         yield f"{finding.code} isn't in the catalogue"
         return
-    cited = str(finding.data.get("given"))  # what the file holds may be anything
+    cited = str(finding.data.get("given"))  # what the file holds may be anything, names too
     for text in (finding.what, finding.mend, str(finding)):
-        said = WORD.findall(QUOTED.sub("", text.replace(cited, "")))
+        said = WORD.findall(QUOTED.sub("", text.replace(cited, "").replace(finding.element, "")))
         if not text.strip() or "None" in said or "nan" in said:
             yield f"{finding.code} says: {text[:200]}"
     if finding.line is None and not finding.element and not finding.code.startswith("file."):

@@ -57,8 +57,13 @@ class Sampling(Frozen):
         return self
 
     @property
+    def spanned(self) -> bool:
+        """Whether the file's cycle is sound; of a wrong one the cycle itself tells."""
+        return self._cycle is not None
+
+    @property
     def cycle(self) -> CycleOptions:
-        """The options of the file's cycle."""
+        """The options of the file's cycle, which is sound."""
         assert self._cycle is not None
         return self._cycle
 

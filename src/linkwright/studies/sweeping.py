@@ -34,7 +34,7 @@ class SweepStudy:
 
     def check(self, compiled: Compiled, options: SweepOptions) -> list[Finding]:
         """What is wrong with the options."""
-        return list(check(compiled, options))
+        return list(check(compiled, options)) if options.spanned else []
 
     def run(self, compiled: Compiled, options: SweepOptions, site: Site) -> SweepOutcome:
         """Perform the sweep, going on with an interrupted one in the site's folder.

@@ -33,7 +33,8 @@ PATH = ("studies", "accuracy")
 @dataclass
 class Random:
     """What the random samples say: of ``figures`` by the name of their column, of ``curves`` by the signal's text, as
-    :attr:`Curve.sampled` has them. ``state`` are files from which the same study would go on."""
+    :attr:`Curve.sampled` has them. ``state`` are files from which the same study would go on; it took ``seconds`` this
+    time."""
 
     samples: int
     failed: int
@@ -41,6 +42,7 @@ class Random:
     figures: dict[str, MonteCarlo] = field(default_factory=dict)
     curves: dict[str, Array] = field(default_factory=dict)
     state: tuple[Path, ...] = ()
+    seconds: float = 0.0
     warnings: list[Finding] = field(default_factory=list)
 
 
@@ -61,7 +63,7 @@ def monte_carlo(nominal: Run, options: AccuracyOptions, site: Site) -> Random:
     """
     choice = chosen(nominal, options)
     done = perform(nominal, options, choice.kernel, site)
-    found = Random(options.samples, done.failed, choice, state=tuple(done.kept.files))
+    found = Random(options.samples, done.failed, choice, state=tuple(done.kept.files), seconds=done.seconds)
     if done.task.figures.columns:
         found.figures = _figures(done)
     if done.task.signals.texts:

@@ -39,7 +39,7 @@ class AccuracyStudy:
 
     def check(self, compiled: Compiled, options: AccuracyOptions) -> list[Finding]:
         """What is wrong with the options."""
-        return list(_check(compiled, options))
+        return list(_check(compiled, options)) if options.spanned else []
 
     def run(self, compiled: Compiled, options: AccuracyOptions, site: Site) -> AccuracyOutcome:
         """Transfer coefficients, worst case, root sum square, random samples, and what is asked of these."""

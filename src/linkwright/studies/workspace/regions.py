@@ -65,7 +65,8 @@ def reached(sheet: Sheet, box: Box, made: Mesh, segments: Sequence[Segments], ch
 
     paths = [sheet.place(np.stack([one.a, one.b], axis=1).reshape(2, -1))[0].reshape(2, 2, -1) for one in segments]
     ends = np.concatenate(paths, axis=2)
-    ends = ends[:, :, (ends[:, 1] != ends[:, 0]).any(axis=0)]
+    # A piece that ends a round-off beyond the rim has no place there.
+    ends = ends[:, :, np.isfinite(ends).all(axis=(0, 1)) & (ends[:, 1] != ends[:, 0]).any(axis=0)]
     if not ends.size or not made.q.size:
         return shapely.Polygon()
     size = float(np.ptp(ends, axis=(1, 2)).max())
