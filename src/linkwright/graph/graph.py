@@ -57,14 +57,14 @@ class Graph:
     def motion_inputs(self) -> tuple[str, ...]:
         """Rows of the motion: each drive's value and rates up to one past jerk, the branches, and the
         coordinates of the clusters, which Newton supplies."""
-        rows = [f"{drive}:{k}" for drive in self.drives for k in range(MAX_ORDER + 2)]
+        rows = [f"{drive}:{k}" for drive in self.drives for k in range(self.width)]
         rows += [f"branch:{group.label}" for group in self.branched]
         return (*rows, *(f"u:{c.label}:{i}" for c in self.structure.clusters for i in range(len(c.free))))
 
     @cached_property
     def first_unknown(self) -> int:
         """The first input row that Newton supplies."""
-        return len(self.drives) * (MAX_ORDER + 2) + len(self.branched)
+        return len(self.drives) * self.width + len(self.branched)
 
     @property
     def width(self) -> int:
@@ -148,7 +148,7 @@ class Graph:
         """The rate of change of the inputs in time."""
         flow = []
         for i in range(len(self.drives)):
-            rows = range(i * (MAX_ORDER + 2), (i + 1) * (MAX_ORDER + 2))
+            rows = range(i * self.width, (i + 1) * self.width)
             flow += [view.x[k + 1] for k in rows[:-1]] + [ca.SX(0)]
         flow += [ca.SX(0)] * len(self.branched)
         solved = (view.motion.clusters[c] for c in self.structure.clusters)

@@ -19,7 +19,7 @@ from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, 
 from linkwright.model.fields import Expression
 from linkwright.model.signals import Signal
 from linkwright.model.units import Dimension
-from linkwright.notation import MAX_ORDER, Jet, Scalar, Vec, Wrench
+from linkwright.notation import Jet, Scalar, Vec, Wrench
 from linkwright.structure import FRAME
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ class View:
         x, first = ca.vertcat(*symbols), len(graph.motion_inputs)
         given, symbols = dict(zip(inputs[first:], symbols[first:], strict=True)), symbols[:first]
         values = [ca.SX.sym(name) for name in graph.parameters]
-        width = MAX_ORDER + 2
+        width = graph.width
         laws = {drive: Jet(symbols[i * width : i * width + order + 1]) for i, drive in enumerate(graph.drives)}
         branches = dict(zip(graph.branched, symbols[len(graph.drives) * width : graph.first_unknown], strict=True))
         unknowns, rest = {}, symbols[graph.first_unknown :]

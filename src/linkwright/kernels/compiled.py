@@ -25,7 +25,6 @@ from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.quantities import Quantities
 from linkwright.model.spelled import Spelled, spell_out
-from linkwright.notation import MAX_ORDER
 from linkwright.structure import Cluster, Group, Structure, Topology, decompose
 
 Array = NDArray[np.float64]
@@ -61,7 +60,7 @@ class Compiled:
         """The per-pose inputs at times ``t`` (s): (inputs, poses), in SI; only the first ``clusters`` in place, those
         of loads and springs only where ``actions``. With ``starts``, the clusters' coordinates are only near their
         solutions, for a program that solves them."""
-        width = MAX_ORDER + 2
+        width = self.graph.width
         x = np.empty((len(self.graph.inputs), t.size))
         for i, drive in enumerate(self.graph.drives):
             x[i * width : (i + 1) * width] = [np.broadcast_to(d, t.shape) for d in self.laws[drive](t).d]

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from linkwright.graph.assembly import shortfall_at, shortfall_data
 from linkwright.graph.graph import Graph
 from linkwright.model.findings import Finding
-from linkwright.notation import MAX_ORDER
 from linkwright.structure import Cluster, Group, Structure
 
 if TYPE_CHECKING:
@@ -54,7 +53,7 @@ class OfDrive(Cause):
         self.of = name
 
     def fails(self, graph: Graph, x: Array, reach: Mapping[str, Array]) -> Bad:
-        first = graph.drives.index(self.of) * (MAX_ORDER + 2)
+        first = graph.drives.index(self.of) * graph.width
         return np.asarray(~np.isfinite(x[first : first + 3]).all(axis=0))
 
     def finding(self, varied: Varied, data: dict[str, Any], time: float, values: Array) -> Finding:
@@ -73,7 +72,7 @@ class OfGroup(Cause):
     def finding(self, varied: Varied, data: dict[str, Any], time: float, values: Array) -> Finding:
         compiled, graph, p = varied.compiled, varied.graph, varied.parameters(values[:, None])
         x = varied.inputs(p, np.array([time]), frozenset(range(len(graph.motion_inputs))), "numpy")[:, 0, 0]
-        drives = {name: float(x[i * (MAX_ORDER + 2)]) for i, name in enumerate(graph.drives)}
+        drives = {name: float(x[i * graph.width]) for i, name in enumerate(graph.drives)}
         distance, limit = shortfall_at(
             compiled.quantities,
             compiled.structure,

@@ -24,7 +24,6 @@ from linkwright.model.check import check_values
 from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.sampled import Sampled, dependent, names_in
 from linkwright.model.unknown import near
-from linkwright.notation import MAX_ORDER
 from linkwright.structure import Group
 
 Array = NDArray[np.float64]
@@ -173,7 +172,7 @@ class Varied:
     def _drives(self, p: Array, t: Array, shape: tuple[int, ...] | None = None) -> Array:
         """The inputs with the drives' values and rates and the branches alone: (inputs, *shape)."""
         x = np.full((len(self.graph.inputs), *(shape or t.shape)), np.nan)
-        nominal, width = self.compiled.quantities.parameters, MAX_ORDER + 2
+        nominal, width = self.compiled.quantities.parameters, self.graph.width
         for i, drive in enumerate(self.graph.drives):
             law = self.compiled.laws[drive]
             given: dict[str, float | Array] = {name: nominal[name] for name in law.names - self.varying}

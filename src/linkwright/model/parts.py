@@ -11,9 +11,7 @@ from pydantic import (
     ConfigDict,
     Field,
     GetJsonSchemaHandler,
-    ModelWrapValidatorHandler,
     PlainSerializer,
-    model_validator,
 )
 from pydantic_core import CoreSchema
 
@@ -31,7 +29,7 @@ from linkwright.model.fields import (
     pair,
 )
 from linkwright.model.tolerances import Tolerance
-from linkwright.model.written import Fault, unexpected
+from linkwright.model.written import Fault, Shortened, unexpected
 
 freeze = AfterValidator(FrozenDict)
 
@@ -61,8 +59,11 @@ class Units(Frozen):
         return self.model_dump(exclude_none=True)
 
 
-class Parameter(Frozen):
+class Parameter(Shortened):
     """A named value, that a study may vary or differentiate by. In a file mostly written as its value alone."""
+
+    main = "value"
+    alone = "the value alone"
 
     value: Expression = Field(description="a number, with or without unit, or arithmetic on other parameters")
     tolerance: Tolerance | None = Field(
@@ -71,17 +72,6 @@ class Parameter(Frozen):
         "ISO 2768-m, h7 or IT8, or a mapping that says more",
     )
     note: LongText | None = Field(None, description="free text")
-
-    @model_validator(mode="wrap")
-    @classmethod
-    def _bare(cls, raw: Any, handler: ModelWrapValidatorHandler[Parameter]) -> Parameter:
-        return handler(raw if isinstance(raw, Mapping | Parameter) else {"value": raw})
-
-    @classmethod
-    def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
-        whole = handler.resolve_ref_schema(handler(schema))
-        short = {"type": ["number", "string"], "description": "the value alone"}
-        return {"description": cls.__doc__, "anyOf": [short, whole]}
 
 
 def _named(raw: Any) -> Any:

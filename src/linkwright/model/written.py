@@ -154,6 +154,24 @@ class Frozen(BaseModel):
         return value
 
 
+class Shortened(Frozen):
+    """A part that may be written as the value of its key ``main`` alone; ``alone`` says so in the schema."""
+
+    main: ClassVar[str]
+    alone: ClassVar[str]
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _bare(cls, raw: Any, handler: ModelWrapValidatorHandler[Self]) -> Self:
+        return handler(raw if isinstance(raw, Mapping | cls) else {cls.main: raw})
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        whole = handler.resolve_ref_schema(handler(schema))
+        short = {"type": ["number", "string"], "description": cls.alone}
+        return {"description": cls.__doc__, "anyOf": [short, whole]}
+
+
 def _again(line: Any) -> InitErrorDetails:
     """A line of a validation error, to be raised once more together with others."""
     kind = line["type"]

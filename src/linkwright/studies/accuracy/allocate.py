@@ -8,8 +8,7 @@ from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field, GetJsonSchemaHandler, ModelWrapValidatorHandler, model_validator
-from pydantic_core import CoreSchema
+from pydantic import Field
 
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
@@ -18,6 +17,7 @@ from linkwright.model.findings import Finding
 from linkwright.model.parts import freeze
 from linkwright.model.quantities import LARGEST, Quantities
 from linkwright.model.unknown import near
+from linkwright.model.written import Shortened
 from linkwright.studies.accuracy.allocated import Allocation
 from linkwright.studies.accuracy.allocation import Demand, Item, Problem, allocate
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
@@ -36,22 +36,14 @@ DECADE = 10.0
 """Others lie between this part of what is stated and this multiple of it."""
 
 
-class Wanted(Frozen):
+class Wanted(Shortened):
     """A target: the half-width of an output."""
+
+    main = "within"
+    alone = "plus and minus alone"
 
     within: Expression = Field(description="plus and minus, in the output's unit")
     method: Method | None = Field(None, description="rss or worst, instead of that of all")
-
-    @model_validator(mode="wrap")
-    @classmethod
-    def _bare(cls, raw: Any, handler: ModelWrapValidatorHandler[Wanted]) -> Wanted:
-        return handler(raw if isinstance(raw, Mapping | Wanted) else {"within": raw})
-
-    @classmethod
-    def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
-        whole = handler.resolve_ref_schema(handler(schema))
-        short = {"type": ["number", "string"], "description": "plus and minus alone"}
-        return {"description": cls.__doc__, "anyOf": [short, whole]}
 
 
 class Allocate(Frozen):

@@ -4,25 +4,27 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import Any
 
-from pydantic import Field, GetJsonSchemaHandler, ModelWrapValidatorHandler, model_validator
-from pydantic_core import CoreSchema
+from pydantic import Field
 
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.model.dimensions import DimensionError
-from linkwright.model.fields import Expression, Frozen, Name
+from linkwright.model.fields import Expression, Name
 from linkwright.model.findings import Finding
 from linkwright.model.pins import Pin
 from linkwright.model.places import Path
 from linkwright.model.quantities import LARGEST
 from linkwright.model.units import LENGTH
 from linkwright.model.unknown import near
+from linkwright.model.written import Shortened
 
 
-class Clearance(Frozen):
+class Clearance(Shortened):
     """The clearance of a joint. Of a pin mostly written as its radial clearance alone."""
+
+    main = "clearance"
+    alone = "the clearance alone"
 
     clearance: Expression = Field(
         description="of a pin: radial, half the difference of the diameters; of a guide: half the whole play across it"
@@ -34,17 +36,6 @@ class Clearance(Frozen):
     in_: Name | None = Field(
         None, alias="in", description="the link in which a pin of three links or more is fixed; else it floats"
     )
-
-    @model_validator(mode="wrap")
-    @classmethod
-    def _bare(cls, raw: Any, handler: ModelWrapValidatorHandler[Clearance]) -> Clearance:
-        return handler(raw if isinstance(raw, Mapping | Clearance) else {"clearance": raw})
-
-    @classmethod
-    def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
-        whole = handler.resolve_ref_schema(handler(schema))
-        short = {"type": ["number", "string"], "description": "the clearance alone"}
-        return {"description": cls.__doc__, "anyOf": [short, whole]}
 
 
 def check_clearances(compiled: Compiled, clearances: Mapping[str, Clearance], at: Path) -> Iterator[Finding]:

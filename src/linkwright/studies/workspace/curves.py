@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.results.stationary import bracketed
-from linkwright.studies.workspace.mesh import HALVINGS, RIM, Mesh, halved
+from linkwright.studies.workspace.mesh import HALVINGS, RIM, Mesh, halved, sides_of
 from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]
@@ -96,7 +96,7 @@ def _passing(
     triangles = triangles[np.isfinite(numerator)[triangles].all(axis=1)]
     positive = numerator >= 0
     passed = np.flatnonzero(positive[triangles].any(axis=1) & ~positive[triangles].all(axis=1))
-    sides = _sides(triangles[passed])
+    sides = sides_of(triangles[passed])
     crossed = positive[sides[:, 0]] != positive[sides[:, 1]]
     pairs, where = np.unique(np.sort(sides[crossed], axis=1), axis=0, return_inverse=True)
     rim, pits = border
@@ -159,14 +159,9 @@ def _turning(sheet: Sheet, path: Callable[[Array], Array], sign: NDArray[np.bool
     return halved(lambda share: (sheet.look(path(share)).numerator >= 0) == sign, sign.size)
 
 
-def _sides(triangles: Rows) -> Rows:
-    """The three sides of each triangle: all first ones, all second ones, all third ones."""
-    return np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
-
-
 def _quartered(q: Array, triangles: Rows) -> tuple[Array, Rows]:
     """Triangles cut into four each by the middles of their sides."""
-    pairs, where = np.unique(np.sort(_sides(triangles), axis=1), axis=0, return_inverse=True)
+    pairs, where = np.unique(np.sort(sides_of(triangles), axis=1), axis=0, return_inverse=True)
     x, y, z = q.shape[1] + where.reshape(3, -1)
     a, b, c = triangles.T
     corners = np.concatenate([q, q[:, pairs].mean(axis=2)], axis=1)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from linkwright.model.quantities import Quantities
 from linkwright.model.units import Dimension
 from linkwright.results.stationary import bracketed
-from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.mesh import Box, halves, sides_of
 
 Array = NDArray[np.float64]
 Figures = Callable[[Array], Mapping[str, Array]]
@@ -107,15 +107,12 @@ class Maps:
 
     def contour(self, name: str, level: float) -> list[Line]:
         """The lines on which a map has a value (SI), by marching triangles; their corners lie on the true line."""
-        n = self.axes[1].size
         values = self.maps[name].values.ravel() - level
-        corner = np.arange(values.size).reshape(-1, n)
-        a, b, c, d = (part.ravel() for part in (corner[:-1, :-1], corner[1:, :-1], corner[1:, 1:], corner[:-1, 1:]))
-        triangles = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+        triangles = halves(self.axes[0].size, self.axes[1].size)
         triangles = triangles[np.isfinite(values[triangles]).all(axis=1)]
         above = values >= 0
         triangles = triangles[above[triangles].any(axis=1) & ~above[triangles].all(axis=1)]
-        sides = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
+        sides = np.sort(sides_of(triangles), axis=1)
         crossed = above[sides[:, 0]] != above[sides[:, 1]]
         pairs, where = np.unique(sides[crossed], axis=0, return_inverse=True)
         if not len(pairs):

@@ -69,9 +69,7 @@ def mesh(sheet: Sheet, box: Box, steps: int, pits: Array | None = None) -> Mesh:
     centres = np.empty((2, 0)) if pits is None else pits
     axes = [np.linspace(a, b, steps + 1) for a, b in zip(box.low, box.high, strict=True)]
     q = np.stack(np.meshgrid(*axes, indexing="ij")).reshape(2, -1)
-    corner = np.arange((steps + 1) ** 2).reshape(steps + 1, -1)
-    a, b, c, d = (part.ravel() for part in (corner[:-1, :-1], corner[1:, :-1], corner[1:, 1:], corner[:-1, 1:]))
-    squares = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+    squares = halves(steps + 1, steps + 1)
 
     def away(q: Array) -> Array:
         """How far places are from the nearest pit, in steps."""
@@ -88,6 +86,18 @@ def mesh(sheet: Sheet, box: Box, steps: int, pits: Array | None = None) -> Mesh:
     ring = (np.abs(away(q) - AROUND) < 1e-6)[rim].all(axis=1) if centres.size else np.zeros(len(rim), dtype=bool)
     q, inner, ends = _pitted(q, rim[ring], centres, step)
     return Mesh(q, np.concatenate([triangles, inner]), rim[~ring], limit, ends)
+
+
+def halves(rows: int, columns: int) -> Rows:
+    """The triangles of a grid's squares, two each, by the numbers of its corners."""
+    corner = np.arange(rows * columns).reshape(rows, columns)
+    a, b, c, d = (part.ravel() for part in (corner[:-1, :-1], corner[1:, :-1], corner[1:, 1:], corner[:-1, 1:]))
+    return np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+
+
+def sides_of(triangles: Rows) -> Rows:
+    """The three sides of each triangle: all first ones, all second ones, all third ones."""
+    return np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
 
 
 def _pitted(q: Array, ring: Rows, centres: Array, step: Array) -> tuple[Array, Rows, Rows]:
@@ -147,7 +157,7 @@ def cut(within: Callable[[Array], NDArray[np.bool_]], q: Array, triangles: Rows)
     inside = within(q)
     count = inside[triangles].sum(axis=1)
     whole, partly = triangles[count == 3], triangles[(count > 0) & (count < 3)]
-    edges = np.concatenate([partly[:, [0, 1]], partly[:, [1, 2]], partly[:, [2, 0]]])
+    edges = sides_of(partly)
     crossed = inside[edges[:, 0]] != inside[edges[:, 1]]
     pairs, where = np.unique(np.sort(edges[crossed], axis=1), axis=0, return_inverse=True)
     kept = inside[pairs]
@@ -174,7 +184,7 @@ def cut(within: Callable[[Array], NDArray[np.bool_]], q: Array, triangles: Rows)
 
 def _limits(q: Array, triangles: Rows, box: Box) -> Rows:
     """The sides of triangles that lie on the end of a drive's range."""
-    sides = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
+    sides = np.sort(sides_of(triangles), axis=1)
     found = [np.empty((0, 2), dtype=np.intp)]
     for k in (0, 1):
         ends = () if box.turns[k] else (box.low[k], box.high[k])
