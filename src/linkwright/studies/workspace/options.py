@@ -22,6 +22,7 @@ from linkwright.structure import FRAME
 from linkwright.studies.asked import one_of
 from linkwright.studies.ranges import stroke
 from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.parts import sections
 from linkwright.studies.workspace.signs import combinations
 
 PATH = ("studies", "workspace")
@@ -94,6 +95,8 @@ def check(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
         data = {"groups": "; ".join(c.label for c in clusters)}
         yield Finding("workspace.cluster", ("links", clusters[0].links[0]), data)
     yield from _point(compiled, options.point)
+    for _, section in sections(options):
+        yield from section.check(compiled, options)
     wrong = [*_values(compiled, options)]
     yield from wrong
     yield from _drives(compiled, options)
