@@ -4,8 +4,8 @@ A point x of the fixed frame is R(-sense theta) x in the cam's. With the roller'
 pitch curve is c = R(-sense theta) C; its outward normal n is common to it, to the profile c - r n and to all that is
 offset from it. A flat face touches its envelope at H n + dH/dphi J n, phi being the direction of its normal in the
 cam's frame and H its distance. Curvature 1/rho = -sense (c' x c'') / |c'|^3, positive where the cam is convex; of a
-flat face rho = H + d2H/dphi2. (Rothbart, Cam Design Handbook, 2004, ch. 7; Norton, Cam Design and Manufacturing Handbook,
-ch. 7.)
+flat face rho = H + d2H/dphi2. (Rothbart, Cam Design Handbook, 2004, ch. 7; Norton, Cam Design and Manufacturing
+Handbook, ch. 7.)
 """
 
 from __future__ import annotations
