@@ -11,9 +11,14 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
+import numpy as np
+from numpy.typing import NDArray
+
 from linkwright.notation import Jet
+from linkwright.notation.angles import wrapped
 from linkwright.notation.registry import Registry
 
+Array = NDArray[np.float64]
 Vector = tuple[Jet, Jet]
 
 
@@ -57,6 +62,10 @@ class Follower:
 
     def velocity(self, at: Vector) -> Vector:
         """The derivative by the lift of the place of the follower's point that is at ``at``."""
+        raise NotImplementedError
+
+    def resting(self, x: Array, y: Array) -> Array:
+        """The lift (m or rad) at which the follower rests on a point of the fixed frame; NaN where it never does."""
         raise NotImplementedError
 
 
@@ -117,6 +126,9 @@ class TranslatingRoller(Translating):
     def touch(self, lift: Jet) -> Touch:
         return Touch(at=(Jet.constant(self.offset, lift.order), lift + self.start))
 
+    def resting(self, x: Array, y: Array) -> Array:
+        return y + np.sqrt(self.radius**2 - (x - self.offset) ** 2) - self.start
+
 
 @register
 @dataclass(frozen=True)
@@ -154,6 +166,11 @@ class SwingingRoller(Swinging):
         angle = lift + self.start
         return Touch(at=(self.distance - self.arm * angle.cos(), self.arm * angle.sin()))
 
+    def resting(self, x: Array, y: Array) -> Array:
+        away = np.hypot(x - self.distance, y)
+        between = np.arccos((self.arm**2 + away**2 - self.radius**2) / (2 * self.arm * away))
+        return wrapped(np.arctan2(y, self.distance - x) + between - self.start)
+
 
 @register
 @dataclass(frozen=True)
@@ -165,6 +182,9 @@ class TranslatingFlat(Translating):
 
     def touch(self, lift: Jet) -> Touch:
         return Touch(facing=Jet.constant(math.pi / 2, lift.order), height=lift + self.base)
+
+    def resting(self, x: Array, y: Array) -> Array:
+        return y - self.base
 
 
 @register
@@ -187,6 +207,10 @@ class SwingingFlat(Swinging):
     def touch(self, lift: Jet) -> Touch:
         angle = lift + self.start
         return Touch(facing=math.pi / 2 - angle, height=self.distance * angle.sin() + self.face)
+
+    def resting(self, x: Array, y: Array) -> Array:
+        away = np.hypot(x - self.distance, y)
+        return wrapped(np.arctan2(y, self.distance - x) - np.arcsin(self.face / away) - self.start)
 
 
 def cross(a: Vector, b: Vector) -> Jet:
