@@ -185,7 +185,9 @@ def _moved(made: Read, state: _State, number: int, values: dict[str, float]) -> 
     feed = None if state.motion == "0" else state.feed
     move = Move(number, start, end, None, turn, feed, state.side)  # type: ignore[arg-type]
     if turn:
-        move = replace(move, centre=(move.start[0] + values.get("I", 0.0) * scale, move.start[1] + values.get("J", 0.0) * scale))
+        move = replace(
+            move, centre=(move.start[0] + values.get("I", 0.0) * scale, move.start[1] + values.get("J", 0.0) * scale)
+        )
         made.faults += _arc(move, values)
     made.moves.append(move)
     return state

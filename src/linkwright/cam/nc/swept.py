@@ -35,7 +35,9 @@ def points(move: Move) -> Array:
     count = max(2, math.ceil(move.sweep / step))
     first = math.atan2(move.start[1] - move.centre[1], move.start[0] - move.centre[0])
     angles = first + move.turn * move.sweep * np.arange(1, count + 1) / count
-    made = np.stack([move.centre[0] + move.radius * np.cos(angles), move.centre[1] + move.radius * np.sin(angles)], axis=1)
+    made = np.stack(
+        [move.centre[0] + move.radius * np.cos(angles), move.centre[1] + move.radius * np.sin(angles)], axis=1
+    )
     made[-1] = move.end[:2]
     return made
 
@@ -80,5 +82,5 @@ def left(moves: Iterable[Move], cutter: float) -> Array:
     for part in shapely.get_parts(gone):
         for ring in getattr(part, "interiors", ()):
             if shapely.Polygon(ring).contains(centre):
-                return shapely.get_coordinates(shapely.segmentize(ring, APART))[:-1].T
+                return np.asarray(shapely.get_coordinates(shapely.segmentize(ring, APART))[:-1].T)
     raise NothingLeft
