@@ -1,7 +1,7 @@
 """The cutter's path around a plate cam: arcs or chords within a stated error of the follower's lift.
 
-A path that is off by e along the normal makes a profile that is off by e, and a lift that is off by e over the rate at
-which the contact moves along the normal by the lift: one over the cosine of the pressure angle for a slide. Arcs come in
+A path that is off by e along the normal makes a profile that is off by e, and a lift that is off by e over the rate by
+the lift at which the contact moves along the normal: the cosine of the pressure angle for a slide. Arcs come in
 pairs that are tangent to each other and to the path (biarcs: Bolton, Computer-Aided Design 7(2), 1975, 83-88).
 """
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from linkwright.cam.disc import TURN, Disc
 from linkwright.cam.nc.reader import Fault, Move, read
-from linkwright.cam.nc.swept import NothingLeft, left, levels
+from linkwright.cam.nc.swept import NothingLeft, Tight, left, levels
 from linkwright.cam.rolling import rolled
 
 Array = NDArray[np.float64]
@@ -56,6 +56,8 @@ def prove(disc: Disc, text: str, cutter: float, angles: int = ANGLES) -> Proof:
             contours = tuple(left(moves, 1e3 * cutter) / 1e3 for moves in levels(found.moves))
         except NothingLeft:
             faults = [Fault("nc.nothing-left", 0)]
+        except Tight as tight:
+            faults = [Fault("nc.tight", tight.line)]
     if faults:
         none = np.empty((2, 0))
         return Proof(theta, none, none, math.nan, math.nan, math.nan, math.nan, tuple(found.moves), (), tuple(faults))
@@ -69,20 +71,16 @@ def prove(disc: Disc, text: str, cutter: float, angles: int = ANGLES) -> Proof:
 
 
 def _off(disc: Disc, contours: Sequence[Array]) -> tuple[float, float]:
-    """How far contours lie inside and outside of the profile (m)."""
-    import shapely
+    """How far contours lie inside and outside of the profile (m): along the normals of its nearest places."""
+    from scipy.spatial import KDTree
 
-    theta = np.linspace(0.0, TURN, 20 * ANGLES, endpoint=False)
-    corners = disc.look(theta).offset(-disc.follower.radius).T
-    profile = shapely.Polygon(corners)
-    shapely.prepare(profile)
-    edge = shapely.STRtree(shapely.linestrings(np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)))
+    look = disc.look(np.linspace(0.0, TURN, 4 * ANGLES, endpoint=False))
+    profile = look.offset(-disc.follower.radius)
+    normal = look.offset(1.0) - look.offset(0.0)
+    nearest = KDTree(profile.T)
     gouge = rest = 0.0
     for contour in contours:
-        places = shapely.points(contour.T)
-        inside = shapely.contains(profile, places)
-        (rows, _), away = edge.query_nearest(places, return_distance=True, all_matches=False)
-        inside = inside[rows]
-        gouge = max(gouge, float(away[inside].max(initial=0.0)))
-        rest = max(rest, float(away[~inside].max(initial=0.0)))
+        which = nearest.query(contour.T)[1]
+        out = ((contour - profile[:, which]) * normal[:, which]).sum(axis=0)
+        gouge, rest = max(gouge, float(-out.min())), max(rest, float(out.max()))
     return gouge, rest

@@ -114,8 +114,8 @@ def read(text: str) -> Read:
     """What a control does with a file."""
     made, state = Read(), _State()
     for number, raw in enumerate(text.splitlines(), start=1):
-        line = COMMENT.sub("", raw).strip()
-        if not line or line == "%" or CALL.match(line) or re.fullmatch(r"[O:]\d+", line):
+        line = "" if CALL.match(raw) else COMMENT.sub("", raw).strip()
+        if not line or line == "%" or re.fullmatch(r"[O:]\d+", line):
             continue
         if made.ended:
             made.faults.append(Fault("nc.after-end", number, {"text": line[:40]}))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,35 +26,45 @@ class NothingLeft(ValueError):
     """The motions leave nothing of the cam around its centre, or don't go around it."""
 
 
-def points(move: Move) -> Array:
-    """A motion as points (n, 2) within ``FINE`` of it, its start left out."""
+class Tight(ValueError):
+    """A compensated arc is smaller than the cutter, which lies on its inside; ``line`` is where."""
+
+    def __init__(self, line: int) -> None:
+        super().__init__(line)
+        self.line = line
+
+
+def points(move: Move, cutter: float) -> Array:
+    """Where the cutter's centre goes, as points (n, 2) within ``FINE`` of it: beside the programmed motion by its
+    radius where that is compensated. Raises Tight."""
+    start, end = np.array(move.start[:2]), np.array(move.end[:2])
     if move.centre is None:
-        return np.array([move.end[:2]])
-    step = 2 * math.acos(1 - min(FINE / move.radius, 0.5))
+        along = end - start
+        length = float(np.hypot(*along))
+        beside = move.side * cutter * np.array([-along[1], along[0]]) / length if length and move.side else np.zeros(2)
+        return np.array([start + beside, end + beside])
+    radius = move.radius - move.turn * move.side * cutter
+    if radius <= 0:
+        raise Tight(move.line)
+    step = 2 * math.acos(1 - min(FINE / radius, 0.5))
     count = max(2, math.ceil(move.sweep / step))
-    first = math.atan2(move.start[1] - move.centre[1], move.start[0] - move.centre[0])
-    angles = first + move.turn * move.sweep * np.arange(1, count + 1) / count
-    made = np.stack(
-        [move.centre[0] + move.radius * np.cos(angles), move.centre[1] + move.radius * np.sin(angles)], axis=1
-    )
-    made[-1] = move.end[:2]
-    return made
+    first = math.atan2(start[1] - move.centre[1], start[0] - move.centre[0])
+    angles = first + move.turn * move.sweep * np.arange(count + 1) / count
+    return np.stack([move.centre[0] + radius * np.cos(angles), move.centre[1] + radius * np.sin(angles)], axis=1)
 
 
-def chains(moves: Iterable[Move]) -> Iterator[tuple[int, Array]]:
-    """Connected motions as lines of points (n, 2) with the side on which the cutter runs."""
+def chains(moves: Iterable[Move], cutter: float) -> Iterator[Array]:
+    """Connected motions as lines of points (n, 2) of the cutter's centre; gaps between them become straight."""
     line: list[Array] = []
     before: Move | None = None
     for move in moves:
-        joined = before is not None and before.end == move.start and before.side == move.side
-        if not joined:
-            if line and before is not None:
-                yield before.side, np.concatenate(line)
-            line = [np.array([move.start[:2]])]
-        line.append(points(move))
+        if before is not None and before.end != move.start:
+            yield np.concatenate(line)
+            line = []
+        line.append(points(move, cutter))
         before = move
-    if line and before is not None:
-        yield before.side, np.concatenate(line)
+    if line:
+        yield np.concatenate(line)
 
 
 def levels(moves: Sequence[Move], top: float = 0.0) -> list[list[Move]]:
@@ -68,16 +77,11 @@ def levels(moves: Sequence[Move], top: float = 0.0) -> list[list[Move]]:
 
 def left(moves: Iterable[Move], cutter: float) -> Array:
     """The contour (2, n), mm, of what motions of a cutter of radius ``cutter`` (mm) leave around the origin. Raises
-    NothingLeft."""
+    NothingLeft, Tight."""
     import shapely
 
-    swept = []
-    for side, line in chains(moves):
-        drawn: Any = shapely.LineString(line)
-        if side:
-            drawn = shapely.offset_curve(drawn, side * cutter, quad_segs=QUARTER)
-        swept.append(shapely.buffer(drawn, cutter, quad_segs=QUARTER))
-    gone = shapely.union_all(swept)
+    lines = [shapely.LineString(line) for line in chains(moves, cutter)]
+    gone = shapely.union_all(shapely.buffer(lines, cutter, quad_segs=QUARTER))
     centre = shapely.Point(0.0, 0.0)
     for part in shapely.get_parts(gone):
         for ring in getattr(part, "interiors", ()):
