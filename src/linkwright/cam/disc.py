@@ -88,7 +88,7 @@ class Disc:
         theta = np.asarray(theta, dtype=float)
         angle = Jet([theta, np.ones_like(theta), *(np.zeros_like(theta) for _ in range(ORDER - 1))])
         lift = self.lift(angle)
-        made = self._rolled(angle, lift) if self.follower.touch(lift).at is not None else self._faced(angle, lift)
+        made = self._faced(angle, lift) if self.follower.faced else self._rolled(angle, lift)
         return Look(theta, lift, *made)
 
     def _rolled(self, angle: Jet, lift: Jet) -> tuple[Vector, Vector, Jet, Jet, Jet, Vector, Vector, Vector]:

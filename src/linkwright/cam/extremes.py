@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.cam.disc import Disc, Look
 from linkwright.notation import Jet
-from linkwright.results.stationary import stationary
+from linkwright.results.stationary import crossings, stationary
 
 Array = NDArray[np.float64]
 Figure = Callable[[Look], Jet]
 """A figure with at least its first derivative by the cam angle."""
 
+MOVES = 1e-9
+"""A follower that moves by no more than this per radian (m or rad) dwells."""
 STEPS = 128
 """The first steps of a piece between two joins."""
 
@@ -28,11 +31,11 @@ class Extreme:
     theta: float
 
 
-def extremes(disc: Disc, figure: Figure) -> tuple[Extreme, Extreme]:
-    """The least and the largest value of a figure; limits from either side count at the joins of the law. Raises
-    ValueError where the figure is nowhere a number."""
+def extremes(disc: Disc, figure: Figure, over: Iterable[tuple[float, float]] | None = None) -> tuple[Extreme, Extreme]:
+    """The least and the largest value of a figure, of the whole turn or ``over`` stretches within pieces of the law;
+    limits from inside count at their ends. Raises ValueError where the figure is nowhere a number."""
     found: list[tuple[Array, Array]] = []
-    for start, stop in disc.pieces:
+    for start, stop in disc.pieces if over is None else over:
 
         def rates(theta: Array, start: float = start, stop: float = stop) -> tuple[Array, Array]:
             jet = figure(disc.look(np.clip(theta, start, np.nextafter(stop, start))))
@@ -42,6 +45,8 @@ def extremes(disc: Disc, figure: Figure) -> tuple[Extreme, Extreme]:
         inside = stationary(rates, start, stop, STEPS)[0]
         at = np.concatenate([[start, stop], inside])
         found.append((at, rates(at)[0][0]))
+    if not found:
+        raise ValueError("no stretch")
     theta, values = (np.concatenate(rows) for rows in zip(*found, strict=True))
     kept = ~np.isnan(values)
     if not kept.any():
@@ -50,11 +55,28 @@ def extremes(disc: Disc, figure: Figure) -> tuple[Extreme, Extreme]:
     return tuple(Extreme(float(values[k]), float(theta[k])) for k in (values.argmin(), values.argmax()))  # type: ignore[return-value]
 
 
+def stretches(disc: Disc, rising: bool) -> list[tuple[float, float]]:
+    """Where the follower rises, or where it returns: cam angles within a piece of the law each."""
+    found = []
+    for start, stop in disc.pieces:
+
+        def rate(theta: Array, start: float = start, stop: float = stop) -> Array:
+            lift = disc.look(np.clip(theta, start, np.nextafter(stop, start))).lift
+            return np.broadcast_to(lift.d[1], theta.shape)
+
+        turns = [start, *crossings(rate, start, stop, STEPS), stop]
+        for a, b in pairwise(turns):
+            moves = rate(np.linspace(a, b, 9)[1:-1])
+            if np.abs(moves).max() > MOVES and (moves[np.abs(moves).argmax()] > 0) == rising:
+                found.append((a, b))
+    return found
+
+
 def curvature(by: float = 0.0) -> Figure:
     """The curvature (1/m) of the curve ``by`` (m) outward of the pitch curve; negative beyond a cusp."""
     return lambda look: look.curvature / (1.0 + by * look.curvature)
 
 
 def pressure(look: Look) -> Jet:
-    """The signed pressure angle (rad)."""
-    return look.pressure
+    """The size of the pressure angle (rad)."""
+    return abs(look.pressure)

@@ -49,6 +49,8 @@ class Follower:
     name: ClassVar[str]
     turns: ClassVar[bool] = False
     """Whether the lift is an angle."""
+    faced: ClassVar[bool] = False
+    """Whether a flat face touches."""
     base: float
 
     @property
@@ -178,6 +180,7 @@ class TranslatingFlat(Translating):
     """A flat face square to the slide."""
 
     name = "translating_flat"
+    faced = True
     base: float
 
     def touch(self, lift: Jet) -> Touch:
@@ -193,6 +196,7 @@ class SwingingFlat(Swinging):
     """A flat face on an arm, ``face`` (m) from the pivot on the side away from the cam."""
 
     name = "swinging_flat"
+    faced = True
     base: float
     distance: float
     face: float = 0.0
