@@ -47,38 +47,39 @@ class Check:
         return self.margin is None or self.margin >= 0
 
 
-def checks(disc: Disc, limits: Limits | None = None) -> list[Check]:
-    """Each figure at its worst, those that the cam hasn't left out: no hollow, no flank."""
-    return list(_checks(disc, limits or Limits()))
+def checks(disc: Disc, limits: Limits | None = None, exact: bool = True) -> list[Check]:
+    """Each figure at its worst, those that the cam hasn't left out: no hollow, no flank. Not ``exact``: see
+    :func:`linkwright.cam.extremes.extremes`."""
+    return list(_checks(disc, limits or Limits(), exact))
 
 
-def _checks(disc: Disc, limits: Limits) -> Iterator[Check]:
+def _checks(disc: Disc, limits: Limits, exact: bool) -> Iterator[Check]:
     for name, rising, most in (
         ("pressure_rise", True, limits.pressure_rise),
         ("pressure_return", False, limits.pressure_return),
     ):
         if moving := stretches(disc, rising):
-            found = extremes(disc, pressure, moving)[1]
+            found = extremes(disc, pressure, moving, exact)[1]
             yield Check(name, found.value, found.theta, most, None if most is None else most - found.value)
-    yield from _faced(disc, limits) if disc.follower.faced else _rolled(disc, limits)
+    yield from (_faced if disc.follower.faced else _rolled)(disc, limits, exact)
 
 
-def _faced(disc: Disc, limits: Limits) -> Iterator[Check]:
+def _faced(disc: Disc, limits: Limits, exact: bool) -> Iterator[Check]:
     """A flat face touches convex places only."""
-    least = extremes(disc, lambda look: 1.0 / look.curvature)[0]
+    least = extremes(disc, lambda look: 1.0 / look.curvature, exact=exact)[0]
     limit = limits.profile_radius or 0.0
     yield Check("profile_radius", least.value, least.theta, limit, least.value - limit)
 
 
-def _rolled(disc: Disc, limits: Limits) -> Iterator[Check]:
+def _rolled(disc: Disc, limits: Limits, exact: bool) -> Iterator[Check]:
     roller = disc.follower.radius
-    hollow, bulge = extremes(disc, curvature())
+    hollow, bulge = extremes(disc, curvature(), exact=exact)
     if bulge.value > 0:
         radius, least = 1.0 / bulge.value, roller * (limits.pitch_over_roller or 1.0)
         yield Check("pitch_radius", radius, bulge.theta, least, radius - least)
     if roller * bulge.value >= 1:
         return  # undercut: there is no profile
-    deepest, sharpest = extremes(disc, curvature(-roller))
+    deepest, sharpest = extremes(disc, curvature(-roller), exact=exact)
     if sharpest.value > 0:
         value, wanted = 1.0 / sharpest.value, limits.profile_radius
         yield Check("profile_radius", value, sharpest.theta, wanted, None if wanted is None else value - wanted)
@@ -96,11 +97,11 @@ def undercut(disc: Disc) -> Check | None:
     return found if found is not None and found.margin is not None and found.margin <= 0 else None
 
 
-def worst(disc: Disc, limits: Limits) -> float:
+def worst(disc: Disc, limits: Limits, exact: bool = True) -> float:
     """The least margin of all limits, as shares: of a right angle, of the base circle's radius."""
     shares = [
         check.margin / (math.pi / 2 if check.name.startswith("pressure") else disc.follower.base)
-        for check in checks(disc, limits)
+        for check in checks(disc, limits, exact)
         if check.margin is not None
     ]
     return min(shares, default=math.inf)

@@ -27,10 +27,10 @@ def resized(disc: Disc, lengths: Mapping[str, float]) -> Disc:
     return replace(disc, follower=replace(follower, **lengths))
 
 
-def margin(disc: Disc, limits: Limits) -> float:
+def margin(disc: Disc, limits: Limits, exact: bool = True) -> float:
     """The least margin of the limits as a share; minus infinity where the follower doesn't reach or locks."""
     try:
-        found = worst(disc, limits)
+        found = worst(disc, limits, exact)
     except (NoFollower, ValueError):
         return -math.inf
     return found if not math.isnan(found) else -math.inf
@@ -40,29 +40,31 @@ def smallest(disc: Disc, limits: Limits, low: float, high: float, length: str = 
     """The smallest length within ``low`` .. ``high`` (m) from which on the limits are kept, up to the next failure;
     ``None`` where they are nowhere kept."""
 
-    def kept(value: float) -> float:
-        return margin(resized(disc, {length: value}), limits)
+    def kept(value: float, exact: bool = True) -> float:
+        return margin(resized(disc, {length: value}), limits, exact)
 
     return first_kept(kept, low, high)
 
 
-def first_kept(kept: Callable[[float], float], low: float, high: float) -> float | None:
-    """The least argument at which a margin isn't negative, found from ``SEEN`` places on by halving."""
+def first_kept(kept: Callable[..., float], low: float, high: float) -> float | None:
+    """The least argument at which a margin isn't negative, found between ``SEEN`` places where it is looked at roughly."""
     from scipy.optimize import brentq
 
     places = np.geomspace(low, high, SEEN)
-    margins = [kept(float(place)) for place in places]
+    margins = [kept(float(place), False) for place in places]
     good = next((k for k, value in enumerate(margins) if value >= 0), None)
     if good is None:
         return None
     if good == 0:
         return float(places[0])
     a, b = float(places[good - 1]), float(places[good])
-    while kept(a) == -math.inf and b - a > CLOSE * b:
+    while kept(a, False) == -math.inf and b - a > CLOSE * b:
         middle = (a + b) / 2
-        a, b = (a, middle) if kept(middle) >= 0 else (middle, b)
-    if kept(a) == -math.inf:
-        return b
+        a, b = (a, middle) if kept(middle, False) >= 0 else (middle, b)
+    if (below := kept(a)) == -math.inf or below >= 0:
+        return a if below >= 0 else b
+    if kept(b) < 0:  # it was kept only roughly
+        return first_kept(kept, b, high) if b < high else None
     root = float(brentq(kept, a, b, xtol=CLOSE * b))
     return root if kept(root) >= 0 else min(b, root * (1 + 4 * CLOSE))
 
@@ -81,7 +83,7 @@ class Feasible:
 def feasible(
     disc: Disc, limits: Limits, first: tuple[str, float, float], second: tuple[str, float, float], steps: int = 24
 ) -> Feasible:
-    """The margins of the limits over two lengths, each ``(name, low, high)``."""
+    """The margins of the limits over two lengths, each ``(name, low, high)``, each looked at roughly."""
     a, b = (np.linspace(low, high, steps + 1) for _, low, high in (first, second))
-    margins = np.array([[margin(resized(disc, {first[0]: x, second[0]: y}), limits) for x in a] for y in b])
+    margins = np.array([[margin(resized(disc, {first[0]: x, second[0]: y}), limits, False) for x in a] for y in b])
     return Feasible((first[0], second[0]), a, b, margins)
