@@ -47,7 +47,7 @@ def smallest(disc: Disc, limits: Limits, low: float, high: float, length: str = 
 
 
 def first_kept(kept: Callable[..., float], low: float, high: float) -> float | None:
-    """The least argument at which a margin isn't negative, found between ``SEEN`` places where it is looked at roughly."""
+    """The least argument at which a margin isn't negative, from ``SEEN`` places at which it is looked at roughly."""
     from scipy.optimize import brentq
 
     places = np.geomspace(low, high, SEEN)

@@ -51,7 +51,8 @@ class Sharp(ValueError):
 @dataclass(frozen=True)
 class Path:
     """The curve ``offset`` (m) outward of the pitch curve, from the cam angle ``first`` (rad) on by a turn; ``way`` +1
-    with growing cam angle, -1 against it. ``allowed`` is how far the lift may be off (m or rad)."""
+    with growing cam angle, -1 against it. ``allowed`` is how far the lift may be off (m or rad), or with ``along`` the
+    curve itself (m)."""
 
     disc: Disc
     offset: float
@@ -60,6 +61,7 @@ class Path:
     allowed: float
     decimals: int = 3
     arcs: bool = True
+    along: bool = False
 
     def at(self, u: Array) -> tuple[Array, Array, Array, Array]:
         """At shares of the turn: places (2, n) in mm, unit tangents in the sense of ``way`` and outward normals (2, n),
@@ -67,7 +69,7 @@ class Path:
         look = self.look(u)
         normal = np.array([np.broadcast_to(n.d[0], u.shape) for n in look.normal])
         tangent = self.disc.sense * self.way * np.array([normal[1], -normal[0]])
-        reach = sum(a.d[0] * b.d[0] for a, b in zip(look.along, look.arm, strict=True))
+        reach = 1.0 if self.along else sum(a.d[0] * b.d[0] for a, b in zip(look.along, look.arm, strict=True))
         return 1e3 * look.offset(self.offset), tangent, normal, 1e3 * SHARE * self.allowed * np.abs(reach) + 0 * u
 
     def look(self, u: Array) -> Look:
