@@ -12,7 +12,8 @@ from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 @dataclass(frozen=True)
 class Written:
-    """A part's sentences, charts and tables, from the outcome; the text of its files by name (none of those it lacks)."""
+    """A part's sentences, charts and tables, from the outcome; the text of its files by name (none of those it
+    lacks)."""
 
     sentences: Callable[[WorkspaceOutcome], Sequence[str]] = lambda outcome: ()
     charts: Callable[[WorkspaceOutcome], Sequence[Chart]] = lambda outcome: ()

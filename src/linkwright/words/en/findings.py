@@ -652,6 +652,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "From u = {start} to {stop} the wanted path can't be followed at constant speed: {drive} would have to turn back.",
         "End the path there, or give it in time, so that both drives follow it.",
     ),
+    "workspace.path-dead": (
+        "Along the wanted path {count} dead positions are passed, the first at {time:.6g} s: there {point} moves in one direction only, "
+        "and errors of the path go into the drives by their square root.",
+        "Take care that the drives follow their laws; on a path off the singular curves, where there is one, {point} is held better.",
+    ),
     "workspace.servo-reverses": (
         "Along the wanted path {servo} turns back {count} times, the first time at {time:.6g} s, though never_reverse forbids it.",
         "Choose another path, another speed of the motor, or another start; or allow it.",
