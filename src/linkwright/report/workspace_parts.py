@@ -7,21 +7,35 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from linkwright.report.data import Chart, Grid
+from linkwright.report.overlay import Overlay
+from linkwright.report.workspace_fits import fit_overlays, fit_tables
+from linkwright.report.workspace_path_files import drives_yaml, laws_csv
+from linkwright.report.workspace_paths import path_charts, path_overlays, path_sentences, path_tables
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 
 @dataclass(frozen=True)
 class Written:
-    """A part's sentences, charts and tables, from the outcome; the text of its files by name (none of those it
-    lacks)."""
+    """A part's sentences, charts and tables, from the outcome; what it draws over the picture of the workspace of some
+    index; the text of its files by name (none of those it lacks)."""
 
     sentences: Callable[[WorkspaceOutcome], Sequence[str]] = lambda outcome: ()
     charts: Callable[[WorkspaceOutcome], Sequence[Chart]] = lambda outcome: ()
+    overlays: Callable[[WorkspaceOutcome, int], Sequence[Overlay]] = lambda outcome, index: ()
     tables: Callable[[WorkspaceOutcome], Sequence[Grid]] = lambda outcome: ()
     files: Mapping[str, Callable[[WorkspaceOutcome], Any]] = field(default_factory=dict)
 
 
-WRITTEN: dict[str, Written] = {}
+WRITTEN: dict[str, Written] = {
+    "paths": Written(
+        path_sentences,
+        path_charts,
+        path_overlays,
+        path_tables,
+        {"workspace_laws.csv": laws_csv, "workspace_drives.yaml": drives_yaml},
+    ),
+    "fits": Written(overlays=fit_overlays, tables=fit_tables),
+}
 """By the key of its section in the study's options."""
 
 FILES = {name: content for part in WRITTEN.values() for name, content in part.files.items()}

@@ -209,6 +209,8 @@ def starts(region: Region, place: Array) -> Array:
 def _followed(mover: Mover, box: Box, wanted: Wanted, start: Array, off: float) -> Track:
     scale = box.size[:, None] / (2 * np.pi)
     q, _ = mover.closed(start[:, None], wanted.of(np.zeros(1))[0])
+    turns = np.floor((q[:, 0] - np.array(box.low)) / (2 * np.pi) + SAME)
+    q -= np.where(box.turns, 2 * np.pi * turns, 0.0)[:, None]
     node, look = mover.along(q, wanted.of(np.zeros(1)))
     u, h, eager, end, drive = 0.0, FIRST, True, "", ""
     us, nodes, signs = [u], [node], [float(look.determinant[0])]
