@@ -38,7 +38,13 @@ WRITTEN: dict[str, Written] = {
 }
 """By the key of its section in the study's options."""
 
-FILES = {name: content for part in WRITTEN.values() for name, content in part.files.items()}
+
+def _where(key: str, content: Callable[[WorkspaceOutcome], Any]) -> Callable[[WorkspaceOutcome], Any]:
+    """A file's text of an outcome that has the part; else there is none."""
+    return lambda outcome: content(outcome) if key in outcome.parts else None
+
+
+FILES = {name: _where(key, content) for key, part in WRITTEN.items() for name, content in part.files.items()}
 
 
 def written(outcome: WorkspaceOutcome) -> list[Written]:

@@ -145,7 +145,9 @@ def free(
     time = float((last - first) / speed)
 
     def at(t: Array) -> tuple[Array, Array]:
-        return _timed(track, m, first + speed * t, speed)
+        motion, u = _timed(track, m, first + speed * t, speed)
+        motion[1, m], motion[2, m] = speed, 0.0  # to round-off it is
+        return motion, u
 
     return _way(region, wanted, track, at, time, (m, 1 - m), samples, solutions, never_reverse, forces, back)
 
@@ -287,8 +289,8 @@ def _way(
         data: dict[str, Any] = {"count": len(wanted.corners), "u": wanted.corners[0]}
         findings.append(Finding("workspace.path-corner", wanted.path, data, severity="warning"))
     if dead.size:
-        data = {"count": dead.size, "time": float(dead[0]), "point": sheet.point}
-        findings.append(Finding("workspace.path-dead", wanted.path, data, severity="warning"))
+        passed = {"count": dead.size, "time": float(dead[0]), "point": sheet.point}
+        findings.append(Finding("workspace.path-dead", wanted.path, passed, severity="warning"))
     if never_reverse and times.size:
         reversal = {"servo": names[1], "count": times.size, "time": float(times[0])}
         findings.append(Finding("workspace.servo-reverses", wanted.path, reversal))
