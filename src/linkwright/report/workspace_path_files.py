@@ -85,8 +85,8 @@ def _entries(part: Followed, one: Attempt, law: ServoLaw) -> str:
     sections = {"parameters": values, "assembly": rules, "tables": made.tables, "drives": drives}
     about = [say("paths.pasted", point=part.point, path=one.name), one.reached.mode]
     about.append(values_text(compiled, one.workspace.values))
-    time = f"{law.t[-1]:.9g}"
-    off = say("paths.pasted.off", off=f"{made.off:.2g}", unit=" / ".join(dict.fromkeys(units)), time=time)
-    about.append(say("paths.pasted.period", time=time) if law.period else off)
+    time, unit = f"{law.t[-1]:.9g}", " / ".join(dict.fromkeys(units))
+    about.append(say("paths.pasted.off", off=f"{made.off:.2g}", unit=unit, time=time))
+    about.append(say("paths.pasted.period", time=time) if law.period else "")
     comment = "\n".join(f"# {line}" for text in about if text for line in textwrap.wrap(text, 110))
     return f"{comment}\n{write_text({key: entries for key, entries in sections.items() if entries})}"

@@ -202,6 +202,12 @@ def test_dead_positions_are_passed_where_the_path_touches_the_edge_of_a_sheet() 
     assert law.servo[1] == pytest.approx(np.pi + np.radians(40) * np.pi * np.sin(np.pi * law.t), abs=2e-4)
     assert law.at(law.dead)[1] == pytest.approx(np.interp(law.dead, law.t, law.u), abs=1e-4)
     assert codes(timed(region, path, "motor", 2.0, off=0.0)) == ["workspace.path-singular"]
+    away = through((look.at - np.array([[0.0], [1e-5]])).T, "quintic")  # 0.01 mm
+    assert free(region, away, "motor", np.pi).law is None
+    near = free(region, away, "motor", np.pi, off=3e-5).law
+    assert near is not None
+    assert 1e-6 < near.residual < 3e-5
+    assert np.abs(near.servo[0] - given(near.t)[1]).max() < np.sqrt(1e-5 / 0.02)  # of r2 = 20 mm
 
 
 @pytest.mark.parametrize(

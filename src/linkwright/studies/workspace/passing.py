@@ -12,13 +12,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.wanted import Wanted
+
+if TYPE_CHECKING:
+    from linkwright.studies.workspace.tracks import Mover
 
 Array = NDArray[np.float64]
 
@@ -40,7 +43,13 @@ class Bridge:
 
 
 def bridge(
-    mover: Any, box: Box, wanted: Wanted, u: Sequence[float], nodes: Sequence[Array], signs: Sequence[float], off: float
+    mover: Mover,
+    box: Box,
+    wanted: Wanted,
+    u: Sequence[float],
+    nodes: Sequence[Array],
+    signs: Sequence[float],
+    off: float,
 ) -> Bridge | None:
     """The longest way on from one of a track's last nodes, if there is one, with the point no farther than ``off`` (m)
     from the path: errors of the path do least to it. ``signs`` are the determinants at the nodes."""
@@ -76,7 +85,7 @@ def curve(u: Array, nodes: Array) -> Any:
 
 
 def _bridged(
-    mover: Any, scale: Array, wanted: Wanted, k: int, u: float, wide: float, node: Array, before: float, off: float
+    mover: Mover, scale: Array, wanted: Wanted, k: int, u: float, wide: float, node: Array, before: float, off: float
 ) -> Bridge | None:
     foretold = node[0] + wide * node[1] + wide**2 / 2 * node[2]
     path = wanted.of(np.array([u + wide]))
