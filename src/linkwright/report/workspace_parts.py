@@ -16,25 +16,25 @@ from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 @dataclass(frozen=True)
 class Written:
-    """A part's sentences, charts and tables, from the outcome; what it draws over the picture of the workspace of some
-    index; the text of its files by name (none of those it lacks)."""
+    """A part's sentences, charts and tables, from the outcome; the text of its files by name (none of those it lacks);
+    what it draws over the picture of the workspace of some index."""
 
     sentences: Callable[[WorkspaceOutcome], Sequence[str]] = lambda outcome: ()
     charts: Callable[[WorkspaceOutcome], Sequence[Chart]] = lambda outcome: ()
-    overlays: Callable[[WorkspaceOutcome, int], Sequence[Overlay]] = lambda outcome, index: ()
     tables: Callable[[WorkspaceOutcome], Sequence[Grid]] = lambda outcome: ()
     files: Mapping[str, Callable[[WorkspaceOutcome], Any]] = field(default_factory=dict)
+    overlays: Callable[[WorkspaceOutcome, int], Sequence[Overlay]] = lambda outcome, index: ()
 
 
 WRITTEN: dict[str, Written] = {
     "paths": Written(
-        path_sentences,
-        path_charts,
-        path_overlays,
-        path_tables,
-        {"workspace_laws.csv": laws_csv, "workspace_drives.yaml": drives_yaml},
+        sentences=path_sentences,
+        charts=path_charts,
+        tables=path_tables,
+        files={"workspace_laws.csv": laws_csv, "workspace_drives.yaml": drives_yaml},
+        overlays=path_overlays,
     ),
-    "fits": Written(overlays=fit_overlays, tables=fit_tables),
+    "fits": Written(tables=fit_tables, overlays=fit_overlays),
 }
 """By the key of its section in the study's options."""
 

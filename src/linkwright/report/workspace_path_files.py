@@ -19,8 +19,8 @@ from linkwright.words import say
 
 CLOSE = 1e-8
 """How near tables come to the law (rad or m)."""
-MOVED = ("turns", "slides", "extends", "on")
-"""The keys of a drive that say what it moves."""
+MOVED = {"turns", "slides", "extends", "on_"}
+"""The fields of a drive that say what it moves."""
 TURNING, SLIDING = ("angle", "omega", "alpha", "torque", "power"), ("s", "v", "a", "force", "power")
 
 
@@ -75,7 +75,7 @@ def _entries(part: Followed, one: Attempt, law: ServoLaw) -> str:
     made = pasted(law, (units[0], units[1]), constant=one.constant, close=CLOSE)
     drives: dict[str, Any] = {}
     for name, entry in made.drives.items():
-        stated = mechanism.drives[name].model_dump(by_alias=True, exclude_none=True, include={*MOVED, "on_"})
+        stated = mechanism.drives[name].model_dump(by_alias=True, exclude_none=True, include=MOVED)
         drives[name] = stated | entry
     rules = dict(rule.split(": ", 1) for rule in one.reached.mode.split("; ") if ": " in rule)
     values = {
