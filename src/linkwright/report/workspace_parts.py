@@ -16,8 +16,8 @@ from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 @dataclass(frozen=True)
 class Written:
-    """A part's sentences, charts and tables, from the outcome; the content of its files by name (or None); what it draws
-    over the picture of the workspace of some index."""
+    """A part's sentences, charts and tables, from the outcome; the content of its files by name (or None); what it
+    draws over the picture of the workspace of some index."""
 
     sentences: Callable[[WorkspaceOutcome], Sequence[str]] = lambda outcome: ()
     charts: Callable[[WorkspaceOutcome], Sequence[Chart]] = lambda outcome: ()
