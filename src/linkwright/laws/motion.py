@@ -55,7 +55,11 @@ class Motion:
 
     def __call__(self, x: Any) -> Any:
         """The value at plain numbers, or on a jet with its derivatives; the jet's entries may be duals."""
-        return composed(x, self.at) if isinstance(x, Jet) else self.at(x)
+        return self.on(x) if isinstance(x, Jet) else self.at(x)
+
+    def on(self, x: Jet) -> Jet:
+        """The value on a jet."""
+        return composed(x, self.at)
 
     def pieces(self, x: str = "x") -> tuple[tuple[float, float, str], ...]:
         """Start, stop and formula of each piece, in the units of the axis and the value."""

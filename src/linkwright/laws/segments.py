@@ -15,6 +15,9 @@ from linkwright.laws.polynomials import polynomial
 from linkwright.laws.registry import Law
 from linkwright.laws.splines import spline
 
+MOST = 16
+"""The most conditions that one polynomial may have; with more it swings, and round-off grows."""
+
 Rates = tuple[float | None, ...]
 """Derivatives from the first on; None where they are those of the neighbour."""
 
@@ -127,6 +130,9 @@ class Blend:
         places = [0.0, *(x for x, _ in self.via), self.over]
         if any(b <= a for a, b in pairwise(places)):
             return [("law.via", {})]
+        count = 2 + len(self.start) + len(self.end) + len(self.via)
+        if self.degree is None and count > MOST:
+            return [("law.conditions", {"count": count, "limit": MOST})]
         half = ((self.degree or 0) - 1) // 2
         if self.degree and (len(self.start) != half or len(self.end) != half):
             return [("law.end-rates", {"degree": self.degree, "wanted": half})]
