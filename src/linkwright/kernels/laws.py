@@ -172,7 +172,7 @@ class _Reader:
                 order = join.continuity + 1
                 (unit, size), (rate, one) = quantities.unit_of(law.axis), rate_unit(quantities, law, order)
                 at, jump = f"{join.at / size:.6g} {unit}", f"{join.jumps[order] / one:.6g} {rate}"
-                data = {"law": name, "what": Term(f"rate-{order}"), "at": at, "jump": jump}
+                data = {"law": name, "what": Term(("law-value", "law-velocity")[order]), "at": at, "jump": jump}
                 self.findings.append(Finding("drive.law-jumps", path, data))
                 return False
         return True

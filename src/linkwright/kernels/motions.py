@@ -160,7 +160,7 @@ class _Reader:
         if fault.code in ("law.period", "law.not-closed"):
             data["unit"] = unit
         if "side" in data:
-            data["side"] = Term(f"law-{data['side']}")
+            data["side"] = Term("law-end" if data["side"] == "end" else "law-start")
         return Finding(fault.code, path, data)
 
 

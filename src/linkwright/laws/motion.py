@@ -114,7 +114,8 @@ def motion(
     faults = [Fault("law.over", i) for i, segment in enumerate(segments) if not 0 < segment.over < np.inf]
     if faults:
         raise MotionError(faults)
-    faults = [Fault(code, i, data) for i, segment in enumerate(segments) for code, data in segment.faults()]
+    if faults := [Fault(code, i, data) for i, segment in enumerate(segments) for code, data in segment.faults()]:
+        raise MotionError(faults)
     whole = sum(segment.over for segment in segments)
     if period is not None and abs(whole - period) > CLOSE * period:
         faults.append(Fault("law.period", None, {"sum": whole, "period": period}))
@@ -146,10 +147,11 @@ def _ends(
     """The rates that each segment asks for at both ends, those of its neighbours where it leaves them open."""
     known: list[list[dict[int, float]]] = []  # of each segment and end: rates by order
     for segment in segments:
-        if any(segment.open):
+        own = [[rate for rate in end if rate is not None] for end in segment.open]
+        if any(None in end for end in segment.open):
             known.append([{k: r for k, r in enumerate(end, start=1) if r is not None} for end in segment.open])
         else:
-            known.append([dict(enumerate(end[1:], start=1)) for end in segment.curve((), ()).ends()])
+            known.append([dict(enumerate(end[1:], start=1)) for end in segment.curve(*own).ends()])
     count = len(segments)
     at_rest = dict.fromkeys(range(1, SMOOTH + 1), 0.0)
     found, faults = [], []

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from math import perm
+from collections.abc import Sequence
+from math import perm, prod
 
 import numpy as np
 
@@ -15,30 +15,24 @@ Condition = tuple[float, int, float]
 """Place, order of the derivative, its value there."""
 
 
-def solved(powers: Sequence[int], conditions: Iterable[Condition]) -> tuple[float, ...]:
-    """The coefficients of all powers, 0 for those not given, that meet as many conditions.
-
-    Raises ``numpy.linalg.LinAlgError`` where the conditions don't settle them.
-    """
-    given = list(conditions)
-    matrix = np.array(
-        [[perm(p, order) * (x ** (p - order) if p >= order else 0.0) for p in powers] for x, order, _ in given]
-    )
-    found = np.linalg.solve(matrix, np.array([value for _, _, value in given]))
-    coefficients = np.zeros(max(powers) + 1)
-    coefficients[list(powers)] = found
-    return tuple(map(float, coefficients))
-
-
 def polynomial(conditions: Sequence[Condition]) -> Curve:
     """The polynomial of least degree over 0..1 that meets all conditions."""
-    return Curve((Piece(0.0, 1.0, solved(range(len(conditions)), conditions)),))
+    powers = range(len(conditions))
+    rows = [[perm(p, order) * (x ** (p - order) if p >= order else 0.0) for p in powers] for x, order, _ in conditions]
+    found = np.linalg.solve(np.array(rows), np.array([value for _, _, value in conditions]))
+    return Curve((Piece(0.0, 1.0, tuple(map(float, found))),))
 
 
 def of_powers(powers: Sequence[int]) -> Curve:
-    """The law of given powers: 1 at u = 1, and as many derivatives 0 there as that leaves free."""
-    conditions = [(1.0, order, float(order == 0)) for order in range(len(powers))]
-    return Curve((Piece(0.0, 1.0, solved(powers, conditions)),))
+    """The law of given powers: 1 at u = 1, and as many derivatives 0 there as that leaves free.
+
+    Its coefficients are the products of q/(q - p) over all other powers q.
+    """
+    coefficients = [0.0] * (max(powers) + 1)
+    for p in powers:
+        others = [q for q in powers if q != p]
+        coefficients[p] = prod(others) / prod(q - p for q in others)
+    return Curve((Piece(0.0, 1.0, tuple(coefficients)),))
 
 
 @register("constant_velocity")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from itertools import count, repeat
 from typing import Annotated, Any, Literal
 
@@ -25,10 +25,12 @@ ARGUMENT = "u"
 """The name of the argument of a normalised formula."""
 
 
-def _some(wanted: str, most: int) -> BeforeValidator:
+def _some(refusal: Callable[[Any], Exception], most: int) -> BeforeValidator:
+    """A list that isn't empty; ``refusal`` is raised on anything else."""
+
     def check(raw: Any) -> Any:
         if not isinstance(raw, list | tuple) or not raw:
-            raise unexpected(wanted, raw)
+            raise refusal(raw)
         if len(raw) > most:
             raise fault("file.too-many", count=len(raw), limit=most)
         return tuple(raw)
@@ -43,10 +45,10 @@ def _known(raw: Any) -> str:
     return name
 
 
-Numbers = Annotated[tuple[Expression, ...], _some("numbers", MAX_NUMBERS)]
-Powers = Annotated[tuple[Annotated[int, Field(ge=1, le=20)], ...], _some("powers", 20)]
+Numbers = Annotated[tuple[Expression, ...], _some(lambda raw: unexpected("numbers", raw), MAX_NUMBERS)]
+Powers = Annotated[tuple[Annotated[int, Field(ge=1, le=20)], ...], _some(lambda raw: unexpected("numbers", raw), 20)]
 LawName = Annotated[str, BeforeValidator(_known), Field(json_schema_extra={"enum": [*LAWS]})]
-Rows = Annotated[tuple[Row, ...], _some("table-rows", MAX_NUMBERS)]
+Rows = Annotated[tuple[Row, ...], _some(lambda raw: unexpected("table-rows", raw), MAX_NUMBERS)]
 
 _NORMALISED = ("law", "fractions", "powers", "formula")
 _BETWEEN = ("match", "from", "to", "via", "spline")
@@ -138,7 +140,7 @@ class MotionLaw(Frozen):
     beyond: Literal["repeat", "advance", "hold"] = Field(
         "repeat", description="behind the last segment: all again; again from the value reached; rest"
     )
-    segments: Annotated[tuple[Segment, ...], _some("segments", MAX_SEGMENTS)] = Field(
+    segments: Annotated[tuple[Segment, ...], _some(lambda raw: unexpected("segments", raw), MAX_SEGMENTS)] = Field(
         description="one after the other, from 0 on"
     )
 

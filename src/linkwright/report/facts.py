@@ -81,12 +81,12 @@ def law_fact(compiled: Compiled, name: str) -> str:
             say("fact.law.jump", at=f"{join.at / size:.6g} {unit}", jump=f"{join.jumps[order] / one:.6g} {rate}")
             for join in rough
         ]
-        continuity = say("fact.law.jumps", what=say(f"term.rate-{order}"), places=", ".join(places))
+        continuity = say("fact.law.jumps", what=say(f"fact.law.{order}"), places=", ".join(places))
     peaks = []
     for k in range(1, MAX_ORDER + 1):
         rate, one = rate_unit(quantities, law, k)
         low, high = (f"{extreme.value / one:.6g}" for extreme in motion.extremes(k))
-        peaks.append(say("fact.law.peak", what=say(f"term.rate-{k}"), low=low, high=f"{high} {rate}"))
+        peaks.append(say("fact.law.peak", what=say(f"fact.law.{k}"), low=low, high=f"{high} {rate}"))
     return say("fact.law", name=name, continuity=continuity, peaks=", ".join(peaks))
 
 
