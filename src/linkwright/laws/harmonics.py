@@ -23,13 +23,13 @@ def _double() -> Curve:
 
 @register("gutman_13")
 def _gutman() -> Curve:
-    """The first and third harmonics of A. S. Gutman, Machine Design, March 1961."""
+    """Gutman's law of the first and third harmonics (Rothbart, Cam Design Handbook, McGraw-Hill 2004)."""
     return _cycloid(15 / 16, 1 / 48)
 
 
 @register("freudenstein_13")
 def _freudenstein() -> Curve:
-    """Smaller acceleration by a third harmonic: F. Freudenstein, J. Eng. Ind. 82 (1960), 203-208."""
+    """Freudenstein's, of a smaller jerk (Rothbart, as above)."""
     return _cycloid(27 / 28, 1 / 84)
 
 
