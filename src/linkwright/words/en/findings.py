@@ -566,11 +566,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Call it in the position of a drive; measures and loads name the drive's value.",
     ),
     "law.over": (
-        "The segment goes no way along the axis.",
-        "Give it a positive length.",
+        "The segment's length along the axis isn't positive, or out of all proportion.",
+        "Give it a length between 1e-12 and 1e12 s or rad.",
     ),
     "law.via": (
-        "The points via don't lie in order between the segment's start and end.",
+        "The points via don't lie in order, and apart, between the segment's start and end.",
         "Sort them; ways count from the segment's start.",
     ),
     "law.conditions": (
@@ -599,7 +599,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "law.skew": (
         "The law can't have its greatest velocity at {share} of its way.",
-        "Give a skew between 0 and 1, and only of a symmetric law.",
+        "Give a skew from 0.001 to 0.999, and only of a symmetric law.",
     ),
     "law.control": (
         "{given} control values are too few for the B-spline; its degree needs {wanted}.",
