@@ -140,7 +140,7 @@ class _Reader:
         return Law((scca if len(fractions) == 4 else scca_by_widths)(*fractions).parts)
 
     def formula(self, expression: Expression) -> Curve:
-        node = self.quantities.bind(expression, PURE)
+        node = self.quantities.formula(expression)
         values = self.quantities.parameters
 
         def function(u: Jet) -> Jet:
