@@ -17,7 +17,7 @@ import shapely
 from numpy.typing import NDArray
 
 import linkwright as lw
-from helpers.workspaces import arm, performed
+from helpers.workspaces import arm, findings, performed
 from linkwright.studies.workspace.outcome import Workspace
 from studies.workspace.test_regions import lens
 
@@ -222,3 +222,64 @@ def test_where_the_pins_of_a_slide_meet_the_rod_may_point_anywhere() -> None:
     one = workspace_of(data, reaches)
     assert any(curve.kind == "pins" and curve.a.size for curve in one.regions[0].region.segments)
     assert one.regions[0].figures.holes == 1
+
+
+def coaxial(second: float, **options: Any) -> dict[str, Any]:
+    """A leg of two cranks on one axis, 10 long, and couplers of 12 and so much (mm)."""
+    links = {
+        "frame": {"points": {"A": [0, 0]}},
+        "left": {"points": {"A": [0, 0], "B": [10, 0]}},
+        "right": {"points": {"A": [0, 0], "D": [10, 0]}},
+        "first": {"points": {"B": [0, 0], "C": [12, 0]}},
+        "second": {"points": {"D": [0, 0], "C": [second, 0]}},
+    }
+    drives = {"motor": turned("left"), "servo": turned("right") | {"start": "120 deg"}}
+    return made(links, {}, {"C": "left of B-D"}, drives, point="C", **options)
+
+
+def test_pins_that_meet_along_a_curve_or_at_an_end_are_told() -> None:
+    (found,) = findings(coaxial(12))
+    assert found.code == "workspace.pins-meet"
+    (found,) = findings(coaxial(12, drives={"motor": [0, 90], "servo": [90, 180]}))
+    assert found.code == "workspace.pins-meet" and found.data["at"] == "motor = 90 deg, servo = 90 deg"
+    assert findings(coaxial(12, drives={"motor": [0, 80], "servo": [90, 180]})) == []
+
+
+def test_a_leg_of_unequal_links_reaches_a_ring() -> None:
+    """Straight and folded legs: C is nowhere nearer to the axis than 10 mm less the shorter link."""
+    outcome = performed(coaxial(11, modes="own")).workspace
+    assert outcome is not None and outcome.done
+    (region,) = outcome.regions
+    assert region.figures.bounds[2] * 1e3 == pytest.approx(21, abs=0.01)
+
+
+def crossing_guides(**options: Any) -> dict[str, Any]:
+    """Two guides that turn about A and, 50 mm beside it, F: P is where they cross."""
+    links: dict[str, Any] = {"frame": {"points": {"A": [0, 0], "F": [50, 0]}}}
+    links |= {name: {"points": {point: [0, 0]}} for name, point in (("one", "A"), ("two", "F"), ("b", "P"), ("d", "P"))}
+    joints = {
+        "first": {"prismatic": ["one", "b"], "line": ["A at 0", "P at 0"]},
+        "second": {"prismatic": ["two", "d"], "line": ["F at 0", "P at 0"]},
+    }
+    drives = {"motor": turned("one"), "servo": turned("two") | {"start": "120 deg"}}
+    return made(links, joints, {}, drives, point="P", **options)
+
+
+def test_a_point_that_runs_away_is_told() -> None:
+    assert [found.code for found in findings(crossing_guides())] == ["workspace.unbounded"]
+
+
+def test_guides_that_cross_bound_a_quadrangle() -> None:
+    """Lines through A at 40 and 80 deg, through F at 100 and 140 deg."""
+    outcome = performed(crossing_guides(drives={"motor": [40, 80], "servo": [100, 140]})).workspace
+    assert outcome is not None
+    (region,) = outcome.regions
+
+    def crossing(one: float, two: float) -> complex:
+        """By the rule of sines in the triangle A-F-P."""
+        a, b = np.radians([one, two])
+        return complex(50 * np.sin(b) / np.sin(b - a) * np.exp(1j * a))
+
+    corners = [crossing(*at) for at in ((40, 100), (80, 100), (80, 140), (40, 140))]
+    expected = shapely.Polygon([(p.real, p.imag) for p in corners])
+    assert region.figures.area * MM2 == pytest.approx(expected.area, rel=1e-6)

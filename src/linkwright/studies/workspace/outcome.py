@@ -119,7 +119,7 @@ class Workspace:
 
     @cached_property
     def union(self) -> Any:
-        """What some mode reaches. Where two modes meet, each region ends a root of ``RIM`` before: such gaps are closed."""
+        """What some mode reaches; the gaps of a root of ``RIM`` that regions leave where two modes meet are closed."""
         import shapely
 
         shapes = [one.shape for one in self.regions]
