@@ -83,7 +83,9 @@ def _met(sheet: Sheet, box: Box, q: Array) -> Array | None:
         return np.asarray(corners[:, 0])
     pits = found_pits(sheet, box)
     share = (pits - np.array(box.low)[:, None]) / box.size[:, None]
-    ends = (held[:, None] & (np.abs(share - np.round(share)) < EDGE) & (share > -EDGE) & (share < 1 + EDGE)).any(axis=0)
+    within = ((share > -EDGE) & (share < 1 + EDGE)).all(axis=0)
+    pits, share = pits[:, within], share[:, within]
+    ends = (held[:, None] & (np.abs(share - np.round(share)) < EDGE)).any(axis=0)
     chosen = pits[:, ends] if pits.shape[1] <= MANY else pits
     return chosen[:, 0] if chosen.size else None
 
