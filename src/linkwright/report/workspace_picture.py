@@ -24,7 +24,7 @@ TALLEST = 700.0
 MARGIN = 0.04
 KINDS = ("singular", "modes", "pins", "limit")
 STYLE = """
-.still.workspace text { font: 12px system-ui, sans-serif; }
+.still.workspace text { font: 12px system-ui, Arial, "DejaVu Sans", "Liberation Sans", "Noto Sans", sans-serif; }
 .still.workspace .grid { fill: none; stroke: #8886; stroke-width: 0.5; }
 .still.workspace .region { fill-opacity: 0.28; stroke: none; fill-rule: evenodd; }
 .still.workspace .path { fill: none; stroke-width: 1.6; }
