@@ -122,6 +122,14 @@ def test_a_tool_on_a_rod_that_retracts_behind_the_foot() -> None:
     workspace_of(*two_cylinders(50, (20, 45), (20, 45), (-30, 20)))
 
 
+@pytest.mark.filterwarnings("error")
+def test_cylinders_that_get_to_their_feet() -> None:
+    data, reaches = two_cylinders(50, (0, 75), (0, 75))
+    data["studies"]["workspace"]["modes"] = "own"
+    (region,) = workspace_of(data, reaches).regions
+    assert region.figures.area * MM2 == pytest.approx(lens(75, 75, 50) / 2, rel=1e-5)
+
+
 def test_the_example_of_two_cylinders() -> None:
     outcome = lw.workspace(EXAMPLES / "two_cylinder_workspace.yaml")
     expected = annuli(500, (400, 700), (350, 600)) / 2
