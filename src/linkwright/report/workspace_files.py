@@ -21,6 +21,9 @@ from linkwright.words import say
 
 Array = NDArray[np.float64]
 
+ZOOM = 2
+"""Pixels of a PNG to each of the SVG's."""
+
 
 def geojson(outcome: WorkspaceOutcome) -> str | None:
     """All regions, and what all modes together reach, as GeoJSON (RFC 7946, but for plane coordinates)."""
@@ -68,6 +71,12 @@ def svg(outcome: WorkspaceOutcome) -> str | None:
         f'viewBox="0 0 {width:.0f} {top:.0f}" color="#1d2733">'
         f'<rect width="100%" height="100%" fill="#fff"/>{"".join(drawn)}</svg>\n'
     )
+
+
+def png(outcome: WorkspaceOutcome, renderer: Any) -> bytes | None:
+    """The same pictures in pixels, by the package ``resvg_py``."""
+    text = svg(outcome)
+    return None if text is None else bytes(renderer.svg_to_bytes(svg_string=text, zoom=ZOOM))
 
 
 def boundary_csv(outcome: WorkspaceOutcome) -> str | None:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from linkwright.model import units as u
 from linkwright.report.charts import LETTER, points, ticks
-from linkwright.report.data import Chart
+from linkwright.report.data import Area, Chart
 from linkwright.report.overlay import Overlay
 from linkwright.report.workspace_parts import written
 from linkwright.studies.workspace.curves import Segments
@@ -26,7 +26,7 @@ TALLEST = 700.0
 MARGIN = 0.04
 KINDS = ("singular", "modes", "pins", "limit")
 STYLE = """
-.still.workspace text { font: 12px system-ui, sans-serif; }
+.still.workspace text { font: 12px system-ui, Arial, "DejaVu Sans", "Liberation Sans", "Noto Sans", sans-serif; }
 .still.workspace .grid { fill: none; stroke: #8886; stroke-width: 0.5; }
 .still.workspace .region { fill-opacity: 0.28; stroke: none; fill-rule: evenodd; }
 .still.workspace .path { fill: none; stroke-width: 1.6; }
@@ -127,6 +127,24 @@ def picture(outcome: WorkspaceOutcome, one: Workspace, title: str, over: Sequenc
             shapes.append(f'<polyline class="over {overlay.kind}" points="{points(*plane.at(*(line / size)))}"/>')
         legend.append((f"over {overlay.kind}", overlay.text))
     return _drawn(plane, shapes, legend, title)
+
+
+def areas(outcome: WorkspaceOutcome) -> list[Area]:
+    """The regions of the file's own parameters, to lie behind the mechanism, thinned to what can be seen."""
+    compiled = outcome.compiled
+    size = compiled.quantities.unit_of(u.LENGTH)[1]
+    own = dict(zip(compiled.graph.parameters, compiled.parameters.tolist(), strict=True))
+    found: list[Area] = []
+    for one in outcome.workspaces:
+        if not all(np.isclose(value, own[name], rtol=1e-12, atol=0) for name, value in one.values.items()):
+            continue
+        for reached in one.regions:
+            bounds = np.array(reached.shape.bounds)
+            drawn = reached.shape.simplify(5e-4 * float((bounds[2:] - bounds[:2]).max()))
+            lines = [ring for polygon in pieces(drawn) for ring in (polygon.exterior, *polygon.interiors)]
+            rings = [(np.array(line.coords)[:-1] / size).tolist() for line in lines]
+            found.append({"name": reached.mode or say("workspace.one-mode"), "rings": rings})
+    return found
 
 
 def _drawn(plane: Plane, shapes: Sequence[str], legend: Sequence[tuple[str, str]], title: str) -> str:

@@ -941,16 +941,25 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "These would be {count} regions; at most {limit} are computed.",
         "Take fewer values, or modes: own.",
     ),
+    "workspace.unbounded": (
+        "The point {name} can run away: two guides are parallel near {at}, so that its region has no end.",
+        "Give the drives ranges in which the guides cross at an angle.",
+    ),
+    "workspace.pins-meet": (
+        "The outer pins of a group meet at {at}, an end of a range or one of a whole curve of such values; its links may "
+        "point anywhere there, and the region falls apart.",
+        "Give the drives ranges that keep clear of such values; or make the group's links unequal by a little.",
+    ),
     "workspace.incomplete": (
         "The region of the mode {mode} isn't whole: {share} % of the places sampled at random lie outside of it.",
         "Take another chord, or a part of the drives' ranges; trust its area as a lower bound only.",
     ),
     "workspace.no-area": (
-        "The point {name} moves along curves only, so that it has no region (values: {values}).",
-        "Take a point that both drives move.",
+        "The point {name} moves along curves only, or not at all, so that it has no region{values}.",
+        "Take a point that both drives move; or widen the drives' ranges.",
     ),
     "workspace.never-closes": (
-        "The links never close (values: {values}): {links} fail nearest to closing at {at}, where {joints} are {distance} {unit} "
+        "The links never close{values}: {links} fail nearest to closing at {at}, where {joints} are {distance} {unit} "
         "apart, {by} {unit} {way} than the links can span ({limit} {unit}).",
         "Make the links {direction}, by {by} {unit} at least; or widen the drives' ranges.",
     ),

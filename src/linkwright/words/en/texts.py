@@ -126,6 +126,7 @@ TEXTS: dict[str, str] = {
     "cli.accuracy": "Say what tolerances and clearances do to FILE's outputs, and which of them matter; write accuracy.csv, report.html and the like.",
     "cli.workspace": "Say where FILE's working point gets to with two drives, in each assembly mode; write workspace.geojson, workspace.svg, report.html and the like.",
     "cli.dxf": "Insist on workspace.dxf, which is written where the package ezdxf is installed.",
+    "cli.png": "Write the pictures as workspace.png too; needs the package resvg_py.",
     "cli.samples": "So many random samples, whatever the file says; 0 for none.",
     "cli.cluster": "Let the workers of a Dask cluster do it: the address of its scheduler, such as tcp://host:8786.",
     "cli.workers": "Threads of this process (default: its processors).",
