@@ -594,7 +594,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Give each power once.",
     ),
     "law.fractions": (
-        "The {count} fractions add up to {sum}; there must be four [b, c, d, z], or seven, none negative, with the sum 1, and some acceleration on either side.",
+        "The {count} fractions add up to {sum}; there must be four [b, c, d, z], or seven, none negative or below 1e-6 but 0, with the sum 1, and some acceleration on either side.",
         "Correct them: [0.25, 0, 0.75, 0] is the modified sine.",
     ),
     "law.skew": (
