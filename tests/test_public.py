@@ -12,8 +12,8 @@ from typing import Any
 import pytest
 
 import linkwright
-from linkwright.export import TARGETS
-from linkwright.export import register as register_target
+from linkwright.exports import TARGETS
+from linkwright.exports import register as register_target
 from linkwright.groups import REGISTRY
 from linkwright.groups.dyad import register as register_group
 from linkwright.kernels import KERNELS
@@ -172,7 +172,7 @@ LEVELS = {
     "blocks": 7,
     "results": 8,
     "studies": 9,
-    **dict.fromkeys(("report", "export"), 10),
+    **dict.fromkeys(("report", "exports"), 10),
     "app": 11,
     "cli": 12,
     "__main__": 13,

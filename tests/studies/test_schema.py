@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from linkwright.export.schema import file_schema
+from linkwright.exports.schema import file_schema
 from linkwright.model.yaml_text import read_text
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.yaml"))

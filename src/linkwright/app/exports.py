@@ -9,7 +9,7 @@ from typing import Any
 
 from linkwright.app.alone import altered
 from linkwright.app.job import Examined, examine_document, read_file
-from linkwright.export import TARGETS, Exported
+from linkwright.exports import TARGETS, Exported
 from linkwright.model.document import load, write_aside
 from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.mechanism import Document

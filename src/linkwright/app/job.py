@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from linkwright.export import Order, read_exports
+from linkwright.exports import Order, read_exports
 from linkwright.kernels import Compiled, examine
 from linkwright.model.document import located, read_document, write_aside
 from linkwright.model.findings import Finding, ModelError, raise_errors

@@ -281,7 +281,7 @@ def schema() -> None:
     """Print the JSON Schema."""
     import json
 
-    from linkwright.export.schema import file_schema
+    from linkwright.exports.schema import file_schema
 
     click.echo(json.dumps(file_schema(), indent=2, ensure_ascii=False))
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from linkwright.export.registry import TARGETS
+from linkwright.exports.registry import TARGETS
 from linkwright.studies.schema import studies_schema, with_section
 
 
