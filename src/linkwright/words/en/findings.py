@@ -789,6 +789,18 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "'{given}' isn't an option and its value.",
         "Write KEY=VALUE, the value as in a model file: --set decimals=12.",
     ),
+    "export.no-mass": (
+        "MuJoCo wants a mass for every moving body: {links} got {mass}, with a radius of gyration of {radius}.",
+        "Give them masses in the model, or another tiny_mass.",
+    ),
+    "export.no-inertia": (
+        "MuJoCo wants a moment of inertia for every moving body: {links} got that of a radius of gyration of {radius}.",
+        "Give them one in the model where it matters.",
+    ),
+    "export.left-out": (
+        "The file for MuJoCo doesn't have {names}.",
+        "Add them to the file by hand where the simulation needs them.",
+    ),
     # Of workspaces.
     "workspace.drives": (
         "A workspace needs two drives (or one: then it is a curve); this mechanism has {count}: {names}.",
