@@ -9,4 +9,16 @@ EXPORT: dict[str, str] = {
         "results differ from those of rigid links by that much. solref and solimp say how stiff they are. "
         "Driven joints have an armature, so that the drives move the links as if nothing held them back."
     ),
+    "motors.told": "{drive}: {count} pieces, off its law by {error} {unit} at most.",
+    "motors.title": "{name}: laws of motors, written by linkwright",
+    "motors.time": "Over {stop} s; t in s.",
+    "motors.dialect.creo": (
+        "sin, cos and tan take degrees, asin and acos give them. In Creo Mechanism: a servo motor for position, its function "
+        "user defined, one row a line: expression and domain."
+    ),
+    "motors.dialect.radians": "sin, cos and tan take radians, asin and acos give them.",
+    "motors.head": "{drive}: {what}, in {unit}; off by {error} {unit} at most",
+    "motors.turns": "angle of {link} less that of {on}",
+    "motors.slides": "travel of {link} on {on}",
+    "motors.output": "motion of {link} against {on}, the output of {drive}",
 }

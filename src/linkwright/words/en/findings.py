@@ -894,6 +894,18 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "MuJoCo wants a moment of inertia for every moving body: {links} got that of a radius of gyration of {radius}.",
         "Give them one in the model where it matters.",
     ),
+    "export.no-duration": (
+        "Nothing says how long the motion lasts.",
+        "Give duration under exports.{export}, or a cycle under studies.",
+    ),
+    "export.too-many-pieces": (
+        "The law of {drive} has more than {limit} pieces in this time; it isn't written as text.",
+        "Take its values from motion.csv, or give a shorter duration.",
+    ),
+    "export.unproven": (
+        "The text for {drive} is off its law by {error} {unit}; it isn't given.",
+        "Take a table in place of the expression, or tell the authors: this is a fault of linkwright.",
+    ),
     "export.left-out": (
         "The file for MuJoCo doesn't have {names}.",
         "Add them to the file by hand where the simulation needs them.",
