@@ -17,10 +17,11 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 FILES = [
     "boom_cylinder",
     "class_four",
+    "dwell_drive",
     "five_bar",
     "four_bar",
-    "loader",
     "paper_feeder",
+    "parallelogram",
     "press_law",
     "quick_return",
     "slider_crank_gas",

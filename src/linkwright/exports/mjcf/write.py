@@ -18,6 +18,7 @@ from linkwright.exports.mjcf.poses import Motor
 from linkwright.exports.mjcf.tree import Hold, Tree
 from linkwright.graph.geometry import Geometry, extent
 from linkwright.kernels import Compiled
+from linkwright.notation import Pair
 from linkwright.structure import FRAME
 from linkwright.words import say
 
@@ -76,7 +77,7 @@ class Writer:
         ET.SubElement(option, "flag", contact="disable")
         ET.SubElement(ET.SubElement(root, "visual"), "global", azimuth="90", elevation="-90")
         default = ET.SubElement(root, "default")
-        ET.SubElement(default, "geom", contype="0", conaffinity="0", group="1", size=_text(THICK * self.size))
+        ET.SubElement(default, "geom", contype="0", conaffinity="0", group="1")
         ET.SubElement(default, "site", size=_text(1.2 * THICK * self.size), rgba="0.1 0.1 0.1 1")
         world = ET.SubElement(root, "worldbody")
         ET.SubElement(world, "light", pos=_text(0, 0, 3 * self.size), dir="0 0 -1", directional="true")
@@ -131,17 +132,22 @@ class Writer:
         points = {name: self.geometry.point(link, name) for name in self.compiled.mechanism.links[link].points}
         layer = self._layers[link]
         z, colour = 2 * layer * THICK * self.size, GREY if link == FRAME else COLOURS[layer % len(COLOURS)]
-        places = list(dict.fromkeys((place.x, place.y) for place in points.values()))
-        for place in places[1:] if link != FRAME else ():
-            ET.SubElement(body, "geom", type="capsule", fromto=_text(*places[0], z, *place, z), rgba=colour)
-        for place in places if link == FRAME else places[:1]:
-            ET.SubElement(body, "geom", type="sphere", pos=_text(*place, z), rgba=colour)
+        thin = THICK * self.size / 2
+        ends = []  # what is drawn from where to where
+        if link != FRAME:
+            (_, first), *others = points.items()
+            ends += [(first, at, 2 * thin) for _, at in others]
         for joint, (low, high) in self.start.travels.items():
-            if link == self.compiled.mechanism.joints[joint].links[0] and low < high:
+            if link == self.compiled.mechanism.joints[joint].links[0]:
                 foot, heading = self.geometry.line(joint, link)
-                ends = [(foot.x + s * heading.x, foot.y + s * heading.y, z) for s in (low, high)]
-                thin = _text(THICK * self.size / 2)
-                ET.SubElement(body, "geom", type="capsule", fromto=_text(*ends[0], *ends[1]), size=thin, rgba=colour)
+                from_, to = (Pair(foot.x + s * heading.x, foot.y + s * heading.y) for s in (low, high))
+                ends.append((from_, to, thin))
+        for a, b, radius in ends:
+            if math.hypot(a.x - b.x, a.y - b.y) > thin:  # MuJoCo refuses the shortest
+                fromto = _text(a.x, a.y, z, b.x, b.y, z)
+                ET.SubElement(body, "geom", type="capsule", fromto=fromto, size=_text(radius), rgba=colour)
+        for at in [*points.values()][: None if link == FRAME else 1]:
+            ET.SubElement(body, "geom", type="sphere", pos=_text(at.x, at.y, z), size=_text(2 * thin), rgba=colour)
         for name, at in points.items():
             ET.SubElement(body, "site", name=site_name(link, name), pos=_text(at.x, at.y, 0))
 
