@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 import linkwright as lw
 from app.models import SOUND
 from linkwright.exports import Exported
+from linkwright.exports.mjcf import target
 from linkwright.model.document import read_document
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -144,6 +145,12 @@ def test_what_is_left_out_is_told() -> None:
     assert exported.done and [f.code for f in exported.warnings] == ["export.left-out"]
     exported = lw.export(EXAMPLES / "paper_feeder.yaml", "mjcf")
     assert [(f.code, f.data["links"]) for f in exported.warnings] == [("export.no-inertia", "slider, guide")]
+
+
+def test_what_is_not_proven_is_not_given(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(target, "PROVEN", 0.0)
+    exported = lw.export(EXAMPLES / "four_bar.yaml", "mjcf")
+    assert [finding.code for finding in exported.failures] == ["export.unproven"] and not exported.files
 
 
 def test_a_motion_that_cannot_be_followed_is_refused() -> None:

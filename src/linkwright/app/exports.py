@@ -128,7 +128,7 @@ def _settings(settings: Sequence[str]) -> dict[str, Any]:
     for setting in settings:
         key, equals, value = setting.partition("=")
         source = read_text(f"value: {value}".encode())
-        if not equals or not key.strip() or source.findings or not isinstance(source.data, dict):
+        if not (equals and key.strip() and isinstance(source.data, dict) and [*source.data] == ["value"]):
             findings.append(Finding("export.setting", (), {"given": setting[:60]}))
         else:
             options[key.strip()] = source.data["value"]

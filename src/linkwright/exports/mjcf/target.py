@@ -26,6 +26,8 @@ from linkwright.words import say
 
 Array = NDArray[np.float64]
 
+PROVEN = 1e-9
+"""How far (m) loops may be open and links off their places, with the joints set to their positions."""
 INSTANT = 1e-9
 """How long a motion is looked at (s) where nobody says: its start alone is written."""
 
@@ -72,6 +74,9 @@ class Mjcf:
         start = Start(q[:, 0], v[:, 0], controls[:, 0], {link: row[:, 0] for link, row in poses.items()}, travels)
         text = Writer(compiled, tree, driven, masses, start).text(_timestep(compiled, options)[0])
         error = missed(text, {hold.name: row for hold, row in zip(tree.holds, q, strict=True)}, poses)
+        if not error <= PROVEN:
+            data = {"name": self.name, "error": f"{error:.1e}", "unit": "m"}
+            return Exported(failures=[Finding("export.unproven", ("exports", self.name), data)])
         summary = {
             "joints": [hold.name for hold in tree.holds],
             "loops": [cut.name for cut in tree.cuts],

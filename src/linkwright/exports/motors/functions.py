@@ -17,7 +17,6 @@ from linkwright.notation import Jet
 
 Array = NDArray[np.float64]
 
-
 ROUND_OFF = 1e-15
 """What a coefficient contributes to a value at most where it is left out, over the largest value."""
 

@@ -87,6 +87,6 @@ def _unproven(compiled: Compiled, motors: list[Motor], t: np.typing.NDArray[np.f
     for made in motors:
         largest = float(np.abs(compiled.laws[made.drive](t).d[0]).max()) / made.size
         if not made.error <= PROVEN * max(largest, 1.0):
-            data = {"drive": made.drive, "error": f"{made.error:.1e}", "unit": made.unit}
+            data = {"name": made.drive, "error": f"{made.error:.1e}", "unit": made.unit}
             found.append(Finding("export.unproven", ("drives", made.drive), data))
     return found

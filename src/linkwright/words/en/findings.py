@@ -903,8 +903,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Take its values from motion.csv, or give a shorter duration.",
     ),
     "export.unproven": (
-        "The text for {drive} is off its law by {error} {unit}; it isn't given.",
-        "Take a table in place of the expression, or tell the authors: this is a fault of linkwright.",
+        "What would be written for {name} is off the model by {error} {unit}; it isn't given.",
+        "Look for a law or pose that is nearly singular; else tell the authors, since this is a fault of linkwright.",
     ),
     "export.left-out": (
         "The file for MuJoCo doesn't have {names}.",
