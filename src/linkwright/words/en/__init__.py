@@ -8,5 +8,7 @@ from linkwright.words.en.report import REPORT
 from linkwright.words.en.sweep import SWEEP
 from linkwright.words.en.texts import TEXTS
 from linkwright.words.en.workspace import WORKSPACE
+from linkwright.words.en.workspace_paths import WORKSPACE_PATHS
 
-WORDS: dict[str, str] = {**ACCURACY, **EXPORT, **FINDINGS, **LIMITS, **REPORT, **SWEEP, **TEXTS, **WORKSPACE}
+PARTS = (ACCURACY, EXPORT, FINDINGS, LIMITS, REPORT, SWEEP, TEXTS, WORKSPACE, WORKSPACE_PATHS)
+WORDS: dict[str, str] = {key: text for part in PARTS for key, text in part.items()}
