@@ -916,6 +916,43 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The file asks for no study.",
         "Add one, for example studies: {{cycle: {{period: 1.5 s, samples: 200}}}}.",
     ),
+    # Of exports.
+    "export.unknown": (
+        "There is no export to '{name}'.",
+        "Write one of these: {near}.",
+    ),
+    "export.options": (
+        "The option {key} of the export to {export} is wrong: {reason}.",
+        "Correct it; docs/file-format.md lists the options of each target.",
+    ),
+    "export.setting": (
+        "'{given}' isn't an option and its value.",
+        "Write KEY=VALUE, the value as in a model file: --set decimals=12.",
+    ),
+    "export.no-mass": (
+        "MuJoCo wants a mass for every moving body: {links} got {mass}, with a radius of gyration of {radius}.",
+        "Give them masses in the model, or another tiny_mass.",
+    ),
+    "export.no-inertia": (
+        "MuJoCo wants a moment of inertia for every moving body: {links} got that of a radius of gyration of {radius}.",
+        "Give them one in the model where it matters.",
+    ),
+    "export.no-duration": (
+        "Nothing says how long the motion lasts.",
+        "Give duration under exports.{export}, or a cycle under studies.",
+    ),
+    "export.too-many-pieces": (
+        "The law of {drive} has more than {limit} pieces in this time; it isn't written as text.",
+        "Take its values from motion.csv, or give a shorter duration.",
+    ),
+    "export.unproven": (
+        "What would be written for {name} is off the model by {error} {unit}; it isn't given.",
+        "Look for a law or pose that is nearly singular; else tell the authors, since this is a fault of linkwright.",
+    ),
+    "export.left-out": (
+        "The file for MuJoCo doesn't have {names}.",
+        "Add them to the file by hand where the simulation needs them.",
+    ),
     # Of workspaces.
     "workspace.drives": (
         "A workspace needs two drives (or one: then it is a curve); this mechanism has {count}: {names}.",
