@@ -23,6 +23,7 @@ from linkwright.laws import TableLaw
 from linkwright.model.check import check_names, check_values
 from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.mechanism import Mechanism
+from linkwright.model.plane import LinkagePlane
 from linkwright.model.quantities import Quantities
 from linkwright.model.spelled import Spelled, spell_out
 from linkwright.structure import Cluster, Group, Structure, Topology, decompose
@@ -42,6 +43,7 @@ class Compiled:
     tables: dict[str, TableLaw] = field(default_factory=dict)  # those that loads and springs ask
     kernel: str = "numpy"
     passages: Passages = field(default_factory=Passages)
+    plane: LinkagePlane | None = None  # where a sketch of three coordinates lies in the vehicle
     _kernels: dict[tuple[tuple[str, ...], bool], Kernel] = field(default_factory=dict)
     _nodes: dict[tuple[Passage, tuple[str, ...], bool], Array] = field(default_factory=dict, init=False)
 
@@ -193,7 +195,7 @@ def prepare(mechanism: Mechanism, folder: Path | None = None) -> Prepared:
 def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled | None, list[Finding]]:
     """Compile a mechanism as far as it goes, with all findings; ``folder`` is where its table files lie.
 
-    The result is ``None`` where an error stops it.
+    The result is ``None`` where an error stops it; warnings alone don't.
     """
     made = prepare(mechanism, folder)
     if made.findings:
@@ -201,7 +203,8 @@ def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled 
     assembly = assemble(made.quantities, made.structure, values_at(made.laws, 0.0))
     if assembly.findings:
         return None, made.spelled.home(assembly.findings)
-    return Compiled(made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables), []
+    parts = (made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables)
+    return Compiled(*parts, plane=made.spelled.plane), [*made.spelled.warnings]
 
 
 def _said(finding: Finding, others: list[Finding]) -> bool:
