@@ -198,6 +198,10 @@ class Builder:
         """Something to be computed, with its options."""
         return self._put("studies", name, options)
 
+    def export(self, target: str, **options: Any) -> Self:
+        """What is written for another tool, with the target's options."""
+        return self._put("exports", target, options)
+
     def build(self) -> Document:
         """The document. Raises :class:`ModelError` with all findings of form."""
         findings = list(self._twice)

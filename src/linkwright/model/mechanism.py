@@ -165,13 +165,16 @@ Options = Annotated[dict[str, Any], BeforeValidator(_options), AfterValidator(Fr
 
 
 class Document(Mechanism):
-    """A model file: a mechanism and the raw options of its studies."""
+    """A model file: a mechanism and the raw options of its studies and exports."""
 
     linkwright: Annotated[Literal[1], BeforeValidator(_version)] = Field(
         1, description="the version of the file format"
     )
     studies: Annotated[dict[Name, Options], _bound, freeze] = Field(
         default_factory=FrozenDict, description="what is computed, with each study's options"
+    )
+    exports: Annotated[dict[Text, Options], _bound, freeze] = Field(
+        default_factory=FrozenDict, description="what is written for other tools, with each target's options"
     )
 
     def replace(self, **parameters: float | str) -> Document:

@@ -806,6 +806,19 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The file asks for no study.",
         "Add one, for example studies: {{cycle: {{period: 1.5 s, samples: 200}}}}.",
     ),
+    # Of exports.
+    "export.unknown": (
+        "There is no export to '{name}'.",
+        "Write one of these: {near}.",
+    ),
+    "export.options": (
+        "The option {key} of the export to {export} is wrong: {reason}.",
+        "Correct it; docs/file-format.md lists the options of each target.",
+    ),
+    "export.setting": (
+        "'{given}' isn't an option and its value.",
+        "Write KEY=VALUE, the value as in a model file: --set decimals=12.",
+    ),
     # Of workspaces.
     "workspace.drives": (
         "A workspace needs two drives (or one: then it is a curve); this mechanism has {count}: {names}.",
