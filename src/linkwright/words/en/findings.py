@@ -815,6 +815,14 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The option {key} of the export to {export} is wrong: {reason}.",
         "Correct it; docs/file-format.md lists the options of each target.",
     ),
+    "export.handle": (
+        "The handle {name} is a point of the frame: it doesn't move.",
+        "Name a point of the panel, where a hand opens it.",
+    ),
+    "export.outline": (
+        "These points make no outline: {reason}.",
+        "List three points or more of the panel, in order around it, each once.",
+    ),
     "export.setting": (
         "'{given}' isn't an option and its value.",
         "Write KEY=VALUE, the value as in a model file: --set decimals=12.",
@@ -1318,6 +1326,8 @@ _TERMS: dict[str, str] = {
     "text": "a text (numbers in quotes)",
     "name": "a name (letters, digits, underscores)",
     "other": "another kind of value",
+    "outline-few": "it takes three different points at least, each once",
+    "outline-crossed": "the lines between them cross, or they lie in a line",
     "direction": "three numbers [x, y, z], not all zero",
     "position": "[x, y] or 'r at angle'",
     "place": "a point of the link, [x, y] or 'r at angle'",

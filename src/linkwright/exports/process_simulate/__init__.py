@@ -1,0 +1,1 @@
+"""Joint functions for Process Simulate, and the sheet that goes with them."""
