@@ -47,11 +47,11 @@ class Facts(Frozen):
 class HingeFacts:
     """The facts at the drive's values ``value`` (poses,), in rad or m from the zero pose; all in SI.
 
-    ``opening`` (poses,) is the panel's turn from the zero pose; ``pole`` (2, poses) its instant centre in the frame,
-    not finite where it doesn't turn. ``hand`` (poses,) is the force at the handle, along its path, that holds the
-    mechanism at rest: positive where the hand has to move the handle on, away from the zero pose, negative where it has
-    to hold it back. ``springs`` (poses,) are tensions, of gas springs the push. ``swept`` is the area that the outline
-    sweeps.
+    ``opening`` (poses,) is the panel's turn from the zero pose, positive on the way to the other stop; ``pole``
+    (2, poses) its instant centre in the frame, not finite where it doesn't turn. ``hand`` (poses,) is the force at the
+    handle, along its path, that holds the mechanism at rest: positive where the hand has to move the handle on, away
+    from the zero pose, negative where it has to hold it back. ``springs`` (poses,) are tensions, of gas springs the
+    push. ``swept`` is the area that the outline sweeps.
     """
 
     drive: str
@@ -134,13 +134,14 @@ def facts(compiled: Compiled, options: Facts, low: float, high: float) -> HingeF
         places = [f"{point}.{axis}" for axis in "xy" for point in options.outline]
         corners = sweep.evaluate(places, value).reshape(2, len(options.outline), -1)
     start, far = int(np.argmin(np.abs(value))), 0 if abs(value[0]) > abs(value[-1]) else -1
+    opening = (angle - zero) * (np.sign(angle[far] - zero) or 1.0)
     units = {"drive": quantities.drive_unit(drive)}
     units |= {k: quantities.unit_of(d) for k, d in (("angle", u.ANGLE), ("length", u.LENGTH), ("force", u.FORCE))}
     return HingeFacts(
         drive=drive,
         panel=panel,
         value=value,
-        opening=angle - zero,
+        opening=opening,
         pole=np.array(pole),
         transmission=tuple(transmission(sweep)),
         handle=options.handle,
