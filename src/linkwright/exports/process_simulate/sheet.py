@@ -116,7 +116,7 @@ def sheet(compiled: Compiled, functions: Functions, facts: HingeFacts) -> str:
 <main>
 <section id="linkage"><div class="two">{_linkage(compiled, functions, facts)}{_plane(compiled, facts)}</div></section>
 <section id="joints"><h2>{escape(say("sheet.functions"))}</h2>{_table(compiled, functions, facts)}</section>
-<section id="facts"><h2>{escape(say("sheet.facts"))}</h2>{_facts(facts)}
+<section id="facts"><h2>{escape(say("sheet.facts"))}</h2>{_facts(compiled, facts)}
 <div class="three">{figures(_charts(facts))}</div></section>
 </main>
 <footer>{escape(say("sheet.footer", version=linkwright.__version__))}</footer>
@@ -128,6 +128,11 @@ def sheet(compiled: Compiled, functions: Functions, facts: HingeFacts) -> str:
 
 def _shown(value: float) -> str:
     return f"{value + 0.0:.5g}".replace("-", "−")
+
+
+def _places(place: Sequence[float] | Array, whole: float) -> str:
+    """Coordinates as text, without what is round-off in a linkage of the size ``whole``."""
+    return ", ".join(_shown(round(float(part) / whole, 10) * whole) for part in place)
 
 
 def _error(value: float, unit: str) -> str:
@@ -163,6 +168,7 @@ def _anchor(compiled: Compiled, function: Function) -> str:
 def _table(compiled: Compiled, functions: Functions, facts: HingeFacts) -> str:
     """A row of each joint, and below it the text to paste."""
     unit, size = facts.units["length"]
+    whole = compiled.assembly.size() / size
     joints = (functions.driving, *functions.functions)
     spots = anchors(compiled)
     at = places(compiled, facts.drive, spots.values(), (0.0,))[0]
@@ -175,7 +181,7 @@ def _table(compiled: Compiled, functions: Functions, facts: HingeFacts) -> str:
         cells = [
             f'<td class="name-cell">{escape(joint.name)}{in_model if joint.joint != joint.name else ""}</td>',
             f"<td>{escape(joint.parent)} / {escape(joint.child)}</td>",
-            f'<td class="figure">{", ".join(_shown(part / size) for part in where)}</td>',
+            f'<td class="figure">{_places(where / size, whole)}</td>',
             f'<td class="figure">{_limits(joint, facts)}</td>',
             f'<td class="figure">{_error(joint.error, _UNITS[joint.kind]) if joint.text else "–"}</td>',
         ]
@@ -199,8 +205,9 @@ def _limits(joint: Function, facts: HingeFacts) -> str:
     return f"{low} … {high} {escape(unit)}"
 
 
-def _facts(facts: HingeFacts) -> str:
+def _facts(compiled: Compiled, facts: HingeFacts) -> str:
     """The facts as a list."""
+    whole = compiled.assembly.size() / facts.units["length"][1]
     told = facts.as_dict()
     drive, opening, pole = told["drive"], told["opening"], told["pole"]
     rows = [(say("sheet.opening", link=facts.panel), _range("sheet.opening.text", opening))]
@@ -210,9 +217,7 @@ def _facts(facts: HingeFacts) -> str:
         data = {"angle": _shown(least["least"]), "unit": least["unit"], "group": least["group"], "at": at}
         rows.append((say("sheet.transmission"), say(key, drive=facts.drive, drive_unit=drive["unit"], **data)))
     if any(value is not None for end in pole["ends"] for value in end):
-        start, stop = (
-            say("sheet.pole.far") if None in end else ", ".join(_shown(value) for value in end) for end in pole["ends"]
-        )
+        start, stop = (say("sheet.pole.far") if None in end else _places(end, whole) for end in pole["ends"])
         if abs(facts.value[0]) > abs(facts.value[-1]):
             start, stop = stop, start
         rows.append(
@@ -278,7 +283,7 @@ def _plane(compiled: Compiled, facts: HingeFacts) -> str:
     with np.errstate(invalid="ignore"):
         near = ((pole >= low[:, None] - reach) & (pole <= high[:, None] + reach)).all(axis=0)
     pole = np.where(near, pole, np.nan)
-    if facts.swept is None and near.sum() < 2:
+    if facts.swept is None and (near.sum() < 2 or np.ptp(pole[:, near], axis=1).max() < 1e-6 * reach):
         return ""
     every = np.concatenate([shown, pole[:, near]], axis=1)
     plane = Plane((*every.min(axis=1).tolist(), *every.max(axis=1).tolist()), unit)

@@ -70,14 +70,22 @@ def linkage(
                 kind = "fixed" if link == FRAME else "driven" if link == driven else ""
                 shapes.append(_body([pose[point] for point in of], f"{look} {kind}".strip()))
     drawn = {joint: here[point] for joint, point in at.items()}
-    slides = _headings(compiled, drive)
+    slides, single = _headings(compiled, drive), {}
+    for name in slides:
+        slide = compiled.mechanism.joints[name]
+        (x, y), (u, v) = ends = [here[line.point] for line in slide.line or ()]
+        shapes.append(f'<path class="guide" d="M{x:.1f} {y:.1f}L{u:.1f} {v:.1f}"/>')
+        single |= dict(zip(slide.links, (ends, ends[::-1]), strict=True))
     for joint, place in drawn.items():
         pin = f'<circle class="pin" cx="{place[0]:.1f}" cy="{place[1]:.1f}" r="4"/>'
         shapes.append(_slide(place, slides[joint]) if joint in slides else pin)
     placing = _Placing(room, [here[p] for p in names], list(_segments(bones, here)))
     for number, (link, of) in enumerate(bones.items(), start=1):
-        if of:
-            shapes.append(placing.number(number, [here[point] for point in of], link))
+        ends = [here[point] for point in of]
+        if len(ends) == 1 and link in single:  # barrels, rods and blocks: along their slide
+            ends.append(ends[0] + 0.8 * (single[link][1] - single[link][0]))
+        if ends:
+            shapes.append(placing.number(number, ends, link))
     for joint, place in drawn.items():
         if labels.get(joint):
             shapes.append(placing.label(", ".join(labels[joint]), place))
@@ -181,16 +189,15 @@ class _Placing:
     def label(self, text: str, at: Array) -> str:
         """A joint's name near it, with a line to it where it stands off."""
         half = np.array([LETTER * len(text) / 2 + 3, LINE / 2 + 1])
-        spots = [
-            (spot, way) for way in AWAY for spot in at + way * ROUND + np.sign(np.round(ROUND, 6)) * [0.8, 0] * half
-        ]
+        beside = 0.8 * half[0] * np.sign(np.round(ROUND, 6)) * [1, 0]
+        spots = [(spot, way) for way in AWAY for spot in at + way * ROUND + beside]
         place, way = min(spots, key=lambda spot: self.cost(spot[0], half, spot[1]))
         self.taken.append((place, half))
-        (x, y), (left, top), (wide, high) = place, place - half, 2 * half
+        (x, y), (left, top), (w, h) = place, place - half, 2 * half
         edge = np.clip(at, place - half, place + half)
         leader = f'<path d="M{at[0]:.1f} {at[1]:.1f}L{edge[0]:.1f} {edge[1]:.1f}"/>' if way > AWAY[0] else ""
         return (
-            f'<g class="name">{leader}<rect x="{left:.1f}" y="{top:.1f}" width="{wide:.1f}" height="{high:.1f}" rx="3"/>'
+            f'<g class="name">{leader}<rect x="{left:.1f}" y="{top:.1f}" width="{w:.1f}" height="{h:.1f}" rx="3"/>'
             f'<text x="{x:.1f}" y="{y + 4.5:.1f}" text-anchor="middle">{escape(text)}</text></g>'
         )
 
