@@ -56,6 +56,7 @@ class HingeFacts:
 
     drive: str
     panel: str
+    zero: float  # the drive's value at the zero pose less that at the start of the motion
     value: Array
     opening: Array
     pole: Array
@@ -117,37 +118,46 @@ class HingeFacts:
         return made
 
 
-def facts(compiled: Compiled, options: Facts, low: float, high: float) -> HingeFacts:
-    """The facts between two values of the (first) drive, in rad or m from the zero pose, which lies between them.
+def facts(compiled: Compiled, options: Facts, low: float, high: float, zero: float | None = None) -> HingeFacts:
+    """The facts between two values of the drive (rad or m); ``zero`` is its value at the zero pose, that at the start
+    unless given.
 
-    All other drives rest at their start. The mechanism must assemble over the whole range.
+    All other drives rest at their start. The mechanism must assemble over the whole range and at the zero pose.
     """
-    drive, panel = next(iter(compiled.mechanism.drives)), panel_of(compiled, options)
-    quantities = compiled.quantities
-    sweep = Sweep(sweeping(compiled, drive), drive, low, high, options.samples, (None, None))
-    value = np.unique(np.append(sweep.t, 0.0)) if low < 0.0 < high else sweep.t
+    drive, panel = compiled.graph.drives[0], panel_of(compiled, options)
+    quantities, start = compiled.quantities, values_at(compiled.laws, 0.0)[compiled.graph.drives[0]]
+    zero = start if zero is None else zero
+    ends = min(low, zero) - start, max(high, zero) - start
+    sweep = Sweep(sweeping(compiled, drive), drive, *ends, options.samples, (None, None))
+    t = np.linspace(low - start, high - start, options.samples + 1)
+    t = np.unique([*t, zero - start]) if low < zero < high else t
+    value = t + start - zero
     names = [f"{panel}.angle", *(f"pole({panel}, frame).{axis}" for axis in "xy")]
-    angle, *pole = sweep.evaluate(names, value)
-    (zero,) = sweep.evaluate(names[:1], np.zeros(1))[0]
+    angle, *pole = sweep.evaluate(names, t)
+    opening = angle - sweep.evaluate(names[:1], np.array([zero - start]))[0, 0]
     corners = None
     if options.outline:
         places = [f"{point}.{axis}" for axis in "xy" for point in options.outline]
-        corners = sweep.evaluate(places, value).reshape(2, len(options.outline), -1)
-    start, far = int(np.argmin(np.abs(value))), 0 if abs(value[0]) > abs(value[-1]) else -1
-    opening = (angle - zero) * (np.sign(angle[far] - zero) or 1.0)
+        corners = sweep.evaluate(places, t).reshape(2, len(options.outline), -1)
+    near, far = int(np.argmin(np.abs(value))), 0 if abs(value[0]) > abs(value[-1]) else -1
     units = {"drive": quantities.drive_unit(drive)}
     units |= {k: quantities.unit_of(d) for k, d in (("angle", u.ANGLE), ("length", u.LENGTH), ("force", u.FORCE))}
+    range_ = Sweep(sweep.compiled, drive, low - start, high - start, options.samples, (None, None))
+    least = (t if t.time is None else replace(t, time=t.time + start - zero) for t in transmission(range_))
+    on = 1.0 if far else -1.0
+    hand = None if options.handle is None else hand_force(compiled, drive, options.handle, t)
     return HingeFacts(
         drive=drive,
         panel=panel,
+        zero=zero - start,
         value=value,
-        opening=opening,
+        opening=opening * (np.sign(opening[far]) or 1.0),
         pole=np.array(pole),
-        transmission=tuple(transmission(sweep)),
+        transmission=tuple(least),
         handle=options.handle,
-        hand=hand_force(compiled, drive, options.handle, value) if options.handle else None,
-        springs=spring_forces(compiled, drive, value),
-        outline=None if corners is None else corners[:, :, start],
+        hand=None if hand is None else on * hand,
+        springs=spring_forces(compiled, drive, t),
+        outline=None if corners is None else corners[:, :, near],
         outline_end=None if corners is None else corners[:, :, far],
         swept=None if corners is None else swept(corners),
         units=units,
@@ -176,30 +186,30 @@ def resting(compiled: Compiled, drive: str) -> Compiled:
     return replace(compiled, laws={n: law(v, n == drive) for n, v in values_at(compiled.laws, 0.0).items()})
 
 
-def hand_force(compiled: Compiled, drive: str, handle: str, value: Array) -> Array | None:
-    """The force (N) along the handle's path at rest in poses ``value``; see :class:`HingeFacts`. By virtual work it is
-    the drive's effort times its rate over the handle's speed. ``None`` where no forces are stated or where they depend
-    on the time; NaN where the handle stands still."""
+def hand_force(compiled: Compiled, drive: str, handle: str, t: Array) -> Array | None:
+    """The force (N) along the handle's path that holds the mechanism at rest with the drive at its start value plus
+    ``t``; positive where it acts in the direction of the path as t grows. By virtual work it is the drive's effort
+    times its rate over the handle's speed. ``None`` where no forces are stated or where they depend on the time; NaN
+    where the handle stands still."""
     m = compiled.mechanism
     forces = m.springs or m.loads or (m.gravity is not None and any(map(m.has_mass, m.links)))
     if not forces or compiled.graph.actions.timed or compiled.structure.clusters:
         return None
     entry = m.drives[drive]
     moving = sweeping(compiled, drive)
-    effort = resting(compiled, drive).evaluate([f"{drive}.{entry.effort}"], value)[0]
-    rate, vx, vy = moving.evaluate([f"{drive}.{entry.rate}", f"{handle}.vx", f"{handle}.vy"], value)
+    effort = resting(compiled, drive).evaluate([f"{drive}.{entry.effort}"], t)[0]
+    rate, vx, vy = moving.evaluate([f"{drive}.{entry.rate}", f"{handle}.vx", f"{handle}.vy"], t)
     speed = np.hypot(vx, vy)
-    on = 1.0 if value[-1] > -value[0] else -1.0
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.where(speed > STILL * compiled.assembly.size(), on * effort * rate / speed, np.nan)
+        return np.where(speed > STILL * compiled.assembly.size(), effort * rate / speed, np.nan)
 
 
-def spring_forces(compiled: Compiled, drive: str, value: Array) -> dict[str, Array]:
-    """The tension (N) of each spring between points, at rest; of gas springs the push."""
+def spring_forces(compiled: Compiled, drive: str, t: Array) -> dict[str, Array]:
+    """The tension (N) of each spring between points, at rest; of gas springs the push. ``t`` as for the hand."""
     springs = {name: s for name, s in compiled.mechanism.springs.items() if not s.torsional}
     if not springs or compiled.structure.clusters:
         return {}
-    rows = resting(compiled, drive).evaluate([f"{name}.force" for name in springs], value)
+    rows = resting(compiled, drive).evaluate([f"{name}.force" for name in springs], t)
     return {n: -row if s.gas is not None else row for (n, s), row in zip(springs.items(), rows, strict=True)}
 
 

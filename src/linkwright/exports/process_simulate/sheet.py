@@ -6,13 +6,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from html import escape
 from importlib.resources import files
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 import linkwright
 from linkwright.exports.process_simulate.facts import HingeFacts
+from linkwright.exports.process_simulate.functions import JointFunction, JointFunctions
 from linkwright.exports.process_simulate.sheet_drawing import anchors, linkage, places
 from linkwright.kernels import Compiled
 from linkwright.report.charts import Axes, figures, points
@@ -45,55 +45,16 @@ for (const button of document.querySelectorAll("button.copy")) {
 """
 
 
-class Function(Protocol):
-    """A joint of the tool: its name in the model and in the tool, its ``kind`` (``T`` or ``D``), text, limits (rad or
-    mm), error (the same), and the links that it joins."""
-
-    @property
-    def joint(self) -> str: ...
-    @property
-    def name(self) -> str: ...
-    @property
-    def kind(self) -> str: ...
-    @property
-    def text(self) -> str: ...
-    @property
-    def limits(self) -> tuple[float, float]: ...
-    @property
-    def error(self) -> float: ...
-    @property
-    def parent(self) -> str: ...
-    @property
-    def child(self) -> str: ...
-
-
-class Functions(Protocol):
-    """All joints of a mechanism: the driving one, and those with a function."""
-
-    @property
-    def driving(self) -> Function: ...
-    @property
-    def functions(self) -> Sequence[Function]: ...
-    @property
-    def dialect(self) -> str: ...
-    @property
-    def decimals(self) -> int: ...
-    @property
-    def max_error(self) -> float: ...
-
-
-def sheet(compiled: Compiled, functions: Functions, facts: HingeFacts) -> str:
+def sheet(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> str:
     """The whole sheet as the text of an HTML file (UTF-8)."""
-    unit, step = facts.units["drive"]
     title = say("sheet.title", name=compiled.mechanism.name)
-    ends = {"low": _shown(facts.value[0] / step), "high": _shown(facts.value[-1] / step), "unit": unit}
     subtitle = say(
         "sheet.subtitle",
         dialect=functions.dialect,
         decimals=functions.decimals,
         drive=functions.driving.name,
+        range=_limits(functions.driving, facts),
         error=_error(functions.max_error, " / ".join(dict.fromkeys(_UNITS[f.kind] for f in functions.functions))),
-        **ends,
     )
     style = files("linkwright.report").joinpath("assets", "report.css").read_text("utf-8")
     style += files(__package__).joinpath("sheet.css").read_text("utf-8")
@@ -139,18 +100,16 @@ def _error(value: float, unit: str) -> str:
     return f"{value:.1e} {unit}".replace("e-0", "e-").strip()
 
 
-def _linkage(compiled: Compiled, functions: Functions, facts: HingeFacts) -> str:
+def _linkage(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> str:
     """The drawing with its key."""
     labels: dict[str, list[str]] = {}
-    for function in (functions.driving, *functions.functions):
+    for function in (functions.driving, *(f for f in functions.functions if not f.helper)):
         labels.setdefault(_anchor(compiled, function), []).append(function.name)
-    unit, step = facts.units["drive"]
-    title = say("sheet.drawing.title")
-    drawn = linkage(compiled, facts.drive, float(facts.value[facts.far]), labels, title, functions.driving.child)
+    title, ends = say("sheet.drawing.title"), (facts.zero, facts.zero + float(facts.value[facts.far]))
+    drawn = linkage(compiled, facts.drive, ends, labels, title)
     links = "".join(f"<li>{i} {escape(name)}</li>" for i, name in enumerate(compiled.mechanism.links, start=1))
-    notes = [
-        say("sheet.drawing.note", drive=functions.driving.name, far=_shown(facts.value[facts.far] / step), unit=unit)
-    ]
+    far = _value(max(functions.driving.limits, key=abs), functions.driving, facts)
+    notes = [say("sheet.drawing.note", drive=functions.driving.name, far=far)]
     if compiled.plane is None:
         notes.append(say("sheet.axis.flat"))
     else:
@@ -159,29 +118,35 @@ def _linkage(compiled: Compiled, functions: Functions, facts: HingeFacts) -> str
     return f"<figure><figcaption>{escape(say('sheet.drawing'))}</figcaption>{drawn}<ol>{links}</ol>{note}</figure>"
 
 
-def _anchor(compiled: Compiled, function: Function) -> str:
+def _anchor(compiled: Compiled, function: JointFunction) -> str:
     """The pin or slide of a joint; where a pin holds more than two links the joint is called after its child too."""
     known = anchors(compiled)
     return function.joint if function.joint in known else function.joint.removesuffix(f"_{function.child}")
 
 
-def _table(compiled: Compiled, functions: Functions, facts: HingeFacts) -> str:
+def _table(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> str:
     """A row of each joint, and below it the text to paste."""
     unit, size = facts.units["length"]
     whole = compiled.assembly.size() / size
     joints = (functions.driving, *functions.functions)
     spots = anchors(compiled)
-    at = places(compiled, facts.drive, spots.values(), (0.0,))[0]
+    at = places(compiled, facts.drive, spots.values(), (facts.zero,))[0]
     heads = [say(f"sheet.column.{head}", unit=unit) for head in ("joint", "links", "place", "limits", "error")]
     rows = []
     for joint in joints:
-        place = at[spots[_anchor(compiled, joint)]]
-        where = place if compiled.plane is None else compiled.plane.place(*place)
-        in_model = f'<span class="note">{escape(say("sheet.model", joint=joint.joint))}</span>'
+        name, where = f'<td class="name-cell">{escape(joint.name)}', ""
+        if joint.helper:
+            links = say("sheet.helper")
+        else:
+            place = at[spots[_anchor(compiled, joint)]]
+            where = _places((place if compiled.plane is None else compiled.plane.place(*place)) / size, whole)
+            links = f"{joint.parent} / {joint.child}"
+            if joint.name != joint.joint:
+                name += f'<span class="note">{escape(say("sheet.model", joint=joint.joint))}</span>'
         cells = [
-            f'<td class="name-cell">{escape(joint.name)}{in_model if joint.joint != joint.name else ""}</td>',
-            f"<td>{escape(joint.parent)} / {escape(joint.child)}</td>",
-            f'<td class="figure">{_places(where / size, whole)}</td>',
+            f"{name}</td>",
+            f"<td>{escape(links)}{_note('sheet.flipped') if joint.sign < 0 else ''}</td>",
+            f'<td class="figure">{where}</td>',
             f'<td class="figure">{_limits(joint, facts)}</td>',
             f'<td class="figure">{_error(joint.error, _UNITS[joint.kind]) if joint.text else "–"}</td>',
         ]
@@ -189,7 +154,7 @@ def _table(compiled: Compiled, functions: Functions, facts: HingeFacts) -> str:
             f'<div class="paste"><code>{escape(joint.text)}</code><button class="copy" type="button" hidden '
             f'data-done="{escape(say("sheet.copied"))}">{escape(say("sheet.copy"))}</button></div>'
             if joint.text
-            else f'<span class="note">{escape(say("sheet.driving"))}</span>'
+            else _note("sheet.driving")
         )
         rows.append(
             f'<tr class="first">{"".join(cells)}</tr><tr class="text"><td colspan="{len(heads)}">{text}</td></tr>'
@@ -198,11 +163,20 @@ def _table(compiled: Compiled, functions: Functions, facts: HingeFacts) -> str:
     return f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(rows)}</tbody></table>"
 
 
-def _limits(joint: Function, facts: HingeFacts) -> str:
-    """A joint's limits in the file's unit of angles, of a slide in mm."""
+def _limits(joint: JointFunction, facts: HingeFacts) -> str:
+    """A joint's limits."""
+    low, high = (_value(limit, joint, facts) for limit in joint.limits)
+    return f"{low.split()[0]} … {high}"
+
+
+def _value(value: float, joint: JointFunction, facts: HingeFacts) -> str:
+    """A joint's value (rad or mm) in the file's unit of angles, of a slide in mm."""
     unit, size = facts.units["angle"] if joint.kind == "T" else ("mm", 1.0)
-    low, high = (f"{limit / size + 0.0:.3f}".replace("-", "−") for limit in joint.limits)
-    return f"{low} … {high} {escape(unit)}"
+    return f"{round(value / size, 3) + 0.0:.3f} {unit}".replace("-", "−")
+
+
+def _note(key: str) -> str:
+    return f'<span class="note">{escape(say(key))}</span>'
 
 
 def _facts(compiled: Compiled, facts: HingeFacts) -> str:
@@ -272,7 +246,7 @@ def _charts(facts: HingeFacts) -> list[Chart]:
 def _plane(compiled: Compiled, facts: HingeFacts) -> str:
     """The picture of what the panel sweeps, with the path of its instant centre."""
     unit, size = facts.units["length"]
-    pins = np.array([*places(compiled, facts.drive, anchors(compiled).values(), (0.0,))[0].values()]).T / size
+    pins = np.array([*places(compiled, facts.drive, anchors(compiled).values(), (facts.zero,))[0].values()]).T / size
     shown = pins
     if facts.swept is not None:
         x0, y0, x1, y1 = (edge / size for edge in facts.swept.bounds)

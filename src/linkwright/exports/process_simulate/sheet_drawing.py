@@ -46,7 +46,7 @@ def skeleton(compiled: Compiled) -> dict[str, list[str]]:
 
 
 def places(compiled: Compiled, drive: str, names: Iterable[str], values: Sequence[float]) -> list[dict[str, Array]]:
-    """Where points are (2,), in m, with a drive at some values from the zero pose."""
+    """Where points are (2,), in m, with a drive at some values less that at the start."""
     names = list(dict.fromkeys(names))
     rows = [f"{name}.{axis}" for name in names for axis in "xy"]
     found = sweeping(compiled, drive).evaluate(rows, np.array(values)).reshape(-1, 2, len(values))
@@ -54,13 +54,13 @@ def places(compiled: Compiled, drive: str, names: Iterable[str], values: Sequenc
 
 
 def linkage(
-    compiled: Compiled, drive: str, far: float, labels: Mapping[str, Sequence[str]], title: str, driven: str
+    compiled: Compiled, drive: str, ends: tuple[float, float], labels: Mapping[str, Sequence[str]], title: str
 ) -> str:
-    """The linkage at the zero pose and, dashed, with the drive at ``far``. ``labels``: the names to be written at each
-    joint; ``driven``: the link that the drive moves."""
-    bones, at = skeleton(compiled), anchors(compiled)
+    """The linkage at the first of two values of the drive less that at the start (the zero pose), and dashed at the
+    second. ``labels``: the names to be written at each joint."""
+    bones, at, driven = skeleton(compiled), anchors(compiled), compiled.mechanism.prescribed(drive).link
     names = [point for of in bones.values() for point in of]
-    poses = places(compiled, drive, names, (0.0, far))
+    poses = places(compiled, drive, names, ends)
     room = _Room(np.array([place for pose in poses for place in pose.values()]))
     here, there = ({name: room.at(place) for name, place in pose.items()} for pose in poses)
     shapes = [_ground(here[point]) for point in bones[FRAME]]
@@ -70,22 +70,23 @@ def linkage(
                 kind = "fixed" if link == FRAME else "driven" if link == driven else ""
                 shapes.append(_body([pose[point] for point in of], f"{look} {kind}".strip()))
     drawn = {joint: here[point] for joint, point in at.items()}
-    slides, single = _headings(compiled, drive), {}
+    slides = _headings(compiled, drive, ends[0])
+    single: dict[str, list[Array]] = {}
     for name in slides:
         slide = compiled.mechanism.joints[name]
-        (x, y), (u, v) = ends = [here[line.point] for line in slide.line or ()]
+        (x, y), (u, v) = line = [here[of_link.point] for of_link in slide.line or ()]
         shapes.append(f'<path class="guide" d="M{x:.1f} {y:.1f}L{u:.1f} {v:.1f}"/>')
-        single |= dict(zip(slide.links, (ends, ends[::-1]), strict=True))
+        single |= dict(zip(slide.links, (line, line[::-1]), strict=True))
     for joint, place in drawn.items():
         pin = f'<circle class="pin" cx="{place[0]:.1f}" cy="{place[1]:.1f}" r="4"/>'
         shapes.append(_slide(place, slides[joint]) if joint in slides else pin)
     placing = _Placing(room, [here[p] for p in names], list(_segments(bones, here)))
     for number, (link, of) in enumerate(bones.items(), start=1):
-        ends = [here[point] for point in of]
-        if len(ends) == 1 and link in single:  # barrels, rods and blocks: along their slide
-            ends.append(ends[0] + 0.8 * (single[link][1] - single[link][0]))
-        if ends:
-            shapes.append(placing.number(number, ends, link))
+        spots = [here[point] for point in of]
+        if len(spots) == 1 and link in single:  # barrels, rods and blocks: along their slide
+            spots.append(spots[0] + 0.8 * (single[link][1] - single[link][0]))
+        if spots:
+            shapes.append(placing.number(number, spots, link))
     for joint, place in drawn.items():
         if labels.get(joint):
             shapes.append(placing.label(", ".join(labels[joint]), place))
@@ -95,15 +96,17 @@ def linkage(
     )
 
 
-def _headings(compiled: Compiled, drive: str) -> dict[str, float]:
-    """The direction (rad) of each slide at the zero pose."""
+def _headings(compiled: Compiled, drive: str, value: float) -> dict[str, float]:
+    """The direction (rad) of each slide with the drive at a value less that at the start."""
     start = compiled.assembly.start
     slides = {name: joint.links[0] for name, joint in compiled.mechanism.prismatic_joints()}
     if not slides or start is None:
         return {}
     moving = [f"{link}.angle" for link in slides.values() if link != FRAME]
     found = (
-        dict(zip(moving, sweeping(compiled, drive).evaluate(moving, np.zeros(1))[:, 0], strict=True)) if moving else {}
+        dict(zip(moving, sweeping(compiled, drive).evaluate(moving, np.array([value]))[:, 0], strict=True))
+        if moving
+        else {}
     )
     return {n: float(found.get(f"{k}.angle", 0.0) + start.geometry.heading_angle(n, k)) for n, k in slides.items()}
 

@@ -3,10 +3,21 @@
 from linkwright.words.en.accuracy import ACCURACY
 from linkwright.words.en.findings import FINDINGS
 from linkwright.words.en.limits import LIMITS
+from linkwright.words.en.process_simulate import PROCESS_SIMULATE
 from linkwright.words.en.report import REPORT
 from linkwright.words.en.sheet import SHEET
 from linkwright.words.en.sweep import SWEEP
 from linkwright.words.en.texts import TEXTS
 from linkwright.words.en.workspace import WORKSPACE
 
-WORDS: dict[str, str] = {**ACCURACY, **FINDINGS, **LIMITS, **REPORT, **SHEET, **SWEEP, **TEXTS, **WORKSPACE}
+WORDS: dict[str, str] = {
+    **ACCURACY,
+    **FINDINGS,
+    **LIMITS,
+    **PROCESS_SIMULATE,
+    **REPORT,
+    **SHEET,
+    **SWEEP,
+    **TEXTS,
+    **WORKSPACE,
+}

@@ -827,6 +827,64 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "'{given}' isn't an option and its value.",
         "Write KEY=VALUE, the value as in a model file: --set decimals=12.",
     ),
+    # Of joint functions.
+    "process-simulate.drives": (
+        "Joint functions ask for one driving joint; this mechanism has {count} drives: {names}.",
+        "Leave one drive, and fix the links of the others to each other.",
+    ),
+    "process-simulate.left-out": (
+        "The joint {joint} is left out, but it is the one that {drive} drives.",
+        "Take it out of left_out.",
+    ),
+    "process-simulate.no-dependent": (
+        "No joint depends on {drive}: there is nothing to write a function for.",
+        "Close a loop, or leave the export out; a joint that is driven alone needs no function.",
+    ),
+    "process-simulate.shared-pin": (
+        "The drive {drive} moves two links against each other on the pin {pin}, which holds others that are placed before "
+        "them; the tool's joints lead from the first link of a pin to each other one.",
+        "Drive one of the links against the first one of the pin, or give the drive a pin of its own.",
+    ),
+    "process-simulate.too-many": (
+        "The mechanism has {count} joints; the tool's functions know {limit} at most.",
+        "Name joints that close loops under left_out, or export a part of the mechanism.",
+    ),
+    "process-simulate.name": (
+        "The joint {joint} can't be called '{name}' in the tool.",
+        "Give it a name of letters A to Z, digits and underscores, no digit first, under names; what else the tool takes "
+        "isn't known.",
+    ),
+    "process-simulate.same-name": (
+        "Several joints are called '{name}': {joints}.",
+        "Give each a name of its own under names.",
+    ),
+    "process-simulate.no-range": (
+        "The mechanism can't be moved from {drive} = {start} {unit}.",
+        "Start the drive where the mechanism isn't at a dead centre; `limits` tells its ranges.",
+    ),
+    "process-simulate.toggle": (
+        "From {from} to {to} {unit} of {drive} the mechanism meets a toggle (group {groups}): there its two assembly modes "
+        "meet, and one function can't follow both.",
+        "Take a range within [{low} {unit}, {high} {unit}], the largest one on this side of the toggle.",
+    ),
+    "process-simulate.sweep": (
+        "A direction turns by {spread} deg over the range (joints {joints}); one arccosine holds {most} deg in the "
+        "dialect {dialect}.",
+        "Take the dialect wizard, whose atan2 holds a whole turn, or a narrower range.",
+    ),
+    "process-simulate.error": (
+        "However many decimals are taken, a function is off by {error} (rad or mm) at {drive} = {at} {unit}.",
+        "Take a range that stays further away from poses in which links are in line or pins meet.",
+    ),
+    "process-simulate.length": (
+        "No splitting brings all functions under {longest} characters; the least possible is {least}.",
+        "Set longest to {least} or more.",
+    ),
+    "process-simulate.no-closed-form": (
+        "The links {links} can only be placed all together (group {group}): their joints have no function in closed form.",
+        "Set approximate to take polynomials in the value of {drive}; over this range those of degree {degree} come within "
+        "{error} (rad or mm), so approximate: {approximate} is enough. A narrower range makes them better.",
+    ),
     # Of workspaces.
     "workspace.drives": (
         "A workspace needs two drives (or one: then it is a curve); this mechanism has {count}: {names}.",

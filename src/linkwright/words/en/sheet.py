@@ -2,11 +2,13 @@
 
 SHEET: dict[str, str] = {
     "sheet.title": "{name}: joint functions",
-    "sheet.subtitle": "Process Simulate, dialect {dialect}, {decimals} decimals. {drive} drives, from {low} to {high} {unit}; "
+    "sheet.subtitle": "Process Simulate, dialect {dialect}, {decimals} decimals. {drive} drives, {range}; "
     "over that range no function is off the solver by more than {error}.",
     "sheet.drawing": "The linkage",
     "sheet.drawing.title": "The linkage at the zero pose, with its links numbered and its joints named",
-    "sheet.drawing.note": "Solid: the zero pose, where all functions are 0. Dashed: {drive} at {far} {unit}.",
+    "sheet.drawing.note": "Solid: the zero pose, where all functions are 0. Dashed: {drive} at {far}.",
+    "sheet.flipped": "counts the other way",
+    "sheet.helper": "helping joint: a part of long functions",
     "sheet.axis": "Turns are positive about the axis ({normal}) of the vehicle, by the right hand.",
     "sheet.axis.flat": "Turns are positive counter-clockwise.",
     "sheet.functions": "Joints",
