@@ -143,12 +143,13 @@ def _table(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> 
             links = f"{joint.parent} / {joint.child}"
             if joint.name != joint.joint:
                 name += f'<span class="note">{escape(say("sheet.model", joint=joint.joint))}</span>'
+        off = _error(joint.error, _UNITS[joint.kind]) if joint.text and not joint.helper else "–"
         cells = [
             f"{name}</td>",
             f"<td>{escape(links)}{_note('sheet.flipped') if joint.sign < 0 else ''}</td>",
             f'<td class="figure">{where}</td>',
             f'<td class="figure">{_limits(joint, facts)}</td>',
-            f'<td class="figure">{_error(joint.error, _UNITS[joint.kind]) if joint.text else "–"}</td>',
+            f'<td class="figure">{off}</td>',
         ]
         text = (
             f'<div class="paste"><code>{escape(joint.text)}</code><button class="copy" type="button" hidden '
@@ -170,9 +171,9 @@ def _limits(joint: JointFunction, facts: HingeFacts) -> str:
 
 
 def _value(value: float, joint: JointFunction, facts: HingeFacts) -> str:
-    """A joint's value (rad or mm) in the file's unit of angles, of a slide in mm."""
-    unit, size = facts.units["angle"] if joint.kind == "T" else ("mm", 1.0)
-    return f"{round(value / size, 3) + 0.0:.3f} {unit}".replace("-", "−")
+    """A joint's value (rad or mm) in the file's unit of angles, of a slide in mm; that of a helper is only a number."""
+    unit, size = ("", 1.0) if joint.helper else facts.units["angle"] if joint.kind == "T" else ("mm", 1.0)
+    return f"{round(value / size, 3) + 0.0:.3f} {unit}".replace("-", "−").strip()
 
 
 def _note(key: str) -> str:
