@@ -868,9 +868,9 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Take a range within [{low} {unit}, {high} {unit}], the largest one on this side of the toggle.",
     ),
     "process-simulate.sweep": (
-        "A direction turns by {spread} deg over the range (joints {joints}); one arccosine holds {most} deg in the "
-        "dialect {dialect}.",
-        "Take the dialect wizard, whose atan2 holds a whole turn, or a narrower range.",
+        "A direction turns by {spread} deg over the range, seen from any link (joints {joints}); a function in the dialect "
+        "{dialect} holds {most} deg.",
+        "Take a narrower range; what is too far for the arccosine of the dialect seed may do for atan2 in wizard.",
     ),
     "process-simulate.error": (
         "However many decimals are taken, a function is off by {error} (rad or mm) at {drive} = {at} {unit}.",
