@@ -74,7 +74,9 @@ def test_examples_agree_with_the_solver(name: str, joints: int, dialect: str) ->
         assert found.range[1] - found.range[0] == pytest.approx(2 * math.pi)
 
 
-@pytest.mark.parametrize(("seed", "elsewhere"), [*((k, False) for k in range(8)), *((k, True) for k in (1, 3, 4, 6, 7))])
+@pytest.mark.parametrize(
+    ("seed", "elsewhere"), [*((k, False) for k in range(8)), *((k, True) for k in (1, 3, 4, 6, 7))]
+)
 def test_random_six_bars_of_all_dyads_agree(seed: int, elsewhere: bool) -> None:
     """The drive on the frame, or in a loop, where links that it holds on each other make one side of a dyad."""
     plain = build("six_bar", Seeded(seed))

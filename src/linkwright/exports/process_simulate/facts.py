@@ -247,17 +247,17 @@ def check_facts(compiled: Compiled, options: Facts, path: tuple[str | int, ...])
             data = {"link": panel, "name": name, "near": near(name, list(m.links[panel].points))}
             found.append(Finding("name.unknown-point", (*path, "outline"), data))
     if options.outline and not found and (why := _crossed(compiled, options.outline)) is not None:
-        found.append(Finding("export.outline", (*path, "outline"), {"reason": Term(why)}))
+        found.append(Finding("export.outline", (*path, "outline"), {"reason": why}))
     return found
 
 
-def _crossed(compiled: Compiled, outline: tuple[str, ...]) -> str | None:
+def _crossed(compiled: Compiled, outline: tuple[str, ...]) -> Term | None:
     """Why some points make no outline."""
     import shapely
 
     if len({*outline}) < 3 or len({*outline}) < len(outline):
-        return "outline-few"
+        return Term("outline-few")
     rows = [f"{point}.{axis}" for point in outline for axis in "xy"]
     places = compiled.evaluate(rows, np.zeros(1))[:, 0].reshape(-1, 2)
     shape = shapely.Polygon(places)
-    return None if shape.is_valid and shape.area > 0 else "outline-crossed"
+    return None if shape.is_valid and shape.area > 0 else Term("outline-crossed")
