@@ -96,10 +96,10 @@ def in_plane(m: Mechanism) -> Flat:
         homed = [_home(finding) for finding in quantities.findings]
         return _given_up(m, [finding for i, finding in enumerate(homed) if finding not in homed[:i]])
     places = {name: np.array([quantities.value(p, u.LENGTH) for p in at.parts]) for name, at in m.sketch.items()}
-    wild = [Finding("value.not-finite", ("sketch", n), {"text": str(list(m.sketch[n].raw))[:60]})
-            for n, place in places.items() if not (np.abs(place) < LARGEST).all()]  # fmt: skip
+    wild = [name for name, place in places.items() if not (np.abs(place) < LARGEST).all()]
     if wild:
-        return _given_up(m, wild)
+        texts = {name: ", ".join(part.text for part in m.sketch[name].parts)[:60] for name in wild}
+        return _given_up(m, [Finding("value.not-finite", ("sketch", n), {"text": text}) for n, text in texts.items()])
     plane = _plane(m, places)
     if plane is None:
         return _given_up(m, [Finding("sketch.in-line", ("sketch",))])

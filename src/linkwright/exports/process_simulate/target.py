@@ -41,7 +41,10 @@ class ProcessSimulate:
             "check_table.csv": check_table(made),
             "joint_functions.html": sheet(compiled, made, told),
         }
-        return Exported(files, {**summary(made, compiled), "facts": told.as_dict()}, sentences(made))
+        summed = {**summary(made, compiled), "facts": told.as_dict()}
+        if compiled.plane is not None:
+            summed["plane"] = compiled.plane.as_dict(told.units["length"][1])
+        return Exported(files, summed, sentences(made))
 
 
 def summary(made: JointFunctions, compiled: Compiled) -> dict[str, Any]:
