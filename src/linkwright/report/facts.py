@@ -90,7 +90,7 @@ def _plane(compiled: Compiled, plane: LinkagePlane) -> str:
 
 
 def _triple(parts: NDArray[np.float64]) -> str:
-    return "({})".format(", ".join(f"{part:.6g}" for part in parts))
+    return "({})".format(", ".join(f"{round(float(part), 9) + 0.0:.6g}" for part in parts))
 
 
 def _order(compiled: Compiled) -> list[str]:
