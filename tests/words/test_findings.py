@@ -65,7 +65,7 @@ TITLES = {
     "clearance": "Clearances",
     "tolerance": "Tolerances",
     "accuracy": "Accuracy",
-    "process-simulate": "Joint functions",
+    "functions": "Joint functions",
     "workspace": "Workspaces",
     "varied": "Many parameter sets",
     "structure": "Structure",

@@ -790,59 +790,59 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Write KEY=VALUE, the value as in a model file: --set decimals=12.",
     ),
     # Of joint functions.
-    "process-simulate.drives": (
+    "functions.drives": (
         "Joint functions ask for one driving joint; this mechanism has {count} drives: {names}.",
         "Leave one drive, and fix the links of the others to each other.",
     ),
-    "process-simulate.left-out": (
+    "functions.left-out": (
         "The joint {joint} is left out, but it is the one that {drive} drives.",
         "Take it out of left_out.",
     ),
-    "process-simulate.no-dependent": (
+    "functions.no-dependent": (
         "No joint depends on {drive}: there is nothing to write a function for.",
         "Close a loop, or leave the export out; a joint that is driven alone needs no function.",
     ),
-    "process-simulate.shared-pin": (
+    "functions.shared-pin": (
         "The drive {drive} moves two links against each other on the pin {pin}, which holds others that are placed before "
         "them; the tool's joints lead from the first link of a pin to each other one.",
         "Drive one of the links against the first one of the pin, or give the drive a pin of its own.",
     ),
-    "process-simulate.too-many": (
+    "functions.too-many": (
         "The mechanism has {count} joints; the tool's functions know {limit} at most.",
         "Name joints that close loops under left_out, or export a part of the mechanism.",
     ),
-    "process-simulate.name": (
+    "functions.name": (
         "The joint {joint} can't be called '{name}' in the tool.",
         "Give it a name of letters A to Z, digits and underscores, no digit first, under names; what else the tool takes "
         "isn't known.",
     ),
-    "process-simulate.same-name": (
+    "functions.same-name": (
         "Several joints are called '{name}': {joints}.",
         "Give each a name of its own under names.",
     ),
-    "process-simulate.no-range": (
+    "functions.no-range": (
         "The mechanism can't be moved from {drive} = {start} {unit}.",
         "Start the drive where the mechanism isn't at a dead centre; `limits` tells its ranges.",
     ),
-    "process-simulate.toggle": (
+    "functions.toggle": (
         "From {from} to {to} {unit} of {drive} the mechanism meets a toggle (group {groups}): there its two assembly modes "
         "meet, and one function can't follow both.",
         "Take a range within [{low} {unit}, {high} {unit}], the largest one on this side of the toggle.",
     ),
-    "process-simulate.sweep": (
+    "functions.sweep": (
         "A direction turns by {spread} deg over the range, seen from any link (joints {joints}); a function in the dialect "
         "{dialect} holds {most} deg.",
         "Take a narrower range; what is too far for the arccosine of the dialect seed may do for atan2 in wizard.",
     ),
-    "process-simulate.error": (
+    "functions.error": (
         "However many decimals are taken, a function is off by {error} (rad or mm) at {drive} = {at} {unit}.",
         "Take a range that stays further away from poses in which links are in line or pins meet.",
     ),
-    "process-simulate.length": (
+    "functions.length": (
         "No splitting brings all functions under {longest} characters; the least possible is {least}.",
         "Set longest to {least} or more.",
     ),
-    "process-simulate.no-closed-form": (
+    "functions.no-closed-form": (
         "The links {links} can only be placed all together (group {group}): their joints have no function in closed form.",
         "Set approximate to take polynomials in the value of {drive}; over this range those of degree {degree} come within "
         "{error} (rad or mm), so approximate: {approximate} is enough. A narrower range makes them better.",
