@@ -8,6 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from helpers.compiled import compiled_from, compiled_of
+from helpers.plain import document_of
+from helpers.random_mechanisms import Seeded, build, driven_elsewhere, sketched
 from linkwright.exports.process_simulate import evaluator
 from linkwright.exports.process_simulate.functions import JointFunctions, Wish, make
 from linkwright.exports.process_simulate.linkage import Refused
@@ -15,10 +18,6 @@ from linkwright.kernels import Compiled, compile_mechanism
 from linkwright.model.document import load
 from linkwright.results import Run
 from linkwright.studies.sweep import sweeping
-
-from helpers.compiled import compiled_from, compiled_of
-from helpers.plain import document_of
-from helpers.random_mechanisms import Seeded, build, driven_elsewhere, sketched
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 DIALECTS = ("seed", "wizard")
@@ -74,7 +73,9 @@ def test_examples_agree_with_the_solver(name: str, joints: int, dialect: str) ->
         assert found.range[1] - found.range[0] == pytest.approx(2 * math.pi)
 
 
-@pytest.mark.parametrize(("seed", "elsewhere"), [*((k, False) for k in range(8)), *((k, True) for k in (1, 3, 4, 6, 7))])
+@pytest.mark.parametrize(
+    ("seed", "elsewhere"), [*((k, False) for k in range(8)), *((k, True) for k in (1, 3, 4, 6, 7))]
+)
 def test_random_six_bars_of_all_dyads_agree(seed: int, elsewhere: bool) -> None:
     """The drive on the frame, or in a loop, where links that it holds on each other make one side of a dyad."""
     plain = build("six_bar", Seeded(seed))
