@@ -58,6 +58,7 @@ TITLES = {
     "load": "Loads",
     "spring": "Springs",
     "table": "Tables",
+    "law": "Motion laws",
     "window": "Windows",
     "measure": "Measures",
     "study": "Studies",

@@ -193,8 +193,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Give {wanted} arguments, with commas between them.",
     ),
     "expression.unknown-function": (
-        "There is no function or table called '{name}'.",
-        "Write one of these: {near}. Or declare it under tables.",
+        "There is no function, table or motion law called '{name}'.",
+        "Write one of these: {near}. Or declare it under tables or laws.",
     ),
     "expression.unit-alone": (
         "'{name}' is a unit without a number, and no parameter is called so.",
@@ -532,6 +532,99 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The points span one whole period, but the last value differs from the first.",
         "Make the two equal, or leave the last point out.",
     ),
+    # Motion laws.
+    "law.unknown": (
+        "There is no motion law called '{name}'.",
+        "Write one of these: {near}. Or give fractions, powers or a formula instead of law.",
+    ),
+    "law.segment": (
+        "It isn't clear what kind of segment this is: given are {given}.",
+        "Give one of {known}.",
+    ),
+    "law.keys": (
+        "{given} can't stand in a segment of this kind ({head}).",
+        "Take it out, or put it into a segment of its own.",
+    ),
+    "law.no-over": (
+        "It isn't said how far along the axis the segment goes.",
+        "Add over, for example over: 90 deg.",
+    ),
+    "law.way": (
+        "It isn't said in one way how the value gets to its end: given are {given}.",
+        "Give one of {known}; match, from, to, via and spline go together.",
+    ),
+    "law.argument-taken": (
+        "In a formula {name} runs from 0 to 1 over the segment, but a parameter is called {name}.",
+        "Give the parameter another name.",
+    ),
+    "law.formula": (
+        "'{name}' can't stand in the formula of a motion law.",
+        "Write it in u, which runs from 0 to 1 over the segment, parameters and functions.",
+    ),
+    "law.place": (
+        "The motion law '{name}' is called where no drive's position stands.",
+        "Call it in the position of a drive; measures and loads name the drive's value.",
+    ),
+    "law.over": (
+        "The segment goes no way along the axis.",
+        "Give it a positive length.",
+    ),
+    "law.via": (
+        "The points via don't lie in order between the segment's start and end.",
+        "Sort them; ways count from the segment's start.",
+    ),
+    "law.conditions": (
+        "One polynomial is to meet {count} conditions; {limit} is the most.",
+        "Leave points out, add spline: quintic, or cut the segment.",
+    ),
+    "law.end-rates": (
+        "A spline of degree {degree} takes {wanted} rates at either end.",
+        "Give as many in from and to, or match: velocity with spline: cubic, match: acceleration with spline: quintic.",
+    ),
+    "law.not-normal": (
+        "The formula is {start} at u = 0 and {end} at u = 1; it must be 0 and 1.",
+        "Divide it by its rise, and take its first value off.",
+    ),
+    "law.not-smooth": (
+        "The formula, or one of its first two derivatives, has no finite value somewhere between u = 0 and u = 1.",
+        "Check it for a division by zero, or a root at zero.",
+    ),
+    "law.powers": (
+        "A power stands twice.",
+        "Give each power once.",
+    ),
+    "law.fractions": (
+        "The {count} fractions add up to {sum}; there must be four [b, c, d, z], or seven, none negative, with the sum 1, and some acceleration on either side.",
+        "Correct them: [0.25, 0, 0.75, 0] is the modified sine.",
+    ),
+    "law.skew": (
+        "The law can't have its greatest velocity at {share} of its way.",
+        "Give a skew between 0 and 1, and only of a symmetric law.",
+    ),
+    "law.control": (
+        "{given} control values are too few for the B-spline; its degree needs {wanted}.",
+        "Add control values, or give a smaller degree.",
+    ),
+    "law.period": (
+        "The segments add up to {sum} {unit}; the period is {period} {unit}.",
+        "Correct their lengths, add a dwell, or give the period.",
+    ),
+    "law.not-closed": (
+        "The law starts at {start} {unit} and ends at {end} {unit}, so it can't be repeated.",
+        "Let the segments come back, or write beyond: advance (goes on from there) or beyond: hold (stays there).",
+    ),
+    "law.open-end": (
+        "At its {side} the segment takes its rates from segment {other}, which leaves them open too.",
+        "State them in one of the two, by from or to.",
+    ),
+    "law.end-acceleration": (
+        "The law {law} ends with an acceleration, and beside it the motion doesn't go on with the same one.",
+        "Let its mirror image follow at once, a fall of the same law, height and length; or take a law that ends without acceleration.",
+    ),
+    "drive.law-jumps": (
+        "The {what} of the motion law {law} jumps at {at} by {jump}, which no drive can follow.",
+        "Take another law there, or blends that match the velocity: {{rise: ..., over: ..., match: acceleration}}.",
+    ),
     # Windows, measures, studies.
     "window.one-signal": (
         "A window by a signal has one signal; {count} are given.",
@@ -665,6 +758,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The table {table} holds expressions of {names}, which vary; a table is the same for all samples.",
         "Write the table's numbers out, or don't vary what it depends on.",
     ),
+    "varied.law": (
+        "The motion law {law} holds expressions of {names}, which vary; a motion law is the same for all samples.",
+        "Write its numbers out, or scale what the law gives in the drive's position: h*lift(...).",
+    ),
     "varied.values": (
         "{count} of {samples} samples have values that the model can't take; in the first one, {sample}: {what}",
         "Narrow the ranges of the varied parameters.",
@@ -788,6 +885,30 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "export.setting": (
         "'{given}' isn't an option and its value.",
         "Write KEY=VALUE, the value as in a model file: --set decimals=12.",
+    ),
+    "export.no-mass": (
+        "MuJoCo wants a mass for every moving body: {links} got {mass}, with a radius of gyration of {radius}.",
+        "Give them masses in the model, or another tiny_mass.",
+    ),
+    "export.no-inertia": (
+        "MuJoCo wants a moment of inertia for every moving body: {links} got that of a radius of gyration of {radius}.",
+        "Give them one in the model where it matters.",
+    ),
+    "export.no-duration": (
+        "Nothing says how long the motion lasts.",
+        "Give duration under exports.{export}, or a cycle under studies.",
+    ),
+    "export.too-many-pieces": (
+        "The law of {drive} has more than {limit} pieces in this time; it isn't written as text.",
+        "Take its values from motion.csv, or give a shorter duration.",
+    ),
+    "export.unproven": (
+        "The text for {drive} is off its law by {error} {unit}; it isn't given.",
+        "Take a table in place of the expression, or tell the authors: this is a fault of linkwright.",
+    ),
+    "export.left-out": (
+        "The file for MuJoCo doesn't have {names}.",
+        "Add them to the file by hand where the simulation needs them.",
     ),
     # Of joint functions.
     "functions.drives": (
@@ -1363,6 +1484,12 @@ _TERMS: dict[str, str] = {
     "two-links": "[LINK, LINK]",
     "two-points": "[POINT, POINT], one of each link",
     "two-lines": "[POINT at ANGLE, POINT at ANGLE], one on each link",
+    "numbers": "a list of numbers",
+    "segments": "a list of segments",
+    "law-start": "start",
+    "law-end": "end",
+    "law-value": "value",
+    "law-velocity": "velocity",
     "table-row": "[x, y]",
     "table-rows": "a list of points [x, y]",
     "column": "'COLUMN UNIT', for example angle deg",
@@ -1389,6 +1516,7 @@ _TERMS: dict[str, str] = {
     "a-parameter": "a parameter",
     "a-function": "a function",
     "a-table": "a table",
+    "a-law": "a motion law",
     "a-window": "a window",
     "a-measure": "a measure",
     "the-shaking": "the shaking force",
