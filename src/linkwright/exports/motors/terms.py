@@ -5,8 +5,9 @@ Numbers are written without exponent, 15 digits of them: what a field of a CAD s
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Mapping
+from collections.abc import Callable, Container, Iterator, Mapping
 from decimal import Decimal
+from functools import reduce
 from math import isfinite, pi
 
 from linkwright.model.expressions import FUNCTIONS, Binary, Call, Name, Negative, Node, Number
@@ -23,14 +24,21 @@ def called(name: str, *args: Node) -> Node:
 
 
 def plus(a: Node, b: Node) -> Node:
-    """The sum of two trees."""
-    if isinstance(a, Number) and isinstance(b, Number):
-        return Number(a.value + b.value)
-    if isinstance(b, Number) and isinstance(a, Binary) and a.op == "+" and isinstance(a.left, Number):
-        return plus(Number(a.left.value + b.value), a.right)
-    if isinstance(b, Number):
-        a, b = b, a
-    return b if a == Number(0.0) else Binary("+", a, b)
+    """The sum of two trees, term after term, a number first."""
+    terms = [*_terms(a), *_terms(b)]
+    constant = sum(term.value for term in terms if isinstance(term, Number))
+    others: list[Node] = [term for term in terms if not isinstance(term, Number)]
+    if constant or not others:
+        others.insert(0, Number(float(constant)))
+    return reduce(lambda left, right: Binary("+", left, right), others)
+
+
+def _terms(node: Node) -> Iterator[Node]:
+    if isinstance(node, Binary) and node.op == "+":
+        yield from _terms(node.left)
+        yield from _terms(node.right)
+    else:
+        yield node
 
 
 def times(a: Node, b: Node) -> Node:
