@@ -10,6 +10,7 @@ from linkwright.model.dimensions import DimensionError, Dimensions, argument, va
 from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, Number, nodes, text_of
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Mechanism
+from linkwright.model.motions import ARGUMENT
 from linkwright.model.names import Names
 from linkwright.model.places import Path, Place, Scope, figure, places
 from linkwright.model.signals import Signals
@@ -25,7 +26,7 @@ class Inference:
     def __init__(self, mechanism: Mechanism, signals: Signals, declared: Mapping[str, str]) -> None:
         self.mechanism = mechanism
         self.findings: list[Finding] = []
-        self.dimensions = Dimensions(declared, mechanism.parameters, lambda node: signals.find(node).dimension)
+        self.dimensions = Dimensions(declared, mechanism.parameters, lambda node: _named(signals, node))
         self.places = list(places(mechanism))
         self.order = self._order()
         names = Names(mechanism, signals)
@@ -64,6 +65,9 @@ class Inference:
             for unknown, text in ((argument(name), table.x), (value(name), table.y)):
                 if text is not None:
                     self.dimensions.settle(unknown, column_unit(text)[1])
+        for name, law in self.mechanism.laws.items():
+            self.dimensions.settle(argument(name), law.axis)
+            self.dimensions.settle(value(name), law.value)
         fine = {id(place) for place in sorted(self.sound, key=_rank) if self._try(place, self.dimensions.use)}
         self.sound = [place for place in self.sound if id(place) in fine and self._try(place, self._bind_here)]
         for place in self.sound:
@@ -100,6 +104,11 @@ class Inference:
             if given.physical != wanted.physical or not angle:
                 data = {"unit": measure.unit, "wanted": wanted}
                 self._add([Finding("measure.unit", ("measures", name, "unit"), data)])
+
+
+def _named(signals: Signals, node: Name | Call) -> Dimension:
+    """The dimension of what a name or call means that is no parameter: a signal, or a formula's argument."""
+    return PURE if node == Name(ARGUMENT) else signals.find(node).dimension
 
 
 # Without length and mass, radians and revolutions are told apart by the angle alone (40 rpm is no frequency).

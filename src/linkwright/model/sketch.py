@@ -57,7 +57,7 @@ class _Sketch:
 
     def named(self, name: str, value: Text) -> Text:
         """An expression by its name; in full where the name is taken by something that is no parameter."""
-        if name in self.m.tables or name in RESERVED:
+        if name in self.m.tables or name in self.m.laws or name in RESERVED:
             return value
         self.derived.setdefault(name, Parameter(value=Expression(value)))
         return name

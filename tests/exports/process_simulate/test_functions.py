@@ -8,6 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from helpers.compiled import compiled_from, compiled_of
+from helpers.plain import document_of
+from helpers.random_mechanisms import Seeded, build, driven_elsewhere, sketched
 from linkwright.exports.process_simulate import evaluator
 from linkwright.exports.process_simulate.functions import JointFunctions, Wish, make
 from linkwright.exports.process_simulate.linkage import Refused
@@ -15,10 +18,6 @@ from linkwright.kernels import Compiled, compile_mechanism
 from linkwright.model.document import load
 from linkwright.results import Run
 from linkwright.studies.sweep import sweeping
-
-from helpers.compiled import compiled_from, compiled_of
-from helpers.plain import document_of
-from helpers.random_mechanisms import Seeded, build, driven_elsewhere, sketched
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 DIALECTS = ("seed", "wizard")
@@ -171,7 +170,7 @@ def test_a_toggle_bounds_the_range_and_offers_the_largest() -> None:
     with pytest.raises(Refused) as refused:
         made(compiled, window=(0.5, end + 0.1))
     data = refused.value.finding.data
-    assert refused.value.finding.code == "process-simulate.toggle"
+    assert refused.value.finding.code == "functions.toggle"
     low, high = (math.radians(float(data[key])) for key in ("low", "high"))
     assert end * (1 - 3e-3) < high < end
     offered = made(compiled, window=(low, high))
@@ -206,7 +205,7 @@ def test_a_direction_that_turns_too_far_for_one_arccosine_is_refused() -> None:
     for dialect in DIALECTS:
         with pytest.raises(Refused) as refused:
             made(compiled, dialect=dialect)
-        assert refused.value.finding.code == "process-simulate.sweep"
+        assert refused.value.finding.code == "functions.sweep"
     # Over a part of the turn, one arccosine still doesn't hold it, but atan2 does.
     part = (-3.5, 0.5)
     found = made(compiled, dialect="wizard", window=part)
@@ -237,7 +236,7 @@ def test_a_group_without_a_closed_form_is_named_and_fitted_on_demand() -> None:
     with pytest.raises(Refused) as refused:
         made(compiled, window=window)
     finding = refused.value.finding
-    assert finding.code == "process-simulate.no-closed-form"
+    assert finding.code == "functions.no-closed-form"
     assert "leg2" in finding.data["links"]
     for dialect in DIALECTS:
         found = made(compiled, window=window, dialect=dialect, approximate=float(finding.data["approximate"]))

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from helpers.compiled import compiled_from
 from linkwright.exports.process_simulate import evaluator
 from linkwright.exports.process_simulate.angles import linkage
 from linkwright.exports.process_simulate.dialects import DIALECTS
@@ -15,8 +16,6 @@ from linkwright.exports.process_simulate.joints import joints_of, named
 from linkwright.exports.process_simulate.printer import text
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
-
-from helpers.compiled import compiled_from
 
 Array = NDArray[np.float64]
 COUNT = 500

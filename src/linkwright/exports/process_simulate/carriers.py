@@ -17,10 +17,10 @@ ROWS = 24
 def pasteable(made: JointFunctions, title: str) -> str:
     """Each joint with its function in a line of its own."""
     lines = [
-        say("process-simulate.head", title=title, dialect=made.dialect),
-        say("process-simulate.units"),
-        say("process-simulate.proof", error=f"{made.max_error:.1e}", decimals=made.decimals),
-        *([say("process-simulate.fitted")] if made.fitted else []),
+        say("functions.head", title=title, dialect=made.dialect),
+        say("functions.units"),
+        say("functions.proof", error=f"{made.max_error:.1e}", decimals=made.decimals),
+        *([say("functions.fitted")] if made.fitted else []),
         "",
         f"# {describe(made.driving)}",
         "",
@@ -33,9 +33,9 @@ def pasteable(made: JointFunctions, title: str) -> str:
 def describe(function: JointFunction) -> str:
     """A joint in words: what it turns or slides, and between which limits."""
     if function.helper:
-        return say("process-simulate.helper", name=function.name, limits=_limits(function))
-    key = "process-simulate.joint" if function.text else "process-simulate.driving"
-    way = say(f"process-simulate.{function.kind}{'+' if function.sign > 0 else '-'}")
+        return say("functions.helper", name=function.name, limits=_limits(function))
+    key = "functions.joint" if function.text else "functions.driving"
+    way = say(f"functions.{function.kind}{'+' if function.sign > 0 else '-'}")
     known = {"name": function.name, "kind": function.kind, "joint": function.joint, "parent": function.parent}
     error = f"{function.error:.1e} {'rad' if function.kind == 'T' else 'mm'}"
     return say(key, **known, child=function.child, way=way, limits=_limits(function), error=error)
@@ -50,8 +50,8 @@ def _limits(function: JointFunction) -> str:
 def snippet(made: JointFunctions, title: str) -> str:
     """The functions set by the tool's API, as C#."""
     lines = [
-        f"// {say('process-simulate.head', title=title, dialect=made.dialect).removeprefix('# ')}",
-        f"// {say('process-simulate.snippet')}",
+        f"// {say('functions.head', title=title, dialect=made.dialect).removeprefix('# ')}",
+        f"// {say('functions.snippet')}",
         "static void SetJointFunctions(System.Collections.Generic.IDictionary<string, TxJoint> joints)",
         "{",
     ]

@@ -130,7 +130,7 @@ def _too_far(links: Linkage, vector: Vector, spread: float, dialect: Dialect) ->
         "most": f"{math.degrees(dialect.window - 2 * LEAST):.4g}",
         "dialect": dialect.name,
     }
-    return Finding("process-simulate.sweep", ("exports", "process-simulate", "dialect"), data)
+    return Finding("functions.sweep", ("exports", "process-simulate", "dialect"), data)
 
 
 DIALECTS: Registry[Dialect] = Registry()

@@ -111,7 +111,7 @@ def _motion(compiled: Compiled, wish: Wish, joints: list[ToolJoint]) -> Motion:
     of, moved, _ = driving(compiled.structure, wish.drive)
     joint = next((j for j in joints if j.of == of and moved in (j.parent, j.child)), None)
     if joint is None:
-        raise Refused(Finding("process-simulate.shared-pin", PATH, {"drive": wish.drive, "pin": of}))
+        raise Refused(Finding("functions.shared-pin", PATH, {"drive": wish.drive, "pin": of}))
     return Motion(compiled, wish.drive, found, joint, joint.sign * (1.0 if joint.child == moved else -1.0))
 
 
@@ -138,7 +138,7 @@ def _links(compiled: Compiled, wish: Wish, joints: list[ToolJoint], motion: Moti
 def _no_closed_form(cluster: Cluster, error: float, degree: int, drive: str) -> Finding:
     data = {"links": ", ".join(cluster.links), "group": cluster.signature, "drive": drive}
     return Finding(
-        "process-simulate.no-closed-form",
+        "functions.no-closed-form",
         ("links", cluster.links[0]),
         data | {"degree": degree, "error": f"{error:.2g}", "approximate": f"{max(error, OFFERED):.2g}"},
     )
@@ -185,7 +185,7 @@ class _Writer:
                 "unit": unit,
                 "drive": self.wish.drive,
             }
-            raise Refused(Finding("process-simulate.error", (*PATH, "range"), data))
+            raise Refused(Finding("functions.error", (*PATH, "range"), data))
         return self.gathered(*best[1:])
 
     def texts(self, decimals: int) -> dict[str, str]:
@@ -203,7 +203,7 @@ class _Writer:
         made = split(functions, self.wish.longest, *kit)
         if made is None:
             data = {"longest": self.wish.longest, "least": least(functions, self.wish.longest, *kit)}
-            raise Refused(Finding("process-simulate.length", (*PATH, "longest"), data))
+            raise Refused(Finding("functions.length", (*PATH, "longest"), data))
         return {joint: shown(tree) for joint, tree in made.items()}
 
     def start(self, tree: Tree) -> float:

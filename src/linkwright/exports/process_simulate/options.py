@@ -80,15 +80,15 @@ def check(compiled: Compiled, options: ProcessSimulateOptions) -> Iterator[Findi
     told = [j for j in named(joints, options.names, (), options.left_out) if not j.left_out]
     yield from _names(told)
     if len(told) > MOST:
-        yield Finding("process-simulate.too-many", PATH, {"count": len(told), "limit": MOST})
+        yield Finding("functions.too-many", PATH, {"count": len(told), "limit": MOST})
     if len(drives) != 1:
-        yield Finding("process-simulate.drives", ("drives",), {"count": len(drives), "names": ", ".join(drives)})
+        yield Finding("functions.drives", ("drives",), {"count": len(drives), "names": ", ".join(drives)})
         return
     moved = _moved(compiled, drives[0], joints)
     if moved is not None and moved.joint in options.left_out:
-        yield Finding("process-simulate.left-out", (*PATH, "left_out"), {"joint": moved.joint, "drive": drives[0]})
+        yield Finding("functions.left-out", (*PATH, "left_out"), {"joint": moved.joint, "drive": drives[0]})
     if not any(j != moved for j in joints):
-        yield Finding("process-simulate.no-dependent", ("joints",), {"drive": drives[0]})
+        yield Finding("functions.no-dependent", ("joints",), {"drive": drives[0]})
     yield from _values(compiled, options, drives[0])
     yield from check_facts(compiled, options.sheet, (*PATH, "sheet"))
 
@@ -103,10 +103,10 @@ def _names(joints: list[ToolJoint]) -> Iterator[Finding]:
     first: dict[str, str] = {}
     for j in joints:
         if not ALLOWED.fullmatch(j.name):
-            yield Finding("process-simulate.name", (*PATH, "names"), {"joint": j.joint, "name": j.name[:60]})
+            yield Finding("functions.name", (*PATH, "names"), {"joint": j.joint, "name": j.name[:60]})
         if (other := first.setdefault(j.name, j.joint)) != j.joint:
             data = {"name": j.name[:60], "joints": f"{other}, {j.joint}"}
-            yield Finding("process-simulate.same-name", (*PATH, "names"), data)
+            yield Finding("functions.same-name", (*PATH, "names"), data)
 
 
 def _values(compiled: Compiled, options: ProcessSimulateOptions, drive: str) -> Iterator[Finding]:

@@ -113,9 +113,9 @@ def _beyond(compiled: Compiled, drive: str, asked: tuple[float, float], found: _
         "drive": drive, "unit": unit, "from": f"{asked[0] / size:.6g}", "to": f"{asked[1] / size:.6g}",
         "low": f"{low:.8g}", "high": f"{high:.8g}", "groups": ", ".join(dict.fromkeys(found.groups)) or "-",
     }  # fmt: skip
-    return Finding("process-simulate.toggle", PATH, data)
+    return Finding("functions.toggle", PATH, data)
 
 
 def _none(compiled: Compiled, drive: str, start: float) -> Finding:
     unit, size = compiled.quantities.drive_unit(drive)
-    return Finding("process-simulate.no-range", PATH, {"drive": drive, "start": f"{start / size:.6g}", "unit": unit})
+    return Finding("functions.no-range", PATH, {"drive": drive, "start": f"{start / size:.6g}", "unit": unit})

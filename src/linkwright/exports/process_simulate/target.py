@@ -86,5 +86,5 @@ def sentences(made: JointFunctions) -> list[str]:
     """What is told on the terminal."""
     longest = max(len(f.text) for f in made.functions)
     data = {"count": len(made.functions), "dialect": made.dialect, "error": f"{made.max_error:.1e}"}
-    told = [say("process-simulate.done", **data, decimals=made.decimals, longest=longest)]
-    return [*told, say("process-simulate.fitted").removeprefix("# ")] if made.fitted else told
+    told = [say("functions.done", **data, decimals=made.decimals, longest=longest)]
+    return [*told, say("functions.fitted").removeprefix("# ")] if made.fitted else told

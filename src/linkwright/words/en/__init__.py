@@ -1,6 +1,7 @@
 """English words, by key. Chinese and others follow as packages beside this one."""
 
 from linkwright.words.en.accuracy import ACCURACY
+from linkwright.words.en.export import EXPORT
 from linkwright.words.en.findings import FINDINGS
 from linkwright.words.en.limits import LIMITS
 from linkwright.words.en.process_simulate import PROCESS_SIMULATE
@@ -12,6 +13,7 @@ from linkwright.words.en.workspace import WORKSPACE
 
 WORDS: dict[str, str] = {
     **ACCURACY,
+    **EXPORT,
     **FINDINGS,
     **LIMITS,
     **PROCESS_SIMULATE,

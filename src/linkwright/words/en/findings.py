@@ -193,8 +193,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Give {wanted} arguments, with commas between them.",
     ),
     "expression.unknown-function": (
-        "There is no function or table called '{name}'.",
-        "Write one of these: {near}. Or declare it under tables.",
+        "There is no function, table or motion law called '{name}'.",
+        "Write one of these: {near}. Or declare it under tables or laws.",
     ),
     "expression.unit-alone": (
         "'{name}' is a unit without a number, and no parameter is called so.",
@@ -562,6 +562,99 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The points span one whole period, but the last value differs from the first.",
         "Make the two equal, or leave the last point out.",
     ),
+    # Motion laws.
+    "law.unknown": (
+        "There is no motion law called '{name}'.",
+        "Write one of these: {near}. Or give fractions, powers or a formula instead of law.",
+    ),
+    "law.segment": (
+        "It isn't clear what kind of segment this is: given are {given}.",
+        "Give one of {known}.",
+    ),
+    "law.keys": (
+        "{given} can't stand in a segment of this kind ({head}).",
+        "Take it out, or put it into a segment of its own.",
+    ),
+    "law.no-over": (
+        "It isn't said how far along the axis the segment goes.",
+        "Add over, for example over: 90 deg.",
+    ),
+    "law.way": (
+        "It isn't said in one way how the value gets to its end: given are {given}.",
+        "Give one of {known}; match, from, to, via and spline go together.",
+    ),
+    "law.argument-taken": (
+        "In a formula {name} runs from 0 to 1 over the segment, but a parameter is called {name}.",
+        "Give the parameter another name.",
+    ),
+    "law.formula": (
+        "'{name}' can't stand in the formula of a motion law.",
+        "Write it in u, which runs from 0 to 1 over the segment, parameters and functions.",
+    ),
+    "law.place": (
+        "The motion law '{name}' is called where no drive's position stands.",
+        "Call it in the position of a drive; measures and loads name the drive's value.",
+    ),
+    "law.over": (
+        "The segment goes no way along the axis.",
+        "Give it a positive length.",
+    ),
+    "law.via": (
+        "The points via don't lie in order between the segment's start and end.",
+        "Sort them; ways count from the segment's start.",
+    ),
+    "law.conditions": (
+        "One polynomial is to meet {count} conditions; {limit} is the most.",
+        "Leave points out, add spline: quintic, or cut the segment.",
+    ),
+    "law.end-rates": (
+        "A spline of degree {degree} takes {wanted} rates at either end.",
+        "Give as many in from and to, or match: velocity with spline: cubic, match: acceleration with spline: quintic.",
+    ),
+    "law.not-normal": (
+        "The formula is {start} at u = 0 and {end} at u = 1; it must be 0 and 1.",
+        "Divide it by its rise, and take its first value off.",
+    ),
+    "law.not-smooth": (
+        "The formula, or one of its first two derivatives, has no finite value somewhere between u = 0 and u = 1.",
+        "Check it for a division by zero, or a root at zero.",
+    ),
+    "law.powers": (
+        "A power stands twice.",
+        "Give each power once.",
+    ),
+    "law.fractions": (
+        "The {count} fractions add up to {sum}; there must be four [b, c, d, z], or seven, none negative, with the sum 1, and some acceleration on either side.",
+        "Correct them: [0.25, 0, 0.75, 0] is the modified sine.",
+    ),
+    "law.skew": (
+        "The law can't have its greatest velocity at {share} of its way.",
+        "Give a skew between 0 and 1, and only of a symmetric law.",
+    ),
+    "law.control": (
+        "{given} control values are too few for the B-spline; its degree needs {wanted}.",
+        "Add control values, or give a smaller degree.",
+    ),
+    "law.period": (
+        "The segments add up to {sum} {unit}; the period is {period} {unit}.",
+        "Correct their lengths, add a dwell, or give the period.",
+    ),
+    "law.not-closed": (
+        "The law starts at {start} {unit} and ends at {end} {unit}, so it can't be repeated.",
+        "Let the segments come back, or write beyond: advance (goes on from there) or beyond: hold (stays there).",
+    ),
+    "law.open-end": (
+        "At its {side} the segment takes its rates from segment {other}, which leaves them open too.",
+        "State them in one of the two, by from or to.",
+    ),
+    "law.end-acceleration": (
+        "The law {law} ends with an acceleration, and beside it the motion doesn't go on with the same one.",
+        "Let its mirror image follow at once, a fall of the same law, height and length; or take a law that ends without acceleration.",
+    ),
+    "drive.law-jumps": (
+        "The {what} of the motion law {law} jumps at {at} by {jump}, which no drive can follow.",
+        "Take another law there, or blends that match the velocity: {{rise: ..., over: ..., match: acceleration}}.",
+    ),
     # Windows, measures, studies.
     "window.one-signal": (
         "A window by a signal has one signal; {count} are given.",
@@ -695,6 +788,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The table {table} holds expressions of {names}, which vary; a table is the same for all samples.",
         "Write the table's numbers out, or don't vary what it depends on.",
     ),
+    "varied.law": (
+        "The motion law {law} holds expressions of {names}, which vary; a motion law is the same for all samples.",
+        "Write its numbers out, or scale what the law gives in the drive's position: h*lift(...).",
+    ),
     "varied.values": (
         "{count} of {samples} samples have values that the model can't take; in the first one, {sample}: {what}",
         "Narrow the ranges of the varied parameters.",
@@ -827,60 +924,84 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "'{given}' isn't an option and its value.",
         "Write KEY=VALUE, the value as in a model file: --set decimals=12.",
     ),
+    "export.no-mass": (
+        "MuJoCo wants a mass for every moving body: {links} got {mass}, with a radius of gyration of {radius}.",
+        "Give them masses in the model, or another tiny_mass.",
+    ),
+    "export.no-inertia": (
+        "MuJoCo wants a moment of inertia for every moving body: {links} got that of a radius of gyration of {radius}.",
+        "Give them one in the model where it matters.",
+    ),
+    "export.no-duration": (
+        "Nothing says how long the motion lasts.",
+        "Give duration under exports.{export}, or a cycle under studies.",
+    ),
+    "export.too-many-pieces": (
+        "The law of {drive} has more than {limit} pieces in this time; it isn't written as text.",
+        "Take its values from motion.csv, or give a shorter duration.",
+    ),
+    "export.unproven": (
+        "The text for {drive} is off its law by {error} {unit}; it isn't given.",
+        "Take a table in place of the expression, or tell the authors: this is a fault of linkwright.",
+    ),
+    "export.left-out": (
+        "The file for MuJoCo doesn't have {names}.",
+        "Add them to the file by hand where the simulation needs them.",
+    ),
     # Of joint functions.
-    "process-simulate.drives": (
+    "functions.drives": (
         "Joint functions ask for one driving joint; this mechanism has {count} drives: {names}.",
         "Leave one drive, and fix the links of the others to each other.",
     ),
-    "process-simulate.left-out": (
+    "functions.left-out": (
         "The joint {joint} is left out, but it is the one that {drive} drives.",
         "Take it out of left_out.",
     ),
-    "process-simulate.no-dependent": (
+    "functions.no-dependent": (
         "No joint depends on {drive}: there is nothing to write a function for.",
         "Close a loop, or leave the export out; a joint that is driven alone needs no function.",
     ),
-    "process-simulate.shared-pin": (
+    "functions.shared-pin": (
         "The drive {drive} moves two links against each other on the pin {pin}, which holds others that are placed before "
         "them; the tool's joints lead from the first link of a pin to each other one.",
         "Drive one of the links against the first one of the pin, or give the drive a pin of its own.",
     ),
-    "process-simulate.too-many": (
+    "functions.too-many": (
         "The mechanism has {count} joints; the tool's functions know {limit} at most.",
         "Name joints that close loops under left_out, or export a part of the mechanism.",
     ),
-    "process-simulate.name": (
+    "functions.name": (
         "The joint {joint} can't be called '{name}' in the tool.",
         "Give it a name of letters A to Z, digits and underscores, no digit first, under names; what else the tool takes "
         "isn't known.",
     ),
-    "process-simulate.same-name": (
+    "functions.same-name": (
         "Several joints are called '{name}': {joints}.",
         "Give each a name of its own under names.",
     ),
-    "process-simulate.no-range": (
+    "functions.no-range": (
         "The mechanism can't be moved from {drive} = {start} {unit}.",
         "Start the drive where the mechanism isn't at a dead centre; `limits` tells its ranges.",
     ),
-    "process-simulate.toggle": (
+    "functions.toggle": (
         "From {from} to {to} {unit} of {drive} the mechanism meets a toggle (group {groups}): there its two assembly modes "
         "meet, and one function can't follow both.",
         "Take a range within [{low} {unit}, {high} {unit}], the largest one on this side of the toggle.",
     ),
-    "process-simulate.sweep": (
+    "functions.sweep": (
         "A direction turns by {spread} deg over the range, seen from any link (joints {joints}); a function in the dialect "
         "{dialect} holds {most} deg.",
         "Take a narrower range; what is too far for the arccosine of the dialect seed may do for atan2 in wizard.",
     ),
-    "process-simulate.error": (
+    "functions.error": (
         "However many decimals are taken, a function is off by {error} (rad or mm) at {drive} = {at} {unit}.",
         "Take a range that stays further away from poses in which links are in line or pins meet.",
     ),
-    "process-simulate.length": (
+    "functions.length": (
         "No splitting brings all functions under {longest} characters; the least possible is {least}.",
         "Set longest to {least} or more.",
     ),
-    "process-simulate.no-closed-form": (
+    "functions.no-closed-form": (
         "The links {links} can only be placed all together (group {group}): their joints have no function in closed form.",
         "Set approximate to take polynomials in the value of {drive}; over this range those of degree {degree} come within "
         "{error} (rad or mm), so approximate: {approximate} is enough. A narrower range makes them better.",
@@ -1404,6 +1525,12 @@ _TERMS: dict[str, str] = {
     "two-links": "[LINK, LINK]",
     "two-points": "[POINT, POINT], one of each link",
     "two-lines": "[POINT at ANGLE, POINT at ANGLE], one on each link",
+    "numbers": "a list of numbers",
+    "segments": "a list of segments",
+    "law-start": "start",
+    "law-end": "end",
+    "law-value": "value",
+    "law-velocity": "velocity",
     "table-row": "[x, y]",
     "table-rows": "a list of points [x, y]",
     "column": "'COLUMN UNIT', for example angle deg",
@@ -1430,6 +1557,7 @@ _TERMS: dict[str, str] = {
     "a-parameter": "a parameter",
     "a-function": "a function",
     "a-table": "a table",
+    "a-law": "a motion law",
     "a-window": "a window",
     "a-measure": "a measure",
     "the-shaking": "the shaking force",
