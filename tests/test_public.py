@@ -171,12 +171,13 @@ LEVELS = {
     "kernels": 6,
     "blocks": 7,
     "results": 8,
-    "studies": 9,
-    "report": 10,
-    "exports": 11,
-    "app": 12,
-    "cli": 13,
-    "__main__": 14,
+    "cam": 9,
+    "studies": 10,
+    "report": 11,
+    "exports": 12,
+    "app": 13,
+    "cli": 14,
+    "__main__": 15,
 }
 # The side floors know of nothing but what is named here.
 SIDES = {"notation": set(), "words": set(), "gallery": set(), "laws": {"notation"}, "tolerances": {"notation"}}

@@ -95,6 +95,7 @@ def test_repeat_advance_hold() -> None:
     assert once.at([-9, 9, 1.5], 1) == pytest.approx([0, 0, 120])
     assert [join.continuity for join in once.joins] == [4, 2, 2]
     assert np.isnan(once.at([np.nan], 1)).all()
+    assert np.isnan(indexing.at([1e300, np.nan, np.inf], 3)).all()
 
 
 def test_derivatives_across_a_motion_against_differences() -> None:
@@ -167,7 +168,7 @@ def test_laws_that_end_with_an_acceleration() -> None:
 
 def test_refusals() -> None:
     assert faults(Rise(90, 12, CYCLOID), Dwell(260), period=360) == [("law.period", None), ("law.not-closed", None)]
-    assert faults(Dwell(0.0), Rise(math.nan, 3, CYCLOID)) == [("law.over", 0), ("law.over", 1)]
+    assert faults(Dwell(0.0), Rise(math.nan, 3, CYCLOID), Dwell(1e200)) == [("law.over", i) for i in range(3)]
     assert faults(Blend(1, 2, OPEN, OPEN), Blend(1, -2, OPEN, OPEN))[0] == ("law.open-end", 0)
     assert faults(Blend(1, 0, (), (), ((1.2, 3),)), Dwell(1)) == [("law.via", 0)]
     assert faults(Blend(1, 0, (0.0,), (0.0, 0.0), ((0.2, 3),), 5), Dwell(1)) == [("law.end-rates", 0)]

@@ -37,6 +37,8 @@ from linkwright.model.units import PURE, Dimension
 from linkwright.notation import Jet
 
 CLOSE = 1e-9
+EDGE = 1e-3
+"""How near to an end of its way a law may be fastest."""
 
 
 def motion_laws(quantities: Quantities) -> tuple[dict[str, Motion], list[Finding]]:
@@ -125,7 +127,7 @@ class _Reader:
         if s.skew is None:
             return law
         share = self.number(s.skew, PURE)
-        if not 0 < share < 1 or not law.symmetric:
+        if not EDGE <= share <= 1 - EDGE or not law.symmetric:
             raise _WrongError("law.skew", share=f"{share:.6g}")
         return law.skewed(share)
 
@@ -138,7 +140,7 @@ class _Reader:
         return Law((scca if len(fractions) == 4 else scca_by_widths)(*fractions).parts)
 
     def formula(self, expression: Expression) -> Curve:
-        node = self.quantities.bind(expression, PURE)
+        node = self.quantities.formula(expression)
         values = self.quantities.parameters
 
         def function(u: Jet) -> Jet:

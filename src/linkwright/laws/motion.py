@@ -20,6 +20,10 @@ Beyond = Literal["repeat", "advance", "hold"]
 """What comes after the last segment: all again; all again from where it ended; rest, as before the first one."""
 CLOSE = 1e-9
 """How closely values and widths must agree, over the largest of them."""
+FAR = 1e12
+"""Further periods away a place within the period is round-off, and the motion has no value."""
+SHORTEST, LONGEST = 1e-12, 1e12
+"""Between these lie the lengths of segments (s, rad), whose high powers must not overflow."""
 ALIKE = 1e-4
 """How closely two accelerations that are to be one must agree; published coefficients have five digits."""
 
@@ -49,8 +53,11 @@ class Motion:
             inside = (x >= 0) & (x <= self.period)
             found = self.curve.at(np.clip(x, 0.0, self.period), order)
             return found if order == 0 else np.where(inside, found, np.where(np.isnan(x), np.nan, 0.0))
-        whole = np.floor_divide(x, self.period)
-        found = self.curve.at(np.clip(x - whole * self.period, 0.0, self.period), order)
+        with np.errstate(invalid="ignore"):
+            whole = np.floor_divide(x, self.period)
+        near = np.abs(whole) < FAR
+        within = np.clip(np.where(near, x - np.where(near, whole, 0.0) * self.period, 0.0), 0.0, self.period)
+        found = np.where(near, self.curve.at(within, order), np.nan)
         return found + whole * self.advance if self.beyond == "advance" and order == 0 else found
 
     def __call__(self, x: Any) -> Any:
@@ -111,7 +118,7 @@ def motion(
 
     Raises :class:`MotionError` with all that is wrong.
     """
-    faults = [Fault("law.over", i) for i, segment in enumerate(segments) if not 0 < segment.over < np.inf]
+    faults = [Fault("law.over", i) for i, segment in enumerate(segments) if not SHORTEST <= segment.over <= LONGEST]
     if faults:
         raise MotionError(faults)
     if faults := [Fault(code, i, data) for i, segment in enumerate(segments) for code, data in segment.faults()]:

@@ -15,6 +15,8 @@ from linkwright.laws.polynomials import polynomial
 from linkwright.laws.registry import Law
 from linkwright.laws.splines import spline
 
+CLOSEST = 1e-6
+"""How close to one another, over a segment, its points may lie."""
 MOST = 16
 """The most conditions that one polynomial may have; with more it swings, and round-off grows."""
 
@@ -128,7 +130,7 @@ class Blend:
 
     def faults(self) -> list[tuple[str, dict[str, Any]]]:
         places = [0.0, *(x for x, _ in self.via), self.over]
-        if any(b <= a for a, b in pairwise(places)):
+        if any(b - a < CLOSEST * self.over for a, b in pairwise(places)):
             return [("law.via", {})]
         count = 2 + len(self.start) + len(self.end) + len(self.via)
         if self.degree is None and count > MOST:

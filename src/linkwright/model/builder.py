@@ -139,10 +139,20 @@ class Builder:
         """A function given by points ``[x, y]``, or by two columns of a CSV file."""
         return self._put("tables", name, _given(file=file, points=points, x=x, y=y, period=period, between=between))
 
-    def law(self, name: str, segments: Any, *, over: str, of: str, **more: Any) -> Self:
-        """A function ``over`` an angle or time, ``of`` an angle or length, by segments as in the file; ``more`` are
-        ``start``, ``period``, ``beyond``."""
-        return self._put("laws", name, _given(over=over, of=of, **more, segments=segments))
+    def law(
+        self,
+        name: str,
+        segments: Any,
+        *,
+        over: str,
+        of: str,
+        start: Any = None,
+        period: Any = None,
+        beyond: str | None = None,
+    ) -> Self:
+        """A function ``over`` an angle or time, ``of`` an angle or length, by segments as in the file."""
+        law = _given(over=over, of=of, start=start, period=period, beyond=beyond, segments=segments)
+        return self._put("laws", name, law)
 
     def load(
         self,

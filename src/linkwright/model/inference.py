@@ -26,7 +26,7 @@ class Inference:
     def __init__(self, mechanism: Mechanism, signals: Signals, declared: Mapping[str, str]) -> None:
         self.mechanism = mechanism
         self.findings: list[Finding] = []
-        self.dimensions = Dimensions(declared, mechanism.parameters, lambda node: _named(signals, node))
+        self.dimensions = Dimensions(declared, mechanism.parameters, lambda node: signals.find(node).dimension)
         self.places = list(places(mechanism))
         self.order = self._order()
         names = Names(mechanism, signals)
@@ -68,17 +68,23 @@ class Inference:
         for name, law in self.mechanism.laws.items():
             self.dimensions.settle(argument(name), law.axis)
             self.dimensions.settle(value(name), law.value)
-        fine = {id(place) for place in sorted(self.sound, key=_rank) if self._try(place, self.dimensions.use)}
+        fine = {id(place) for place in sorted(self.sound, key=_rank) if self._try(place, self._use)}
         self.sound = [place for place in self.sound if id(place) in fine and self._try(place, self._bind_here)]
         for place in self.sound:
             self._ambiguous(place)
 
-    def _bind_here(self, node: Node, wanted: object) -> None:
-        self.dimensions.bind(node, self.dimensions.resolve(wanted))  # type: ignore[arg-type]
+    def _of(self, place: Place) -> Dimensions:
+        return self.dimensions.with_argument(ARGUMENT) if place.scope is Scope.FORMULA else self.dimensions
 
-    def _try(self, place: Place, action: Callable[..., None]) -> bool:
+    def _use(self, place: Place) -> None:
+        self._of(place).use(place.expression.node, place.wanted)
+
+    def _bind_here(self, place: Place) -> None:
+        self._of(place).bind(place.expression.node, self.dimensions.resolve(place.wanted))
+
+    def _try(self, place: Place, action: Callable[[Place], None]) -> bool:
         try:
-            action(place.expression.node, place.wanted)
+            action(place)
         except DimensionError as error:
             self._add([Finding(error.key, place.path, error.data)])
             return False
@@ -104,11 +110,6 @@ class Inference:
             if given.physical != wanted.physical or not angle:
                 data = {"unit": measure.unit, "wanted": wanted}
                 self._add([Finding("measure.unit", ("measures", name, "unit"), data)])
-
-
-def _named(signals: Signals, node: Name | Call) -> Dimension:
-    """The dimension of what a name or call means that is no parameter: a signal, or a formula's argument."""
-    return PURE if node == Name(ARGUMENT) else signals.find(node).dimension
 
 
 # Without length and mass, radians and revolutions are told apart by the angle alone (40 rpm is no frequency).

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from linkwright.kernels import Compiled
 from linkwright.kernels.motions import rate_unit
+from linkwright.laws.curve import ROUND_OFF
 from linkwright.model import units as u
 from linkwright.model.cylinders import end_of, links_of
 from linkwright.model.plane import LinkagePlane
@@ -92,7 +93,9 @@ def law_fact(compiled: Compiled, name: str) -> str:
     peaks = []
     for k in range(1, MAX_ORDER + 1):
         rate, one = rate_unit(quantities, law, k)
-        low, high = (f"{extreme.value / one:.6g}" for extreme in motion.extremes(k))
+        noise = ROUND_OFF * motion.curve.sizes[k]
+        values = (extreme.value if abs(extreme.value) > noise else 0.0 for extreme in motion.extremes(k))
+        low, high = (f"{value / one:.6g}" for value in values)
         peaks.append(say("fact.law.peak", what=say(f"fact.law.{k}"), low=low, high=f"{high} {rate}"))
     return say("fact.law", name=name, continuity=continuity, peaks=", ".join(peaks))
 

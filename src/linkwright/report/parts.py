@@ -25,6 +25,7 @@ from linkwright.report.sweep_files import bands_csv, samples_csv
 from linkwright.report.sweep_files import netcdf_bytes as sweep_netcdf
 from linkwright.report.workspace import workspace_entry, workspace_page
 from linkwright.report.workspace_files import boundary_csv, dxf, geojson, svg
+from linkwright.report.workspace_parts import FILES as WORKSPACE_FILES
 from linkwright.results import Result
 from linkwright.results.netcdf import netcdf_bytes
 from linkwright.studies import CycleOutcome, LimitsOutcome, MeasureResult, SweepOutcome
@@ -134,6 +135,7 @@ PARTS: dict[str, Part] = {
             "workspace.svg": svg,
             "workspace_boundary.csv": boundary_csv,
             "workspace.dxf": dxf,
+            **WORKSPACE_FILES,
         },
     ),
 }

@@ -9,6 +9,7 @@ from typing import Any
 from linkwright.model import units as u
 from linkwright.report.charts import figures as charts_html
 from linkwright.report.data import Grid, WorkspaceData
+from linkwright.report.workspace_parts import written
 from linkwright.report.workspace_picture import pictures
 from linkwright.studies.workspace.outcome import Figures, Workspace, WorkspaceOutcome, figures
 from linkwright.words import say
@@ -107,10 +108,11 @@ def _drives(outcome: WorkspaceOutcome) -> dict[str, Any]:
 
 def workspace_page(outcome: WorkspaceOutcome) -> dict[str, WorkspaceData]:
     """The report's data of the study."""
+    charts = pictures(outcome, [values_text(outcome, one) for one in outcome.workspaces])
     return {
         "workspace": {
             "sentences": workspace_sentences(outcome),
-            "charts": pictures(outcome, [values_text(outcome, one) for one in outcome.workspaces]),
+            "charts": [*charts, *(chart for part in written(outcome) for chart in part.charts(outcome))],
             "tables": workspace_tables(outcome),
         }
     }
@@ -137,7 +139,7 @@ def workspace_sentences(outcome: WorkspaceOutcome) -> list[str]:
     rough = max(one.rough for one in outcome.regions)
     if rough > outcome.chord:
         told.append(say("workspace.rough", rough=f"{rough / size:.2g}", unit=unit))
-    return told
+    return [*told, *(text for part in written(outcome) for text in part.sentences(outcome))]
 
 
 def workspace_tables(outcome: WorkspaceOutcome) -> list[Grid]:
@@ -151,6 +153,7 @@ def workspace_tables(outcome: WorkspaceOutcome) -> list[Grid]:
         _grid("turning", ("drive", "intervals", "other", "unit", "signs"), names, entry["turning"]),
         _grid("curves", ("mode", "length", "parts", "x", "y", "unit"), names, entry.get("curves", [])),
     ]
+    grids += [grid for part in written(outcome) for grid in part.tables(outcome)]
     return [grid for grid in grids if grid["rows"]]
 
 

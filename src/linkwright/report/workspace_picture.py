@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 from linkwright.model import units as u
 from linkwright.report.charts import LETTER, points, ticks
 from linkwright.report.data import Chart
+from linkwright.report.overlay import Overlay
+from linkwright.report.workspace_parts import written
 from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.outcome import Workspace, WorkspaceOutcome, pieces
 from linkwright.studies.workspace.sheet import Sheet
@@ -38,6 +40,10 @@ STYLE = """
 .still.workspace .k-modes { stroke-dasharray: 5 3; stroke-width: 1.6; }
 .still.workspace .k-pins { stroke-dasharray: 1 3; stroke-width: 2; }
 .still.workspace .k-limit { stroke: #888; stroke-width: 2; }
+.still.workspace .over { fill: none; stroke: #8a4fb5; stroke-width: 2; }
+.still.workspace .blocked, .still.workspace .misses { stroke: #c8102e; }
+.still.workspace .blocked { stroke-width: 3.5; }
+.still.workspace .fits { stroke: #2f8a4c; }
 """
 """How a picture looks; it stands in each picture, since one is written as a file of its own."""
 
@@ -83,17 +89,19 @@ def _number(value: float) -> str:
 def pictures(outcome: WorkspaceOutcome, values: Sequence[str]) -> list[Chart]:
     """A picture of each workspace; ``values`` are those of its parameters, as text."""
     charts: list[Chart] = []
-    for one, text in zip(outcome.workspaces, values, strict=True):
+    for index, (one, text) in enumerate(zip(outcome.workspaces, values, strict=True)):
         told = say("workspace.for", values=text) if text else ""
         title = say("workspace.picture", point=outcome.point, values=told)
-        charts.append({"title": title, "drawing": picture(outcome, one, title)})
+        over = [overlay for part in written(outcome) for overlay in part.overlays(outcome, index)]
+        charts.append({"title": title, "drawing": picture(outcome, one, title, over)})
     return charts
 
 
-def picture(outcome: WorkspaceOutcome, one: Workspace, title: str) -> str:
-    """One workspace as SVG."""
+def picture(outcome: WorkspaceOutcome, one: Workspace, title: str, over: Sequence[Overlay] = ()) -> str:
+    """One workspace as SVG, with what is drawn over it."""
     unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
-    bounds = np.array([shape.bounds for shape in (*(r.shape for r in one.regions), *one.curves)]) / size
+    drawn = (*(r.shape for r in one.regions), *one.curves, *over)
+    bounds = np.array([shape.bounds for shape in drawn]) / size
     low, high = bounds[:, :2].min(axis=0), bounds[:, 2:].max(axis=0)
     plane = Plane((low[0], low[1], high[0], high[1]), unit)
     shapes: list[str] = []
@@ -114,6 +122,10 @@ def picture(outcome: WorkspaceOutcome, one: Workspace, title: str) -> str:
             groups = "; ".join(group.label for group in outcome.compiled.graph.branched)
             data = {"point": outcome.point, "drives": ", ".join(outcome.compiled.graph.drives), "groups": groups}
             legend.append((f"kind k-{kind}", say(f"workspace.kind.{kind}", **data)))
+    for overlay in over:
+        for line in overlay.lines:
+            shapes.append(f'<polyline class="over {overlay.kind}" points="{points(*plane.at(*(line / size)))}"/>')
+        legend.append((f"over {overlay.kind}", overlay.text))
     return _drawn(plane, shapes, legend, title)
 
 

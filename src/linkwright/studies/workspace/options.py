@@ -22,6 +22,9 @@ from linkwright.structure import FRAME
 from linkwright.studies.asked import one_of
 from linkwright.studies.ranges import stroke
 from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.parts import sections
+from linkwright.studies.workspace.path_options import WantedPaths
+from linkwright.studies.workspace.required import RequiredFits
 from linkwright.studies.workspace.signs import combinations
 
 PATH = ("studies", "workspace")
@@ -50,6 +53,8 @@ class WorkspaceOptions(Frozen):
     chord: float = Field(
         1e-6, ge=1e-9, le=1e-2, description="how far the boundary may lie off, over the largest link length"
     )
+    paths: WantedPaths | None = Field(None, description="paths that the point is wanted to follow, by name")
+    fits: RequiredFits | None = Field(None, description="circles and rectangles that have to fit in, by name")
 
     def values(self, compiled: Compiled) -> list[dict[str, float]]:
         """Each combination of the parameters' values, in SI."""
@@ -94,6 +99,8 @@ def check(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
         data = {"groups": "; ".join(c.label for c in clusters)}
         yield Finding("workspace.cluster", ("links", clusters[0].links[0]), data)
     yield from _point(compiled, options.point)
+    for _, section in sections(options):
+        yield from section.check(compiled, options)
     wrong = [*_values(compiled, options)]
     yield from wrong
     yield from _drives(compiled, options)

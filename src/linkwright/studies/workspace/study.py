@@ -17,6 +17,7 @@ from linkwright.studies.workspace.never import never
 from linkwright.studies.workspace.one import Curve, curve
 from linkwright.studies.workspace.options import PATH, WorkspaceOptions, check
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome
+from linkwright.studies.workspace.parts import sections
 from linkwright.studies.workspace.regions import Region, region
 from linkwright.studies.workspace.sheet import Sheet
 from linkwright.studies.workspace.signs import combinations, named
@@ -82,6 +83,9 @@ class WorkspaceStudy:
                 _keep(outcome, values, parameters, [f for f in found if f is not None])
         except KeyboardInterrupt:
             raise Stopped(done, total) from None
+        if outcome.workspaces:
+            for name, section in sections(options):
+                outcome.parts[name] = section.perform(outcome, site)
         return outcome
 
 

@@ -10,6 +10,7 @@ from linkwright.words.en.sheet import SHEET
 from linkwright.words.en.sweep import SWEEP
 from linkwright.words.en.texts import TEXTS
 from linkwright.words.en.workspace import WORKSPACE
+from linkwright.words.en.workspace_paths import WORKSPACE_PATHS
 
 WORDS: dict[str, str] = {
     **ACCURACY,
@@ -22,4 +23,5 @@ WORDS: dict[str, str] = {
     **SWEEP,
     **TEXTS,
     **WORKSPACE,
+    **WORKSPACE_PATHS,
 }

@@ -596,11 +596,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Call it in the position of a drive; measures and loads name the drive's value.",
     ),
     "law.over": (
-        "The segment goes no way along the axis.",
-        "Give it a positive length.",
+        "The segment's length along the axis isn't positive, or out of all proportion.",
+        "Give it a length between 1e-12 and 1e12 s or rad.",
     ),
     "law.via": (
-        "The points via don't lie in order between the segment's start and end.",
+        "The points via don't lie in order, and apart, between the segment's start and end.",
         "Sort them; ways count from the segment's start.",
     ),
     "law.conditions": (
@@ -629,7 +629,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "law.skew": (
         "The law can't have its greatest velocity at {share} of its way.",
-        "Give a skew between 0 and 1, and only of a symmetric law.",
+        "Give a skew from 0.001 to 0.999, and only of a symmetric law.",
     ),
     "law.control": (
         "{given} control values are too few for the B-spline; its degree needs {wanted}.",
@@ -726,7 +726,45 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The range of {drive} is wider than {limit} {unit}.",
         "Give a smaller range.",
     ),
-    # Of the workspace: wanted paths.
+    # Of the workspace: wanted paths, required places.
+    "workspace.path-source": (
+        "A wanted path has one source; given are: {given}.",
+        "Write points, or file, or drawing, or x and y as formulas in u.",
+    ),
+    "workspace.path-pace": (
+        "A wanted path is followed either with the motor at constant speed, or in a given time.",
+        "Write speed, for example speed: 30 rpm, or duration, for example duration: 2 s; not both.",
+    ),
+    "workspace.path-key": (
+        "{key} has a meaning only together with {of}.",
+        "Take it out, or add what it belongs to.",
+    ),
+    "workspace.path-still": (
+        "The motor has no speed, so that it follows no path.",
+        "Give one, for example 30 rpm; a negative one turns it the other way round.",
+    ),
+    "workspace.path-none": (
+        "In none of {count} regions can the wanted path {name} be followed as it is asked. Nearest to it comes the mode {mode} "
+        "(values: {values}); what stands in the way there is told apart.",
+        "Read on there; the summary has all attempts, with the stretches that can't be followed.",
+    ),
+    "workspace.section-drives": (
+        "Paths and figures in the workspace need two drives; this mechanism has {count}.",
+        "Take the section out, or give the mechanism another drive.",
+    ),
+    "workspace.not-positive": (
+        "{key}: {text} isn't positive.",
+        "Give a positive value.",
+    ),
+    "workspace.fit-kind": (
+        "A figure is one of circle, rectangle and largest; given are: {given}.",
+        "Write for example circle: 10 mm, rectangle: [20 mm, 10 mm] or largest: circle.",
+    ),
+    "workspace.fit-none": (
+        "{name} fits into no region. In the best one (mode {mode}; values: {values}) {share} % of its area lie outside, up to {by}; there "
+        "it would fit at {scale} of its size.",
+        "Make it smaller, move it, or change the mechanism; largest: circle says what there is room for.",
+    ),
     "workspace.path-short": (
         "The wanted path has {given} distinct points; its curve wants {wanted} or more.",
         "Give more points, or take straight pieces (between: linear).",
@@ -774,6 +812,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "workspace.path-turns": (
         "From u = {start} to {stop} the wanted path can't be followed at constant speed: {drive} would have to turn back.",
         "End the path there, or give it in time, so that both drives follow it.",
+    ),
+    "workspace.path-dead": (
+        "Along the wanted path {count} dead positions are passed, the first at {time:.6g} s: there {point} moves in one direction only, "
+        "and errors of the path go into the drives by their square root.",
+        "Take care that the drives follow their laws; on a path off the singular curves, where there is one, {point} is held better.",
     ),
     "workspace.servo-reverses": (
         "Along the wanted path {servo} turns back {count} times, the first time at {time:.6g} s, though never_reverse forbids it.",
