@@ -115,7 +115,7 @@ def test_the_registered_names() -> None:
     assert set(REGISTRY) == {"RRR", "RRP", "RPR", "PRP", "RPP"}
     assert set(KERNELS) == {"jax", "numba", "numpy"}
     assert set(STUDIES) == {"accuracy", "cycle", "limits", "modes", "sweep", "workspace"}
-    assert set(TARGETS) == {"mjcf", "motor-expressions"}
+    assert set(TARGETS) == {"mjcf", "motor-expressions", "process-simulate"}
 
 
 @pytest.mark.parametrize("entry", REGISTRY.values(), ids=REGISTRY)

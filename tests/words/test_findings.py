@@ -66,6 +66,7 @@ TITLES = {
     "clearance": "Clearances",
     "tolerance": "Tolerances",
     "accuracy": "Accuracy",
+    "functions": "Joint functions",
     "workspace": "Workspaces",
     "varied": "Many parameter sets",
     "structure": "Structure",
