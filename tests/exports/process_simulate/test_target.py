@@ -48,7 +48,7 @@ def codes(model: lw.Document | None = None, **options: Any) -> list[str]:
 def test_the_files_and_the_summary() -> None:
     done = exported(names={"O": "j2", "B": "j3", "C": "j4"}, left_out=["D"], range=[0, 90], zero=10)
     assert done.done
-    assert [*done.files] == ["joint_functions.txt", "joint_functions.cs", "check_table.csv"]
+    assert [*done.files] == ["joint_functions.txt", "joint_functions.cs", "check_table.csv", "joint_functions.html"]
     functions = done.summary["functions"]
     assert [*functions] == ["j4", "j3"]
     assert done.summary["limits"]["j2"] == {

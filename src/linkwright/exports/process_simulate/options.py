@@ -9,6 +9,7 @@ from typing import Annotated
 from pydantic import Field
 
 from linkwright.exports.process_simulate.dialects import DIALECTS
+from linkwright.exports.process_simulate.facts import Facts, check_facts
 from linkwright.exports.process_simulate.functions import PATH, Wish
 from linkwright.exports.process_simulate.joints import ToolJoint, driving, joints_of, named
 from linkwright.kernels import Compiled
@@ -59,6 +60,8 @@ class ProcessSimulateOptions(Frozen):
         None, gt=0, le=1, description="error (rad or mm) of polynomials, where a group has no closed form"
     )
 
+    sheet: Facts = Field(Facts(), description="what the sheet tells beside the functions")
+
     def wish(self, compiled: Compiled) -> Wish:
         """What is asked for, in SI. Raises DimensionError where a value doesn't fit."""
         (drive,) = compiled.graph.drives
@@ -94,6 +97,7 @@ def check(compiled: Compiled, options: ProcessSimulateOptions) -> Iterator[Findi
     if not any(j != moved for j in joints):
         yield Finding("functions.no-dependent", ("joints",), {"drive": drives[0]})
     yield from _values(compiled, options, drives[0])
+    yield from check_facts(compiled, options.sheet, (*PATH, "sheet"))
 
 
 def _moved(compiled: Compiled, drive: str, joints: list[ToolJoint]) -> ToolJoint | None:

@@ -5,9 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from linkwright.exports.process_simulate.carriers import check_table, pasteable, snippet
+from linkwright.exports.process_simulate.facts import facts
 from linkwright.exports.process_simulate.functions import JointFunction, JointFunctions, make
 from linkwright.exports.process_simulate.linkage import Refused
 from linkwright.exports.process_simulate.options import ProcessSimulateOptions, check
+from linkwright.exports.process_simulate.sheet import sheet
 from linkwright.exports.registry import Exported, register
 from linkwright.kernels import Compiled
 from linkwright.model.findings import Finding
@@ -27,18 +29,22 @@ class ProcessSimulate:
         return [*check(compiled, options)]
 
     def export(self, compiled: Compiled, options: ProcessSimulateOptions, site: Site) -> Exported:
-        """Text to paste, a C# snippet, a table to check them by."""
+        """Text to paste, a C# snippet, a table to check them by, a sheet that shows what goes where."""
         try:
             made = make(compiled, options.wish(compiled))
         except Refused as refused:
             return Exported(failures=[refused.finding])
-        title = compiled.mechanism.name
+        title, told = compiled.mechanism.name, facts(compiled, options.sheet, *made.range, made.zero)
         files = {
             "joint_functions.txt": pasteable(made, title),
             "joint_functions.cs": snippet(made, title),
             "check_table.csv": check_table(made),
+            "joint_functions.html": sheet(compiled, made, told),
         }
-        return Exported(files, summary(made, compiled), sentences(made))
+        summed = {**summary(made, compiled), "facts": told.as_dict()}
+        if compiled.plane is not None:
+            summed["plane"] = compiled.plane.as_dict(told.units["length"][1])
+        return Exported(files, summed, sentences(made))
 
 
 def summary(made: JointFunctions, compiled: Compiled) -> dict[str, Any]:

@@ -6,6 +6,7 @@ from linkwright.words.en.findings import FINDINGS
 from linkwright.words.en.limits import LIMITS
 from linkwright.words.en.process_simulate import PROCESS_SIMULATE
 from linkwright.words.en.report import REPORT
+from linkwright.words.en.sheet import SHEET
 from linkwright.words.en.sweep import SWEEP
 from linkwright.words.en.texts import TEXTS
 from linkwright.words.en.workspace import WORKSPACE
@@ -17,6 +18,7 @@ WORDS: dict[str, str] = {
     **LIMITS,
     **PROCESS_SIMULATE,
     **REPORT,
+    **SHEET,
     **SWEEP,
     **TEXTS,
     **WORKSPACE,

@@ -364,6 +364,36 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Give it as a number. The sketch tells the angle between links whose first two points are sketched, the "
         "length of a cylinder between sketched points, and the travel of a slide on the frame.",
     ),
+    "sketch.mixed": (
+        "Some sketched points have three coordinates ({three}), others two ({two}).",
+        "Give all of them three, in the vehicle's axes, or all of them two, in the plane of the linkage.",
+    ),
+    "sketch.in-line": (
+        "The sketched points lie in a line (or are less than three): they don't tell the plane of the linkage.",
+        "State it, such as plane: xz or plane: {{normal: [0, 1, 0.02]}}, or sketch another pose.",
+    ),
+    "sketch.coincident": (
+        "The points {a} and {b} of the link {link} lie at the same place in the plane of the linkage.",
+        "Check their coordinates and the plane: the two need a distance.",
+    ),
+    "sketch.no-plane": (
+        "This is no plane linkage: {name} lies {off} {unit} off the plane with the normal ({normal}), more than "
+        "{limit} {unit}.",
+        "Check the coordinates. Pins that stand at different places along their axes need the plane stated "
+        "(plane: xz, or its normal); plane: {{within: LENGTH}} allows more or less.",
+    ),
+    "sketch.off-plane": (
+        "{name} lies {off} {unit} off the plane with the normal ({normal}) that fits the pinned points best.",
+        "Check its coordinates, or state the plane; plane: {{within: LENGTH}} says how much is meant.",
+    ),
+    "sketch.plane-unused": (
+        "A plane is stated, but the sketch has no points of three coordinates.",
+        "Give the sketched points as [x, y, z] in the vehicle's axes, or leave the plane out.",
+    ),
+    "sketch.plane-twice": (
+        "The plane has both axes and normal.",
+        "Give axes for a plane of two of the vehicle's axes, normal for any other.",
+    ),
     "cylinder.same-point": (
         "Both ends of the cylinder are at {point}.",
         "Name two different points, such as one on the frame and one on the link that it moves.",
@@ -881,6 +911,14 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "export.options": (
         "The option {key} of the export to {export} is wrong: {reason}.",
         "Correct it; docs/file-format.md lists the options of each target.",
+    ),
+    "export.handle": (
+        "The handle {name} is a point of the frame: it doesn't move.",
+        "Name a point of the panel, where a hand opens it.",
+    ),
+    "export.outline": (
+        "These points make no outline: {reason}.",
+        "List three points or more of the panel, in order around it, each once.",
     ),
     "export.setting": (
         "'{given}' isn't an option and its value.",
@@ -1471,6 +1509,9 @@ _TERMS: dict[str, str] = {
     "text": "a text (numbers in quotes)",
     "name": "a name (letters, digits, underscores)",
     "other": "another kind of value",
+    "outline-few": "it takes three different points at least, each once",
+    "outline-crossed": "the lines between them cross, or they lie in a line",
+    "direction": "three numbers [x, y, z], not all zero",
     "position": "[x, y] or 'r at angle'",
     "place": "a point of the link, [x, y] or 'r at angle'",
     "line": "a line such as 'G at 90 deg'",

@@ -10,6 +10,13 @@ TEXTS: dict[str, str] = {
     "fact.slides": "Prismatic joints",
     "fact.lone": "Free points",
     "fact.lone.text": "{points} (on one link only, so no joint)",
+    "fact.plane": "Plane",
+    "fact.plane.text": "{how}; normal (the axis of the joints, about which angles are positive) {normal}, x' along {x}, "
+    "y' along {y}, origin at {origin} {unit} of the vehicle; {off}",
+    "fact.plane.fitted": "least squares through {points}",
+    "fact.plane.stated": "as stated",
+    "fact.plane.off": "off the plane, in {unit}: {points}",
+    "fact.plane.flat": "no point is off it",
     "fact.parameters": "Dimensions",
     "fact.mobility": "Mobility",
     "fact.mobility.text": "{mobility} by Gruebler's count (moving links: {moving}, joints: {joints}, drives: {drives}, independent loops: {loops})",
