@@ -1,10 +1,10 @@
 """The joint functions of a bonnet's four-bar hinge in Tecnomatix: the published equations against the solver.
 
 Source: "Kinematic Setup of Four-Bar Mechanism Based on Tecnomatix", Modeling and Simulation 7(2), 2018, 33-38,
-doi 10.12677/MOS.2018.72005. Equations (1) to (13) and (16) are transcribed as printed; the paper prints no coordinates, so
-those here are made up. Fixed pins at the origin (link 4, driving, length l3) and at (x1, 0) (link 2, l1); moving pins
-(x3, z3) and (x2, z2). In the tool j2 is the pin at the origin, j3 that at (x3, z3), j4 that at (x2, z2).
-The tolerance is round-off: both sides are closed forms.
+doi 10.12677/MOS.2018.72005. Equations (1) to (13) and (16) are transcribed as printed; the paper prints no
+coordinates, so those here are made up. Fixed pins at the origin (link 4, driving, length l3) and at (x1, 0) (link 2,
+l1); moving pins (x3, z3) and (x2, z2). In the tool j2 is the pin at the origin, j3 that at (x3, z3), j4 that at
+(x2, z2). The tolerance is round-off: both sides are closed forms.
 """
 
 from __future__ import annotations
@@ -79,7 +79,6 @@ class Printed:
 def motion(x1: float, p2: Place, p3: Place, **wish: object) -> tuple[Motion, dict[str, Array]]:
     """The hinge by linkwright: joints' turns since the drawn pose, by the solver and by the emitted text."""
     # alpha rises as the driving link turns clockwise, from -x towards +z.
-    start = math.atan2(p3[1], p3[0])
     compiled = compiled_from(
         {
             "linkwright": 1,
@@ -95,8 +94,8 @@ def motion(x1: float, p2: Place, p3: Place, **wish: object) -> tuple[Motion, dic
         }
     )
     names = {"P0": "j2", "P3": "j3", "P2": "j4"}
-    window = (start - float(TURN[-1]), start)
-    found = make(compiled, Wish("hinge", window=window, names=names, flipped=("P0",), left_out=("P1",), **wish))  # type: ignore[arg-type]
+    stops = (0.0, float(TURN[-1]))
+    found = make(compiled, Wish("hinge", stops=stops, names=names, flipped=("P0",), left_out=("P1",), **wish))  # type: ignore[arg-type]
     kinds = {f.name: f.kind for f in (found.driving, *found.functions)}
     listed = [(f.name, f.text) for f in found.functions]
     rows = evaluator.evaluate(listed, found.dialect, kinds, "j2", TURN)

@@ -62,6 +62,12 @@ def test_the_files_and_the_summary() -> None:
     assert done.sentences
 
 
+def test_stops_count_as_the_joint_does() -> None:
+    done = exported(stops=[-10, 30], flipped=["O"])
+    assert [done.summary["range"][key] for key in ("from", "to", "zero")] == pytest.approx([10, 50, 40])
+    assert done.summary["limits"]["O"]["high"] == pytest.approx(math.radians(30))
+
+
 def test_the_check_table_is_the_solvers_motion() -> None:
     """Against the law of cosines: the angle at C between coupler and rocker."""
     done = exported(range=[0, 90])
@@ -99,6 +105,9 @@ def test_everything_wrong_with_the_options_is_told_at_once() -> None:
         ({"decimals": 3}, "export.options"),
         ({"range": ["0 mm", "20 mm"]}, "expression.units-conflict"),
         ({"range": [0, 1e9]}, "study.wide-range"),
+        ({"stops": [0, 1e9]}, "study.wide-range"),
+        ({"zero": "20 mm"}, "expression.units-conflict"),
+        ({"range": [30, 90], "stops": [0, 20]}, "functions.two-ranges"),
         ({"longest": 25}, "functions.length"),
     ],
 )

@@ -43,8 +43,8 @@ def describe(function: JointFunction) -> str:
 
 def _limits(function: JointFunction) -> str:
     size, unit = (180 / math.pi, "deg") if function.kind == "T" and not function.helper else (1.0, "mm")
-    low, high = function.limits
-    return f"{size * low:.6f} .. {size * high:.6f} {'' if function.helper else unit}".rstrip()
+    low, high = (round(size * limit, 6) + 0.0 for limit in function.limits)
+    return f"{low:.6f} .. {high:.6f} {'' if function.helper else unit}".rstrip()
 
 
 def snippet(made: JointFunctions, title: str) -> str:

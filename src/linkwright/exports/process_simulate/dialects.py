@@ -23,6 +23,8 @@ CLEAR = 0.05
 """How far a direction stays from where its function ends (rad), wherever the paper's plain form does that."""
 LEAST = 0.005
 """How far it must stay."""
+FRAMED = Angle()
+"""The angle of the frame."""
 
 
 @dataclass(frozen=True)
@@ -53,8 +55,8 @@ class Dialect:
         """The length of a vector (mm)."""
         raise NotImplementedError
 
-    def aim(self, links: Linkage, vector: Vector) -> Angle:
-        """The direction of a vector."""
+    def aim(self, links: Linkage, vector: Vector, seen: Angle = FRAMED) -> Angle:
+        """The direction of a vector, which is asked for as ``seen`` from a link."""
         raise NotImplementedError
 
     def from_base(self, links: Linkage, triangle: Triangle, side: int) -> Angle:
@@ -79,17 +81,17 @@ class Dialect:
             return arm.angle
         return arm.angle.turned(math.pi) if values.max() < 0 else None
 
-    def reference(self, links: Linkage, vector: Vector) -> tuple[Angle, float]:
+    def reference(self, links: Linkage, vector: Vector, seen: Angle) -> tuple[Angle, float]:
         """A direction from which a vector's strays within the window, and which side of it: +1, -1, 0 both.
 
-        Best is that of an arm, with the fewest joints between; else whatever has the vector in mid-window.
+        Best is that of an arm, with the fewest joints to write; else whatever has the vector in mid-window.
         """
         plain, centred = list[tuple[Any, ...]](), list[tuple[Any, ...]]()
         widest = math.inf
         for arm in vector.arms:
             low, high = _spread(links, vector, arm.angle)
             widest = min(widest, high - low)
-            weight = sum(len(other.angle.minus(arm.angle).parts) for other in vector.arms)
+            weight = sum(len(other.minus(arm.angle).parts) for other in (seen, *(arm.angle for arm in vector.arms)))
             middle = math.floor((low + high) / math.pi)
             for quarter in range(middle - 1, middle + 3):
                 base = quarter * math.pi / 2
@@ -159,12 +161,12 @@ class Seed(Dialect):
             return _positive(links, vector)
         return call("sqrt", vector.square(links.symbols))
 
-    def aim(self, links: Linkage, vector: Vector) -> Angle:
+    def aim(self, links: Linkage, vector: Vector, seen: Angle = FRAMED) -> Angle:
         """phi + acos((x cos phi + y sin phi)/r), by a reference phi from which the direction stays within half a turn
         to one side."""
         if (known := self.single(vector, links)) is not None:
             return known
-        reference, side = self.reference(links, vector)
+        reference, side = self.reference(links, vector, seen)
         share = divide(vector.along(reference, links.symbols), self.length(links, vector))
         return reference.plus(links.hidden(call("acos", share)), round(side))
 
@@ -202,10 +204,10 @@ class Wizard(Dialect):
             return _positive(links, vector)
         return vector.along(self.aim(links, vector), links.symbols)
 
-    def aim(self, links: Linkage, vector: Vector) -> Angle:
+    def aim(self, links: Linkage, vector: Vector, seen: Angle = FRAMED) -> Angle:
         if (known := self.single(vector, links)) is not None:
             return known
-        reference, _ = self.reference(links, vector)
+        reference, _ = self.reference(links, vector, seen)
         y, x = vector.across(reference, links.symbols), vector.along(reference, links.symbols)
         return reference.plus(links.hidden(call("atan2", y, x)))
 

@@ -152,7 +152,7 @@ class RRR(Rule):
         triangle = Triangle(base, (arms[0], arms[1]), (l1, l2), branch, bend)
         order = list(links.seats)
         side = max((0, 1), key=lambda k: (sides[k].told, order.index(sides[k].base) if sides[k].base in order else -1))
-        heading = dialect.aim(links, base).turned(math.pi * side)
+        heading = dialect.aim(links, base, links.angles[sides[side].base]).turned(math.pi * side)
         angle = heading.plus(dialect.from_base(links, triangle, side)).minus(own[side])
         sides[side].turn(angle)
         there = links.angles[sides[side].end].plus(apart, (1, -1)[side])
@@ -195,14 +195,15 @@ class RPR(Rule):
         seen = [arm.turned(Angle().minus(heading)) for arm, heading in zip(arms, headings, strict=True)]
         between = seen[0].minus(seen[1])
         across, along = between.across(Angle(), symbols), between.along(Angle(), symbols)
+        side = 0 if first.told else 1
+        aim = dialect.aim(links, base, links.angles[sides[side].base])
         size = float(abs(links.numbers(base.square(symbols))).max()) ** 0.5
         if abs(links.numbers(across)).max() <= STRAIGHT * size:
             across = number(0.0)
-            heading = dialect.aim(links, base).turned(0.0 if branch > 0 else math.pi)
+            heading = aim.turned(0.0 if branch > 0 else math.pi)
         else:
             lean = links.hidden(call("acos", divide(across, dialect.length(links, base))))
-            heading = dialect.aim(links, base).turned(-math.pi / 2).plus(lean, round(branch))
-        side = 0 if first.told else 1
+            heading = aim.turned(-math.pi / 2).plus(lean, round(branch))
         sides[side].turn(heading.minus(headings[side]))
         heading = links.angles[sides[side].end].plus(headings[side])
         other = sides[1 - side]

@@ -24,11 +24,13 @@ def polynomial(x: Array, y: Array, tolerance: float) -> tuple[Array, float]:
     of ``y``: its coefficients by rising power, and its largest error."""
     low, high = float(x.min()), float(x.max())
     u = (2 * x - low - high) / (high - low)
-    for degree in range(MOST + 1):
-        series = chebyshev.chebfit(u, y, degree)
-        error = float(np.abs(chebyshev.chebval(u, series) - y).max())
+    basis, factors = np.linalg.qr(chebyshev.chebvander(u, MOST))
+    shares = basis.T @ y
+    for size in range(1, MOST + 2):
+        error = float(np.abs(basis[:, :size] @ shares[:size] - y).max())
         if error <= tolerance:
             break
+    series = np.linalg.solve(factors[:size, :size], shares[:size])
     return np.asarray(chebyshev.cheb2poly(series), dtype=float), error
 
 

@@ -22,6 +22,7 @@ from linkwright.exports.process_simulate.splitting import least, split
 from linkwright.exports.process_simulate.trees import Array, Tree, evaluate
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
+from linkwright.kernels.laws import values_at
 from linkwright.model.findings import Finding
 from linkwright.structure import Cluster
 
@@ -81,13 +82,18 @@ class JointFunctions:
 
 @dataclass(frozen=True)
 class Wish:
-    """What is asked for: ``zero`` and ``window`` are values of the drive (rad or m), ``longest`` the length of a text,
-    ``approximate`` the error (rad or mm) of polynomials for groups without a closed form."""
+    """What is asked for.
+
+    ``zero`` and ``window`` are values of the drive (rad or m); in place of a window, ``stops`` are those of the driving
+    joint since the zero pose, as the tool counts it (rad or m). ``longest`` is the length of a text, ``approximate``
+    the error (rad or mm) of polynomials for groups without a closed form.
+    """
 
     drive: str
     dialect: str = "seed"
     zero: float | None = None
     window: tuple[float, float] | None = None
+    stops: tuple[float, float] | None = None
     decimals: int = 9
     names: Mapping[str, str] = field(default_factory=dict)
     flipped: tuple[str, ...] = ()
@@ -105,14 +111,19 @@ def make(compiled: Compiled, wish: Wish) -> JointFunctions:
 
 
 def _motion(compiled: Compiled, wish: Wish, joints: list[ToolJoint]) -> Motion:
-    found = reach(compiled, wish.drive, wish.zero, wish.window)
-    if isinstance(found, Finding):
-        raise Refused(found)
-    of, moved, _ = driving(compiled.structure, wish.drive)
-    joint = next((j for j in joints if j.of == of and moved in (j.parent, j.child)), None)
+    of, moved, on = driving(compiled.structure, wish.drive)
+    joint = next((j for j in joints if j.of == of and {j.parent, j.child} == {moved, on}), None)
     if joint is None:
         raise Refused(Finding("functions.shared-pin", PATH, {"drive": wish.drive, "pin": of}))
-    return Motion(compiled, wish.drive, found, joint, joint.sign * (1.0 if joint.child == moved else -1.0))
+    sign, window = joint.sign * (1.0 if joint.child == moved else -1.0), wish.window
+    if wish.stops is not None:
+        zero = float(values_at(compiled.laws, 0.0)[wish.drive]) if wish.zero is None else wish.zero
+        ends = sorted(zero + sign * stop for stop in wish.stops)
+        window = ends[0], ends[1]
+    found = reach(compiled, wish.drive, wish.zero, window)
+    if isinstance(found, Finding):
+        raise Refused(found)
+    return Motion(compiled, wish.drive, found, joint, sign)
 
 
 def _links(compiled: Compiled, wish: Wish, joints: list[ToolJoint], motion: Motion) -> tuple[Linkage, bool]:

@@ -46,6 +46,10 @@ class ProcessSimulateOptions(Frozen):
     range: Interval | None = Field(
         None, description="[low, high] of the drive's value; else all that it reaches from its start, short of toggles"
     )
+    stops: Interval | None = Field(
+        None,
+        description="[low, high] of the driving joint since the zero pose, as the tool counts it, in place of range",
+    )
     flipped: tuple[NameField, ...] = Field(
         (), description="joints that count the other way in the tool: turned axes, parent and child exchanged"
     )
@@ -63,9 +67,12 @@ class ProcessSimulateOptions(Frozen):
         (drive,) = compiled.graph.drives
         quantities, dimension = compiled.quantities, compiled.quantities.drive_dimension(drive)
         zero = None if self.zero is None else quantities.value(self.zero, dimension)
-        low_high = None if self.range is None else [quantities.value(end, dimension) for end in self.range]
+
+        def two(ends: tuple[Expression, Expression] | None) -> tuple[float, float] | None:
+            return ends and (quantities.value(ends[0], dimension), quantities.value(ends[1], dimension))
+
         return Wish(
-            drive, self.dialect, zero, None if low_high is None else (low_high[0], low_high[1]), self.decimals,
+            drive, self.dialect, zero, two(self.range), two(self.stops), self.decimals,
             self.names, self.flipped, self.left_out, self.longest, self.approximate,
         )  # fmt: skip
 
@@ -110,22 +117,25 @@ def _names(joints: list[ToolJoint]) -> Iterator[Finding]:
 
 
 def _values(compiled: Compiled, options: ProcessSimulateOptions, drive: str) -> Iterator[Finding]:
-    try:
-        wish = options.wish(compiled)
-    except DimensionError as error:
-        key = "zero" if options.range is None else "range"
-        yield Finding(error.key, (*PATH, key), compiled.quantities.spelt(error.data))
-        return
-    low, high = wish.window or (0.0, 1.0)
-    unit, size = compiled.quantities.drive_unit(drive)
-    shown = {"low": f"{low / size:.6g} {unit}", "high": f"{high / size:.6g} {unit}"}
+    quantities, dimension = compiled.quantities, compiled.quantities.drive_dimension(drive)
+    unit, size = quantities.drive_unit(drive)
     turns = compiled.mechanism.prescribed(drive).turns is not None
     widest = WIDEST[turns] * (1.0 if turns else compiled.assembly.size())
-    values = [value for value in (low, high, wish.zero) if value is not None]
-    if not all(abs(value) < LARGEST for value in values):
-        yield Finding("value.not-finite", (*PATH, "range"), {"text": ", ".join(map(str, values))[:60]})
-    elif not low < high:
-        yield Finding("value.not-rising", (*PATH, "range"), shown)
-    elif max(values) - min(values) > widest:
-        data = {"drive": drive, "limit": f"{widest / size:.4g}", "unit": unit}
-        yield Finding("study.wide-range", (*PATH, "range"), data)
+    if options.range is not None and options.stops is not None:
+        yield Finding("functions.two-ranges", (*PATH, "stops"), {})
+    alone = None if options.zero is None else (options.zero, options.zero)
+    for key, ends in (("zero", alone), ("range", options.range), ("stops", options.stops)):
+        if ends is None:
+            continue
+        try:
+            low, high = (quantities.value(end, dimension) for end in ends)
+        except DimensionError as error:
+            yield Finding(error.key, (*PATH, key), quantities.spelt(error.data))
+            continue
+        if not max(abs(low), abs(high)) < LARGEST:
+            yield Finding("value.not-finite", (*PATH, key), {"text": f"{ends[0].text}, {ends[1].text}"[:60]})
+        elif key != "zero" and not low < high:
+            yield Finding("value.not-rising", (*PATH, key), {"low": ends[0].text[:40], "high": ends[1].text[:40]})
+        elif high - low > widest or (key != "range" and max(abs(low), abs(high)) > widest):
+            data = {"drive": drive, "limit": f"{widest / size:.4g}", "unit": unit}
+            yield Finding("study.wide-range", (*PATH, key), data)

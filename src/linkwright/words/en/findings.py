@@ -1022,6 +1022,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Several joints are called '{name}': {joints}.",
         "Give each a name of its own under names.",
     ),
+    "functions.two-ranges": (
+        "Both range and stops say how far the driving joint goes.",
+        "Keep one: range in values of the drive, or stops in values of the joint since the zero pose.",
+    ),
     "functions.no-range": (
         "The mechanism can't be moved from {drive} = {start} {unit}.",
         "Start the drive where the mechanism isn't at a dead centre; `limits` tells its ranges.",
