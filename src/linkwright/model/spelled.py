@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from linkwright.model.cylinders import cylinder_faults, cylinder_home, with_cylinders
 from linkwright.model.findings import Finding
+from linkwright.model.followers import cam_faults, cam_home, with_cams
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.sketch import sketch_faults, sketch_home, with_sketch
 
@@ -29,12 +30,14 @@ def home(m: Mechanism, findings: Iterable[Finding]) -> list[Finding]:
 
     What is wrong with a place of the sketch spoils the lengths derived from it too, and is told at the place alone.
     """
-    found = [replace(f, path=cylinder_home(m, f.path) or sketch_home(m, f.path) or f.path) for f in findings]
+    homes = (cylinder_home, sketch_home, cam_home)
+    found = [replace(f, path=next((at for of in homes if (at := of(m, f.path))), f.path)) for f in findings]
     told = {f.code for f in found if len(f.path) == 2 and f.path[0] == "sketch"}
     return [f for f in found if f.path != ("sketch",) or f.code not in told]
 
 
 def spell_out(written: Mechanism) -> Spelled:
     """The mechanism that the solver sees, as far as the short forms are sound."""
-    findings = (*sketch_faults(written), *cylinder_faults(written))
-    return Spelled(written, with_cylinders(with_sketch(written)), findings)
+    plain = with_cylinders(with_sketch(written))
+    findings = (*sketch_faults(written), *cylinder_faults(written), *cam_faults(plain))
+    return Spelled(written, with_cams(plain), findings)
