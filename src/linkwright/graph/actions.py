@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from linkwright.graph.cams import argument, followings
 from linkwright.graph.springs import spring_wrenches
 from linkwright.model import units as u
 from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, is_signal, nodes, parse, signal_text
@@ -29,12 +30,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Lookup:
-    """A table, or its integral, at an argument (bound to SI); ``level`` tables stand within one another there."""
+    """A table, or its integral, or the slope of a motion law, at an argument (bound to SI); ``level`` tables stand
+    within one another there."""
 
     table: str
     argument: Node
     integral: bool = False
     level: int = 0
+    slope: bool = False
 
 
 class Actions:
@@ -82,9 +85,19 @@ class Actions:
             note(law)
         for name, spring in self.mechanism.springs.items():
             if spring.table:
-                argument = Name(f"{name}.{spring.measure}")
-                found.update({Lookup(spring.table, argument, integral): None for integral in (False, True)})
+                measured = Name(f"{name}.{spring.measure}")
+                found.update({Lookup(spring.table, measured, integral): None for integral in (False, True)})
+        found.update(dict.fromkeys(self.slopes.values()))
         return tuple(found)
+
+    @cached_property
+    def slopes(self) -> dict[str, Lookup]:
+        """Of each cam, how its lift changes with the angle of its law: what the direction of its force depends on."""
+        quantities = self.graph.quantities
+        return {
+            name: Lookup(drive.cam.law, argument(quantities, drive), slope=True)
+            for name, drive in followings(quantities).items()
+        }
 
     @cached_property
     def turning(self) -> tuple[str, ...]:

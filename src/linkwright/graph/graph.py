@@ -14,6 +14,7 @@ from typing import Any
 import casadi as ca
 
 from linkwright.graph.actions import Actions
+from linkwright.graph.cams import followings
 from linkwright.graph.geometry import Geometry, widest
 from linkwright.graph.program import ExpressionStage, NewtonStage, Program
 from linkwright.graph.view import LETTERS, LINK_ORDERS, SLIDE_ORDERS, View
@@ -37,6 +38,11 @@ class Graph:
     def drives(self) -> tuple[str, ...]:
         """The drives in the order of their inputs."""
         return tuple(self.structure.topology.mechanism.drives)
+
+    @cached_property
+    def motors(self) -> tuple[str, ...]:
+        """The drives but those that stand for cams."""
+        return tuple(name for name in self.drives if name not in followings(self.quantities))
 
     @cached_property
     def branched(self) -> tuple[Any, ...]:
@@ -189,6 +195,8 @@ class Graph:
         signal = self.signal(name)
         if signal.kind in ("force", "shaking") or signal.attribute in ("torque", "force", "power"):
             return max(2, self.actions.order) if signal.kind != "spring" else 1
+        if signal.attribute == "pressure":
+            return 0
         if signal.kind in ("energy", "pole"):
             return 1
         if signal.kind == "spring":

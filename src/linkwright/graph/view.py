@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from linkwright.graph.actions import active, load_values, wrenches
+from linkwright.graph.cams import Contact, contact, followings
 from linkwright.graph.forces import Forces, lever, solve_forces, unit_efforts
 from linkwright.graph.geometry import ZERO, Geometry
 from linkwright.graph.motion import Motion, solve_motion
@@ -64,7 +65,19 @@ class View:
 
     @cached_property
     def forces(self) -> Forces:
-        return solve_forces(self.motion, wrenches(self))
+        drives = followings(self.graph.quantities)
+        pushes = {name: at.pushes(drives[name]) for name, at in self.contacts.items()}
+        return solve_forces(self.motion, wrenches(self), pushes)
+
+    @cached_property
+    def contacts(self) -> dict[str, Contact]:
+        """Where the followers of cams touch."""
+        drives = followings(self.graph.quantities)
+        lookups, slopes = self.graph.actions.lookups, self.graph.actions.slopes
+        return {
+            name: contact(self.motion, drive, self.given[f"table/{lookups.index(slopes[name])}/0"])
+            for name, drive in drives.items()
+        }
 
     def row(self, name: str) -> Scalar:
         """The expression of one output row."""
@@ -96,8 +109,8 @@ class View:
 
     def lookup(self, table: str, argument: Node, integral: bool = False) -> Scalar:
         """A table's answer, an input of the pose."""
-        known = ((k.table, k.argument, k.integral) for k in self.graph.actions.lookups)
-        return self.given[f"table/{list(known).index((table, argument, integral))}/0"]
+        known = ((k.table, k.argument, k.integral, k.slope) for k in self.graph.actions.lookups)
+        return self.given[f"table/{list(known).index((table, argument, integral, False))}/0"]
 
     def _of_action(self, kind: str, what: str) -> Scalar:
         """Rows of loads and springs: the sum of a load's values, whether a window holds, the argument that a table
@@ -185,6 +198,8 @@ class View:
             return self.forces.efforts[name]
         if signal.attribute == "power":
             return self.forces.efforts[name] * self.own(name, 1)
+        if signal.attribute == "pressure":
+            return self.contacts[name].pressure
         return self.own(name, {**LINK_ORDERS, **SLIDE_ORDERS}[signal.attribute])
 
     def own(self, name: str, order: int, whole: bool = True) -> Scalar:

@@ -1,4 +1,4 @@
-"""What loads and springs need as inputs of each pose: the time, whole turns of angles, the answers of tables."""
+"""What loads, springs and cams need as inputs of each pose: the time, whole turns of angles, the answers of tables."""
 
 from __future__ import annotations
 
@@ -8,9 +8,10 @@ from itertools import groupby
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.graph.actions import Lookup
 from linkwright.graph.graph import Graph
 from linkwright.kernels.registry import KERNELS, Kernel
-from linkwright.laws import TableLaw
+from linkwright.laws import Motion, TableLaw
 from linkwright.model import units as u
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet, angles
@@ -24,8 +25,10 @@ MAX_STEPS = 1 << 15
 class Supply:
     """Fills the input rows of loads and springs, from inputs in which the motion stands already."""
 
-    def __init__(self, graph: Graph, tables: Mapping[str, TableLaw], kernel: str) -> None:
-        self.graph, self.tables = graph, tables
+    def __init__(
+        self, graph: Graph, tables: Mapping[str, TableLaw], kernel: str, motions: Mapping[str, Motion] | None = None
+    ) -> None:
+        self.graph, self.tables, self.motions = graph, tables, motions or {}
         self.first = len(graph.motion_inputs)
         self.rows = {name: row for row, name in enumerate(graph.inputs)}
         actions = graph.actions
@@ -62,10 +65,15 @@ class Supply:
         for which, kernel in self.levels:
             answers = ask(kernel).reshape(len(which), 2, *x.shape[1:])
             for i, argument in zip(which, answers, strict=True):
-                lookup = self.graph.actions.lookups[i]
-                table = self.tables[lookup.table]
-                value = (table.integral if lookup.integral else table.or_nan)(Jet([*argument]))
+                value = self.answer(self.graph.actions.lookups[i], Jet([*argument]))
                 x[self.rows[f"table/{i}/0"]], x[self.rows[f"table/{i}/1"]] = value.d
+
+    def answer(self, lookup: Lookup, argument: Jet) -> Jet:
+        """What a table, or the slope of a motion law, is at a jet; its entries may be duals."""
+        if lookup.slope:
+            return self.motions[lookup.table].slope(argument)
+        table = self.tables[lookup.table]
+        return (table.integral if lookup.integral else table.or_nan)(argument)
 
 
 class Turns:

@@ -112,9 +112,7 @@ class Tangents:
         for which, _ in supply.levels:
             y = self._engine(tuple(f"argument/{i}" for i in which), True).over(x, self.p)
             for i, (value, rate, slope, twist) in zip(which, y.reshape(len(which), 4, *x.shape[1:]), strict=True):
-                lookup = graph.actions.lookups[i]
-                table = supply.tables[lookup.table]
-                ask = table.integral if lookup.integral else table.or_nan
-                answers = ask(Jet([Dual(value, slope), Dual(rate, twist)])).d
+                asked = Jet([Dual(value, slope), Dual(rate, twist)])
+                answers = supply.answer(graph.actions.lookups[i], asked).d
                 for k, answer in enumerate(answers):
                     x[size + supply.rows[f"table/{i}/{k}"]] = slope_of(answer)

@@ -210,7 +210,8 @@ class Varied:
 
     def _supply(self, x: Array, p: Array, t: Array, kernel: str) -> None:
         """Put the inputs of loads and springs into those of the motion."""
-        supply = _kept(self._supplies, kernel, lambda: Supply(self.graph, self.compiled.tables, kernel))
+        tables, motions = self.compiled.tables, self.compiled.motions
+        supply = _kept(self._supplies, kernel, lambda: Supply(self.graph, tables, kernel, motions))
         quantities = self.compiled.quantities
         x[supply.first :] = 0.0
         if "t" in supply.rows:

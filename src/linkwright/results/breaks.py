@@ -47,20 +47,20 @@ def breaks(run: Run) -> Array:
     actions = run.compiled.graph.actions
     found = [run.jumps.mean(axis=1)]
     for i, lookup in enumerate(actions.lookups):
-        table = run.compiled.tables[lookup.table]
-        if table.degree == 1 and not lookup.integral:
+        if not lookup.slope and not lookup.integral and (table := run.compiled.tables[lookup.table]).degree == 1:
             found.append(_knots(run, i, table))
     found += [_zeros(run, node) for node in kinks(run.compiled)]
     return np.unique(np.concatenate(found))
 
 
 def kinks(compiled: Compiled) -> list[Node]:
-    """What changes its sign where the law of a load or drive has a kink."""
+    """What changes its sign where the law of a load, drive or cam has a kink."""
     quantities, m = compiled.quantities, compiled.mechanism
     laws = [*compiled.graph.actions.laws]
     for name, drive in m.drives.items():
         if drive.position is not None:
             laws.append(quantities.bind(drive.position, quantities.drive_dimension(name)))
+    laws += [Call(lookup.table, (lookup.argument,)) for lookup in compiled.graph.actions.slopes.values()]
     found = dict.fromkeys(switch for law in laws for node in nodes(law) for switch in switches(node))
     found |= dict.fromkeys(switch for law in laws for node in nodes(law) for switch in _joins(compiled, node))
     functions = {*m.tables, *m.laws}

@@ -96,7 +96,8 @@ class Measuring:
         if all(signal.kinematic for signal in signals):
             return False
         actions, tables = self.graph.actions, self.run.compiled.tables
-        straight = any(tables[lookup.table].degree == 1 and not lookup.integral for lookup in actions.lookups)
+        asked = [lookup.table for lookup in actions.lookups if not lookup.integral and not lookup.slope]
+        straight = any(tables[table].degree == 1 for table in asked)
         return bool(actions.windows) or (straight and measure.reduction in POWERS)
 
     def _steps(self) -> int:

@@ -398,6 +398,71 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Both ends of the cylinder are at {point}.",
         "Name two different points, such as one on the frame and one on the link that it moves.",
     ),
+    # Cams.
+    "cam.contact": (
+        "What touches the cam isn't clear; given: {given}.",
+        "Give roller with at (its centre), or knife with a point of the follower, or face with a line of it.",
+    ),
+    "cam.same-link": (
+        "Cam, follower and carrier must be three links: {cam}, {follower}, {on}.",
+        "Name the link that carries the cam, the link that rides on it, and the one on which both are guided.",
+    ),
+    "cam.no-shaft": (
+        "The cam's link {cam} isn't pinned to {on}.",
+        "Give both a point of the same name on the camshaft's axis, or name another link under on.",
+    ),
+    "cam.no-motor": (
+        "No drive turns {cam} on {on} by a law of its own.",
+        "Add a drive {{turns: {cam}, on: {on}, ...}} without output; the cam's law is asked at its angle.",
+    ),
+    "cam.no-guide": (
+        "The follower {follower} is neither pinned to {on} nor does it slide on it.",
+        "Give both a point of the same name, or list a prismatic joint between them.",
+    ),
+    "cam.law": (
+        "The law {law} doesn't fit the follower ({given}).",
+        "Take a law with over: angle, of: {of} and beyond: repeat.",
+    ),
+    "cam.period": (
+        "The law {law} goes over {period} {unit}; a cam needs a whole turn, or a whole part of one.",
+        "Let the segments add up to a turn, for example with a dwell.",
+    ),
+    "cam.side": (
+        "On which side the follower lies isn't clear: {given}.",
+        "Write for example 'side: {meant}'.",
+    ),
+    "cam.askew": (
+        "The face is {angle} {unit} out of square with the slide.",
+        "Turn the face's line; only a face square to the slide is known.",
+    ),
+    "cam.offset": (
+        "The follower {follower} passes the shaft at {offset} {unit}; base circle and roller reach out to {limit} {unit} "
+        "only.",
+        "Take a larger base circle, or lead the follower nearer to the shaft.",
+    ),
+    "cam.reach": (
+        "The arm of {follower} misses the base circle by {by} {unit}: arm {arm} {unit} and centre distance {distance} "
+        "{unit} allow a roller's centre from {low} {unit} to {high} {unit} off the shaft; base circle and roller ask for "
+        "{pitch} {unit}.",
+        "Change the base circle, the arm or the centre distance until the asked distance lies between.",
+    ),
+    "cam.face": (
+        "The face of {follower} can't lie on the base circle: its radius {base} {unit} less the face's offset {face} "
+        "{unit} isn't within the centre distance {distance} {unit}.",
+        "Change the base circle, the face's place or the centre distance.",
+    ),
+    "cam.no-distance": (
+        "The follower {follower} is pinned where the cam's shaft is.",
+        "Set the two pins apart.",
+    ),
+    "cam.no-arm": (
+        "The point {point} lies on the follower's own pin.",
+        "Name a point of the follower away from its pin.",
+    ),
+    "study.cams": (
+        "The study {study} moves drives singly, and can't with cams ({names}): their followers move with the motor.",
+        "Leave the study out, or put a drive in the place of each cam.",
+    ),
     "motion.cylinder-length": (
         "The cylinder {name} would have to be {by} {length_unit} {end} than it can be: {length} {length_unit} "
         "between its pins at {time} s ({drive} {value} {unit}), where {limit} {length_unit} is the limit.",
@@ -1601,6 +1666,7 @@ _TERMS: dict[str, str] = {
     "a-joint": "a joint",
     "a-slide": "a prismatic joint",
     "a-cylinder": "a cylinder",
+    "a-cam": "a cam",
     "closure": "the closure of the joints",
     "equilibrium": "the equilibrium of the links",
     "power": "the balance of power",
