@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from linkwright.cam.disc import Disc
 from linkwright.cam.nc.before import faults, warnings
-from linkwright.cam.nc.job import Job, passes
+from linkwright.cam.nc.job import Job, Pass, passes
 from linkwright.cam.nc.path import Sharp
 from linkwright.cam.nc.posts import POSTS, Post
 from linkwright.cam.nc.proof import Proof, prove
 from linkwright.cam.nc.reader import Fault, Move, read
+from linkwright.cam.pairs import Frame
 from linkwright.model.findings import Finding
 from linkwright.studies.cam.options import PATH
 
@@ -44,20 +45,25 @@ class Milled:
         return not self.proof.faults and self.proof.worst <= self.job.tolerance and self.longest <= self.post.longest
 
 
-def milled(disc: Disc, job: Job, names: tuple[str, ...], angles: int) -> tuple[list[Milled], list[Finding]]:
-    """A file for each control that has nothing against it, and all findings, warnings among them."""
+def milled(
+    disc: Disc, job: Job, names: tuple[str, ...], angles: int, told: Sequence[str] = ()
+) -> tuple[list[Milled], list[Finding]]:
+    """A file for each control that has nothing against it, and all findings, warnings among them. ``told`` are further
+    remarks in the files."""
     found = [as_finding(fault, severity="warning") for fault in warnings(disc, job)]
     made: list[Milled] = []
+    ways: list[Pass] = []  # the same for all
     for post in (POSTS[name] for name in names):
         if wrong := [as_finding(fault) for fault in faults(disc, job, post)]:
             found += [finding for finding in wrong if finding not in found]
             continue
         try:
-            text = post.text(job, [*passes(disc, job)], notes(job))
+            ways = ways or [*passes(disc, job)]
         except Sharp as sharp:
             data = {"theta": f"{math.degrees(sharp.theta):.4g}"}
             found.append(Finding("nc.sharp", AT, data))
             break  # it is so for all
+        text = post.text(job, ways, [*notes(job), *told])
         one = Milled(post, job, text, proven(disc, job, text, angles, made))
         found += wrongs(one)
         made.append(one)
@@ -83,6 +89,13 @@ def _ways(moves: list[Move] | tuple[Move, ...]) -> list[Move]:
 def notes(job: Job) -> list[str]:
     """What the file says of itself."""
     return [f"CUTTER R{job.cutter:g} MM", "XY ZERO AT THE CAM'S CENTRE", "Z ZERO AT THE TOP"]
+
+
+def seen(frame: Frame) -> list[str]:
+    """How the machine's axes lie in the cam: those of the disc, which the link's are turned or mirrored against."""
+    turned = math.degrees(frame.angle) % 360
+    told = [f"X AXIS AT {turned:.6g} DEG OF THE CAM'S LINK"] if min(turned, 360 - turned) > 1e-9 else []
+    return [*told, *(["THE CAM SEEN FROM BEHIND"] if frame.mirror < 0 else [])]
 
 
 def wrongs(one: Milled) -> Iterator[Finding]:

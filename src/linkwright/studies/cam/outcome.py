@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -14,6 +14,7 @@ from linkwright.cam.checks import Check
 from linkwright.cam.disc import TURN, Disc, Look
 from linkwright.cam.extremes import Extreme, extremes
 from linkwright.cam.nc.path import Element
+from linkwright.cam.pairs import Frame
 from linkwright.cam.sizing import Feasible
 from linkwright.kernels import Compiled
 from linkwright.laws import Motion
@@ -53,7 +54,7 @@ class Figure:
 class CamOutcome:
     """A plate cam: figures and checks, sizes, and what is made of it; SI, but for what the machine tool gets (mm).
 
-    ``elements`` is the contour, ``area`` (m2) that within the profile; both are missing where there is no profile.
+    ``elements`` is the contour in the disc's axes, which ``frame`` puts into the link's, ``area`` (m2) that within the profile; both are missing where there is no profile.
     ``smallest`` is the base circle (m) that ``size`` asks for, ``None`` where none keeps the limits.
     """
 
@@ -61,6 +62,7 @@ class CamOutcome:
     options: CamOptions
     name: str
     disc: Disc
+    frame: Frame
     stated: Stated
     figures: list[Figure] = field(default_factory=list)
     checks: list[Check] = field(default_factory=list)
@@ -97,6 +99,26 @@ class CamOutcome:
     def lift_dimension(self) -> u.Dimension:
         """An angle or a length."""
         return u.ANGLE if self.disc.follower.turns else u.LENGTH
+
+    def placed(self, points: Array) -> Array:
+        """Points of the disc (2, ...) about its centre, in directions of the link's axes."""
+        return replace(self.frame, origin=(0.0, 0.0)).placed(points)
+
+    @cached_property
+    def contour(self) -> list[Element]:
+        """The contour about the centre in directions of the link's axes, counter-clockwise; mm."""
+
+        def put(place: tuple[float, float]) -> tuple[float, float]:
+            x, y = self.placed(np.array(place)).tolist()
+            return x, y
+
+        made = [
+            replace(e, start=put(e.start), end=put(e.end), centre=None if e.centre is None else put(e.centre))
+            for e in self.elements
+        ]
+        if self.frame.mirror > 0:
+            return made
+        return [replace(e, start=e.end, end=e.start) for e in reversed(made)]
 
     @cached_property
     def theta(self) -> Array:

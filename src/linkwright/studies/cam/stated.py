@@ -202,6 +202,8 @@ class Reader:
 
 def middle_of_dwell(disc: Disc) -> float:
     """The cam angle in the middle of the longest dwell, rad; 0 where there is none."""
-    busy = {(a, b) for a, b in disc.pieces for start, stop, _ in moving(disc.lift, tuple(disc.pieces)) if a <= start < b}
+    busy = {
+        (a, b) for a, b in disc.pieces for start, stop, _ in moving(disc.lift, tuple(disc.pieces)) if a <= start < b
+    }
     dwells = [piece for piece in disc.pieces if piece not in busy]
     return max(((b - a, (a + b) / 2) for a, b in dwells), default=(0.0, 0.0))[1]

@@ -10,12 +10,13 @@ from linkwright.cam.contour import area, contour
 from linkwright.cam.disc import Disc
 from linkwright.cam.nc.path import Sharp
 from linkwright.cam.pairs import disc as disc_of
+from linkwright.cam.pairs import frame
 from linkwright.cam.sizing import feasible, smallest
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.findings import Finding, Term
 from linkwright.model.unknown import unknown
-from linkwright.studies.cam.milled import milled
+from linkwright.studies.cam.milled import milled, seen
 from linkwright.studies.cam.options import PATH, CamOptions
 from linkwright.studies.cam.outcome import CamOutcome, Figure, figures
 from linkwright.studies.cam.stated import Reader
@@ -50,7 +51,8 @@ class CamStudy:
         assert name is not None
         disc = disc_of(compiled, name)
         stated = Reader(compiled, options, name, disc).read()
-        outcome = CamOutcome(compiled, options, name, disc, stated, checks=checks(disc, stated.limits))
+        outcome = CamOutcome(compiled, options, name, disc, frame(compiled, name), stated)
+        outcome.checks = checks(disc, stated.limits)
         if stated.base is not None:
             _sizes(outcome, *stated.base)
         if (cut := undercut(disc)) is not None:
@@ -62,7 +64,7 @@ class CamStudy:
         _shape(outcome)
         if stated.job is not None and options.nc is not None:
             hollow = any(finding.code == "cam.hollow" for finding in outcome.failures)
-            outcome.milled, found = milled(disc, stated.job, options.nc.post, options.steps)
+            outcome.milled, found = milled(disc, stated.job, options.nc.post, options.steps, seen(outcome.frame))
             told = [finding for finding in found if not (hollow and finding.code == "nc.concave")]
             outcome.failures += [finding for finding in told if finding.severity == "error"]
             outcome.warnings += [finding for finding in told if finding.severity != "error"]

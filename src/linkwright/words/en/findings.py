@@ -4,6 +4,8 @@
 don't are in SI, and the text says so.
 """
 
+from linkwright.words.en.cam_findings import CAM_TERMS, CAM_TEXTS
+
 _TEXTS: dict[str, tuple[str, str]] = {
     # The file and its text.
     "file.unreadable": (
@@ -1716,7 +1718,7 @@ _TERMS: dict[str, str] = {
 }
 
 FINDINGS: dict[str, str] = {
-    **{f"{code}.what": what for code, (what, _) in _TEXTS.items()},
-    **{f"{code}.mend": mend for code, (_, mend) in _TEXTS.items()},
-    **{f"term.{name}": text for name, text in _TERMS.items()},
+    **{f"{code}.what": what for code, (what, _) in {**_TEXTS, **CAM_TEXTS}.items()},
+    **{f"{code}.mend": mend for code, (_, mend) in {**_TEXTS, **CAM_TEXTS}.items()},
+    **{f"term.{name}": text for name, text in {**_TERMS, **CAM_TERMS}.items()},
 }
