@@ -35,7 +35,7 @@ def cam(
 
 
 def examine_cam(file: Path, post: Sequence[str] = ()) -> Examined:
-    """Read and compile a model file for its cam study alone; with NC code for other controls where ``post`` names some."""
+    """Read and compile a model file for its cam study alone; ``post`` are other controls to write NC code for."""
     return examine_alone(file, "cam", _posts(read_file(file).document, {}, post or None))
 
 

@@ -98,7 +98,8 @@ def cam_page(outcome: CamOutcome) -> dict[str, CamData]:
 def section(data: CamData, title: str, tables: str) -> str:
     """The report's section."""
     head = "".join(f"<p>{escape(text)}</p>" for text in data["sentences"])
-    return f'<section id="cam"><h2>{escape(title)}</h2>{head}<div class="plots">{charts_html(data["charts"])}</div>{tables}</section>'
+    drawn = f'<div class="plots">{charts_html(data["charts"])}</div>'
+    return f'<section id="cam"><h2>{escape(title)}</h2>{head}{drawn}{tables}</section>'
 
 
 def cam_sentences(outcome: CamOutcome) -> list[str]:
@@ -130,18 +131,7 @@ def cam_tables(outcome: CamOutcome) -> list[Grid]:
         [say(f"cam.check.{c['name']}"), _n(c["value"]), c["unit"], _place(c), _n(c["limit"]), _n(c["margin"]), _mark(c)]
         for c in entry["checks"]
     ]
-    made = [
-        [
-            post,
-            _n(m["lift_error"]),
-            _n(m["tolerance"]),
-            m["unit"],
-            f"{m['velocity_error']:.3g} {m['unit']}/{m['angle_unit']}",
-        ]
-        + [f"{m['gouge_mm']:.3g}", f"{m['rest_mm']:.3g}", f"{m['time_s']:.0f}", str(m["lines"]), _word(m["written"])]
-        for post, m in entry["nc"].items()
-        if "lift_error" in m
-    ]
+    made = [_nc_row(post, m) for post, m in entry["nc"].items() if "lift_error" in m]
     grids = [
         _grid("figures", ("figure", "value", "unit", "at", "required", "verdict"), figures),
         _grid("checks", ("check", "value", "unit", "at", "limit", "margin", "verdict"), checks),
@@ -151,6 +141,13 @@ def cam_tables(outcome: CamOutcome) -> list[Grid]:
         _grid("parts", ("part", "value", "unit"), _parts(entry)),
     ]
     return [grid for grid in grids if grid["rows"]]
+
+
+def _nc_row(post: str, m: dict[str, Any]) -> list[str]:
+    error = [_n(m["lift_error"]), _n(m["tolerance"]), m["unit"]]
+    speed = f"{m['velocity_error']:.3g} {m['unit']}/{m['angle_unit']}"
+    off = [f"{m['gouge_mm']:.3g}", f"{m['rest_mm']:.3g}"]
+    return [post, *error, speed, *off, f"{m['time_s']:.0f}", str(m["lines"]), _word(m["written"])]
 
 
 def _parts(entry: dict[str, Any]) -> list[list[str]]:

@@ -66,15 +66,11 @@ def _over(
 
 def _pressure(outcome: CamOutcome) -> Chart:
     angle, deg = outcome.compiled.quantities.unit_of(u.ANGLE)
-    limits = [c.limit / deg * sign for c, sign in _limited(outcome, "pressure_rise", "pressure_return")]
+    signs = {"pressure_rise": 1, "pressure_return": -1}
+    checks = [check for check in outcome.checks if check.name in signs]
+    limits = [signs[c.name] * c.limit / deg for c in checks if c.limit is not None]
     values = np.broadcast_to(outcome.look.pressure.d[0], outcome.theta.shape) / deg
     return _over(outcome, say("cam.chart.pressure"), angle, [values], limits)
-
-
-def _limited(outcome: CamOutcome, *names: str) -> Iterator[tuple[object, int]]:
-    for check in outcome.checks:
-        if check.name in names and check.limit is not None:
-            yield check, 1 if check.name == names[0] else -1
 
 
 def _curvatures(outcome: CamOutcome) -> Iterator[Chart]:

@@ -54,7 +54,8 @@ class Figure:
 class CamOutcome:
     """A plate cam: figures and checks, sizes, and what is made of it; SI, but for what the machine tool gets (mm).
 
-    ``elements`` is the contour in the disc's axes, which ``frame`` puts into the link's, ``area`` (m2) that within the profile; both are missing where there is no profile.
+    ``elements`` is the contour in the disc's axes, which ``frame`` puts into the link's, ``area`` (m2) that within the
+    profile; both are missing where there is no profile.
     ``smallest`` is the base circle (m) that ``size`` asks for, ``None`` where none keeps the limits.
     """
 

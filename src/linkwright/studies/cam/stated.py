@@ -131,13 +131,11 @@ class Reader:
         if b is None:
             return None
 
-        def length(key: str) -> float:
-            of = getattr(b, key)
-            return 0.0 if of is None else MM * self._number(of, u.LENGTH, "blank", key)
-
         keys = ("thickness", "bore", "hub", "height", "key_width", "key_depth")
+        stated = {key: of for key in keys if (of := getattr(b, key)) is not None}
+        lengths = {key: MM * self._number(of, u.LENGTH, "blank", key) for key, of in stated.items()}
         turned = self._number(b.key_angle, u.ANGLE, "blank", "key_angle", least=None)
-        made = Blank(*map(length, keys), key_angle=turned)
+        made = Blank(**lengths, key_angle=turned)
         if made.bore and made.key_width >= 2 * made.bore:
             self.findings.append(Finding("cam.keyway", (*PATH, "blank", "key_width")))
         elif made.hub and made.hub <= made.bore + made.key_depth:
