@@ -52,6 +52,7 @@ TITLES = {
     "mass": "Masses",
     "joint": "Joints",
     "cylinder": "Cylinders",
+    "cam": "Cams",
     "sketch": "The sketch",
     "drive": "Drives",
     "load": "Loads",
@@ -101,7 +102,7 @@ def rendered() -> str:
 
 def in_source() -> set[str]:
     """The codes that the source raises: what looks like one, begins like one, and isn't another text's key."""
-    files = (".csv", ".nc", ".svg", ".dxf", ".geojson")
+    files = (".csv", ".nc", ".svg", ".dxf", ".step", ".geojson")
     codes = {text for text in source.texts() if text.split(".")[0] in TITLES and not text.endswith(files)}
     return codes - OTHERS
 

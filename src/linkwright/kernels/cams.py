@@ -48,16 +48,19 @@ def follower_law(quantities: Quantities, name: str, motion: Motion, motor: Law) 
     drive = quantities.mechanism.drives[name]
     assert isinstance(drive, Following)
     noted = _Noting(quantities.parameters)
-    turn = whole(quantities, noted, drive)
+    with np.errstate(all="ignore"):  # what has no start is told by :func:`cam_faults`
+        turn = whole(quantities, noted, drive)
     factor = float(sense(quantities, drive) * drive.turned)
 
     def ride(angle: Jet, parameters: Parameters) -> Jet:
         geometry = Geometry(quantities, parameters)
         here = seat(geometry, drive)
         lift = motion.on(factor * angle + geometry.number(drive.cam.phase, u.ANGLE))
-        return here.sign * lift + (here.offset + here.sign * here.start - turn)
+        value: Jet = here.sign * lift + (here.offset + here.sign * here.start - turn)
+        return value
 
-    ride(Jet.constant(0.0, 1), noted)
+    with np.errstate(all="ignore"):
+        ride(Jet.constant(0.0, 1), noted)
     made = CamLaw(motor.of, quantities.parameters, frozenset(noted.asked), drive.motor, ride)
     return made.driven_by(motor)
 

@@ -16,7 +16,8 @@ from linkwright.graph.graph import Graph
 from linkwright.graph.redundant import redundant
 from linkwright.kernels.cams import cam_faults
 from linkwright.kernels.follow import Follower
-from linkwright.kernels.laws import Law, action_tables, drive_laws, values_at
+from linkwright.kernels.law import Law
+from linkwright.kernels.laws import action_tables, drive_laws, values_at
 from linkwright.kernels.motions import motion_laws
 from linkwright.kernels.passages import Passage, Passages, unwrapped
 from linkwright.kernels.registry import KERNELS, Kernel
