@@ -58,7 +58,7 @@ class Compiled:
         """What follows the motion to give inputs of the program, at the start of it."""
         starts, size = self.assembly.starts, self.assembly.size()
         self.followers = [Follower(self.graph, c, starts[c], size, self.kernel) for c in self.structure.clusters]
-        self.supply = Supply(self.graph, self.tables, self.kernel, self.motions)
+        self.supply = Supply(self.graph, self.tables, self.kernel, self.laws)
 
     def inputs(self, t: Array, clusters: int | None = None, actions: bool = True, starts: bool = False) -> Array:
         """The per-pose inputs at times ``t`` (s): (inputs, poses), in SI; only the first ``clusters`` in place, those
