@@ -148,12 +148,11 @@ class Contact:
         return {drive.link: push, drive.cam.cam: push.opposite}
 
 
-def contact(motion: Motion, drive: Following, slope: Scalar) -> Contact:
-    """Where a follower touches, from the poses and the derivative of the lift by the angle of the law (m or rad)."""
+def contact(motion: Motion, drive: Following, rate: Scalar) -> Contact:
+    """Where a follower touches, from the poses and the derivative of its value by the cam's angle (m or 1)."""
     geometry, bodies = motion.geometry, motion.bodies
     here, on = seat(geometry, drive), bodies[drive.on]
     forward = sense(geometry.quantities, drive)
-    rate = here.sign * forward * slope  # of the follower's value over the cam's angle
     shaft = on.point(here.shaft).now
     way = on.direction(here.way).now if not here.turns else Pair(0.0, 0.0)
     pivot = on.point(here.pivot).now

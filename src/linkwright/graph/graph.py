@@ -14,7 +14,6 @@ from typing import Any
 import casadi as ca
 
 from linkwright.graph.actions import Actions
-from linkwright.graph.cams import followings
 from linkwright.graph.geometry import Geometry, widest
 from linkwright.graph.program import ExpressionStage, NewtonStage, Program
 from linkwright.graph.view import LETTERS, LINK_ORDERS, SLIDE_ORDERS, View
@@ -42,7 +41,7 @@ class Graph:
     @cached_property
     def motors(self) -> tuple[str, ...]:
         """The drives but those that stand for cams."""
-        return tuple(name for name in self.drives if name not in followings(self.quantities))
+        return tuple(name for name in self.drives if name not in self.actions.cams)
 
     @cached_property
     def branched(self) -> tuple[Any, ...]:

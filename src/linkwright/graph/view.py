@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from linkwright.graph.actions import active, load_values, wrenches
-from linkwright.graph.cams import Contact, contact, followings
+from linkwright.graph.cams import Contact, contact
 from linkwright.graph.forces import Forces, lever, solve_forces, unit_efforts
 from linkwright.graph.geometry import ZERO, Geometry
 from linkwright.graph.motion import Motion, solve_motion
@@ -65,19 +65,14 @@ class View:
 
     @cached_property
     def forces(self) -> Forces:
-        drives = followings(self.graph.quantities)
-        pushes = {name: at.pushes(drives[name]) for name, at in self.contacts.items()}
+        pushes = {name: at.pushes(self.graph.actions.cams[name]) for name, at in self.contacts.items()}
         return solve_forces(self.motion, wrenches(self), pushes)
 
     @cached_property
     def contacts(self) -> dict[str, Contact]:
         """Where the followers of cams touch."""
-        drives = followings(self.graph.quantities)
-        lookups, slopes = self.graph.actions.lookups, self.graph.actions.slopes
-        return {
-            name: contact(self.motion, drive, self.given[f"table/{lookups.index(slopes[name])}/0"])
-            for name, drive in drives.items()
-        }
+        cams = self.graph.actions.cams.items()
+        return {name: contact(self.motion, drive, self.given[f"ratio/{name}/0"]) for name, drive in cams}
 
     def row(self, name: str) -> Scalar:
         """The expression of one output row."""
@@ -109,8 +104,8 @@ class View:
 
     def lookup(self, table: str, argument: Node, integral: bool = False) -> Scalar:
         """A table's answer, an input of the pose."""
-        known = ((k.table, k.argument, k.integral, k.slope) for k in self.graph.actions.lookups)
-        return self.given[f"table/{list(known).index((table, argument, integral, False))}/0"]
+        known = ((k.table, k.argument, k.integral) for k in self.graph.actions.lookups)
+        return self.given[f"table/{list(known).index((table, argument, integral))}/0"]
 
     def _of_action(self, kind: str, what: str) -> Scalar:
         """Rows of loads and springs: the sum of a load's values, whether a window holds, the argument that a table

@@ -29,7 +29,16 @@ class CamLaw(Law):
     """The law of a follower; ``ride`` gives its value from that of the motor (rad) with its rates."""
 
     motor: str = ""
+    turned: int = 1
     ride: Callable[[Jet, Parameters], Jet] | None = None
+
+    def ratio(self, angle: Any, speed: Any, parameters: Parameters) -> tuple[Any, Any]:
+        """The derivative of the follower's value by the cam's angle, and its rate in time, at the motor's angle (rad)
+        and speed (rad/s); these and the parameters may be duals."""
+        assert self.ride is not None
+        with np.errstate(all="ignore"):
+            value = self.ride(Jet([angle, 1.0, 0.0]), parameters)
+            return self.turned * value.d[1], self.turned * value.d[2] * speed
 
     def driven_by(self, motor: Law) -> CamLaw:
         """The same cam turned by another law of its motor."""
@@ -48,17 +57,20 @@ def follower_law(quantities: Quantities, name: str, motion: Motion, motor: Law) 
     drive = quantities.mechanism.drives[name]
     assert isinstance(drive, Following)
     noted = _Noting(quantities.parameters)
-    turn = whole(quantities, noted, drive)
+    with np.errstate(all="ignore"):  # what has no start is told by :func:`cam_faults`
+        turn = whole(quantities, noted, drive)
     factor = float(sense(quantities, drive) * drive.turned)
 
     def ride(angle: Jet, parameters: Parameters) -> Jet:
         geometry = Geometry(quantities, parameters)
         here = seat(geometry, drive)
         lift = motion.on(factor * angle + geometry.number(drive.cam.phase, u.ANGLE))
-        return here.sign * lift + (here.offset + here.sign * here.start - turn)
+        value: Jet = here.sign * lift + (here.offset + here.sign * here.start - turn)
+        return value
 
-    ride(Jet.constant(0.0, 1), noted)
-    made = CamLaw(motor.of, quantities.parameters, frozenset(noted.asked), drive.motor, ride)
+    with np.errstate(all="ignore"):
+        ride(Jet.constant(0.0, 1), noted)
+    made = CamLaw(motor.of, quantities.parameters, frozenset(noted.asked), drive.motor, drive.turned, ride)
     return made.driven_by(motor)
 
 

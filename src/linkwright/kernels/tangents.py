@@ -98,6 +98,12 @@ class Tangents:
                 for k, row in enumerate(law.at(t, own).d, start=size + i * graph.width):
                     x[k] = slope_of(row)
         self._look_up(x)
+        supply = self.compiled.supply
+        for name, cam in supply.cams.items():
+            motor = supply.motor(cam)
+            angle, speed = (Dual(x[row], x[size + row]) for row in (motor, motor + 1))
+            for k, row in enumerate(cam.ratio(angle, speed, given)):
+                x[size + supply.rows[f"ratio/{name}/{k}"]] = slope_of(row)
         return x
 
     def _own_inputs(self, t: Array) -> Array:
@@ -112,7 +118,9 @@ class Tangents:
         for which, _ in supply.levels:
             y = self._engine(tuple(f"argument/{i}" for i in which), True).over(x, self.p)
             for i, (value, rate, slope, twist) in zip(which, y.reshape(len(which), 4, *x.shape[1:]), strict=True):
-                asked = Jet([Dual(value, slope), Dual(rate, twist)])
-                answers = supply.answer(graph.actions.lookups[i], asked).d
+                lookup = graph.actions.lookups[i]
+                table = supply.tables[lookup.table]
+                ask = table.integral if lookup.integral else table.or_nan
+                answers = ask(Jet([Dual(value, slope), Dual(rate, twist)])).d
                 for k, answer in enumerate(answers):
                     x[size + supply.rows[f"table/{i}/{k}"]] = slope_of(answer)

@@ -203,16 +203,19 @@ def _force_plots(result: Result) -> list[Plot | None]:
         if contact.sliding:
             title = say("plot.moment", a=contact.link, b=contact.on)
             found.append(_plot(result, title, "force", [f"{name}.moment"]))
-    turning = [name for name, drive in m.drives.items() if drive.turns]
-    sliding = [name for name in m.drives if name not in turning]
+    motors = result.run.compiled.graph.motors
+    turning = [name for name in motors if m.drives[name].turns]
+    sliding = [name for name in motors if name not in turning]
     found.append(_plot(result, say("plot.torque"), "force", [f"{n}.torque" for n in turning]))
     found.append(_plot(result, say("plot.effort"), "force", [f"{n}.force" for n in sliding]))
+    found.append(_plot(result, say("plot.contact"), "force", [f"{n}.force" for n in m.cams]))
+    found.append(_plot(result, say("plot.pressure"), "force", [f"{n}.pressure" for n in m.cams]))
     between = [name for name, spring in m.springs.items() if not spring.torsional]
     torsional = [name for name in m.springs if name not in between]
     found.append(_plot(result, say("plot.spring_length"), "motion", [f"{n}.length" for n in between]))
     found.append(_plot(result, say("plot.spring_force"), "force", [f"{n}.force" for n in between]))
     found.append(_plot(result, say("plot.spring_torque"), "force", [f"{n}.torque" for n in torsional]))
-    found.append(_plot(result, say("plot.power"), "force", [f"{n}.power" for n in m.drives]))
+    found.append(_plot(result, say("plot.power"), "force", [f"{n}.power" for n in motors]))
     found.append(_plot(result, say("plot.shaking"), "force", ["shaking.x", "shaking.y"]))
     found.append(_plot(result, say("plot.shaking_moment"), "force", ["shaking.moment"]))
     return found

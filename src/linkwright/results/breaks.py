@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.graph.cams import argument, followings
 from linkwright.laws import TableLaw
 from linkwright.model.expressions import Binary, Call, Node, Number, nodes
 from linkwright.results.stationary import crossings
@@ -47,7 +48,8 @@ def breaks(run: Run) -> Array:
     actions = run.compiled.graph.actions
     found = [run.jumps.mean(axis=1)]
     for i, lookup in enumerate(actions.lookups):
-        if not lookup.slope and not lookup.integral and (table := run.compiled.tables[lookup.table]).degree == 1:
+        table = run.compiled.tables[lookup.table]
+        if table.degree == 1 and not lookup.integral:
             found.append(_knots(run, i, table))
     found += [_zeros(run, node) for node in kinks(run.compiled)]
     return np.unique(np.concatenate(found))
@@ -60,7 +62,7 @@ def kinks(compiled: Compiled) -> list[Node]:
     for name, drive in m.drives.items():
         if drive.position is not None:
             laws.append(quantities.bind(drive.position, quantities.drive_dimension(name)))
-    laws += [Call(lookup.table, (lookup.argument,)) for lookup in compiled.graph.actions.slopes.values()]
+    laws += [Call(drive.cam.law, (argument(quantities, drive),)) for drive in followings(quantities).values()]
     found = dict.fromkeys(switch for law in laws for node in nodes(law) for switch in switches(node))
     found |= dict.fromkeys(switch for law in laws for node in nodes(law) for switch in _joins(compiled, node))
     functions = {*m.tables, *m.laws}

@@ -30,8 +30,7 @@ def undefined(run: Run) -> list[Finding]:
     rows |= {("springs", name): f"{name}.{spring.effort}" for name, spring in m.springs.items()}
     if findings or not rows:
         return findings
-    tables = run.compiled.tables
-    open_ = [i for i, k in enumerate(actions.lookups) if not k.slope and tables[k.table].period is None]
+    open_ = [i for i, k in enumerate(actions.lookups) if run.compiled.tables[k.table].period is None]
     t = _times(run, [f"argument/{i}" for i in open_])
     for path, values in zip(rows, run.compiled.evaluate(list(rows.values()), t), strict=True):
         bad = t[~np.isfinite(values)]
@@ -89,7 +88,8 @@ def _explained(run: Run, path: tuple[str, str], bad: Array) -> Finding:
         parts = [n for part, _ in compiled.mechanism.loads[name].parts for n in nodes(part.node)]
         tables = [part.name for part in parts if isinstance(part, Call)]
     for i, lookup in enumerate(compiled.graph.actions.lookups):
-        if lookup.table not in tables or (table := compiled.tables[lookup.table]).period is not None:
+        table = compiled.tables[lookup.table]
+        if lookup.table not in tables or table.period is not None:
             continue
         asked = compiled.evaluate([f"argument/{i}"], bad)[0]
         over = np.maximum(table.x[0] - asked, asked - table.x[-1])

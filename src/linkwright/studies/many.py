@@ -96,8 +96,7 @@ class Measuring:
         if all(signal.kinematic for signal in signals):
             return False
         actions, tables = self.graph.actions, self.run.compiled.tables
-        asked = [lookup.table for lookup in actions.lookups if not lookup.integral and not lookup.slope]
-        straight = any(tables[table].degree == 1 for table in asked)
+        straight = any(tables[lookup.table].degree == 1 and not lookup.integral for lookup in actions.lookups)
         return bool(actions.windows) or (straight and measure.reduction in POWERS)
 
     def _steps(self) -> int:

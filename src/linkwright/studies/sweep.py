@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from linkwright.kernels import Compiled
 from linkwright.kernels.cams import recomposed
 from linkwright.kernels.follow import Follower
-from linkwright.kernels.laws import Law, constant_acceleration, values_at
+from linkwright.kernels.law import Law
+from linkwright.kernels.laws import constant_acceleration, values_at
 from linkwright.notation.angles import whole_turns
 from linkwright.results import Run
 from linkwright.structure import Group

@@ -415,7 +415,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "cam.no-motor": (
         "No drive turns {cam} on {on} by a law of its own.",
-        "Add a drive {{turns: {cam}, on: {on}, ...}} without output; the cam's law is asked at its angle.",
+        "Add a drive that turns {cam} on {on}, without output; the cam's law is asked at its angle.",
     ),
     "cam.no-guide": (
         "The follower {follower} is neither pinned to {on} nor does it slide on it.",
