@@ -13,7 +13,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from linkwright.app import Job, accuracy, cam, check, export, modes, run, sweep, workspace
+    from linkwright.app import Job, accuracy, check, export, modes, plate_cam, run, sweep, workspace
     from linkwright.kernels import Compiled
     from linkwright.kernels import compile_mechanism as compile
     from linkwright.model.builder import Builder
@@ -36,13 +36,13 @@ _PLACES = {
     "Result": ("linkwright.results", "Result"),
     "Run": ("linkwright.results", "Run"),
     "accuracy": ("linkwright.app", "accuracy"),
-    "cam": ("linkwright.app", "cam"),
     "check": ("linkwright.app", "check"),
     "compile": ("linkwright.kernels", "compile_mechanism"),
     "dump": ("linkwright.model.document", "dump"),
     "export": ("linkwright.app", "export"),
     "load": ("linkwright.model.document", "load"),
     "modes": ("linkwright.app", "modes"),
+    "plate_cam": ("linkwright.app", "plate_cam"),
     "run": ("linkwright.app", "run"),
     "save": ("linkwright.model.document", "save"),
     "sweep": ("linkwright.app", "sweep"),
@@ -61,13 +61,13 @@ __all__ = [
     "Result",
     "Run",
     "accuracy",
-    "cam",
     "check",
     "compile",
     "dump",
     "export",
     "load",
     "modes",
+    "plate_cam",
     "run",
     "save",
     "sweep",

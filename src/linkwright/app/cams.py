@@ -12,7 +12,7 @@ from linkwright.model.mechanism import Document
 from linkwright.studies.cam.outcome import CamOutcome
 
 
-def cam(
+def plate_cam(
     model: str | Path | Document,
     name: str | None = None,
     *,

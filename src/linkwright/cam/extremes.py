@@ -87,7 +87,12 @@ def moving(lift: Lift, pieces: tuple[tuple[float, float], ...]) -> list[tuple[fl
 
 def curvature(by: float = 0.0) -> Figure:
     """The curvature (1/m) of the curve ``by`` (m) outward of the pitch curve; negative beyond a cusp."""
-    return lambda look: look.curvature / (1.0 + by * look.curvature)
+
+    def figure(look: Look) -> Jet:
+        with np.errstate(divide="ignore", invalid="ignore"):  # at a cusp
+            return look.curvature / (1.0 + by * look.curvature)
+
+    return figure
 
 
 def pressure(look: Look) -> Jet:

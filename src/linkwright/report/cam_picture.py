@@ -9,9 +9,9 @@ from html import escape
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.nc.swept import points as along
+from linkwright.cam.nc.swept import chains
 from linkwright.model import units as u
-from linkwright.report.charts import points
+from linkwright.report.charts import points, thinned
 from linkwright.report.workspace_picture import LEFT, TOP, Plane
 from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.words import say
@@ -20,6 +20,8 @@ Array = NDArray[np.float64]
 
 FRAMES = 120
 SECONDS = 6
+MOST = 1500
+"""Points of a line of the cutter's path."""
 STYLE = """
 .still.cam text { font: 12px system-ui, Arial, "DejaVu Sans", "Liberation Sans", "Noto Sans", sans-serif; }
 .still.cam .grid { fill: none; stroke: #8886; stroke-width: 0.5; }
@@ -135,14 +137,13 @@ def tool_path(outcome: CamOutcome) -> str:
     one = outcome.milled[0]
     deepest = min(move.end[2] for move in one.proof.moves)
     cutting = [m for m in one.proof.moves if m.feed is not None and max(m.start[2], m.end[2]) <= deepest + 1e-6]
-    lines = [along(move, one.job.cutter)[:: 1 if move.centre is None else 8].T / 1e3 for move in cutting]
+    lines = [line[thinned(len(line), MOST)].T / 1e3 for line in chains(cutting, one.job.cutter)]
     profile = outcome.look.offset(-outcome.disc.follower.radius)
     every = np.concatenate([*lines, profile], axis=1)
     low, high = every.min(axis=1) / size, every.max(axis=1) / size
     plane = Plane((low[0], low[1], high[0], high[1]), outcome.compiled.quantities.unit_of(u.LENGTH)[0])
-    way = points(*plane.at(*(np.concatenate(lines, axis=1) / size)))
     shapes = f'<polygon class="profile" points="{points(*plane.at(*(profile / size)))}"/>'
-    shapes += f'<polyline class="tool" points="{way}"/>'
+    shapes += "".join(f'<polyline class="tool" points="{points(*plane.at(*(line / size)))}"/>' for line in lines)
     legend = [("profile", say("cam.kind.profile")), ("tool", say("cam.kind.tool"))]
     return drawn(plane, shapes, legend, say("cam.chart.tool"))
 

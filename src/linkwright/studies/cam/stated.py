@@ -120,7 +120,7 @@ class Reader:
         for name, ends in size.against.items() if size else ():
             known = [key for key in vars(self.disc.follower) if key != "base"]
             if name not in known:
-                self.findings.append(unknown("length", (*PATH, "size", "against"), name, known))
+                self.findings.append(unknown("length", (*PATH, "size", "against", name), name, known))
                 continue
             signed = name in ("offset", "face")
             return (name, *self._range(ends, "size", "against", name, least=None if signed else 0.0))
@@ -188,7 +188,7 @@ class Reader:
         made = []
         for name, requirement in self.options.require.items():
             if name not in FIGURES:
-                self.findings.append(unknown("measure", (*PATH, "require"), name, FIGURES))
+                self.findings.append(unknown("measure", (*PATH, "require", name), name, FIGURES))
                 continue
             low, high = (
                 end if bound is None else self._number(bound, FIGURES[name], "require", name, least=None)

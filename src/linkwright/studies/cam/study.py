@@ -25,6 +25,14 @@ from linkwright.studies.site import NOWHERE, Site
 
 LARGER = 20.0
 """How many times as large a base circle is looked for as the one that won't do."""
+NAMED = {
+    "pressure_rise": Term("check-pressure_rise"),
+    "pressure_return": Term("check-pressure_return"),
+    "pitch_radius": Term("check-pitch_radius"),
+    "profile_radius": Term("check-profile_radius"),
+    "hollow_radius": Term("check-hollow_radius"),
+    "groove_radius": Term("check-groove_radius"),
+}
 UP = 1 + 1e-6
 """A radius that is to suffice is told so much larger."""
 
@@ -144,7 +152,7 @@ def _place(outcome: CamOutcome, check: Check) -> dict[str, object]:
     dimension = u.ANGLE if check.name.startswith("pressure") else u.LENGTH
     unit, size = outcome.compiled.quantities.unit_of(dimension)
     limit = "-" if check.limit is None else f"{check.limit / size:.6g}"
-    data = {"name": Term(f"check-{check.name}"), "value": f"{check.value / size:.6g}", "limit": limit, "unit": unit}
+    data = {"name": NAMED[check.name], "value": f"{check.value / size:.6g}", "limit": limit, "unit": unit}
     return data | {"theta": _angle(outcome, check.theta)}
 
 
