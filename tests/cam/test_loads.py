@@ -175,6 +175,8 @@ def test_what_has_no_force() -> None:
     with pytest.raises(NoContact) as error:
         forces(Disc(TranslatingRoller(40e-3, 10e-3), ramp, 1, (0.0, math.pi)), Loads(1.0), 1.0)
     assert (error.value.key, error.value.data) == ("cam.shock", {"theta": 0.0})
+    with pytest.raises(NoContact, match=r"cam\.shock"):  # ends elsewhere than it starts
+        forces(Disc(TranslatingRoller(40e-3, 10e-3), lambda theta: theta * 5e-3), Loads(1.0), 1.0)
     with pytest.raises(NoContact) as error:  # an arm that folds over the line of centres
         forces(Disc(SwingingRoller(39e-3, 20e-3, 85e-3, 90e-3), harmonic(1.5)), Loads(1.0), 1.0)
     assert error.value.key == "cam.locked"

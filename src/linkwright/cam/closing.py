@@ -1,8 +1,8 @@
 """Followers closed by form: a groove, a conjugate pair of discs, a yoke around one disc.
 
 Each gives the second :class:`linkwright.cam.contact.Side`, with which :func:`linkwright.cam.loads.forces` says when
-which side bears. (Rothbart, Cam Design Handbook, 2004, ch. 2 and 7; Norton, Cam Design and Manufacturing Handbook,
-2nd ed., ch. 1 and 9.)
+which side bears. (Rothbart, Cam Design Handbook, 2004; Norton, Cam Design and Manufacturing Handbook,
+2nd ed.)
 """
 
 from __future__ import annotations

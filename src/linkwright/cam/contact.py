@@ -14,14 +14,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.cam.disc import TURN, Disc, Look
-from linkwright.cam.extremes import Extreme, extremes
+from linkwright.cam.extremes import extremes
 from linkwright.cam.followers import dot
 from linkwright.notation import Jet
 
 Array = NDArray[np.float64]
 
 JUMP = 1e-9
-"""A larger difference of the rates of the lift on both sides of a join, over the largest rate, is a jump."""
+"""A larger difference on both sides of a join, over the largest value, is a jump."""
+SEEN = 64
+"""Places of each piece at which the largest value is looked for."""
 
 
 class NoContact(ValueError):
@@ -76,15 +78,17 @@ def reach(look: Look) -> Jet:
 
 
 def drivable(side: Side) -> None:
-    """Raise :class:`NoContact` where the lift's rate jumps (``cam.shock``: an infinite force), or where the pressure
-    angle reaches a right angle (``cam.locked``)."""
+    """Raise :class:`NoContact` where the lift or its rate jumps (``cam.shock``: an infinite force), or where the
+    pressure angle reaches a right angle (``cam.locked``)."""
     disc = side.disc
-    rates = [rows(disc.lift(_angle(np.array([a, np.nextafter(b, a)]))).d[1], 2) for a, b in disc.pieces]
-    size = max(float(np.abs(rows(disc.look(np.linspace(a, b, 64)[:-1]).lift.d[1], 63)).max()) for a, b in disc.pieces)
-    for (start, _), before, after in zip(disc.pieces, [rates[-1], *rates], rates, strict=False):
-        if abs(after[0] - before[1]) > JUMP * size:
-            raise NoContact("cam.shock", theta=start)
-    least: Extreme = extremes(disc, reach)[0]
+    for order in (0, 1):
+        within = [_angle(np.linspace(start, np.nextafter(stop, start), SEEN)) for start, stop in disc.pieces]
+        found = [rows(disc.lift(theta).d[order], SEEN) for theta in within]
+        size = float(np.abs(found).max())
+        for (start, _), before, after in zip(disc.pieces, [found[-1], *found], found, strict=False):
+            if abs(after[0] - before[-1]) > JUMP * size:
+                raise NoContact("cam.shock", theta=start)
+    least = extremes(disc, reach)[0]
     if not least.value > 0:
         raise NoContact("cam.locked", theta=least.theta)
 

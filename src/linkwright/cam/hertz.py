@@ -3,7 +3,7 @@
 Two cylinders pressed together by F over a width L touch on a strip of half-width b = sqrt(4 F R / (pi L E)) with the
 peak pressure sqrt(F E / (pi L R)) = 2 F / (pi b L), where 1/R = 1/R1 + 1/R2, a hollow's radius negative, and
 1/E = (1 - v1^2)/E1 + (1 - v2^2)/E2. (Hertz, 1882; Johnson, Contact Mechanics, 1985, 4.2c; Norton, Cam Design and
-Manufacturing Handbook, 2nd ed., ch. 12.) It holds while b is small against both radii and for a face or a roller
+Manufacturing Handbook, 2nd ed.) It holds while b is small against both radii and for a face or a roller
 without crown, aligned.
 """
 

@@ -3,8 +3,8 @@
 Along the lift s the follower's inertia, its spring and the process ask of the cam Q = I s'' w^2 + c s + p + load, in N
 of a translating, N m of a swinging follower. The contact force is N = Q / (n . a), a being the derivative of the
 touching point by the lift: n . a is the cosine of the pressure angle, times the arm of a swinging roller. By virtual
-work the shaft gives T = Q s'. (Norton, Cam Design and Manufacturing Handbook, 2nd ed., ch. 9; Rothbart, Cam Design
-Handbook, 2004, ch. 8 and 9.) The cam turns uniformly and all bodies are rigid.
+work the shaft gives T = Q s'. (Rothbart, Cam Design Handbook, 2004, ch. 8; Norton, Cam Design and
+Manufacturing Handbook, 2nd ed.) The cam turns uniformly and all bodies are rigid.
 """
 
 from __future__ import annotations
@@ -180,7 +180,7 @@ class Forces:
                 look = self.disc.look(np.clip(theta, start, np.nextafter(stop, start)))
                 return rows(self.loads.along(look, self.omega).d[0], theta.size)
 
-            for a, b in pairwise([start, *crossings(along, start, stop, STEPS), stop]):
+            for a, b in pairwise([start, *map(float, crossings(along, start, stop, STEPS)), stop]):
                 inside = along(np.linspace(a, b, 9)[1:-1])
                 most = float(inside[np.abs(inside).argmax()])
                 side = int(np.sign(most)) if abs(most) > NOTHING * size else 0

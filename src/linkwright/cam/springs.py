@@ -4,7 +4,7 @@ The follower stays on where I s'' w^2 + c s + p + load >= N n . a at all cam ang
 that is wanted. That is linear in the preload p, in the rate c and in w^2, so over a range of speeds its ends decide;
 the least preload and the highest speed are an extreme over the turn, and the least rate is the root of a convex
 function, which Newton's rule reaches from below: each step keeps the follower on at the cam angle that was worst.
-(Norton, Cam Design and Manufacturing Handbook, 2nd ed., ch. 9.)
+(Norton, Cam Design and Manufacturing Handbook, 2nd ed.)
 """
 
 from __future__ import annotations
