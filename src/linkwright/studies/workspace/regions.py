@@ -18,6 +18,7 @@ from linkwright.studies.workspace.mesh import RIM, Box, Mesh, found_pits, mesh
 from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]
+Rows = NDArray[np.intp]
 
 SNAP = 1e-10
 """Ends of pieces nearer than this share of the extent are one."""
@@ -25,6 +26,10 @@ SLIVER = 4.0
 """A face narrower than so many chords is a sliver."""
 STARTS = 12
 NEWTON = 40
+DAMPS = np.array([1.0]), 3.0 ** -np.arange(1.0, 8.0)
+"""Shares of a step of Newton's method: where the first brings it no nearer, the largest of the others that does."""
+DONE = 1e-3
+"""What misses by less than this share of what is near enough needn't come nearer."""
 CLOSED = 1e-9
 """A place is reached when the working point comes within this share of the extent."""
 
@@ -71,7 +76,8 @@ def reached(sheet: Sheet, box: Box, made: Mesh, segments: Sequence[Segments], ch
         return shapely.Polygon()
     size = float(np.ptp(ends, axis=(1, 2)).max())
     lines = shapely.linestrings(np.moveaxis(ends, (0, 1, 2), (2, 1, 0)))
-    joined = shapely.unary_union(lines, grid_size=SNAP * size)
+    chains = shapely.line_merge(shapely.multilinestrings(lines))  # of few long lines a union is sooner made
+    joined = shapely.unary_union(chains, grid_size=SNAP * size)
     faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(joined)))
     faces = faces[_wide(faces, chord)]
     if not len(faces):
@@ -109,50 +115,47 @@ def reaches(sheet: Sheet, box: Box, made: Mesh, places: Array, near: float) -> t
     known = np.isfinite(at).all(axis=0)
     corners, at = corners[:, known], at[:, known]
     count = places.shape[1]
-    _, nearest = cKDTree(at.T).query(places.T, k=min(STARTS, at.shape[1]))
-    nearest = nearest.reshape(count, -1)
-    found, values = np.zeros(count, dtype=bool), np.full((2, count), np.nan)
-    for k in range(nearest.shape[1]):
-        rest = np.flatnonzero(~found)
-        if not rest.size:
-            break
-        q, ok = solved(sheet, box, corners[:, nearest[rest, k]], places[:, rest], near)
-        found[rest[ok]] = True
-        values[:, rest[ok]] = q[:, ok]
-    return found, values
+    nearest = cKDTree(at.T).query(places.T, k=min(STARTS, at.shape[1]))[1].reshape(count, -1)
+    tries = nearest.shape[1]
+    q, ok = solved(sheet, box, corners[:, nearest.ravel()], np.repeat(places, tries, axis=1), near)
+    ok = ok.reshape(count, tries)
+    found, first = ok.any(axis=1), ok.argmax(axis=1)
+    return found, np.where(found, q.reshape(2, count, tries)[:, np.arange(count), first], np.nan)
 
 
 def solved(sheet: Sheet, box: Box, q: Array, places: Array, near: float) -> tuple[Array, NDArray[np.bool_]]:
     """Drive values at which the working point is at places (2, n), by damped Newton from ``q``; which were found."""
     low, high = np.array(box.low)[:, None], np.array(box.high)[:, None]
     held = ~np.array(box.turns)[:, None]
-    here = sheet.look(q)
-    miss = np.hypot(*(here.at - places))
+
+    def tried(rows: Rows, step: Array, damp: Array) -> tuple[Array, Array]:
+        """Places (2, damps, rows) after parts of a step, and by how much they miss, infinite where out of reach."""
+        found = q[:, None, rows] - damp[:, None] * step[:, None]
+        found = np.where(held[:, None], np.clip(found, low[:, None], high[:, None]), found)
+        at, reach = sheet.place(found.reshape(2, -1))
+        off = np.hypot(*(at.reshape(found.shape) - places[:, None, rows]))
+        return found, np.where(reach.reshape(off.shape) > RIM, off, np.inf)
+
+    q, miss = q.copy(), np.hypot(*(sheet.place(q)[0] - places))
+    rows = np.arange(miss.size)
     for _ in range(NEWTON):
-        open_ = miss > 1e-3 * near
-        if not open_.any():
+        rows = rows[miss[rows] > DONE * near]
+        if not rows.size:
             break
-        off, j, det = here.at - places, here.jacobian, here.determinant
+        here = sheet.look(q[:, rows])
+        off, j, det = here.at - places[:, rows], here.jacobian, here.determinant
         with np.errstate(all="ignore"):
             step = np.stack([j[1, 1] * off[0] - j[0, 1] * off[1], j[0, 0] * off[1] - j[1, 0] * off[0]]) / det
         step = np.nan_to_num(step, nan=0.0, posinf=0.0, neginf=0.0)
         step *= np.minimum(1.0, 0.3 * box.size.min() / np.maximum(np.abs(step).max(axis=0), 1e-300))
-        damp, best = np.ones(miss.size), q
-        for _ in range(8):
-            tried = q - damp * step
-            tried = np.where(held, np.clip(tried, low, high), tried)
-            there = sheet.place(tried)
-            with np.errstate(invalid="ignore"):
-                better = (np.hypot(*(there[0] - places)) < miss) & (there[1] > RIM)
-            best = np.where(better | (damp < 0.01), np.where(better, tried, q), best)
-            if (better | ~open_).all():
-                break
-            damp = np.where(better, damp, damp / 3)
-            best = np.where(better, tried, best)
-        q = best
-        here = sheet.look(q)
-        now = np.hypot(*(here.at - places))
-        if not (now < miss).any():
-            break
-        miss = now
+        better = np.zeros(rows.size, dtype=bool)
+        for damps in DAMPS:
+            rest = np.flatnonzero(~better)
+            there, off = tried(rows[rest], step[:, rest], damps)
+            nearer = off < miss[rows[rest]]
+            first, good = nearer.argmax(axis=0), nearer.any(axis=0)
+            chosen = first[good], np.flatnonzero(good)
+            q[:, rows[rest[good]]], miss[rows[rest[good]]] = there[:, *chosen], off[chosen]
+            better[rest[good]] = True
+        rows = rows[better]  # the others are stuck
     return q, miss <= near
