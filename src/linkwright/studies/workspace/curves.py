@@ -13,12 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.results.stationary import bracketed
-from linkwright.studies.workspace.mesh import HALVINGS, RIM, Mesh, halved, sides_of
+from linkwright.studies.workspace.mesh import HALVINGS, RIM, Mesh, halved, numbered, sides_of
 from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
 Ends = tuple[Array, Array]
+Traced = Mapping[str, Ends]
 
 ROUNDS = 24
 """Segments are halved at most so many times."""
@@ -50,25 +51,28 @@ class Segments:
 
 def curves(sheet: Sheet, mesh: Mesh, chord: float) -> list[Segments]:
     """All of a sheet's curves, their paths' chords within ``chord`` (m)."""
-    inner, rim, pits, limit = _singular(sheet, mesh)
-    return [
-        refined(sheet, "singular", inner, chord, lambda q: sheet.look(q).numerator),
-        refined(sheet, "modes", rim, chord, lambda q: sheet.place(q)[1] - RIM),
-        refined(sheet, "pins", pits, chord, None),
-        refined(sheet, "limit", limit, chord, None),
-    ]
+    return smooth(sheet, traced(sheet, mesh), chord)
 
 
-def _singular(sheet: Sheet, mesh: Mesh) -> tuple[Ends, Ends, Ends, Ends]:
-    """Pieces of the singular curve; those of the rim and around pits, cut where the curve meets them."""
+def traced(sheet: Sheet, mesh: Mesh, levels: int = LEVELS) -> Traced:
+    """All of a sheet's curves by their kinds: pieces as a mesh has them, the singular curve's one in each triangle that
+    it passes. Those of the other kinds are cut where it meets them. With fewer ``levels`` of finer triangles, pieces
+    near places where it crosses itself may lead astray."""
     rim, pits, limit = (np.sort(pairs, axis=1) for pairs in (mesh.rim, mesh.pits, mesh.limit))
     straight = np.concatenate([pits, limit])
     for rings in RINGS:
         cuts: dict[tuple[int, int], Array] = {}
-        pieces = _passing(sheet, mesh.q, mesh.triangles, (rim, straight), cuts, rings)
-        if not _loose(sheet, mesh, *pieces):
+        pieces = _passing(sheet, mesh.q, mesh.triangles, (rim, straight), cuts, rings, levels)
+        if levels < LEVELS or not _loose(sheet, mesh, *pieces):
             break
-    return pieces, _stopped(mesh.q, rim, cuts), _stopped(mesh.q, pits, cuts), _stopped(mesh.q, limit, cuts)
+    others = {"modes": rim, "pins": pits, "limit": limit}
+    return {"singular": pieces} | {kind: _stopped(mesh.q, pairs, cuts) for kind, pairs in others.items()}
+
+
+def smooth(sheet: Sheet, pieces: Traced, chord: float) -> list[Segments]:
+    """Curves refined until their paths' chords are within ``chord`` (m)."""
+    zero = {"singular": lambda q: sheet.look(q).numerator, "modes": lambda q: sheet.place(q)[1] - RIM}
+    return [refined(sheet, kind, ends, chord, zero.get(kind)) for kind, ends in pieces.items()]
 
 
 def _stopped(q: Array, pairs: Rows, cuts: Mapping[tuple[int, int], Array]) -> Ends:
@@ -89,10 +93,11 @@ def _passing(
     border: tuple[Rows, Rows],
     cuts: dict[tuple[int, int], Array],
     rings: int,
-    level: int = 0,
+    levels: int,
 ) -> tuple[Array, Array]:
     """One piece of the singular curve in each triangle that it passes, its ends on the sides; ``cuts`` takes those on
-    the rim. Where a piece doesn't follow the curve, as where two branches cross, the triangles around are cut into sixteen."""
+    the rim. Where a piece doesn't follow the curve, as where two branches cross, the triangles around are cut into
+    sixteen each."""
     numerator = sheet.look(q).numerator
     # A triangle beside the rim may bulge beyond it, so that a quarter of it lies outside.
     triangles = triangles[np.isfinite(numerator)[triangles].all(axis=1)]
@@ -100,7 +105,7 @@ def _passing(
     passed = np.flatnonzero(positive[triangles].any(axis=1) & ~positive[triangles].all(axis=1))
     sides = sides_of(triangles[passed])
     crossed = positive[sides[:, 0]] != positive[sides[:, 1]]
-    pairs, where = np.unique(np.sort(sides[crossed], axis=1), axis=0, return_inverse=True)
+    pairs, where = numbered(sides[crossed])
     rim, pits = border
     on_rim, on_pit = _among(pairs, rim), _among(pairs, pits)
     places = np.empty((2, len(pairs)))
@@ -112,11 +117,11 @@ def _passing(
     stops = on_rim | on_pit
     cuts |= {(i, k): place for (i, k), place in zip(pairs[stops].tolist(), places[:, stops].T, strict=True)}
     at = np.full(len(sides), -1)
-    at[crossed] = where.ravel()
+    at[crossed] = where
     two = np.sort(at.reshape(3, -1), axis=0)[1:]
     a, b = places[:, two[0]], places[:, two[1]]
     long = np.abs(a - b).max(axis=0) > SHORT
-    astray = passed[long & ~_followed(sheet, a, b)] if level < LEVELS and len(triangles) < MOST else passed[:0]
+    astray = passed[long & ~_followed(sheet, a, b)] if levels and len(triangles) < MOST else passed[:0]
     if not astray.size:
         return a, b
     held = np.isin(triangles, np.unique(np.concatenate(border))).any(axis=1)
@@ -127,7 +132,7 @@ def _passing(
     around &= ~held
     kept = ~around[passed]
     corners, parts = _quartered(*_quartered(q, triangles[around]))
-    inner = _passing(sheet, corners, parts, (rim[:0], rim[:0]), cuts, rings, level + 1)
+    inner = _passing(sheet, corners, parts, (rim[:0], rim[:0]), cuts, rings, levels - 1)
     return np.concatenate([a[:, kept], inner[0]], axis=1), np.concatenate([b[:, kept], inner[1]], axis=1)
 
 
@@ -179,7 +184,7 @@ def _near(q: Array, way: Array) -> Array:
 
 def _quartered(q: Array, triangles: Rows) -> tuple[Array, Rows]:
     """Triangles cut into four each by the middles of their sides."""
-    pairs, where = np.unique(np.sort(sides_of(triangles), axis=1), axis=0, return_inverse=True)
+    pairs, where = numbered(sides_of(triangles))
     x, y, z = q.shape[1] + where.reshape(3, -1)
     a, b, c = triangles.T
     corners = np.concatenate([q, q[:, pairs].mean(axis=2)], axis=1)

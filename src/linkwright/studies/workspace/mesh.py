@@ -100,6 +100,13 @@ def sides_of(triangles: Rows) -> Rows:
     return np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
 
 
+def numbered(sides: Rows) -> tuple[Rows, Rows]:
+    """The different ones of sides (n, 2), the lower corner first, and which of them each is: (n,)."""
+    size = int(sides.max(initial=0)) + 1
+    number, which = np.unique(sides.min(axis=1) * size + sides.max(axis=1), return_inverse=True)
+    return np.stack(np.divmod(number, size), axis=1), which.ravel()
+
+
 def _pitted(q: Array, ring: Rows, centres: Array, step: Array) -> tuple[Array, Rows, Rows]:
     """Rings around pits, each half as wide as the one before, down to a share of a step that is round-off."""
     used, own = np.unique(ring, return_inverse=True)
@@ -159,14 +166,14 @@ def cut(within: Callable[[Array], NDArray[np.bool_]], q: Array, triangles: Rows)
     whole, partly = triangles[count == 3], triangles[(count > 0) & (count < 3)]
     edges = sides_of(partly)
     crossed = inside[edges[:, 0]] != inside[edges[:, 1]]
-    pairs, where = np.unique(np.sort(edges[crossed], axis=1), axis=0, return_inverse=True)
+    pairs, where = numbered(edges[crossed])
     kept = inside[pairs]
     a = q[:, np.where(kept[:, 0], pairs[:, 0], pairs[:, 1])]
     b = q[:, np.where(kept[:, 0], pairs[:, 1], pairs[:, 0])]
     share = halved(lambda s: within(a + s * (b - a)), len(pairs))
     corners = np.concatenate([q, a + share * (b - a)], axis=1)
     new = np.full(len(edges), -1)
-    new[crossed] = q.shape[1] + where.ravel()
+    new[crossed] = q.shape[1] + where
     sides = new.reshape(3, -1).T
     made, rim = [whole], []
     for k in range(3):
@@ -184,8 +191,10 @@ def cut(within: Callable[[Array], NDArray[np.bool_]], q: Array, triangles: Rows)
 
 def _limits(q: Array, triangles: Rows, box: Box) -> Rows:
     """The sides of triangles that lie on the end of a drive's range."""
-    sides = np.sort(sides_of(triangles), axis=1)
     found = [np.empty((0, 2), dtype=np.intp)]
+    if all(box.turns):
+        return found[0]
+    sides = np.sort(sides_of(triangles), axis=1)
     for k in (0, 1):
         ends = () if box.turns[k] else (box.low[k], box.high[k])
         found += [sides[(q[k][sides] == end).all(axis=1)] for end in ends]

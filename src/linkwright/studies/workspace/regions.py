@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.studies.workspace.curves import Segments, curves
+from linkwright.studies.workspace.alike import alike
+from linkwright.studies.workspace.curves import Segments, Traced, smooth, traced
 from linkwright.studies.workspace.mesh import RIM, Box, Mesh, found_pits, mesh
 from linkwright.studies.workspace.sheet import Sheet
 
@@ -37,7 +38,8 @@ CLOSED = 1e-9
 @dataclass(frozen=True)
 class Region:
     """What one sheet reaches: ``shape`` is a Shapely polygon or several (m). ``segments`` are the curves that may bound
-    it, ``steps`` those of the mesh, ``change`` of the area (share) when they were last doubled."""
+    it, ``steps`` those of the mesh, ``change`` of the area (share) when they were last doubled: at most so much where
+    both meshes have the same curves, each then drawn within its chords."""
 
     sheet: Sheet
     box: Box
@@ -49,17 +51,29 @@ class Region:
 
 
 def region(sheet: Sheet, box: Box, chord: float, first: int = 96, most: int = 1536, close: float = 1e-6) -> Region:
-    """The region of a sheet, on meshes that are doubled until its area changes by less than a share ``close``."""
+    """The region of a sheet, on meshes that are doubled until both have the same curves, or the area changes by less
+    than a share ``close``."""
     box, last, steps = box.askew(), None, first
     pits = found_pits(sheet, box)
+
+    def filled(made: Mesh, pieces: Traced) -> tuple[Any, tuple[Segments, ...]]:
+        segments = smooth(sheet, pieces, chord)
+        return reached(sheet, box, made, segments, chord), tuple(segments)
+
+    if 2 * first <= most:
+        rough, made = (mesh(sheet, box, n, pits) for n in (first, 2 * first))
+        pieces = traced(sheet, made)
+        if alike(traced(sheet, rough, levels=1), pieces, box.size / (2 * first)):
+            shape, segments = filled(made, pieces)
+            change = 2 * chord * shape.length / shape.area if shape.area else 0.0
+            return Region(sheet, box, shape, segments, made, 2 * first, change)
     while True:
         made = mesh(sheet, box, steps, pits)
-        segments = curves(sheet, made, chord)
-        shape = reached(sheet, box, made, segments, chord)
+        shape, segments = filled(made, traced(sheet, made))
         area = float(shape.area)
         change = abs(area - last) / area if last is not None and area else np.inf
         if change <= close or 2 * steps > most or not area:
-            return Region(sheet, box, shape, tuple(segments), made, steps, float(change))
+            return Region(sheet, box, shape, segments, made, steps, change)
         last, steps = area, 2 * steps
 
 
@@ -116,11 +130,14 @@ def reaches(sheet: Sheet, box: Box, made: Mesh, places: Array, near: float) -> t
     corners, at = corners[:, known], at[:, known]
     count = places.shape[1]
     nearest = cKDTree(at.T).query(places.T, k=min(STARTS, at.shape[1]))[1].reshape(count, -1)
-    tries = nearest.shape[1]
-    q, ok = solved(sheet, box, corners[:, nearest.ravel()], np.repeat(places, tries, axis=1), near)
-    ok = ok.reshape(count, tries)
-    found, first = ok.any(axis=1), ok.argmax(axis=1)
-    return found, np.where(found, q.reshape(2, count, tries)[:, np.arange(count), first], np.nan)
+    found, values = np.zeros(count, dtype=bool), np.full((2, count), np.nan)
+    for starts in (nearest[:, :1], nearest[:, 1:]):
+        rest, tries = np.flatnonzero(~found), starts.shape[1]
+        q, ok = solved(sheet, box, corners[:, starts[rest].ravel()], np.repeat(places[:, rest], tries, axis=1), near)
+        row, first = np.unique(np.flatnonzero(ok) // max(tries, 1), return_index=True)
+        found[rest[row]] = True
+        values[:, rest[row]] = q[:, ok][:, first]
+    return found, values
 
 
 def solved(sheet: Sheet, box: Box, q: Array, places: Array, near: float) -> tuple[Array, NDArray[np.bool_]]:

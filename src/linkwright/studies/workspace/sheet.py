@@ -78,6 +78,11 @@ class Sheet:
             self._engines[whole] = KERNELS[self.kernel](program)
         return self._engines[whole]
 
+    def ready(self) -> None:
+        """Make the programs, which all sheets of a mechanism share."""
+        for whole in (False, True):
+            self._engine(whole)
+
     def inputs(self, q: Array) -> Array:
         """The program's inputs at drive values ``q`` (2, n), at rest: (inputs, n)."""
         graph = self.compiled.graph
