@@ -189,7 +189,7 @@ def test_an_interrupt_keeps_what_is_done() -> None:
 
 def test_threads_change_nothing() -> None:
     """Both modes for two lengths, to the last bit."""
-    data = five_bar(chord=1e-4, drives={"motor": [0, 200]}, **{"for": {"base": [6, 10]}})
+    data = five_bar(chord=1e-3, drives={"motor": [80, 120], "servo": [40, 100]}, **{"for": {"base": [9, 10]}})
     document = parse_document(data)
     assert document is not None
     options = WorkspaceOptions.model_validate(data["studies"]["workspace"])
@@ -201,6 +201,18 @@ def test_threads_change_nothing() -> None:
         for workers in (1, 3)
     )
     assert len(one) == 4 and one == two
+
+
+def test_nothing_is_missed_around_a_pit() -> None:
+    """Both pins of the couplers meet within the drives' ranges, where two singular curves pass as well. The area is that
+    of the places of a grid of 2400 x 2400 for which the two dyads, solved backwards, have such drive values."""
+    data = five_bar(modes="own", drives={"motor": [0, 200]})
+    data["parameters"]["base"] = 6
+    outcome = performed(data).workspace
+    assert outcome is not None and not outcome.warnings
+    (region,) = outcome.regions
+    assert region.region.segments[2].a.size  # the rings around pits
+    assert region.figures.area * MM2 == pytest.approx(892.456, abs=0.02)
 
 
 def test_a_region_that_lacks_a_part_is_told(monkeypatch: pytest.MonkeyPatch) -> None:

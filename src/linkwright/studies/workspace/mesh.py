@@ -25,8 +25,9 @@ LOOKS = 400
 WAYS = np.array([[i, k] for i in (-1.0, 0.0, 1.0) for k in (-1.0, 0.0, 1.0) if (i, k) != (0.0, 0.0)])
 AROUND = 1.5
 """Around a pit the mesh is finer within so many steps ..."""
-NARROW = 3e-8
-"""... halved until they are no wider than this (rad, m)."""
+NARROW = 2e-7
+"""... halved until they are no wider than this (rad, m). A pit's place is known to 1e-8 or so, the root of round-off: a
+ring that isn't much wider would lie beside it."""
 
 
 @dataclass(frozen=True)
