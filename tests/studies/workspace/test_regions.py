@@ -57,7 +57,9 @@ def test_one_assembly_alone_reaches_less(symmetric: list[Region]) -> None:
 
 def test_where_the_cranks_meet_the_couplers_may_point_anywhere(symmetric: list[Region]) -> None:
     pits = found_pits(symmetric[0].sheet, TURNS)
-    np.testing.assert_allclose(np.degrees(np.sort(pits, axis=1)), [[60, 300], [120, 240]], atol=1e-6)
+    np.testing.assert_allclose(np.degrees(np.sort(pits, axis=1)), [[60, 300], [120, 240]], atol=1e-8)
+    for steps in (30, 64):
+        np.testing.assert_allclose(np.sort(found_pits(symmetric[0].sheet, TURNS, steps)), np.sort(pits), atol=1e-9)
 
 
 def test_an_arm_reaches_an_annulus_and_a_part_of_it() -> None:
@@ -125,3 +127,23 @@ def test_assemblies_mirror_each_other_with_the_assembly_angle() -> None:
     )
     upside_down = shapely.transform(other, lambda at: at * [1.0, -1.0])
     assert one.symmetric_difference(upside_down).area < 1e-6 * one.area + 2e-5 * one.length
+
+
+@pytest.mark.parametrize(
+    ("lengths", "alpha", "holes"),
+    [
+        ((9.56, 39.97, 28.88, 15.5, 21.92, 39.17), 5.06539, 1),  # a rim that crosses the ends of a drive's turn
+        ((22.35, 33.57, 33.57, 22.35, 33.6, 33.57), 0.0, 1),  # two pits, one of them hard to find
+    ],
+)
+def test_no_face_is_left_open(lengths: tuple[float, ...], alpha: float, holes: int) -> None:
+    """All that the drives' values reach at random lies inside, but for what the chords leave open."""
+    compiled = compile_mechanism(load(EXAMPLES / "five_bar_workspace.yaml"))
+    values = np.array([*np.array(lengths) / 1000, alpha])[:, None]
+    p = Varied(compiled, ["l1", "l2", "l3", "l4", "l5", "r2", "alpha"]).parameters(values)[:, 0]
+    found = region(Sheet(compiled, "P", ("motor", "servo"), (1.0,), p), TURNS, 3e-7)
+    at = found.sheet.place(2 * np.pi * np.random.default_rng(2).random((2, 20_000)))[0]
+    at = at[:, np.isfinite(at).all(axis=0)]
+    away = shapely.distance(found.shape, shapely.points(at.T))
+    assert (away > 6e-7).sum() == 0
+    assert len(found.shape.interiors) == holes

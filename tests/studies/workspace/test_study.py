@@ -204,8 +204,8 @@ def test_threads_change_nothing() -> None:
 
 
 def test_nothing_is_missed_around_a_pit() -> None:
-    """Both pins of the couplers meet within the drives' ranges, where two singular curves pass as well. The area is that
-    of the places of a grid of 2400 x 2400 for which the two dyads, solved backwards, have such drive values."""
+    """Both pins of the couplers meet within the drives' ranges, where two singular curves pass as well. The area is
+    that of the places of a grid of 2400 x 2400 for which the two dyads, solved backwards, have such drive values."""
     data = five_bar(modes="own", drives={"motor": [0, 200]})
     data["parameters"]["base"] = 6
     outcome = performed(data).workspace

@@ -19,15 +19,16 @@ HALVINGS = 60
 SKEW = (0.7548776662, 0.5698402910)
 CLEAR = 1e-3
 """A reach above this is far from the rim."""
-SMALL, MET = 0.2, 1e-18
+SMALL, MET = 0.2, 1e-14
 """Where a pit may be near, and where it is: the closure's determinant squared, over the reach."""
-LOOKS = 400
+LOOKS = 100
+POLISH = (1e-3, 1e-4, 1e-5)
+"""Then by parabolas through places so far apart, a share of the ranges."""
 WAYS = np.array([[i, k] for i in (-1.0, 0.0, 1.0) for k in (-1.0, 0.0, 1.0) if (i, k) != (0.0, 0.0)])
 AROUND = 1.5
 """Around a pit the mesh is finer within so many steps ..."""
 NARROW = 2e-7
-"""... halved until they are no wider than this (rad, m). A pit's place is known to 1e-8 or so, the root of round-off: a
-ring that isn't much wider would lie beside it."""
+"""... halved until they are no wider than this (rad, m), far over what a pit's place isn't known by."""
 
 
 @dataclass(frozen=True)
@@ -144,13 +145,19 @@ def found_pits(sheet: Sheet, box: Box, steps: int = 48) -> Array:
     around = [padded[i : i + steps + 1, k : k + steps + 1] for i in range(3) for k in range(3) if (i, k) != (1, 1)]
     q = grid[:, (size <= np.min(around, axis=0)) & (size < SMALL)]
     best, step = small(q), np.repeat(box.size[:, None] / steps, q.shape[1], axis=1)
+    ways = WAYS.T[:, :, None]
     for _ in range(LOOKS if q.size else 0):
-        tried = q[:, None] + step[:, None] * WAYS.T[:, :, None]
+        tried = q[:, None] + step[:, None] * ways
         values = small(tried.reshape(2, -1)).reshape(len(WAYS), -1)
         which = values.argmin(axis=0)
         better = values.min(axis=0) < best
         q = np.where(better, tried[:, which, np.arange(which.size)], q)
         best, step = np.minimum(best, values.min(axis=0)), np.where(better, step, step / 2)
+    for h in POLISH if q.size else ():
+        q = q + h * box.size[:, None] * _lowest(
+            best, small((q[:, None] + h * box.size[:, None, None] * ways).reshape(2, -1))
+        )
+        best = small(q)
     low, turns = np.array(box.low), np.array(box.turns)
     q = np.where(turns[:, None], low[:, None] + np.mod(q - low[:, None], 2 * np.pi), q)
     found: list[Array] = []
@@ -158,6 +165,17 @@ def found_pits(sheet: Sheet, box: Box, steps: int = 48) -> Array:
         if all(np.abs(place - one).max() > 1e-6 for one in found):
             found.append(place)
     return np.array(found).reshape(-1, 2).T
+
+
+def _lowest(here: Array, around: Array) -> Array:
+    """Where a function is least, (2, n), by the parabolas through its values at places (n,) and one step along all
+    :data:`WAYS` (8 n,); in steps, no more than three."""
+    v = around.reshape(len(WAYS), -1)
+    gx, gy = (v[6] - v[1]) / 2, (v[4] - v[3]) / 2
+    hxx, hyy, hxy = v[6] + v[1] - 2 * here, v[4] + v[3] - 2 * here, (v[7] + v[0] - v[5] - v[2]) / 4
+    with np.errstate(all="ignore"):
+        found = np.stack([hxy * gy - hyy * gx, hxy * gx - hxx * gy]) / (hxx * hyy - hxy * hxy)
+    return np.asarray(np.clip(np.nan_to_num(found, posinf=0.0, neginf=0.0), -3.0, 3.0))
 
 
 def cut(within: Callable[[Array], NDArray[np.bool_]], q: Array, triangles: Rows) -> tuple[Array, Rows, Rows]:

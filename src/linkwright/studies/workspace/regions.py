@@ -23,6 +23,8 @@ Rows = NDArray[np.intp]
 
 SNAP = 1e-10
 """Ends of pieces nearer than this share of the extent are one."""
+WELD = 1e-7
+"""So are such of which one meets no other: the rim is drawn to this, and its places on both sides of a seam differ."""
 SLIVER = 4.0
 """A face narrower than so many chords is a sliver."""
 STARTS = 12
@@ -50,9 +52,17 @@ class Region:
     change: float
 
 
-def region(sheet: Sheet, box: Box, chord: float, first: int = 96, most: int = 1536, close: float = 1e-6) -> Region:
-    """The region of a sheet, on meshes that are doubled until both have the same curves, or the area changes by less
-    than a share ``close``."""
+def region(
+    sheet: Sheet,
+    box: Box,
+    chord: float,
+    first: int = 96,
+    most: int = 1536,
+    close: float = 1e-6,
+    quick: bool = True,
+) -> Region:
+    """The region of a sheet, on meshes that are doubled until its area changes by less than a share ``close``; if
+    ``quick``, on the first two already where both have the same curves."""
     box, last, steps = box.askew(), None, first
     pits = found_pits(sheet, box)
 
@@ -60,7 +70,7 @@ def region(sheet: Sheet, box: Box, chord: float, first: int = 96, most: int = 15
         segments = smooth(sheet, pieces, chord)
         return reached(sheet, box, made, segments, chord), tuple(segments)
 
-    if 2 * first <= most:
+    if quick and 2 * first <= most:
         rough, made = (mesh(sheet, box, n, pits) for n in (first, 2 * first))
         pieces = traced(sheet, made)
         if alike(traced(sheet, rough, levels=1), pieces, box.size / (2 * first)):
@@ -89,6 +99,7 @@ def reached(sheet: Sheet, box: Box, made: Mesh, segments: Sequence[Segments], ch
     if not ends.size or not made.q.size:
         return shapely.Polygon()
     size = float(np.ptp(ends, axis=(1, 2)).max())
+    ends = _welded(ends, size)
     lines = shapely.linestrings(np.moveaxis(ends, (0, 1, 2), (2, 1, 0)))
     chains = shapely.line_merge(shapely.multilinestrings(lines))  # of few long lines a union is sooner made
     joined = shapely.unary_union(chains, grid_size=SNAP * size)
@@ -99,6 +110,21 @@ def reached(sheet: Sheet, box: Box, made: Mesh, segments: Sequence[Segments], ch
     middles = shapely.get_coordinates(shapely.point_on_surface(faces)).T
     hit = reaches(sheet, box, made, middles, CLOSED * size)[0]
     return _filled(shapely.unary_union(faces[hit]), chord)
+
+
+def _welded(ends: Array, size: float) -> Array:
+    """Pieces (coordinate, end, piece) of which ends that meet no other are moved to the nearest one, if it is near."""
+    from scipy.spatial import cKDTree
+
+    places = ends.reshape(2, -1).T.copy()
+    tree = cKDTree(places)
+    alone = np.flatnonzero(tree.query_ball_point(places, SNAP * size, return_length=True) == 1)
+    off, near = tree.query(places[alone], k=2)  # itself, then the nearest
+    chosen = off[:, 1] < WELD * size
+    alone, near = alone[chosen], near[chosen, 1]
+    both = np.isin(near, alone) & (near > alone)  # of two that are alone, the second moves to the first
+    places[alone[~both]] = places[near[~both]]
+    return np.asarray(places.T.reshape(ends.shape))
 
 
 def _wide(faces: Any, chord: float) -> NDArray[np.bool_]:

@@ -32,8 +32,9 @@ Array = NDArray[np.float64]
 CLOSE = 1e-6
 """Meshes are doubled until the area changes by less than this share, or that which the chords leave open."""
 LOOKS = 64
-MESHES = ((96, 1536), (96, 96), (80, 80), (112, 112))
-"""First and last steps of meshes; others are tried where a region doesn't hold all that is sampled ..."""
+MESHES = ((96, 1536, True), (192, 1536, False), (96, 96, False), (80, 80, False), (112, 112, False))
+"""First and last steps of meshes, and whether the same curves on two are enough; others are tried where a region
+doesn't hold all that is sampled ..."""
 SAMPLES = 20_000
 """... at so many random values of the drives."""
 FLAT = 1e-9
@@ -126,8 +127,9 @@ def _found(outcome: WorkspaceOutcome, signs: Signs, parameters: Array) -> tuple[
     if _flat(sheet, box.low, box.high):
         return None, []
     tried: list[tuple[float, Region]] = []
-    for first, most in MESHES:
-        made = region(sheet, box, outcome.chord, first, most, close=max(CLOSE, 10 * options.chord))
+    close = max(CLOSE, 10 * options.chord)
+    for first, most, quick in MESHES:
+        made = region(sheet, box, outcome.chord, first, most, close, quick)
         tried.append((_missed(made, outcome.chord), made))
         if not tried[-1][0]:
             break
