@@ -48,7 +48,6 @@ def test_interrupted_it_writes_what_is_done(
     def interrupting(*given: Any) -> Any:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("linkwright.studies.workspace.study.processors", lambda: 1)
     monkeypatch.setattr("linkwright.studies.workspace.together.wait", interrupting)
     monkeypatch.setattr("sys.argv", ["linkwright", "workspace", str(file), "--out", str(tmp_path / "out")])
     with pytest.raises(SystemExit) as ended:

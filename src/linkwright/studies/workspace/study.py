@@ -12,7 +12,6 @@ from linkwright.blocks import Threads
 from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
 from linkwright.model.findings import Finding
-from linkwright.model.machine import processors
 from linkwright.studies.registry import register
 from linkwright.studies.site import NOWHERE, Site
 from linkwright.studies.stopped import Stopped
@@ -85,8 +84,9 @@ def _regions(outcome: WorkspaceOutcome, site: Site) -> tuple[int, int, bool]:
     works = [(one, parameters) for _, parameters in cases for one in signs]
     if outcome.box is not None and works:
         _sheet(outcome, *works[0]).ready()  # the graph isn't made for several threads
-    workers = site.runner.workers if isinstance(site.runner, Threads) else processors()
-    found, stopped = together(lambda work: _found(outcome, *work), works, workers if outcome.box else 1, site.progress)
+    # NumPy's calls are short and each waits for the interpreter: more threads are no sooner done, unless asked for.
+    workers = site.runner.workers if outcome.box and isinstance(site.runner, Threads) else 1
+    found, stopped = together(lambda work: _found(outcome, *work), works, workers, site.progress)
     for i, (values, parameters) in enumerate(cases):
         here = [found[k] for k in range(i * len(signs), (i + 1) * len(signs)) if k in found]
         outcome.warnings += [warning for _, warnings in here for warning in warnings]
