@@ -16,14 +16,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.graph.tangent import tangent
+from linkwright.graph.tangent import jacobian
 from linkwright.kernels import KERNELS
 from linkwright.kernels.choice import choose
 from linkwright.model import units as u
 from linkwright.structure import Group
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.workspace import mesh as meshes
-from linkwright.studies.workspace.maps import MOST, Maps, mapped
+from linkwright.studies.workspace.maps import Maps, mapped
 from linkwright.studies.workspace.mesh import Box, Mesh
 from linkwright.studies.workspace.regions import Region
 from linkwright.studies.workspace.sheet import Sheet
@@ -60,33 +60,26 @@ class Errors:
         poses = [row for group in groups if group.signature in POSES for row in POSES[group.signature](group)]
         self.reaches, self.poses = slice(2, 2 + len(closed)), slice(2 + len(closed), None)
         names = [f"{sheet.point}.x", f"{sheet.point}.y", *closed, *poses]
-        program = tangent(self.graph, names)
-        self.engine = KERNELS[choose(program, count * (len(contributors) + 2), os.cpu_count() or 1).kernel](program)
-        self.drives = [self.graph.drives.index(drive) * self.graph.width for drive in sheet.drives]
+        directions = contributors.directions
+        moving = np.flatnonzero(directions.any(axis=1))
+        self.directions = directions[moving]
+        values = [self.graph.inputs[self.graph.drives.index(drive) * self.graph.width] for drive in sheet.drives]
+        program = jacobian(self.graph, names, [*(self.graph.parameters[i] for i in moving), *values])
+        self.engine = KERNELS[choose(program, count, os.cpu_count() or 1).kernel](program)
+        self.rows = len(names)
 
     def slopes(self, q: Array, drives: bool = False) -> tuple[Array, Array]:
         """Values (rows, n) of the point, of the ``reaches`` of groups with two modes, of the ``poses`` of those with
         two outer pins; their derivatives by the contributors and, with ``drives``, by the two drives after them:
         (rows, contributors + drives, n)."""
-        size, many, more = len(self.graph.inputs), len(self.contributors), 2 if drives else 0
-        x = np.zeros((2 * size, many + more, q.shape[1]))
-        x[:size] = self.sheet.inputs(q)[:, None]
-        for k, row in enumerate(self.drives[:more]):
-            x[size + row, many + k] = 1.0
-        along = np.zeros((self.sheet.parameters.size, many + more))
-        along[:, :many] = self.contributors.directions
-        p = np.concatenate([np.repeat(self.sheet.parameters[:, None], many + more, axis=1), along])
         with np.errstate(all="ignore"):
-            y = self.engine.over(x, p).reshape(-1, 2, many + more, q.shape[1])
-        return y[:, 0, 0], y[:, 1]
+            y = self.engine.run(self.sheet.inputs(q), self.sheet.parameters)
+            found = y[self.rows :].reshape(self.rows, -1, q.shape[1])
+            slopes = np.einsum("pc,rpn->rcn", self.directions, found[:, :-2], optimize=True)
+        return y[: self.rows], np.concatenate([slopes, found[:, -2:]], axis=1) if drives else slopes
 
     def __call__(self, q: Array) -> dict[str, Array]:
         """The figures of the error maps at drive values (2, n): see :func:`errors`."""
-        step = max(1, MOST // len(self.contributors))
-        parts = [self._figures(q[:, start : start + step]) for start in range(0, q.shape[1], step)]
-        return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]} if parts else {}
-
-    def _figures(self, q: Array) -> dict[str, Array]:
         values, slopes = self.slopes(q)
         low, high = self.contributors.low[:, None], self.contributors.high[:, None]
         found = {"x": values[0], "y": values[1]}
@@ -96,10 +89,8 @@ class Errors:
                 found[f"error {name} least"] = np.minimum(low * slope, high * slope).sum(axis=0)
                 found[f"error {name} most"] = np.maximum(low * slope, high * slope).sum(axis=0)
             found["error worst"] = farthest(slopes[:2], low, high)
-            xx, xy, yy = (
-                np.einsum("in,ij,jn->n", slopes[a], self.contributors.covariance, slopes[b])
-                for a, b in ((0, 0), (0, 1), (1, 1))
-            )
+            spread = np.einsum("ij,kjn->kin", self.contributors.covariance, slopes[:2], optimize=True)
+            xx, xy, yy = ((slopes[a] * spread[b]).sum(axis=0) for a, b in ((0, 0), (0, 1), (1, 1)))
             found["spread x"], found["spread y"] = 3 * np.sqrt(xx), 3 * np.sqrt(yy)
             found["spread worst"] = 3 * np.sqrt((xx + yy) / 2 + np.hypot((xx - yy) / 2, xy))
         return {name: np.where(outside, np.nan, row) for name, row in found.items()}
@@ -220,9 +211,10 @@ def edges(region: Region, found: Errors) -> list[Edge]:
     for k, one in enumerate(region.segments):
         of = kinds[piece] == k
         if of.any():
-            seen = every[:, :, piece[of]]
+            used, of_used = np.unique(piece[of], return_inverse=True)  # many pieces meet where a curve ends
+            seen = every[:, :, used]
             seen = apart(region.mesh, seen) if one.kind == "pins" else seen
-            shifts = moved(found, one.kind, seen, outward[:, which[of]])
+            shifts = moved(found, one.kind, seen, outward[:, which[of]], of_used)
             width = np.fmax.reduce(_worst(found.contributors, -shifts))
             width[np.isnan(width)] = np.fmax.reduce(width)
             made.append(Edge(one.kind, ends[:, :, which[of]], outward[:, which[of]], shifts, width, which[of]))
@@ -245,9 +237,10 @@ def _worst(contributors: Contributors, shifts: Array) -> Array:
     return np.asarray(np.maximum(np.maximum(low * shifts, high * shifts).sum(axis=0), 0.0))
 
 
-def moved(found: Errors, kind: str, drives: Array, outward: Array) -> Array:
+def moved(found: Errors, kind: str, drives: Array, outward: Array, of: NDArray[np.intp] | None = None) -> Array:
     """How far the ends of pieces (2, 2, n): coordinate, end, piece, in the drives' plane, move along their own normals,
-    which point about as ``outward`` (2, n) does, per unit of each deviation: (contributors, 2, n).
+    which point about as ``outward`` (2, n) does, per unit of each deviation: (contributors, 2, n). With ``of`` (m,) the
+    pieces to which ``outward`` (2, m) belongs.
 
     The normals come from derivatives: where a curve ends on the rim, these grow without bound and hardly the shifts.
     """
@@ -256,8 +249,11 @@ def moved(found: Errors, kind: str, drives: Array, outward: Array) -> Array:
     with np.errstate(all="ignore"):
         own, along = ALONG.get(kind, _free)(found, values, slopes, way)
         normal = np.stack([along[1], -along[0]]) / np.hypot(*along)
-    normal *= np.where((normal * np.tile(outward, 2)).sum(axis=0) < 0, -1.0, 1.0)
-    return np.asarray(np.einsum("kin,kn->in", own, normal).reshape(len(own[0]), 2, -1))
+    shifts = np.einsum("kin,kn->in", own, normal).reshape(len(own[0]), 2, -1)
+    normal = normal.reshape(2, 2, -1)
+    if of is not None:
+        shifts, normal = shifts[:, :, of], normal[:, :, of]
+    return np.asarray(shifts * np.where((normal * outward[:, None]).sum(axis=0) < 0, -1.0, 1.0))
 
 
 Held = tuple[Array, Array]

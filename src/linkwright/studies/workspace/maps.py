@@ -9,6 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.kernels.spread import pool
+from linkwright.model.machine import processors
 from linkwright.model.quantities import Quantities
 from linkwright.model.units import Dimension
 from linkwright.results.stationary import bracketed
@@ -23,8 +25,8 @@ ZOOMS, NARROWER, LOOKS = 16, 4.0, 9
 """An extreme is looked for on so many grids, each so much narrower than the one before, with so many places a side."""
 ENDLESS = 1e4
 """What grows by this factor on the way there goes to infinity, what falls by it to zero: a root grows by 3e4."""
-MOST = 1 << 17
-"""Poses that are computed together."""
+MOST = 1 << 14
+"""Poses that are computed together: few enough to stay in cache."""
 
 
 @dataclass(frozen=True)
@@ -137,10 +139,17 @@ def mapped(quantities: Quantities, box: Box, steps: int, figures: Figures, kinds
     """Maps of the named figures on ``steps`` equal steps of each drive, ends included."""
     first, second = (np.linspace(a, b, steps + 1) for a, b in zip(box.low, box.high, strict=True))
     grid = np.stack(np.meshgrid(first, second, indexing="ij")).reshape(2, -1)
-    parts = [figures(grid[:, start : start + MOST]) for start in range(0, grid.shape[1], MOST)]
-    rows = {name: np.concatenate([part[name] for part in parts]).reshape(steps + 1, -1) for name in ("x", "y", *kinds)}
+    parts = together(figures, grid)
+    rows = {name: parts[name].reshape(steps + 1, -1) for name in ("x", "y", *kinds)}
     made = {name: Map(name, rows[name], kind, *quantities.unit_of(kind)) for name, kind in kinds.items()}
     return Maps(box, (first, second), np.stack([rows["x"], rows["y"]]), made, figures)
+
+
+def together(figures: Figures, q: Array) -> dict[str, Array]:
+    """All figures at many drive values (2, n), on as many threads as there are processors."""
+    parts = [q[:, start : start + MOST] for start in range(0, q.shape[1], MOST)] or [q]
+    found = [figures(parts[0])] if len(parts) == 1 else [*pool(processors()).map(figures, parts)]
+    return {name: np.concatenate([part[name] for part in found]) for name in found[0]}
 
 
 def chained(pieces: NDArray[np.intp]) -> list[list[int]]:
