@@ -12,6 +12,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,7 @@ from numpy.typing import NDArray
 from linkwright.graph.tangent import jacobian
 from linkwright.kernels import KERNELS
 from linkwright.kernels.choice import choose
+from linkwright.kernels.registry import Kernel
 from linkwright.model import units as u
 from linkwright.structure import Group
 from linkwright.studies.accuracy.contributors import Contributors
@@ -59,37 +61,55 @@ class Errors:
         closed = [f"reach:{group.label}" for group in groups if group.modes > 1]
         poses = [row for group in groups if group.signature in POSES for row in POSES[group.signature](group)]
         self.reaches, self.poses = slice(2, 2 + len(closed)), slice(2 + len(closed), None)
-        names = [f"{sheet.point}.x", f"{sheet.point}.y", *closed, *poses]
-        directions = contributors.directions
-        moving = np.flatnonzero(directions.any(axis=1))
-        self.directions = directions[moving]
-        values = [self.graph.inputs[self.graph.drives.index(drive) * self.graph.width] for drive in sheet.drives]
-        program = jacobian(self.graph, names, [*(self.graph.parameters[i] for i in moving), *values])
+        self.names = [f"{sheet.point}.x", f"{sheet.point}.y", *closed, *poses]
+        moving = np.flatnonzero(contributors.directions.any(axis=1))
+        self.directions = contributors.directions[moving]
+        self.by = [self.graph.parameters[i] for i in moving]
+        program = jacobian(self.graph, self.names[:2], self.by, closed)
         self.engine = KERNELS[choose(program, count, os.cpu_count() or 1).kernel](program)
-        self.rows = len(names)
 
-    def slopes(self, q: Array, drives: bool = False) -> tuple[Array, Array]:
+    @cached_property
+    def _whole(self) -> Kernel:
+        """What gives all derivatives, by the drives too; used at the few poses of curves."""
+        width = self.graph.width
+        drives = [self.graph.inputs[self.graph.drives.index(drive) * width] for drive in self.sheet.drives]
+        return KERNELS["numpy"](jacobian(self.graph, self.names, [*self.by, *drives]))
+
+    def slopes(self, q: Array) -> tuple[Array, Array]:
         """Values (rows, n) of the point, of the ``reaches`` of groups with two modes, of the ``poses`` of those with
-        two outer pins; their derivatives by the contributors and, with ``drives``, by the two drives after them:
-        (rows, contributors + drives, n)."""
+        two outer pins; their derivatives by the contributors, and by the two drives after them: (rows, contributors +
+        2, n)."""
         with np.errstate(all="ignore"):
-            y = self.engine.run(self.sheet.inputs(q), self.sheet.parameters)
-            found = y[self.rows :].reshape(self.rows, -1, q.shape[1])
-            slopes = np.einsum("pc,rpn->rcn", self.directions, found[:, :-2], optimize=True)
-        return y[: self.rows], np.concatenate([slopes, found[:, -2:]], axis=1) if drives else slopes
+            y = self._whole.run(self.sheet.inputs(q), self.sheet.parameters)
+        rows = len(self.names)
+        found = y[rows:].reshape(rows, -1, q.shape[1])
+        return y[:rows], np.concatenate([self._along(found[:, :-2]), found[:, -2:]], axis=1)
+
+    def _along(self, slopes: Array) -> Array:
+        """Derivatives (rows, parameters, n) as those by the contributors: (rows, contributors, n)."""
+        if np.array_equal(self.directions, np.eye(len(self.by))):
+            return slopes
+        with np.errstate(all="ignore"):
+            return np.matmul(self.directions.T, slopes)
 
     def __call__(self, q: Array) -> dict[str, Array]:
         """The figures of the error maps at drive values (2, n): see :func:`errors`."""
-        values, slopes = self.slopes(q)
         low, high = self.contributors.low[:, None], self.contributors.high[:, None]
-        found = {"x": values[0], "y": values[1]}
+        covariance = self.contributors.covariance
+        n, last = q.shape[1], 2 + 2 * len(self.by)
         with np.errstate(all="ignore"):
-            outside = ~(values[self.reaches] > 0).all(axis=0)
-            for name, slope in zip("xy", slopes[:2], strict=True):
+            y = self.engine.run(self.sheet.inputs(q), self.sheet.parameters)
+        slopes = self._along(y[2:last].reshape(2, -1, n))
+        found = {"x": y[0], "y": y[1]}
+        with np.errstate(all="ignore"):
+            outside = ~(y[last:] > 0).all(axis=0)
+            for name, slope in zip("xy", slopes, strict=True):
                 found[f"error {name} least"] = np.minimum(low * slope, high * slope).sum(axis=0)
                 found[f"error {name} most"] = np.maximum(low * slope, high * slope).sum(axis=0)
-            found["error worst"] = farthest(slopes[:2], low, high)
-            spread = np.einsum("ij,kjn->kin", self.contributors.covariance, slopes[:2], optimize=True)
+            found["error worst"] = farthest(slopes, low, high)
+            diagonal = np.diag(covariance)[:, None]
+            apart = np.array_equal(covariance, np.diag(diagonal[:, 0]))
+            spread = slopes * diagonal if apart else np.matmul(covariance, slopes)
             xx, xy, yy = ((slopes[a] * spread[b]).sum(axis=0) for a, b in ((0, 0), (0, 1), (1, 1)))
             found["spread x"], found["spread y"] = 3 * np.sqrt(xx), 3 * np.sqrt(yy)
             found["spread worst"] = 3 * np.sqrt((xx + yy) / 2 + np.hypot((xx - yy) / 2, xy))
@@ -117,8 +137,9 @@ def farthest(slopes: Array, low: Array, high: Array) -> Array:
     order = np.argsort(np.arctan2(half[1], half[0]), axis=0)
     sides = np.take_along_axis(half, order[None], axis=1)
     corners = sides.sum(axis=1, keepdims=True) - 2 * np.cumsum(sides, axis=1)
-    both = np.stack([middle[:, None] + corners, middle[:, None] - corners])
-    return np.asarray(np.hypot(both[:, 0], both[:, 1]).max(axis=(0, 1)))
+    # Of the corners on both sides of the middle, the farther one.
+    beyond = (corners * corners).sum(axis=0) + 2 * np.abs((corners * middle[:, None]).sum(axis=0))
+    return np.asarray(np.sqrt(beyond.max(axis=0) + (middle * middle).sum(axis=0)))
 
 
 @dataclass(frozen=True)
@@ -244,7 +265,7 @@ def moved(found: Errors, kind: str, drives: Array, outward: Array, of: NDArray[n
 
     The normals come from derivatives: where a curve ends on the rim, these grow without bound and hardly the shifts.
     """
-    values, slopes = found.slopes(drives.reshape(2, -1), drives=True)
+    values, slopes = found.slopes(drives.reshape(2, -1))
     way = np.repeat((drives[:, 1] - drives[:, 0])[:, None], 2, axis=1).reshape(2, -1)
     with np.errstate(all="ignore"):
         own, along = ALONG.get(kind, _free)(found, values, slopes, way)
