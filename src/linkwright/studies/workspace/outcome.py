@@ -166,6 +166,12 @@ class WorkspaceOutcome:
         """The working point."""
         return self.options.point
 
+    def shown(self, one: Workspace) -> dict[str, float]:
+        """The varied parameters of a workspace by name, in their units; angles in the file's."""
+        quantities = self.compiled.quantities
+        sizes = {name: quantities.unit_of(quantities.dimensions.of(name))[1] for name in one.values}
+        return {name: float(f"{value / sizes[name]:.12g}") for name, value in one.values.items()}
+
     @property
     def regions(self) -> list[Reached]:
         """The regions of all workspaces."""
