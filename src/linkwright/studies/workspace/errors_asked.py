@@ -24,7 +24,6 @@ from linkwright.studies.accuracy.stated import check_contributors, contributors
 from linkwright.studies.site import Site
 from linkwright.studies.workspace.errors_part import ErrorsPart, RegionErrors
 from linkwright.studies.workspace.guaranteed import KINDS, errors, guaranteed
-from linkwright.studies.workspace.mapped_regions import ends_of
 from linkwright.studies.workspace.maps_asked import MapsAsked, positive
 from linkwright.studies.workspace.outcome import Workspace
 
@@ -97,7 +96,7 @@ class ErrorsOptions(MapsAsked):
             for reached in workspace.regions:
                 maps = errors(reached.region.sheet, outcome.box, who, self.steps)
                 sure = guaranteed(reached.region, who, limit, self.steps)
-                part.regions.append(RegionErrors(workspace, reached, maps, ends_of(maps), who.names, sure))
+                part.regions.append(RegionErrors(workspace, reached, maps, maps.ends(), who.names, sure))
         return part
 
     def _deviating(self, compiled: Compiled, workspace: Workspace) -> Contributors:

@@ -10,7 +10,7 @@ c_i is taken along it, at constant reach, as it grows without bound at given dri
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -35,6 +35,8 @@ Array = NDArray[np.float64]
 STEPS = 200
 ROUND = 8
 """Strips end round, in so many pieces a quarter of a turn; they are wider by what these lack."""
+ROUGH = 0.01
+"""Segments of the boundary are one where their strips' widths differ by no more than this share of the widest."""
 BESIDE = 1e-6
 """Curves within this share of the region's extent from its boundary bound it."""
 AWAY = 2.0**15
@@ -168,18 +170,55 @@ def guaranteed(
     found = Errors(region.sheet, contributors, sum(one.a.shape[1] for one in region.segments))
     made = edges(region, found)
     width = np.concatenate([one.width for one in made]) if made else np.array([np.nan])
-    shape = region.shape
-    if made:
-        which, first, every = np.unique(
-            np.concatenate([one.segment for one in made]), return_index=True, return_inverse=True
-        )
-        widest = np.zeros(which.size)
-        np.maximum.at(widest, every, width)
-        lines = np.concatenate([one.lines for one in made])[first]
-        strips = shapely.buffer(lines, widest / np.cos(np.pi / 4 / ROUND), quad_segs=ROUND)
-        shape = shapely.difference(shape, shapely.union_all(strips))
+    shape = shapely.difference(region.shape, shapely.union_all(_strips(region, made))) if made else region.shape
     precise = None if limit is None else shapely.difference(shape, imprecise(region, found, limit, steps))
     return Guaranteed(region, shape, float(np.min(width)), float(np.max(width)), limit, precise)
+
+
+def _strips(region: Region, made: Sequence[Edge]):  # type: ignore[no-untyped-def]
+    """Strips along the boundary, each as wide as it moves inward there. Segments in a row that move alike are one, and
+    the strip wider by what is cut off."""
+    import shapely
+
+    corners = [shapely.get_coordinates(ring).T for ring in _rings(region.shape)]
+    widest = np.zeros(sum(ring.shape[1] - 1 for ring in corners))
+    for one in made:
+        np.maximum.at(widest, one.segment, one.width)
+    cut = ROUGH * float(widest.max())
+    levels = np.floor(widest / max(cut, 1e-300))
+    lines, widths, first = [], [], 0
+    for ring in corners:
+        count = ring.shape[1] - 1
+        own, level = widest[first : first + count], levels[first : first + count]
+        kept = _kept(ring, cut)
+        kept[1:-1] |= level[1:] != level[:-1]
+        stops = np.flatnonzero(kept)
+        lines.append(
+            shapely.linestrings(np.stack([ring[:, stops[:-1]], ring[:, stops[1:]]], axis=2).transpose(1, 2, 0))
+        )
+        widths.append(np.maximum.reduceat(own, stops[:-1]) + cut)
+        first += count
+    wide = np.concatenate(widths) / np.cos(np.pi / 4 / ROUND)
+    return shapely.buffer(np.concatenate(lines), wide, quad_segs=ROUND)
+
+
+def _kept(ring: Array, cut: float) -> NDArray[np.bool_]:
+    """Which corners of a closed line (2, n) are left where others may be ``cut`` off: by Douglas and Peucker."""
+    import shapely
+
+    left = {
+        tuple(place) for place in shapely.get_coordinates(shapely.simplify(shapely.linestrings(ring.T), cut)).tolist()
+    }
+    kept = np.array([tuple(place) in left for place in ring.T.tolist()])
+    kept[[0, -1]] = True
+    return kept
+
+
+def _rings(shape):  # type: ignore[no-untyped-def]
+    """The boundary's rings; the shape lies to their left."""
+    import shapely
+
+    return shapely.get_parts(shapely.boundary(shapely.orient_polygons(shape)))
 
 
 @dataclass(frozen=True)
@@ -198,20 +237,12 @@ class Edge:
     width: Array
     segment: NDArray[np.intp]
 
-    @property
-    def lines(self):  # type: ignore[no-untyped-def]
-        """The pieces, in Shapely."""
-        import shapely
-
-        return shapely.linestrings(np.moveaxis(self.ends, (0, 1, 2), (2, 1, 0)))
-
 
 def edges(region: Region, found: Errors) -> list[Edge]:
     """The boundary of a region by the curves on which it lies."""
     import shapely
 
-    rings = shapely.get_parts(shapely.boundary(shapely.orient_polygons(region.shape)))
-    corners = [shapely.get_coordinates(ring).T for ring in rings]  # the region lies to their left
+    corners = [shapely.get_coordinates(ring).T for ring in _rings(region.shape)]
     if not corners:
         return []
     ends = np.concatenate([np.stack([ring[:, :-1], ring[:, 1:]], axis=1) for ring in corners], axis=2)
@@ -329,8 +360,30 @@ def imprecise(region: Region, found: Errors, limit: float, steps: int = STEPS): 
         return ~(error <= limit)
 
     q, triangles, _ = meshes.cut(above, made.q, made.triangles)
-    at = sheet.place(q)[0][:, triangles]
-    at = at[:, np.isfinite(at).all(axis=(0, 2))]
-    if not at.size:
+    at = sheet.place(q)[0]
+    return covered(at, triangles[np.isfinite(at).all(axis=0)[triangles].all(axis=1)])
+
+
+def covered(at: Array, triangles: NDArray[np.intp]):  # type: ignore[no-untyped-def]
+    """What triangles with their corners at places (2, n) cover, folded as they may be (Shapely): of the faces between
+    the sides on which they end or fold back, those on which some triangle lies."""
+    import shapely
+
+    corners = at[:, triangles]
+    (ax, bx, cx), (ay, by, cy) = corners[0].T, corners[1].T
+    left = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) > 0
+    sides, which = np.unique(np.sort(meshes.sides_of(triangles), axis=1), axis=0, return_inverse=True)
+    which = which.ravel()
+    count = np.bincount(which, minlength=len(sides))
+    turned = np.bincount(which, weights=np.tile(left, 3), minlength=len(sides))
+    ending = sides[(count != 2) | (turned == 1)]
+    if not ending.size:
         return shapely.Polygon()
-    return shapely.union_all(shapely.polygons(np.moveaxis(at, 0, 2)))
+    lines = shapely.linestrings(np.moveaxis(at[:, ending], (0, 1, 2), (2, 0, 1)))
+    joined = shapely.unary_union(lines, grid_size=1e-9 * float(np.ptp(at[:, ending], axis=(1, 2)).max()))
+    faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(joined)))
+    if not len(faces):
+        return shapely.Polygon()
+    tree = shapely.STRtree(shapely.polygons(np.moveaxis(corners, 0, 2)))
+    hit = np.unique(tree.query(shapely.point_on_surface(faces), predicate="intersects")[0])
+    return shapely.union_all(faces[hit])

@@ -22,11 +22,6 @@ Ends = Mapping[str, tuple[Extreme | None, Extreme | None]]
 """The least and the greatest value of each map; none where the mechanism can be assembled nowhere on the grid."""
 
 
-def ends_of(maps: Maps) -> Ends:
-    """Of all maps."""
-    return {name: (maps.least(name), maps.greatest(name)) for name in maps.maps}
-
-
 @dataclass(frozen=True)
 class RegionMaps:
     """One region with its maps."""

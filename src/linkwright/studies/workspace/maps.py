@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -74,34 +74,42 @@ class Maps:
 
     def least(self, name: str) -> Extreme | None:
         """The least value of a map; None where the mechanism can be assembled nowhere."""
-        return self._extreme(name, -1.0)
+        return self.ends([name])[name][0]
 
     def greatest(self, name: str) -> Extreme | None:
         """The greatest value of a map."""
-        return self._extreme(name, 1.0)
+        return self.ends([name])[name][1]
 
-    def _extreme(self, name: str, sign: float) -> Extreme | None:
-        """From the best place of the grid, on narrower and narrower grids around the best place so far."""
-        values = sign * self.maps[name].values
-        if np.isnan(values).all():
-            return None
-        i, k = np.unravel_index(np.nanargmax(values), values.shape)
-        q, steps = np.array([self.axes[0][i], self.axes[1][k]]), np.array([axis[1] - axis[0] for axis in self.axes])
-        best = float(values[i, k])
+    def ends(self, names: Sequence[str] | None = None) -> dict[str, tuple[Extreme | None, Extreme | None]]:
+        """The least and the greatest value of maps, of all by default: from the best places of the grid, on narrower
+        and narrower grids around the best places so far."""
+        names = [*self.maps] if names is None else names
+        if not names or np.isnan(self.maps[names[0]].values).all():
+            return dict.fromkeys(names, (None, None))
+        signs = np.tile([-1.0, 1.0], len(names))[:, None]
+        steps = np.array([axis[1] - axis[0] for axis in self.axes])
+        rows = np.repeat(np.stack([self.maps[name].values.ravel() for name in names]), 2, axis=0)
+        found = np.nanargmax(signs * rows, axis=1)
+        first = np.take_along_axis(rows, found[:, None], axis=1)[:, 0]
+        best = signs[:, 0] * first
+        q = np.stack([axis[i] for axis, i in zip(self.axes, np.unravel_index(found, self.at.shape[1:]), strict=True)])
         for zoom in range(ZOOMS):
             ticks = np.linspace(-1, 1, LOOKS) / NARROWER**zoom
-            offsets = np.stack(np.meshgrid(ticks, ticks, indexing="ij")).reshape(2, -1)
-            places = self._within(q[:, None] + steps[:, None] * offsets)
-            here = np.nan_to_num(sign * self.figures(places)[name], nan=-np.inf)
-            if here.max() > best:
-                best, q = float(here.max()), places[:, here.argmax()]
-        value, first = sign * best, abs(float(values[i, k]))
-        if abs(value) > ENDLESS * first:
-            value = float(np.copysign(np.inf, value))
-        elif abs(value) < first / ENDLESS:
-            value = 0.0
-        at = self.figures(q[:, None])
-        return Extreme(value, q, np.array([at["x"][0], at["y"][0]]))
+            offsets = steps[:, None] * np.stack(np.meshgrid(ticks, ticks, indexing="ij")).reshape(2, -1)
+            places = self._within((q[:, :, None] + offsets[:, None]).reshape(2, -1)).reshape(2, best.size, -1)
+            figures = self.figures(places.reshape(2, -1))
+            here = np.stack([figures[name].reshape(best.size, -1)[i : i + 2] for i, name in _twice(names)])
+            here = np.nan_to_num(signs * here.reshape(best.size, -1), nan=-np.inf)
+            which = here.argmax(axis=1)
+            better = here[np.arange(best.size), which] > best
+            best = np.where(better, here.max(axis=1), best)
+            q = np.where(better, places[:, np.arange(best.size), which], q)
+        at = self.figures(q)
+        every = [
+            Extreme(_endless(value, start), q[:, i], np.array([at["x"][i], at["y"][i]]))
+            for i, (value, start) in enumerate(zip((signs[:, 0] * best).tolist(), first.tolist(), strict=True))
+        ]
+        return {name: (every[i], every[i + 1]) for i, name in _twice(names)}
 
     def _within(self, q: Array) -> Array:
         low, high = np.array(self.box.low)[:, None], np.array(self.box.high)[:, None]
@@ -133,6 +141,18 @@ class Maps:
         of[crossed] = where.ravel()
         ends = np.sort(of.reshape(3, -1), axis=0)[1:].T
         return [Line(q[:, chain], at[:, chain]) for chain in chained(ends)]
+
+
+def _twice(names: Sequence[str]) -> Iterator[tuple[int, str]]:
+    """The names, numbered by twos."""
+    return zip(range(0, 2 * len(names), 2), names, strict=True)
+
+
+def _endless(value: float, first: float) -> float:
+    """What grows or falls without end from its ``first`` value is infinite or 0."""
+    if abs(value) > ENDLESS * abs(first):
+        return float(np.copysign(np.inf, value))
+    return 0.0 if abs(value) < abs(first) / ENDLESS else value
 
 
 def mapped(quantities: Quantities, box: Box, steps: int, figures: Figures, kinds: Mapping[str, Dimension]) -> Maps:

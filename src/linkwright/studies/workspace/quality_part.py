@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from linkwright.model import units as u
-from linkwright.studies.workspace.mapped_regions import RegionMaps, ends_of
+from linkwright.studies.workspace.mapped_regions import RegionMaps
 from linkwright.studies.workspace.outcome import Reached, Workspace
 from linkwright.studies.workspace.quality import Locus, Quality
 
@@ -41,7 +41,7 @@ class RegionQuality(RegionMaps):
         """From its maps."""
         turns = reached.region.box.turns
         loci = [counted(kind, [one for one in found.loci if one.kind == kind], turns) for kind in KINDS]
-        return cls(workspace, reached, found.maps, ends_of(found.maps), loci)
+        return cls(workspace, reached, found.maps, found.maps.ends(), loci)
 
 
 @dataclass
@@ -84,7 +84,7 @@ def by_drives(outcome: WorkspaceOutcome) -> str:
 
 def closures(outcome: WorkspaceOutcome) -> str:
     """The closures of which one's determinant vanishes in uncertain positions, as text."""
-    return "; ".join(group.label for group in outcome.compiled.graph.branched)
+    return "; ".join(f"closure of {group.label}" for group in outcome.compiled.graph.branched)
 
 
 def counted(kind: str, loci: Sequence[Locus], turns: tuple[bool, bool]) -> Curves:
