@@ -68,9 +68,7 @@ def shown_values(outcome: WorkspaceOutcome, one: Workspace) -> dict[str, float]:
 
 def values_text(outcome: WorkspaceOutcome, one: Workspace) -> str:
     """The same in a line."""
-    quantities = outcome.compiled.quantities
-    units = {name: quantities.unit_of(quantities.dimensions.of(name))[0] for name in one.values}
-    return ", ".join(f"{name} = {v:.6g} {units[name]}".strip() for name, v in shown_values(outcome, one).items())
+    return outcome.told(one)
 
 
 def known(value: float) -> float | None:

@@ -99,7 +99,7 @@ def picture(outcome: WorkspaceOutcome, one: Workspace, title: str) -> str:
     shapes: list[str] = []
     legend: list[tuple[str, str]] = []
     for i, reached in enumerate(one.regions):
-        shapes.append(f'<path class="region m{i % 4}" d="{_outline(reached.shape, plane, size)}"/>')
+        shapes.append(f'<path class="region m{i % 4}" d="{outline(reached.shape, plane, size)}"/>')
         text = say("workspace.kind.region", mode=reached.mode or say("workspace.one-mode"))
         legend.append((f"region m{i % 4}", text))
     for i, curve in enumerate(one.curves):
@@ -108,19 +108,20 @@ def picture(outcome: WorkspaceOutcome, one: Workspace, title: str) -> str:
             shapes.append(f'<polyline class="path m{i % 4}" points="{way}"/>')
         legend.append((f"path m{i % 4}", say("workspace.kind.curve", mode=curve.mode or say("workspace.one-mode"))))
     for kind in KINDS:
-        paths = [line for r in one.regions for line in _lines(r.region.sheet, r.region.segments, kind, plane, size)]
+        paths = [line for r in one.regions for line in lines(r.region.sheet, r.region.segments, kind, plane, size)]
         if paths:
             shapes += [f'<polyline class="kind k-{kind}" points="{way}"/>' for way in paths]
             groups = "; ".join(group.label for group in outcome.compiled.graph.branched)
             data = {"point": outcome.point, "drives": ", ".join(outcome.compiled.graph.drives), "groups": groups}
             legend.append((f"kind k-{kind}", say(f"workspace.kind.{kind}", **data)))
-    return _drawn(plane, shapes, legend, title)
+    return drawn(plane, shapes, legend, title)
 
 
-def _drawn(plane: Plane, shapes: Sequence[str], legend: Sequence[tuple[str, str]], title: str) -> str:
-    told, y = "", plane.bottom + 52
+def drawn(plane: Plane, shapes: Sequence[str], legend: Sequence[tuple[str, str]], title: str, room: float = 0.0) -> str:
+    """The whole: axes, shapes, and the legend ``room`` below them."""
+    told, y = "", plane.bottom + 52 + room
     for look, text in legend:
-        lines = [*_folded(text, int((WIDTH - LEFT - 40) / LETTER))]
+        lines = [*folded(text, int((WIDTH - LEFT - 40) / LETTER))]
         box = "v8h-24z" if look.startswith("region") else ""
         told += f'<path class="{look}" d="M{LEFT - 30:.0f} {y - 8 + 4 * (not box):.0f}h24{box}"/>'
         for line in lines:
@@ -133,7 +134,7 @@ def _drawn(plane: Plane, shapes: Sequence[str], legend: Sequence[tuple[str, str]
     )
 
 
-def _folded(text: str, room: int) -> Iterator[str]:
+def folded(text: str, room: int) -> Iterator[str]:
     """A text in lines of so many letters."""
     line = ""
     for word in text.split():
@@ -145,14 +146,14 @@ def _folded(text: str, room: int) -> Iterator[str]:
     yield line
 
 
-def _outline(shape: Any, plane: Plane, size: float) -> str:
+def outline(shape: Any, plane: Plane, size: float) -> str:
     """All rings of a shape, thinned to what can be seen."""
     drawn = shape.simplify(0.1 / plane.scale * size)
     rings = [ring for polygon in pieces(drawn) for ring in (polygon.exterior, *polygon.interiors)]
     return "".join(f"M{points(*plane.at(*(np.array(ring.coords).T / size)))}Z" for ring in rings)
 
 
-def _lines(sheet: Sheet, segments: Iterable[Segments], kind: str, plane: Plane, size: float) -> Iterator[str]:
+def lines(sheet: Sheet, segments: Iterable[Segments], kind: str, plane: Plane, size: float) -> Iterator[str]:
     """The curves of a kind, joined and thinned."""
     import shapely
 
@@ -166,3 +167,19 @@ def _lines(sheet: Sheet, segments: Iterable[Segments], kind: str, plane: Plane, 
         for line in shapely.get_parts(shapely.simplify(merged, 0.1 / plane.scale * size)):
             if not line.is_empty:
                 yield points(*plane.at(*(np.array(line.coords).T / size)))
+
+
+def stacked(charts: Iterable[Chart]) -> str:
+    """Pictures as one, one below the other."""
+    made, top, width = [], 0.0, 0.0
+    for chart in charts:
+        box = chart["drawing"].split('viewBox="0 0 ', 1)[1].split('"', 1)[0]
+        wide, high = map(float, box.split())
+        place = f'<svg y="{top:.0f}" width="{wide:.0f}" height="{high:.0f}" '
+        made.append(chart["drawing"].replace("<svg ", place, 1))
+        top, width = top + high, max(width, wide)
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}" height="{top:.0f}" '
+        f'viewBox="0 0 {width:.0f} {top:.0f}" color="#1d2733">'
+        f'<rect width="100%" height="100%" fill="#fff"/>{"".join(made)}</svg>\n'
+    )

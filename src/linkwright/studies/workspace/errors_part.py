@@ -23,7 +23,7 @@ class RegionErrors(RegionMaps):
     sure: Guaranteed
 
 
-@dataclass
+@dataclass(eq=False)
 class ErrorsPart:
     """The errors of all regions; ``limit`` (m) of the point's error, where one is asked for."""
 

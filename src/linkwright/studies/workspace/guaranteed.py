@@ -256,7 +256,10 @@ def edges(region: Region, found: Errors) -> list[Edge]:
     known = np.flatnonzero(np.isfinite(paths).all(axis=(0, 1)))
     tree = shapely.STRtree(shapely.linestrings(np.moveaxis(paths[:, :, known], (0, 1, 2), (2, 1, 0))))
     beside = BESIDE * float(np.ptp(ends, axis=(1, 2)).max())
-    near = tree.query(middles, predicate="dwithin", distance=beside)
+    # Segments shorter than that lie where curves end, among many others: the nearest curve tells enough.
+    long = np.flatnonzero(np.hypot(*along) > beside)
+    near = tree.query(middles[long], predicate="dwithin", distance=beside)
+    near[0] = long[near[0]]
     nearest = tree.query_nearest(middles)
     which, piece = np.unique(np.concatenate([near, nearest], axis=1), axis=1)
     piece, made = known[piece], []
@@ -350,7 +353,6 @@ ALONG = {"singular": _singular, "modes": _rim, "pins": _pins}
 
 def imprecise(region: Region, found: Errors, limit: float, steps: int = STEPS):  # type: ignore[no-untyped-def]
     """Where some pose's error is above a limit, as far as triangles of the mesh show it (Shapely, m)."""
-    import shapely
 
     sheet, box = region.sheet, region.box
     made = meshes.mesh(sheet, box, steps)
@@ -372,11 +374,10 @@ def covered(at: Array, triangles: NDArray[np.intp]):  # type: ignore[no-untyped-
     corners = at[:, triangles]
     (ax, bx, cx), (ay, by, cy) = corners[0].T, corners[1].T
     left = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) > 0
-    sides, which = np.unique(np.sort(meshes.sides_of(triangles), axis=1), axis=0, return_inverse=True)
-    which = which.ravel()
-    count = np.bincount(which, minlength=len(sides))
-    turned = np.bincount(which, weights=np.tile(left, 3), minlength=len(sides))
-    ending = sides[(count != 2) | (turned == 1)]
+    sides = np.sort(meshes.sides_of(triangles), axis=1)
+    _, first, which = np.unique(sides[:, 0] * at.shape[1] + sides[:, 1], return_index=True, return_inverse=True)
+    turned = np.bincount(which, weights=np.tile(left, 3))
+    ending = sides[first[(np.bincount(which) != 2) | (turned == 1)]]
     if not ending.size:
         return shapely.Polygon()
     lines = shapely.linestrings(np.moveaxis(at[:, ending], (0, 1, 2), (2, 0, 1)))

@@ -118,13 +118,7 @@ class Maps:
     def contour(self, name: str, level: float) -> list[Line]:
         """The lines on which a map has a value (SI), by marching triangles; their corners lie on the true line."""
         values = self.maps[name].values.ravel() - level
-        triangles = halves(self.axes[0].size, self.axes[1].size)
-        triangles = triangles[np.isfinite(values[triangles]).all(axis=1)]
-        above = values >= 0
-        triangles = triangles[above[triangles].any(axis=1) & ~above[triangles].all(axis=1)]
-        sides = np.sort(sides_of(triangles), axis=1)
-        crossed = above[sides[:, 0]] != above[sides[:, 1]]
-        pairs, where = np.unique(sides[crossed], axis=0, return_inverse=True)
+        pairs, ends = crossings(halves(self.axes[0].size, self.axes[1].size), values)
         if not len(pairs):
             return []
         grid = np.stack(np.meshgrid(*self.axes, indexing="ij")).reshape(2, -1)
@@ -137,9 +131,6 @@ class Maps:
         q = start + share * way
         found = self.figures(q)
         at = np.stack([found["x"], found["y"]])
-        of = np.full(len(sides), -1)
-        of[crossed] = where.ravel()
-        ends = np.sort(of.reshape(3, -1), axis=0)[1:].T
         return [Line(q[:, chain], at[:, chain]) for chain in chained(ends)]
 
 
@@ -170,6 +161,21 @@ def together(figures: Figures, q: Array) -> dict[str, Array]:
     parts = [q[:, start : start + MOST] for start in range(0, q.shape[1], MOST)] or [q]
     found = [figures(parts[0])] if len(parts) == 1 else [*pool(processors()).map(figures, parts)]
     return {name: np.concatenate([part[name] for part in found]) for name in found[0]}
+
+
+def crossings(triangles: NDArray[np.intp], values: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Where values at the triangles' corners pass zero: sides (m, 2) by their corners, and the pieces of lines from one
+    of those to another, (n, 2)."""
+    triangles = triangles[np.isfinite(values[triangles]).all(axis=1)]
+    above = values >= 0
+    triangles = triangles[above[triangles].any(axis=1) & ~above[triangles].all(axis=1)]
+    sides = np.sort(sides_of(triangles), axis=1)
+    crossed = above[sides[:, 0]] != above[sides[:, 1]]
+    own = sides[crossed]
+    _, first, where = np.unique(own[:, 0] * values.size + own[:, 1], return_index=True, return_inverse=True)
+    of = np.full(len(sides), -1)
+    of[crossed] = where
+    return own[first], np.sort(of.reshape(3, -1), axis=0)[1:].T
 
 
 def chained(pieces: NDArray[np.intp]) -> list[list[int]]:

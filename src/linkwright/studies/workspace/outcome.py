@@ -172,6 +172,12 @@ class WorkspaceOutcome:
         sizes = {name: quantities.unit_of(quantities.dimensions.of(name))[1] for name in one.values}
         return {name: float(f"{value / sizes[name]:.12g}") for name, value in one.values.items()}
 
+    def told(self, one: Workspace) -> str:
+        """The same in a line."""
+        quantities = self.compiled.quantities
+        units = {name: quantities.unit_of(quantities.dimensions.of(name))[0] for name in one.values}
+        return ", ".join(f"{name} = {v:.6g} {units[name]}".strip() for name, v in self.shown(one).items())
+
     @property
     def regions(self) -> list[Reached]:
         """The regions of all workspaces."""

@@ -44,7 +44,7 @@ class RegionQuality(RegionMaps):
         return cls(workspace, reached, found.maps, found.maps.ends(), loci)
 
 
-@dataclass
+@dataclass(eq=False)
 class QualityPart:
     """The quality of all regions; ``shown`` are the maps of which there are pictures, with lines at ``levels`` (SI)."""
 

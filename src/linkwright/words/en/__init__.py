@@ -7,5 +7,6 @@ from linkwright.words.en.report import REPORT
 from linkwright.words.en.sweep import SWEEP
 from linkwright.words.en.texts import TEXTS
 from linkwright.words.en.workspace import WORKSPACE
+from linkwright.words.en.workspace_maps import WORKSPACE_MAPS
 
-WORDS: dict[str, str] = {**ACCURACY, **FINDINGS, **LIMITS, **REPORT, **SWEEP, **TEXTS, **WORKSPACE}
+WORDS: dict[str, str] = {**ACCURACY, **FINDINGS, **LIMITS, **REPORT, **SWEEP, **TEXTS, **WORKSPACE, **WORKSPACE_MAPS}

@@ -1,0 +1,108 @@
+"""Maps over the plane of the working point: on a grid of places, at the drive values that come there.
+
+A sheet may cover a place several times, folded along dead positions of the output: all the poses are looked at, and
+one of them counts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.studies.workspace import mesh as meshes
+from linkwright.studies.workspace.maps import Maps, together
+from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.sheet import Sheet
+
+Array = NDArray[np.float64]
+Rows = NDArray[np.intp]
+
+STEPS = 128
+"""Of the mesh that tells about which drive values come to a place."""
+NEWTON = 3
+FAR = 0.02
+"""Drive values that come within this share of the grid's step are those of a place."""
+
+
+@dataclass(frozen=True)
+class Raster:
+    """A grid of places: ``x`` (columns,) and ``y`` (rows,) are equal steps (m). ``cells`` (n,) number the places that
+    are covered, row by row, each as often as it is; ``q`` (2, n) are the drive values that come there, and ``figures``
+    (n,) each what maps say of them."""
+
+    x: Array
+    y: Array
+    cells: Rows
+    q: Array
+    figures: dict[str, Array]
+
+    def map(self, name: str, score: Callable[[Array], Array]) -> Array:
+        """A map's value at each place, (rows, columns): of the pose with the greatest ``score`` of its value; NaN
+        where none comes."""
+        values = self.figures[name]
+        order = np.lexsort((np.nan_to_num(score(values), nan=-np.inf), self.cells))
+        last = order[np.flatnonzero(np.diff(self.cells[order], append=-1))]
+        found = np.full(self.x.size * self.y.size, np.nan)
+        found[self.cells[last]] = values[last]
+        return found.reshape(self.y.size, -1)
+
+
+def raster(sheet: Sheet, box: Box, maps: Maps, bounds: tuple[float, float, float, float], cells: int) -> Raster:
+    """Over ``bounds`` (least x, least y, largest x, largest y; m), so many cells along the longer side."""
+    step = max(bounds[2] - bounds[0], bounds[3] - bounds[1]) / cells
+    axes = [
+        np.arange(np.ceil((high - low) / step) + 1) * step + low for low, high in zip(bounds, bounds[2:], strict=False)
+    ]
+    x, y = axes
+    made = meshes.mesh(sheet, box, STEPS)
+    at = sheet.place(made.q)[0]
+    triangles = made.triangles[np.isfinite(at).all(axis=0)[made.triangles].all(axis=1)]
+    rows, which, shares = _held(at[:, triangles], x, y)
+    q = np.einsum("ank,nk->an", made.q[:, triangles[which]], shares)
+    q = _nearer(sheet, q, np.stack([x[rows % x.size], y[rows // x.size]]), FAR * step, np.divide(box.size, STEPS))
+    return Raster(x, y, rows, q, together(maps.figures, q))
+
+
+def _held(at: Array, x: Array, y: Array) -> tuple[Rows, Rows, Array]:
+    """The places of a grid within triangles at (2, n, 3): their numbers, those of the triangles, the shares (m, 3) of
+    its corners."""
+    step, start = x[1] - x[0], np.array([x[0], y[0]])[:, None]
+    low = np.maximum(np.ceil((at.min(axis=2) - start) / step), 0).astype(int)
+    high = np.minimum(np.floor((at.max(axis=2) - start) / step), [[x.size - 1], [y.size - 1]]).astype(int)
+    wide, tall = np.maximum(high - low + 1, 0)
+    count = wide * tall
+    which = np.repeat(np.arange(count.size), count)
+    own = np.arange(which.size) - np.repeat(np.cumsum(count) - count, count)
+    column, row = low[0][which] + own % wide[which], low[1][which] + own // wide[which]
+    (ax, bx, cx), (ay, by, cy) = (np.moveaxis(axis[which], 1, 0) for axis in at)
+    px, py = x[column], y[row]
+    with np.errstate(all="ignore"):
+        whole = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+        b = ((px - ax) * (cy - ay) - (py - ay) * (cx - ax)) / whole
+        c = ((bx - ax) * (py - ay) - (by - ay) * (px - ax)) / whole
+        inside = (b >= -1e-9) & (c >= -1e-9) & (b + c <= 1 + 1e-9)
+    shares = np.stack([1 - b - c, b, c], axis=1)
+    return (row * x.size + column)[inside], which[inside], shares[inside]
+
+
+def _nearer(sheet: Sheet, q: Array, places: Array, near: float, most: Array) -> Array:
+    """Drive values moved so that they come to places, by a few steps of Newton's method; where that doesn't get
+    ``near``, as they were."""
+    best, tried = q, q
+    off = np.full(q.shape[1], np.inf)
+    for _ in range(NEWTON):
+        look = sheet.look(tried)
+        miss = look.at - places
+        closer = np.hypot(*miss) < off
+        best, off = np.where(closer, tried, best), np.where(closer, np.hypot(*miss), off)
+        with np.errstate(all="ignore"):
+            (a, b), (c, d) = look.jacobian
+            move = np.stack([d * miss[0] - b * miss[1], a * miss[1] - c * miss[0]]) / look.determinant
+        move = np.nan_to_num(move, nan=0.0, posinf=0.0, neginf=0.0)
+        tried = tried - np.clip(move, -most[:, None], most[:, None])
+        if (off < near).all():
+            break
+    return best
