@@ -115,7 +115,7 @@ def _rising(values: Array, levels: Sequence[float]) -> Array:
     near = distance_transform_edt(unknown, return_distances=False, return_indices=True)
     first, last = (levels[1] - levels[0], levels[-1] - levels[-2]) if len(levels) > 1 else (1.0, 1.0)
     stops = [levels[0] - first, *levels, levels[-1] + last]
-    return np.interp(values[tuple(near)], stops, np.arange(-1, len(levels) + 1))
+    return np.asarray(np.interp(values[tuple(near)], stops, np.arange(-1, len(levels) + 1)))
 
 
 def _bands(plane: Plane, axes: tuple[Array, Array], rising: Array, count: int) -> str:

@@ -72,32 +72,43 @@ def quality_tables(outcome: WorkspaceOutcome) -> list[Grid]:
     ]
     unit = outcome.compiled.quantities.unit_of(u.LENGTH)[0]
     loci = [
-        [*_front(entry, names), say(f"workspace.locus.{one['kind']}", determinant=one["determinant"] or "-"),
-         str(one["curves"]), f"{one['length']:.6g}", unit]
+        [
+            *_front(entry, names),
+            say(f"workspace.locus.{one['kind']}"),
+            one["determinant"] or "-",
+            str(one["curves"]),
+            f"{one['length']:.6g}",
+            unit,
+        ]
         for entry in entries
         for one in entry["loci"]
-    ]  # fmt: skip
+    ]
     return [
         _grid("quality", [*names, *_heads("mode", "map", "ends", "unit")], maps),
-        _grid("loci", [*names, *_heads("mode", "locus", "count", "length", "unit")], loci),
+        _grid("loci", [*names, *_heads("mode", "locus", "determinant", "count", "length", "unit")], loci),
     ]
 
 
 def errors_tables(outcome: WorkspaceOutcome) -> list[Grid]:
     """The worst errors, and what is sure of each region."""
     part, names = _errors(outcome), [*outcome.options.for_]
-    shown = ("error worst", "error x least", "error x most", "error y least", "error y most")
     errors, sure = [], []
     for entry in part.as_dict():
-        errors.append([*_front(entry, names), *(_ends(entry["maps"][name]) for name in shown), entry["unit"]])
+        found = entry["maps"]
+        rows = [(found[f"error {axis} least"]["least"], found[f"error {axis} most"]["greatest"]) for axis in "xy"]
+        told = [_ends(found["error worst"]), *(_between(*ends) for ends in rows), _ends(found["spread worst"])]
+        errors.append([*_front(entry, names), *told, entry["unit"]])
         kept, precise = entry["guaranteed"], entry.get("precise")
         row = [f"{kept['area']:.6g}", f"{100 * kept['share']:.4g} %"]
         row += [f"{precise['area']:.6g}", f"{100 * precise['share']:.4g} %"] if precise else []
         row.append(" .. ".join("-" if way is None else f"{way:.4g}" for way in kept["inward"]))
         sure.append([*_front(entry, names), *row, entry["unit"]])
     heads = ["guaranteed", "share-region", *(["precise", "share-region"] if part.limit is not None else []), "inward"]
+    data = {"point": outcome.point}
+    shown = [title(outcome, "error worst"), *(say("workspace.column.error", axis=axis, **data) for axis in "xy")]
+    shown.append(title(outcome, "spread worst"))
     return [
-        _grid("errors", [*names, *_heads("mode"), *(title(outcome, name) for name in shown), *_heads("unit")], errors),
+        _grid("errors", [*names, *_heads("mode"), *shown, *_heads("unit")], errors),
         _grid("guaranteed", [*names, *_heads("mode", *heads, "unit")], sure),
     ]
 
@@ -120,9 +131,13 @@ def _front(entry: dict[str, Any], names: Sequence[str]) -> list[str]:
 
 
 def _ends(one: dict[str, Any]) -> str:
+    return _between(one["least"], one["greatest"])
+
+
+def _between(*ends: dict[str, Any] | None) -> str:
     return " .. ".join(
         "-" if end is None else say("workspace.endless") if end["value"] is None else f"{end['value']:.5g}"
-        for end in (one["least"], one["greatest"])
+        for end in ends
     )
 
 

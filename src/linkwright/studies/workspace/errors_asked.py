@@ -22,8 +22,9 @@ from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.reader import PATH as ACCURACY
 from linkwright.studies.accuracy.stated import check_contributors, contributors
 from linkwright.studies.site import Site
+from linkwright.studies.workspace.errors import KINDS, errors
 from linkwright.studies.workspace.errors_part import ErrorsPart, RegionErrors
-from linkwright.studies.workspace.guaranteed import KINDS, errors, guaranteed
+from linkwright.studies.workspace.guaranteed import guaranteed
 from linkwright.studies.workspace.maps_asked import MapsAsked, positive
 from linkwright.studies.workspace.outcome import Workspace
 

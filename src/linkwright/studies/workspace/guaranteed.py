@@ -1,38 +1,29 @@
-"""What tolerances leave of a workspace: maps of the working point's errors, and the part of a region that is sure.
+"""What tolerances leave of a workspace: the part of a region that is sure.
 
-At given drive values F(q, p) is the working point, and c_i = dF/dp_i, of contributor i, its error of first order
-(superposition: Peng and Zi, Journal of Mechanical Transmission 34(4), 2010, eq. 8, 9). The boundary of a region
-moves along its normal n by the sum of n . c_i d_i: how the drive values of the boundary move doesn't count there
+With c_i = dF/dp_i of the working point F at given drive values (:mod:`errors`), the boundary of a region moves along
+its normal n by the sum of n . c_i d_i: how the drive values of the boundary move doesn't count there
 (envelope theorem: Danskin, SIAM Journal on Applied Mathematics 14, 1966, 641-664). On the rim, where two modes meet,
 c_i is taken along it, at constant reach, as it grows without bound at given drive values.
 """
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.graph.tangent import jacobian
-from linkwright.kernels import KERNELS
-from linkwright.kernels.choice import choose
-from linkwright.kernels.registry import Kernel
-from linkwright.model import units as u
-from linkwright.structure import Group
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.workspace import mesh as meshes
-from linkwright.studies.workspace.maps import Maps, mapped
-from linkwright.studies.workspace.mesh import Box, Mesh
+from linkwright.studies.workspace.covered import covered
+from linkwright.studies.workspace.errors import STEPS, Errors
+from linkwright.studies.workspace.mesh import Mesh
 from linkwright.studies.workspace.regions import Region
-from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]
 
-STEPS = 200
 ROUND = 8
 """Strips end round, in so many pieces a quarter of a turn; they are wider by what these lack."""
 ROUGH = 0.01
@@ -41,107 +32,6 @@ BESIDE = 1e-6
 """Curves within this share of the region's extent from its boundary bound it."""
 AWAY = 2.0**15
 """How much farther from a pit than its innermost ring the shifts are looked at: the direction alone matters."""
-KINDS = {f"error {what}": u.LENGTH for what in ("x least", "x most", "y least", "y most", "worst")} | {
-    f"spread {what}": u.LENGTH for what in ("x", "y", "worst")
-}
-
-
-POSES: dict[str, Callable[[Group], tuple[str, str]]] = {
-    "RRR": lambda group: (f"{group.ends[0]}.angle", f"{group.ends[1]}.angle"),
-    "RPR": lambda group: (f"{group.ends[0]}.angle", f"{group.inner.joint}.s"),
-}
-"""What tells the pose of a dyad with two outer pins, which may meet."""
-
-
-class Errors:
-    """The errors of the working point by the contributors' deviations, at given drive values."""
-
-    def __init__(self, sheet: Sheet, contributors: Contributors, count: int) -> None:
-        self.sheet, self.contributors = sheet, contributors
-        self.graph = sheet.compiled.graph
-        groups = sheet.compiled.structure.groups
-        closed = [f"reach:{group.label}" for group in groups if group.modes > 1]
-        poses = [row for group in groups if group.signature in POSES for row in POSES[group.signature](group)]
-        self.reaches, self.poses = slice(2, 2 + len(closed)), slice(2 + len(closed), None)
-        self.names = [f"{sheet.point}.x", f"{sheet.point}.y", *closed, *poses]
-        moving = np.flatnonzero(contributors.directions.any(axis=1))
-        self.directions = contributors.directions[moving]
-        self.by = [self.graph.parameters[i] for i in moving]
-        program = jacobian(self.graph, self.names[:2], self.by, closed)
-        self.engine = KERNELS[choose(program, count, os.cpu_count() or 1).kernel](program)
-
-    @cached_property
-    def _whole(self) -> Kernel:
-        """What gives all derivatives, by the drives too; used at the few poses of curves."""
-        width = self.graph.width
-        drives = [self.graph.inputs[self.graph.drives.index(drive) * width] for drive in self.sheet.drives]
-        return KERNELS["numpy"](jacobian(self.graph, self.names, [*self.by, *drives]))
-
-    def slopes(self, q: Array) -> tuple[Array, Array]:
-        """Values (rows, n) of the point, of the ``reaches`` of groups with two modes, of the ``poses`` of those with
-        two outer pins; their derivatives by the contributors, and by the two drives after them: (rows, contributors +
-        2, n)."""
-        with np.errstate(all="ignore"):
-            y = self._whole.run(self.sheet.inputs(q), self.sheet.parameters)
-        rows = len(self.names)
-        found = y[rows:].reshape(rows, -1, q.shape[1])
-        return y[:rows], np.concatenate([self._along(found[:, :-2]), found[:, -2:]], axis=1)
-
-    def _along(self, slopes: Array) -> Array:
-        """Derivatives (rows, parameters, n) as those by the contributors: (rows, contributors, n)."""
-        if np.array_equal(self.directions, np.eye(len(self.by))):
-            return slopes
-        with np.errstate(all="ignore"):
-            return np.matmul(self.directions.T, slopes)
-
-    def __call__(self, q: Array) -> dict[str, Array]:
-        """The figures of the error maps at drive values (2, n): see :func:`errors`."""
-        low, high = self.contributors.low[:, None], self.contributors.high[:, None]
-        covariance = self.contributors.covariance
-        n, last = q.shape[1], 2 + 2 * len(self.by)
-        with np.errstate(all="ignore"):
-            y = self.engine.run(self.sheet.inputs(q), self.sheet.parameters)
-        slopes = self._along(y[2:last].reshape(2, -1, n))
-        found = {"x": y[0], "y": y[1]}
-        with np.errstate(all="ignore"):
-            outside = ~(y[last:] > 0).all(axis=0)
-            for name, slope in zip("xy", slopes, strict=True):
-                found[f"error {name} least"] = np.minimum(low * slope, high * slope).sum(axis=0)
-                found[f"error {name} most"] = np.maximum(low * slope, high * slope).sum(axis=0)
-            found["error worst"] = farthest(slopes, low, high)
-            diagonal = np.diag(covariance)[:, None]
-            apart = np.array_equal(covariance, np.diag(diagonal[:, 0]))
-            spread = slopes * diagonal if apart else np.matmul(covariance, slopes)
-            xx, xy, yy = ((slopes[a] * spread[b]).sum(axis=0) for a, b in ((0, 0), (0, 1), (1, 1)))
-            found["spread x"], found["spread y"] = 3 * np.sqrt(xx), 3 * np.sqrt(yy)
-            found["spread worst"] = 3 * np.sqrt((xx + yy) / 2 + np.hypot((xx - yy) / 2, xy))
-        return {name: np.where(outside, np.nan, row) for name, row in found.items()}
-
-
-def errors(sheet: Sheet, box: Box, contributors: Contributors, steps: int = STEPS) -> Maps:
-    """Maps of the working point's errors (m), of first order, on ``steps`` equal steps of each drive.
-
-    Worst case: ``error x least`` and ``most`` are its limits along x, y likewise; ``error worst`` is the farthest that
-    the point may be off. ``spread x``, ``y``: three standard deviations; ``spread worst`` those along the direction
-    in which they are largest.
-    """
-    return mapped(sheet.compiled.quantities, box, steps, Errors(sheet, contributors, (steps + 1) ** 2), KINDS)
-
-
-def farthest(slopes: Array, low: Array, high: Array) -> Array:
-    """The greatest length of the sum of slopes (2, contributors, n) times deviations within ``low`` .. ``high``
-    (contributors, 1): (n,).
-
-    The sums fill a polygon, whose corners follow each other as its sides are ordered by their directions.
-    """
-    middle, half = (slopes * (low + high) / 2).sum(axis=1), slopes * (high - low) / 2
-    half = np.where((half[1] < 0) | ((half[1] == 0) & (half[0] < 0)), -half, half)
-    order = np.argsort(np.arctan2(half[1], half[0]), axis=0)
-    sides = np.take_along_axis(half, order[None], axis=1)
-    corners = sides.sum(axis=1, keepdims=True) - 2 * np.cumsum(sides, axis=1)
-    # Of the corners on both sides of the middle, the farther one.
-    beyond = (corners * corners).sum(axis=0) + 2 * np.abs((corners * middle[:, None]).sum(axis=0))
-    return np.asarray(np.sqrt(beyond.max(axis=0) + (middle * middle).sum(axis=0)))
 
 
 @dataclass(frozen=True)
@@ -154,11 +44,11 @@ class Guaranteed:
     """
 
     region: Region
-    shape: object
+    shape: Any
     least: float
     most: float
     limit: float | None = None
-    precise: object | None = None
+    precise: Any | None = None
 
 
 def guaranteed(
@@ -175,7 +65,7 @@ def guaranteed(
     return Guaranteed(region, shape, float(np.min(width)), float(np.max(width)), limit, precise)
 
 
-def _strips(region: Region, made: Sequence[Edge]):  # type: ignore[no-untyped-def]
+def _strips(region: Region, made: Sequence[Edge]) -> Any:
     """Strips along the boundary, each as wide as it moves inward there. Segments in a row that move alike are one, and
     the strip wider by what is cut off."""
     import shapely
@@ -214,7 +104,7 @@ def _kept(ring: Array, cut: float) -> NDArray[np.bool_]:
     return kept
 
 
-def _rings(shape):  # type: ignore[no-untyped-def]
+def _rings(shape: Any) -> Any:
     """The boundary's rings; the shape lies to their left."""
     import shapely
 
@@ -351,7 +241,7 @@ ALONG = {"singular": _singular, "modes": _rim, "pins": _pins}
 """What tells of a kind of curve how it moves."""
 
 
-def imprecise(region: Region, found: Errors, limit: float, steps: int = STEPS):  # type: ignore[no-untyped-def]
+def imprecise(region: Region, found: Errors, limit: float, steps: int = STEPS) -> Any:
     """Where some pose's error is above a limit, as far as triangles of the mesh show it (Shapely, m)."""
 
     sheet, box = region.sheet, region.box
@@ -363,28 +253,4 @@ def imprecise(region: Region, found: Errors, limit: float, steps: int = STEPS): 
 
     q, triangles, _ = meshes.cut(above, made.q, made.triangles)
     at = sheet.place(q)[0]
-    return covered(at, triangles[np.isfinite(at).all(axis=0)[triangles].all(axis=1)])
-
-
-def covered(at: Array, triangles: NDArray[np.intp]):  # type: ignore[no-untyped-def]
-    """What triangles with their corners at places (2, n) cover, folded as they may be (Shapely): of the faces between
-    the sides on which they end or fold back, those on which some triangle lies."""
-    import shapely
-
-    corners = at[:, triangles]
-    (ax, bx, cx), (ay, by, cy) = corners[0].T, corners[1].T
-    left = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) > 0
-    sides = np.sort(meshes.sides_of(triangles), axis=1)
-    _, first, which = np.unique(sides[:, 0] * at.shape[1] + sides[:, 1], return_index=True, return_inverse=True)
-    turned = np.bincount(which, weights=np.tile(left, 3))
-    ending = sides[first[(np.bincount(which) != 2) | (turned == 1)]]
-    if not ending.size:
-        return shapely.Polygon()
-    lines = shapely.linestrings(np.moveaxis(at[:, ending], (0, 1, 2), (2, 0, 1)))
-    joined = shapely.unary_union(lines, grid_size=1e-9 * float(np.ptp(at[:, ending], axis=(1, 2)).max()))
-    faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(joined)))
-    if not len(faces):
-        return shapely.Polygon()
-    tree = shapely.STRtree(shapely.polygons(np.moveaxis(corners, 0, 2)))
-    hit = np.unique(tree.query(shapely.point_on_surface(faces), predicate="intersects")[0])
-    return shapely.union_all(faces[hit])
+    return covered(at, triangles[np.isfinite(at[:, triangles]).all(axis=(0, 2))])

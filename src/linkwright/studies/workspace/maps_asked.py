@@ -48,8 +48,9 @@ class MapsAsked(Frozen):
     ) -> Iterator[Finding]:
         """What is wrong with the names of maps and the lines' values; ``others`` are maps that there would be with
         another key of the section, by that key."""
-        named = [(("show", i), name) for i, name in enumerate(self.show or ())]
-        for place, name in [*named, *((("levels", name), name) for name in self.levels)]:
+        named: list[tuple[Path, str]] = [(("show", i), name) for i, name in enumerate(self.show or ())]
+        named += [(("levels", name), name) for name in self.levels]
+        for place, name in named:
             if name in (others or {}):
                 data = {"name": name, "key": (others or {})[name]}
                 yield Finding("workspace.map-task", (*self.path, *place), data)

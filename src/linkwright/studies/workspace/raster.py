@@ -59,7 +59,7 @@ def raster(sheet: Sheet, box: Box, maps: Maps, bounds: tuple[float, float, float
     x, y = axes
     made = meshes.mesh(sheet, box, STEPS)
     at = sheet.place(made.q)[0]
-    triangles = made.triangles[np.isfinite(at).all(axis=0)[made.triangles].all(axis=1)]
+    triangles = made.triangles[np.isfinite(at[:, made.triangles]).all(axis=(0, 2))]
     rows, which, shares = _held(at[:, triangles], x, y)
     q = np.einsum("ank,nk->an", made.q[:, triangles[which]], shares)
     q = _nearer(sheet, q, np.stack([x[rows % x.size], y[rows // x.size]]), FAR * step, np.divide(box.size, STEPS))
