@@ -16,12 +16,13 @@ def covered(at: NDArray[np.float64], triangles: NDArray[np.intp]) -> Any:
     import shapely
 
     corners = at[:, triangles]
-    (ax, bx, cx), (ay, by, cy) = corners[0].T, corners[1].T
-    left = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) > 0
     sides = np.sort(sides_of(triangles), axis=1)
+    start, along = at[:, sides[:, 0]], at[:, sides[:, 1]] - at[:, sides[:, 0]]
+    across = at[:, np.concatenate([triangles[:, 2], triangles[:, 0], triangles[:, 1]])] - start
+    left = along[0] * across[1] - along[1] * across[0] > 0
     _, first, which = np.unique(sides[:, 0] * at.shape[1] + sides[:, 1], return_index=True, return_inverse=True)
-    turned = np.bincount(which, weights=np.tile(left, 3))
-    ending = sides[first[(np.bincount(which) != 2) | (turned == 1)]]
+    # Between two triangles on either side of it nothing ends.
+    ending = sides[first[(np.bincount(which) != 2) | (np.bincount(which, weights=left) != 1)]]
     if not ending.size:
         return shapely.Polygon()
     lines = shapely.linestrings(np.moveaxis(at[:, ending], (0, 1, 2), (2, 0, 1)))

@@ -88,9 +88,8 @@ class QualityOptions(MapsAsked):
         for name in drives:
             if name in given:
                 dimension = dimensions[bool(compiled.mechanism.prescribed(name).turns)]
-                found.append(
-                    positive(compiled, given[name], dimension, (*path, name), Term(f"limit-{key}", drive=name))
-                )
+                what = Term("drive-limit", drive=name, key=key)
+                found.append(positive(compiled, given[name], dimension, (*path, name), what))
         values, faults = _sorted(found)
         return (values[0], values[1]) if len(values) == 2 else None, [*wrong, *faults]
 
