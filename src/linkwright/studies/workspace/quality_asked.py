@@ -88,7 +88,7 @@ class QualityOptions(MapsAsked):
         for name in drives:
             if name in given:
                 dimension = dimensions[bool(compiled.mechanism.prescribed(name).turns)]
-                what = Term("drive-limit", drive=name, key=key)
+                what = Term("drive-limit", drive=name, under=key)
                 found.append(positive(compiled, given[name], dimension, (*path, name), what))
         values, faults = _sorted(found)
         return (values[0], values[1]) if len(values) == 2 else None, [*wrong, *faults]

@@ -1336,7 +1336,7 @@ _TERMS: dict[str, str] = {
     "longer": "longer",
     "a-drive": "a drive",
     "a-contributor": "a contributor (a parameter with a tolerance, a change of temperature)",
-    "drive-limit": "The limit of {drive} ({key})",
+    "drive-limit": "The limit of {drive} under {under}",
     "limit-error": "The limit of the error",
     "size-of-force": "The size of the force",
     "force": "[x, y] of a force",
