@@ -32,4 +32,4 @@ def covered(at: NDArray[np.float64], triangles: NDArray[np.intp]) -> Any:
         return shapely.Polygon()
     tree = shapely.STRtree(shapely.polygons(np.moveaxis(corners, 0, 2)))
     hit = np.unique(tree.query(shapely.point_on_surface(faces), predicate="intersects")[0])
-    return shapely.union_all(faces[hit])
+    return shapely.coverage_union_all(faces[hit])
