@@ -26,10 +26,12 @@ FINER = 3
 """Pixels of a picture for each place of a grid, and direction."""
 INSIDE = 4.0
 """A line's value stands where it is so many places away from the edge, at least."""
+APART = 30.0
+"""Such values are so far apart, in the picture."""
 MOST_LEVELS = 10
 BEYOND = 3.0
 """Lines go on so many places beyond the edge, where they are cut off."""
-SHORT = 12
+SHORT = 24
 """A line through fewer places has no value written to it."""
 EVEN = 8.0
 """A map whose values are all within this factor has even levels."""
@@ -87,19 +89,19 @@ def map_picture(
     ]
     inside = distance_transform_edt(np.pad(np.isfinite(values), 1))[1:-1, 1:-1]
     seen = np.where(distance_transform_edt(np.isnan(values)) < BEYOND, rising, np.nan)
-    numbers = []
+    numbers: dict[tuple[float, float], str] = {}
     for k, level in enumerate(levels):
-        for line, at in _lines(plane, axes, seen - k):
+        for line, at in sorted(_lines(plane, axes, seen - k), key=lambda found: -found[1].shape[1]):
             shapes.append(f'<polyline class="line" points="{points(*line)}"/>')
-            column, row = (
-                np.rint((p - axis[0]) / (axis[1] - axis[0])).astype(int) for p, axis in zip(at, axes, strict=True)
-            )
+            where = zip(at, axes, strict=True)
+            column, row = (np.rint((p - axis[0]) / (axis[1] - axis[0])).astype(int) for p, axis in where)
             best = int(inside[row, column].argmax())
-            if inside[row[best], column[best]] >= INSIDE and at.shape[1] > SHORT:
-                x, y = plane.at(*at[:, best])
+            x, y = map(float, plane.at(*at[:, best]))
+            far = min((np.hypot(x - a, y - b) for a, b in numbers), default=np.inf)
+            if at.shape[1] > SHORT and inside[row[best], column[best]] >= INSIDE and far > APART:
                 place = f'x="{x:.1f}" y="{y + 4:.1f}" text-anchor="middle"'
-                numbers.append(f'<text class="value" {place}>{_text(level)}</text>')
-    shapes += [*over, "</g>", *numbers]
+                numbers[x, y] = f'<text class="value" {place}>{_text(level)}</text>'
+    shapes += [*over, "</g>", *numbers.values()]
     scale, height = _scale(plane, levels, name)
     return drawn(plane, [*shapes, scale], legend, title, height)
 

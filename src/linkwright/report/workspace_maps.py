@@ -167,7 +167,7 @@ def _region_charts(part: Part, one: RegionMaps) -> Iterator[Chart]:
     if not part.shown or region.shape.is_empty:
         return
     unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
-    found = raster(region.sheet, region.box, one.maps, region.shape.bounds, CELLS)
+    found = raster(region, one.maps, CELLS)
     low_x, low_y, high_x, high_y = (edge / size for edge in region.shape.bounds)
     plane = Plane((low_x, low_y, high_x, high_y), unit)
     shape = outline(region.shape, plane, size)

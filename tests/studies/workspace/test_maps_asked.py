@@ -146,8 +146,7 @@ def test_some_contributors_and_a_general_class() -> None:
 def test_over_the_plane_both_elbows_come_to_each_place(whole: Job) -> None:
     part = whole.outcomes["workspace"].parts["quality"]
     (one,) = part.regions
-    region = one.reached.region
-    found = raster(region.sheet, region.box, one.maps, region.shape.bounds, 60)
+    found = raster(one.reached.region, one.maps, 60)
     places = np.stack([found.x[found.cells % found.x.size], found.y[found.cells // found.x.size]])
     far = np.hypot(*places)
     inner = (far > 1.05 * (A - B) / 1e3) & (far < 0.97 * (A + B) / 1e3)

@@ -26,6 +26,8 @@ Array = NDArray[np.float64]
 
 ROUND = 8
 """Strips end round, in so many pieces a quarter of a turn; they are wider by what these lack."""
+THIN = 0.05
+"""Parts narrower than about this share of a step of the mesh, over the region's extent, are left out."""
 ROUGH = 0.01
 """Segments of the boundary are one where their strips' widths differ by no more than this share of the widest."""
 BESIDE = 1e-6
@@ -61,7 +63,11 @@ def guaranteed(
     made = edges(region, found)
     width = np.concatenate([one.width for one in made]) if made else np.array([np.nan])
     shape = shapely.difference(region.shape, shapely.union_all(_strips(region, made))) if made else region.shape
-    precise = None if limit is None else shapely.difference(shape, imprecise(region, found, limit, steps))
+    precise = None
+    if limit is not None:
+        parts = shapely.get_parts(shapely.difference(shape, imprecise(region, found, limit, steps)))
+        thin = THIN / steps * float(np.ptp(np.reshape(region.shape.bounds, (2, 2)), axis=0).max())
+        precise = shapely.union_all(parts[shapely.area(parts) > thin * shapely.length(parts)])
     return Guaranteed(region, shape, float(np.min(width)), float(np.max(width)), limit, precise)
 
 
@@ -245,7 +251,8 @@ def imprecise(region: Region, found: Errors, limit: float, steps: int = STEPS) -
     """Where some pose's error is above a limit, as far as triangles of the mesh show it (Shapely, m)."""
 
     sheet, box = region.sheet, region.box
-    made = meshes.mesh(sheet, box, steps)
+    pits = meshes.found_pits(sheet, box) if region.mesh.pits.size else None
+    made = meshes.mesh(sheet, box, steps, pits)
 
     def above(q: Array) -> NDArray[np.bool_]:
         error = found(q)["error worst"]

@@ -10,6 +10,7 @@ import numpy as np
 
 from linkwright.model import units as u
 from linkwright.studies.workspace.mapped_regions import RegionMaps
+from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.outcome import Reached, Workspace
 from linkwright.studies.workspace.quality import Locus, Quality
 
@@ -17,8 +18,8 @@ if TYPE_CHECKING:
     from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 KINDS = ("dead", "uncertain")
-JOINED = 1e-7
-"""Ends of pieces that are nearer in the drives' plane (rad, m) are one."""
+JOINED = 2e-4
+"""Ends of pieces that are nearer than this share of the drives' ranges are on one curve, as where two curves cross."""
 
 
 @dataclass(frozen=True)
@@ -39,8 +40,8 @@ class RegionQuality(RegionMaps):
     @classmethod
     def of(cls, workspace: Workspace, reached: Reached, found: Quality) -> RegionQuality:
         """From its maps."""
-        turns = reached.region.box.turns
-        loci = [counted(kind, [one for one in found.loci if one.kind == kind], turns) for kind in KINDS]
+        box = reached.region.box
+        loci = [counted(kind, [one for one in found.loci if one.kind == kind], box) for kind in KINDS]
         return cls(workspace, reached, found.maps, found.maps.ends(), loci)
 
 
@@ -87,8 +88,8 @@ def closures(outcome: WorkspaceOutcome) -> str:
     return "; ".join(f"closure of {group.label}" for group in outcome.compiled.graph.branched)
 
 
-def counted(kind: str, loci: Sequence[Locus], turns: tuple[bool, bool]) -> Curves:
-    """The curves of a kind: pieces that meet are one, over the end of a whole turn too."""
+def counted(kind: str, loci: Sequence[Locus], box: Box) -> Curves:
+    """The curves of a kind: pieces that meet or cross are one, over the end of a whole turn too."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
     from scipy.spatial import cKDTree
@@ -97,10 +98,11 @@ def counted(kind: str, loci: Sequence[Locus], turns: tuple[bool, bool]) -> Curve
         return Curves(kind, 0, 0.0)
     drives, at = (np.concatenate([getattr(one, name) for one in loci], axis=2) for name in ("drives", "at"))
     count = drives.shape[2]
-    round_ = np.where(turns, 2 * np.pi, 0.0)
-    ends = drives.reshape(2, -1).T
-    ends = np.where(turns, ends % (2 * np.pi) % (2 * np.pi), ends - ends.min(axis=0))
-    meeting = cKDTree(ends, boxsize=round_).query_pairs(JOINED, output_type="ndarray") % count
-    pairs = coo_array((np.ones(len(meeting)), meeting.T), shape=(count, count))
+    ends = (drives.reshape(2, -1).T - box.low) / box.size
+    ends, own = np.unique(np.round(ends % np.where(box.turns, 1.0, np.inf), 6), axis=0, return_inverse=True)
+    ends %= np.where(box.turns, 1.0, np.inf)
+    near = cKDTree(ends, boxsize=np.where(box.turns, 1.0, 0.0)).query_pairs(JOINED, output_type="ndarray")
+    pairs = np.concatenate([own.reshape(2, count).T, near])
+    joined = coo_array((np.ones(len(pairs)), pairs.T), shape=(len(ends), len(ends)))
     length = np.hypot(*(at[:, 1] - at[:, 0]))
-    return Curves(kind, int(connected_components(pairs, directed=False)[0]), float(np.nansum(length)))
+    return Curves(kind, int(connected_components(joined, directed=False)[0]), float(np.nansum(length)))

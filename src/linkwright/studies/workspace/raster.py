@@ -14,17 +14,17 @@ from numpy.typing import NDArray
 
 from linkwright.studies.workspace import mesh as meshes
 from linkwright.studies.workspace.maps import Maps, together
-from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.regions import Region
 from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
 
-STEPS = 128
-"""Of the mesh that tells about which drive values come to a place."""
-NEWTON = 3
-FAR = 0.02
-"""Drive values that come within this share of the grid's step are those of a place."""
+STEPS, MOST = 128, 400_000
+"""Steps of the mesh that tells about which drive values come to a place, where the region's has more triangles."""
+NEWTON = 8
+NEAR, FAR = 1e-6, 0.5
+"""Drive values that come within the first share of the grid's step are a place's; beyond the second they aren't."""
 
 
 @dataclass(frozen=True)
@@ -50,20 +50,23 @@ class Raster:
         return found.reshape(self.y.size, -1)
 
 
-def raster(sheet: Sheet, box: Box, maps: Maps, bounds: tuple[float, float, float, float], cells: int) -> Raster:
-    """Over ``bounds`` (least x, least y, largest x, largest y; m), so many cells along the longer side."""
+def raster(region: Region, maps: Maps, cells: int) -> Raster:
+    """Over the bounds of a region, so many cells along the longer side."""
+    sheet, box, bounds = region.sheet, region.box, region.shape.bounds
     step = max(bounds[2] - bounds[0], bounds[3] - bounds[1]) / cells
     axes = [
         np.arange(np.ceil((high - low) / step) + 1) * step + low for low, high in zip(bounds, bounds[2:], strict=False)
     ]
     x, y = axes
-    made = meshes.mesh(sheet, box, STEPS)
+    made = region.mesh if len(region.mesh.triangles) < MOST else meshes.mesh(sheet, box, STEPS)
     at = sheet.place(made.q)[0]
     triangles = made.triangles[np.isfinite(at[:, made.triangles]).all(axis=(0, 2))]
     rows, which, shares = _held(at[:, triangles], x, y)
     q = np.einsum("ank,nk->an", made.q[:, triangles[which]], shares)
-    q = _nearer(sheet, q, np.stack([x[rows % x.size], y[rows // x.size]]), FAR * step, np.divide(box.size, STEPS))
-    return Raster(x, y, rows, q, together(maps.figures, q))
+    places = np.stack([x[rows % x.size], y[rows // x.size]])
+    q, off = _nearer(sheet, q, places, NEAR * step, np.divide(box.size, STEPS))
+    found = off < FAR * step
+    return Raster(x, y, rows[found], q[:, found], together(maps.figures, q[:, found]))
 
 
 def _held(at: Array, x: Array, y: Array) -> tuple[Rows, Rows, Array]:
@@ -88,21 +91,21 @@ def _held(at: Array, x: Array, y: Array) -> tuple[Rows, Rows, Array]:
     return (row * x.size + column)[inside], which[inside], shares[inside]
 
 
-def _nearer(sheet: Sheet, q: Array, places: Array, near: float, most: Array) -> Array:
-    """Drive values moved so that they come to places, by a few steps of Newton's method; where that doesn't get
-    ``near``, as they were."""
-    best, tried = q, q
-    off = np.full(q.shape[1], np.inf)
+def _nearer(sheet: Sheet, q: Array, places: Array, near: float, most: Array) -> tuple[Array, Array]:
+    """Drive values moved so that they come to places, by a few steps of Newton's method, and how far off these are."""
+    best, off = q.copy(), np.full(q.shape[1], np.inf)
+    rest, tried = np.arange(q.shape[1]), q
     for _ in range(NEWTON):
         look = sheet.look(tried)
-        miss = look.at - places
-        closer = np.hypot(*miss) < off
-        best, off = np.where(closer, tried, best), np.where(closer, np.hypot(*miss), off)
+        miss = look.at - places[:, rest]
+        closer = np.hypot(*miss) < off[rest]
+        best[:, rest[closer]], off[rest[closer]] = tried[:, closer], np.hypot(*miss)[closer]
         with np.errstate(all="ignore"):
             (a, b), (c, d) = look.jacobian
             move = np.stack([d * miss[0] - b * miss[1], a * miss[1] - c * miss[0]]) / look.determinant
-        move = np.nan_to_num(move, nan=0.0, posinf=0.0, neginf=0.0)
-        tried = tried - np.clip(move, -most[:, None], most[:, None])
-        if (off < near).all():
+        tried = tried - np.clip(np.nan_to_num(move, nan=0.0, posinf=0.0, neginf=0.0), -most[:, None], most[:, None])
+        open_ = ~(off[rest] < near)
+        rest, tried = rest[open_], tried[:, open_]
+        if not rest.size:
             break
-    return best
+    return best, off
