@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 KINDS = ("dead", "uncertain")
-JOINED = 2e-4
-"""Ends of pieces that are nearer than this share of the drives' ranges are on one curve, as where two curves cross."""
+JOINED = 2e-5
+"""Ends of pieces that are nearer than this share of the drives' ranges are on one curve."""
 
 
 @dataclass(frozen=True)
@@ -90,6 +90,7 @@ def closures(outcome: WorkspaceOutcome) -> str:
 
 def counted(kind: str, loci: Sequence[Locus], box: Box) -> Curves:
     """The curves of a kind: pieces that meet or cross are one, over the end of a whole turn too."""
+    import shapely
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
     from scipy.spatial import cKDTree
@@ -97,12 +98,15 @@ def counted(kind: str, loci: Sequence[Locus], box: Box) -> Curves:
     if not loci:
         return Curves(kind, 0, 0.0)
     drives, at = (np.concatenate([getattr(one, name) for one in loci], axis=2) for name in ("drives", "at"))
-    count = drives.shape[2]
-    ends = (drives.reshape(2, -1).T - box.low) / box.size
-    ends, own = np.unique(np.round(ends % np.where(box.turns, 1.0, np.inf), 6), axis=0, return_inverse=True)
-    ends %= np.where(box.turns, 1.0, np.inf)
+    places = (drives - np.reshape(box.low, (2, 1, 1))) / box.size[:, None, None]
+    places -= np.where(np.reshape(box.turns, (2, 1)), np.floor(places[:, 0]), 0.0)[:, None]
+    lines = shapely.linestrings(np.moveaxis(places, (0, 1, 2), (2, 1, 0)))
+    pairs = shapely.STRtree(lines).query(lines, predicate="intersects")
+    round_ = np.where(box.turns, 1.0, np.inf)
+    ends, own = np.unique(np.round(places.reshape(2, -1).T % round_, 7) % round_, axis=0, return_inverse=True)
+    first, last = own.reshape(2, -1)
     near = cKDTree(ends, boxsize=np.where(box.turns, 1.0, 0.0)).query_pairs(JOINED, output_type="ndarray")
-    pairs = np.concatenate([own.reshape(2, count).T, near])
-    joined = coo_array((np.ones(len(pairs)), pairs.T), shape=(len(ends), len(ends)))
+    links = np.concatenate([np.stack([first, last], axis=1), first[pairs.T], near])
+    joined = coo_array((np.ones(len(links)), links.T), shape=(len(ends), len(ends)))
     length = np.hypot(*(at[:, 1] - at[:, 0]))
     return Curves(kind, int(connected_components(joined, directed=False)[0]), float(np.nansum(length)))
