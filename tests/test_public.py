@@ -157,11 +157,12 @@ LEVELS = {
     "kernels": 6,
     "blocks": 7,
     "results": 8,
-    "studies": 9,
-    **dict.fromkeys(("report", "export"), 10),
-    "app": 11,
-    "cli": 12,
-    "__main__": 13,
+    "cam": 9,
+    "studies": 10,
+    **dict.fromkeys(("report", "export"), 11),
+    "app": 12,
+    "cli": 13,
+    "__main__": 14,
 }
 # The side floors know of nothing but what is named here.
 SIDES = {"notation": set(), "words": set(), "gallery": set(), "laws": {"notation"}, "tolerances": {"notation"}}

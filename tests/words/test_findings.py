@@ -57,6 +57,7 @@ TITLES = {
     "load": "Loads",
     "spring": "Springs",
     "table": "Tables",
+    "law": "Motion laws",
     "window": "Windows",
     "measure": "Measures",
     "study": "Studies",
@@ -100,7 +101,7 @@ def rendered() -> str:
 
 def in_source() -> set[str]:
     """The codes that the source raises: what looks like one, begins like one, and isn't another text's key."""
-    files = (".csv", ".nc", ".svg", ".dxf", ".geojson")
+    files = (".csv", ".nc", ".svg", ".dxf", ".geojson", ".png")
     codes = {text for text in source.texts() if text.split(".")[0] in TITLES and not text.endswith(files)}
     return codes - OTHERS
 

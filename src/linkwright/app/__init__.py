@@ -6,7 +6,7 @@ from linkwright.app.assembly_modes import ModesJob, modes, modes_of_file
 from linkwright.app.bench import Bench, bench_file
 from linkwright.app.job import Examined, Job, check, examine_file, perform, run, write
 from linkwright.app.sweeps import sweep
-from linkwright.app.workspaces import workspace
+from linkwright.app.workspaces import workspace, write_png
 
 __all__ = [
     "Bench",
@@ -26,4 +26,5 @@ __all__ = [
     "sweep",
     "workspace",
     "write",
+    "write_png",
 ]

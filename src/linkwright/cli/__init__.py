@@ -67,12 +67,14 @@ def _end(
     sys.exit(code)
 
 
-def _writing(folder: Path, job: Job, netcdf: bool) -> None:
+def _writing(folder: Path, job: Job, netcdf: bool, png: bool = False) -> None:
     from linkwright import app
     from linkwright.cli import show
 
     try:
         app.write(job, folder, netcdf)
+        if png:
+            app.write_png(job, folder)
     except OSError as error:
         show.cannot_write(folder, error)
         sys.exit(2)
@@ -178,8 +180,9 @@ def accuracy(samples: int | None, kernel: str | None, **others: Any) -> None:
 @_file
 @click.option("--out", type=click.Path(path_type=Path), help=say("cli.out"))
 @click.option("--dxf", is_flag=True, help=say("cli.dxf"))
+@click.option("--png", is_flag=True, help=say("cli.png"))
 @_json
-def workspace(file: Path, out: Path | None, dxf: bool, as_json: bool) -> None:
+def workspace(file: Path, out: Path | None, dxf: bool, png: bool, as_json: bool) -> None:
     """Perform the workspace study alone."""
     from linkwright import app
     from linkwright.cli import show
@@ -188,16 +191,17 @@ def workspace(file: Path, out: Path | None, dxf: bool, as_json: bool) -> None:
     from linkwright.studies import Site
 
     examined = app.examine_file(file, only="workspace")
-    if dxf:
+    for asked, package, extra in ((dxf, "ezdxf", "cad"), (png, "resvg_py", "png")):
         try:
-            needed("ezdxf", "cad")
+            if asked:
+                needed(package, extra)
         except ModelError as error:
             examined.findings += error.findings
     folder = out or _beside(file)
     with show.working(file, "workspace", quiet=as_json) as progress:
         job = app.perform(examined, Site(out=folder, progress=progress))
         if job.outcomes:
-            _writing(folder, job, False)
+            _writing(folder, job, False, png)
     _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
 
 

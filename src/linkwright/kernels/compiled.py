@@ -16,10 +16,11 @@ from linkwright.graph.graph import Graph
 from linkwright.graph.redundant import redundant
 from linkwright.kernels.follow import Follower
 from linkwright.kernels.laws import Law, action_tables, drive_laws, values_at
+from linkwright.kernels.motions import motion_laws
 from linkwright.kernels.passages import Passage, Passages, unwrapped
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.supply import Supply
-from linkwright.laws import TableLaw
+from linkwright.laws import Motion, TableLaw
 from linkwright.model.check import check_names, check_values
 from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.mechanism import Mechanism
@@ -40,6 +41,7 @@ class Compiled:
     assembly: Assembly
     laws: dict[str, Law]
     tables: dict[str, TableLaw] = field(default_factory=dict)  # those that loads and springs ask
+    motions: dict[str, Motion] = field(default_factory=dict)  # the motion laws, that drives ask
     kernel: str = "numpy"
     passages: Passages = field(default_factory=Passages)
     _kernels: dict[tuple[tuple[str, ...], bool], Kernel] = field(default_factory=dict)
@@ -160,6 +162,7 @@ class Prepared:
     quantities: Quantities
     structure: Structure
     laws: dict[str, Law]
+    motions: dict[str, Motion]
     tables: dict[str, TableLaw]
     findings: list[Finding]
 
@@ -177,17 +180,19 @@ def prepare(mechanism: Mechanism, folder: Path | None = None) -> Prepared:
     quantities = Quantities(spelled.mechanism)
     findings = [*names, *(f for f in quantities.findings if not _said(f, names))]
     laws: dict[str, Law] = {}
+    motions: dict[str, Motion] = {}
     tables: dict[str, TableLaw] = {}
     if not quantities.findings:
-        laws, wrong = drive_laws(quantities, folder)
+        motions, unmade = motion_laws(quantities)
+        laws, wrong = drive_laws(quantities, folder, motions)
         tables, unread = action_tables(quantities, folder)
-        findings += [*check_values(quantities), *wrong, *(fault for fault in unread if fault not in wrong)]
+        findings += [*check_values(quantities), *unmade, *wrong, *(fault for fault in unread if fault not in wrong)]
     structure = decompose(spelled.mechanism) if not names else Structure(Topology(spelled.mechanism), ())
     if not findings:
         findings = redundant(quantities, structure, values_at(laws, 0.0))
     else:
         findings += structure.findings
-    return Prepared(spelled, quantities, structure, laws, tables, spelled.home(findings))
+    return Prepared(spelled, quantities, structure, laws, motions, tables, spelled.home(findings))
 
 
 def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled | None, list[Finding]]:
@@ -201,7 +206,8 @@ def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled 
     assembly = assemble(made.quantities, made.structure, values_at(made.laws, 0.0))
     if assembly.findings:
         return None, made.spelled.home(assembly.findings)
-    return Compiled(made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables), []
+    parts = (made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables, made.motions)
+    return Compiled(*parts), []
 
 
 def _said(finding: Finding, others: list[Finding]) -> bool:

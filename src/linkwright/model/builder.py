@@ -134,6 +134,21 @@ class Builder:
         """A function given by points ``[x, y]``, or by two columns of a CSV file."""
         return self._put("tables", name, _given(file=file, points=points, x=x, y=y, period=period, between=between))
 
+    def law(
+        self,
+        name: str,
+        segments: Any,
+        *,
+        over: str,
+        of: str,
+        start: Any = None,
+        period: Any = None,
+        beyond: str | None = None,
+    ) -> Self:
+        """A function ``over`` an angle or time, ``of`` an angle or length, by segments as in the file."""
+        law = _given(over=over, of=of, start=start, period=period, beyond=beyond, segments=segments)
+        return self._put("laws", name, law)
+
     def load(
         self,
         name: str,

@@ -21,6 +21,7 @@ from linkwright.model.fields import (
     fault,
     frozen,
 )
+from linkwright.model.motions import MotionLaw
 from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter, Units, Vector, freeze
 from linkwright.model.written import unexpected
 
@@ -36,6 +37,7 @@ __all__ = [
     "Load",
     "Measure",
     "Mechanism",
+    "MotionLaw",
     "Parameter",
     "Spring",
     "Table",
@@ -105,6 +107,9 @@ class Mechanism(Frozen):
     )
     tables: Annotated[dict[Name, Table], _bound, freeze] = Field(
         default_factory=FrozenDict, description="functions given by points, called by name in expressions"
+    )
+    laws: Annotated[dict[Name, MotionLaw], _bound, freeze] = Field(
+        default_factory=FrozenDict, description="motion laws by segments, called by name in a drive's position"
     )
     loads: Annotated[dict[Name, Load], _bound, freeze] = Field(
         default_factory=FrozenDict, description="forces and torques on links"

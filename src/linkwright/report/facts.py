@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from linkwright.kernels import Compiled
+from linkwright.kernels.motions import rate_unit
+from linkwright.laws.curve import ROUND_OFF
 from linkwright.model.cylinders import end_of, links_of
+from linkwright.notation import MAX_ORDER
 from linkwright.report.data import Check, Fact
 from linkwright.results import Certificate
 from linkwright.results.certificate import PROVEN
@@ -58,11 +61,36 @@ def facts(compiled: Compiled) -> list[Fact]:
         else say("fact.spring", name=name, start=spring.from_, end=spring.to)
         for name, spring in m.springs.items()
     ]
-    for name, said_of in (("weights", weights), ("springs", springs)):
+    laws = [law_fact(compiled, name) for name in compiled.motions]
+    for name, said_of in (("weights", weights), ("springs", springs), ("laws", laws)):
         if said_of:
             lines.append(_fact(name, "; ".join(said_of)))
     gravity = ", ".join(g.text for g in m.gravity) if m.gravity else say("fact.gravity.none")
     return [*lines, _fact("gravity", gravity)]
+
+
+def law_fact(compiled: Compiled, name: str) -> str:
+    """How smooth a motion law is, where and by how much the first derivative that isn't continuous jumps, and its
+    peaks."""
+    motion, law, quantities = compiled.motions[name], compiled.mechanism.laws[name], compiled.quantities
+    unit, size = quantities.unit_of(law.axis)
+    order, continuity = motion.continuity + 1, say("fact.law.smooth")
+    if order <= MAX_ORDER:
+        rate, one = rate_unit(quantities, law, order)
+        rough = [join for join in motion.joins if join.jumps[order]]
+        places = [
+            say("fact.law.jump", at=f"{join.at / size:.6g} {unit}", jump=f"{join.jumps[order] / one:.6g} {rate}")
+            for join in rough
+        ]
+        continuity = say("fact.law.jumps", what=say(f"fact.law.{order}"), places=", ".join(places))
+    peaks = []
+    for k in range(1, MAX_ORDER + 1):
+        rate, one = rate_unit(quantities, law, k)
+        noise = ROUND_OFF * motion.curve.sizes[k]
+        values = (extreme.value if abs(extreme.value) > noise else 0.0 for extreme in motion.extremes(k))
+        low, high = (f"{value / one:.6g}" for value in values)
+        peaks.append(say("fact.law.peak", what=say(f"fact.law.{k}"), low=low, high=f"{high} {rate}"))
+    return say("fact.law", name=name, continuity=continuity, peaks=", ".join(peaks))
 
 
 def _parameters(compiled: Compiled) -> list[str]:

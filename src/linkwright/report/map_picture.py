@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.report.charts import LETTER, points, ticks
+from linkwright.report.plane import LEFT, LINE, WIDTH, Plane, folded, framed
 from linkwright.report.png import png
-from linkwright.report.workspace_picture import LEFT, LINE, WIDTH, Plane, drawn, folded
 from linkwright.studies.workspace.maps import chained, crossings
 from linkwright.studies.workspace.mesh import halves
 
@@ -103,7 +103,7 @@ def map_picture(
                 numbers[x, y] = f'<text class="value" {place}>{_text(level)}</text>'
     shapes += [*over, "</g>", *numbers.values()]
     scale, height = _scale(plane, levels, name)
-    return drawn(plane, [*shapes, scale], legend, title, height)
+    return framed(plane, [*shapes, scale], legend, title, height)
 
 
 def _rising(values: Array, levels: Sequence[float]) -> Array:

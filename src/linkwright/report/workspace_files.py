@@ -13,14 +13,18 @@ from numpy.typing import NDArray
 
 from linkwright.model import units as u
 from linkwright.report.csv_text import cell, head, written
+from linkwright.report.plane import stacked
 from linkwright.report.workspace import shown_values, values_text
 from linkwright.report.workspace_parts import written as parts
-from linkwright.report.workspace_picture import pictures, stacked
+from linkwright.report.workspace_picture import pictures
 from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, pieces
 from linkwright.words import say
 
 Array = NDArray[np.float64]
+
+ZOOM = 2
+"""Pixels of a PNG to each of the SVG's."""
 
 
 def geojson(outcome: WorkspaceOutcome) -> str | None:
@@ -60,6 +64,12 @@ def svg(outcome: WorkspaceOutcome) -> str | None:
         return None
     texts = [values_text(outcome, one) for one in outcome.workspaces]
     return stacked(pictures(outcome, texts))
+
+
+def png(outcome: WorkspaceOutcome, renderer: Any) -> bytes | None:
+    """The same pictures in pixels, by the package ``resvg_py``."""
+    text = svg(outcome)
+    return None if text is None else bytes(renderer.svg_to_bytes(svg_string=text, zoom=ZOOM))
 
 
 def boundary_csv(outcome: WorkspaceOutcome) -> str | None:

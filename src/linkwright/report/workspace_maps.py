@@ -14,7 +14,7 @@ from linkwright.report.charts import named
 from linkwright.report.csv_text import cell, head, written
 from linkwright.report.data import Chart, Grid
 from linkwright.report.map_picture import levels_of, map_picture
-from linkwright.report.workspace_picture import Plane, lines, outline, stacked
+from linkwright.report.plane import Plane, lines, outline, stacked
 from linkwright.studies.workspace.errors_part import ErrorsPart, RegionErrors
 from linkwright.studies.workspace.mapped_regions import RegionMaps
 from linkwright.studies.workspace.outcome import WorkspaceOutcome

@@ -24,7 +24,9 @@ from linkwright.studies.ranges import stroke
 from linkwright.studies.workspace.errors_asked import ErrorsOptions
 from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.parts import sections
+from linkwright.studies.workspace.path_options import WantedPaths
 from linkwright.studies.workspace.quality_asked import QualityOptions
+from linkwright.studies.workspace.required import RequiredFits
 from linkwright.studies.workspace.signs import combinations
 
 PATH = ("studies", "workspace")
@@ -55,6 +57,8 @@ class WorkspaceOptions(Frozen):
     )
     quality: QualityOptions | None = Field(None, description="how well it works there: maps, singular positions")
     errors: ErrorsOptions | None = Field(None, description="what tolerances do to the point, and leave of each region")
+    paths: WantedPaths | None = Field(None, description="paths that the point is wanted to follow, by name")
+    fits: RequiredFits | None = Field(None, description="circles and rectangles that have to fit in, by name")
 
     def values(self, compiled: Compiled) -> list[dict[str, float]]:
         """Each combination of the parameters' values, in SI."""

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from linkwright.kernels import Compiled
 from linkwright.model.findings import Finding
 from linkwright.results import Result, Run
-from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.mesh import RIM, Box
 from linkwright.studies.workspace.regions import Region
 from linkwright.studies.workspace.turning import Turning
 
@@ -119,10 +119,15 @@ class Workspace:
 
     @cached_property
     def union(self) -> Any:
-        """What some mode reaches."""
+        """What some mode reaches; the gaps of a root of ``RIM`` that regions leave where two modes meet are closed."""
         import shapely
 
-        return without_slivers(shapely.union_all([one.shape for one in self.regions]), self.chord)
+        shapes = [one.shape for one in self.regions]
+        if len(shapes) > 1:
+            gap = max(self.chord / 2, 2 * RIM**0.5 * self.regions[0].region.sheet.compiled.graph.size)
+            grown = [shape.buffer(gap, join_style="mitre") for shape in shapes]
+            shapes = [shapely.union_all(grown).buffer(-gap, join_style="mitre")]
+        return without_slivers(shapely.union_all(shapes), self.chord)
 
     @cached_property
     def overlaps(self) -> tuple[Overlap, ...]:

@@ -8,5 +8,16 @@ from linkwright.words.en.sweep import SWEEP
 from linkwright.words.en.texts import TEXTS
 from linkwright.words.en.workspace import WORKSPACE
 from linkwright.words.en.workspace_maps import WORKSPACE_MAPS
+from linkwright.words.en.workspace_paths import WORKSPACE_PATHS
 
-WORDS: dict[str, str] = {**ACCURACY, **FINDINGS, **LIMITS, **REPORT, **SWEEP, **TEXTS, **WORKSPACE, **WORKSPACE_MAPS}
+WORDS: dict[str, str] = {
+    **ACCURACY,
+    **FINDINGS,
+    **LIMITS,
+    **REPORT,
+    **SWEEP,
+    **TEXTS,
+    **WORKSPACE,
+    **WORKSPACE_MAPS,
+    **WORKSPACE_PATHS,
+}

@@ -193,8 +193,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Give {wanted} arguments, with commas between them.",
     ),
     "expression.unknown-function": (
-        "There is no function or table called '{name}'.",
-        "Write one of these: {near}. Or declare it under tables.",
+        "There is no function, table or motion law called '{name}'.",
+        "Write one of these: {near}. Or declare it under tables or laws.",
     ),
     "expression.unit-alone": (
         "'{name}' is a unit without a number, and no parameter is called so.",
@@ -532,6 +532,99 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The points span one whole period, but the last value differs from the first.",
         "Make the two equal, or leave the last point out.",
     ),
+    # Motion laws.
+    "law.unknown": (
+        "There is no motion law called '{name}'.",
+        "Write one of these: {near}. Or give fractions, powers or a formula instead of law.",
+    ),
+    "law.segment": (
+        "It isn't clear what kind of segment this is: given are {given}.",
+        "Give one of {known}.",
+    ),
+    "law.keys": (
+        "{given} can't stand in a segment of this kind ({head}).",
+        "Take it out, or put it into a segment of its own.",
+    ),
+    "law.no-over": (
+        "It isn't said how far along the axis the segment goes.",
+        "Add over, for example over: 90 deg.",
+    ),
+    "law.way": (
+        "It isn't said in one way how the value gets to its end: given are {given}.",
+        "Give one of {known}; match, from, to, via and spline go together.",
+    ),
+    "law.argument-taken": (
+        "In a formula {name} runs from 0 to 1 over the segment, but a parameter is called {name}.",
+        "Give the parameter another name.",
+    ),
+    "law.formula": (
+        "'{name}' can't stand in the formula of a motion law.",
+        "Write it in u, which runs from 0 to 1 over the segment, parameters and functions.",
+    ),
+    "law.place": (
+        "The motion law '{name}' is called where no drive's position stands.",
+        "Call it in the position of a drive; measures and loads name the drive's value.",
+    ),
+    "law.over": (
+        "The segment's length along the axis isn't positive, or out of all proportion.",
+        "Give it a length between 1e-12 and 1e12 s or rad.",
+    ),
+    "law.via": (
+        "The points via don't lie in order, and apart, between the segment's start and end.",
+        "Sort them; ways count from the segment's start.",
+    ),
+    "law.conditions": (
+        "One polynomial is to meet {count} conditions; {limit} is the most.",
+        "Leave points out, add spline: quintic, or cut the segment.",
+    ),
+    "law.end-rates": (
+        "A spline of degree {degree} takes {wanted} rates at either end.",
+        "Give as many in from and to, or match: velocity with spline: cubic, match: acceleration with spline: quintic.",
+    ),
+    "law.not-normal": (
+        "The formula is {start} at u = 0 and {end} at u = 1; it must be 0 and 1.",
+        "Divide it by its rise, and take its first value off.",
+    ),
+    "law.not-smooth": (
+        "The formula, or one of its first two derivatives, has no finite value somewhere between u = 0 and u = 1.",
+        "Check it for a division by zero, or a root at zero.",
+    ),
+    "law.powers": (
+        "A power stands twice.",
+        "Give each power once.",
+    ),
+    "law.fractions": (
+        "The {count} fractions add up to {sum}; there must be four [b, c, d, z], or seven, none negative or below 1e-6 but 0, with the sum 1, and some acceleration on either side.",
+        "Correct them: [0.25, 0, 0.75, 0] is the modified sine.",
+    ),
+    "law.skew": (
+        "The law can't have its greatest velocity at {share} of its way.",
+        "Give a skew from 0.001 to 0.999, and only of a symmetric law.",
+    ),
+    "law.control": (
+        "{given} control values are too few for the B-spline; its degree needs {wanted}.",
+        "Add control values, or give a smaller degree.",
+    ),
+    "law.period": (
+        "The segments add up to {sum} {unit}; the period is {period} {unit}.",
+        "Correct their lengths, add a dwell, or give the period.",
+    ),
+    "law.not-closed": (
+        "The law starts at {start} {unit} and ends at {end} {unit}, so it can't be repeated.",
+        "Let the segments come back, or write beyond: advance (goes on from there) or beyond: hold (stays there).",
+    ),
+    "law.open-end": (
+        "At its {side} the segment takes its rates from segment {other}, which leaves them open too.",
+        "State them in one of the two, by from or to.",
+    ),
+    "law.end-acceleration": (
+        "The law {law} ends with an acceleration, and beside it the motion doesn't go on with the same one.",
+        "Let its mirror image follow at once, a fall of the same law, height and length; or take a law that ends without acceleration.",
+    ),
+    "drive.law-jumps": (
+        "The {what} of the motion law {law} jumps at {at} by {jump}, which no drive can follow.",
+        "Take another law there, or blends that match the velocity: {{rise: ..., over: ..., match: acceleration}}.",
+    ),
     # Windows, measures, studies.
     "window.one-signal": (
         "A window by a signal has one signal; {count} are given.",
@@ -603,7 +696,45 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The range of {drive} is wider than {limit} {unit}.",
         "Give a smaller range.",
     ),
-    # Of the workspace: wanted paths.
+    # Of the workspace: wanted paths, required places.
+    "workspace.path-source": (
+        "A wanted path has one source; given are: {given}.",
+        "Write points, or file, or drawing, or x and y as formulas in u.",
+    ),
+    "workspace.path-pace": (
+        "A wanted path is followed either with the motor at constant speed, or in a given time.",
+        "Write speed, for example speed: 30 rpm, or duration, for example duration: 2 s; not both.",
+    ),
+    "workspace.path-key": (
+        "{key} has a meaning only together with {of}.",
+        "Take it out, or add what it belongs to.",
+    ),
+    "workspace.path-still": (
+        "The motor has no speed, so that it follows no path.",
+        "Give one, for example 30 rpm; a negative one turns it the other way round.",
+    ),
+    "workspace.path-none": (
+        "In none of {count} regions can the wanted path {name} be followed as it is asked. Nearest to it comes the mode {mode} "
+        "(values: {values}); what stands in the way there is told apart.",
+        "Read on there; the summary has all attempts, with the stretches that can't be followed.",
+    ),
+    "workspace.section-drives": (
+        "Paths and figures in the workspace need two drives; this mechanism has {count}.",
+        "Take the section out, or give the mechanism another drive.",
+    ),
+    "workspace.not-positive": (
+        "{key}: {text} isn't positive.",
+        "Give a positive value.",
+    ),
+    "workspace.fit-kind": (
+        "A figure is one of circle, rectangle and largest; given are: {given}.",
+        "Write for example circle: 10 mm, rectangle: [20 mm, 10 mm] or largest: circle.",
+    ),
+    "workspace.fit-none": (
+        "{name} fits into no region. In the best one (mode {mode}; values: {values}) {share} % of its area lie outside, up to {by}; there "
+        "it would fit at {scale} of its size.",
+        "Make it smaller, move it, or change the mechanism; largest: circle says what there is room for.",
+    ),
     "workspace.path-short": (
         "The wanted path has {given} distinct points; its curve wants {wanted} or more.",
         "Give more points, or take straight pieces (between: linear).",
@@ -652,6 +783,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "From u = {start} to {stop} the wanted path can't be followed at constant speed: {drive} would have to turn back.",
         "End the path there, or give it in time, so that both drives follow it.",
     ),
+    "workspace.path-dead": (
+        "Along the wanted path {count} dead positions are passed, the first at {time:.6g} s: there {point} moves in one direction only, "
+        "and errors of the path go into the drives by their square root.",
+        "Take care that the drives follow their laws; on a path off the singular curves, where there is one, {point} is held better.",
+    ),
     "workspace.servo-reverses": (
         "Along the wanted path {servo} turns back {count} times, the first time at {time:.6g} s, though never_reverse forbids it.",
         "Choose another path, another speed of the motor, or another start; or allow it.",
@@ -664,6 +800,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "varied.table": (
         "The table {table} holds expressions of {names}, which vary; a table is the same for all samples.",
         "Write the table's numbers out, or don't vary what it depends on.",
+    ),
+    "varied.law": (
+        "The motion law {law} holds expressions of {names}, which vary; a motion law is the same for all samples.",
+        "Write its numbers out, or scale what the law gives in the drive's position: h*lift(...).",
     ),
     "varied.values": (
         "{count} of {samples} samples have values that the model can't take; in the first one, {sample}: {what}",
@@ -801,16 +941,25 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "These would be {count} regions; at most {limit} are computed.",
         "Take fewer values, or modes: own.",
     ),
+    "workspace.unbounded": (
+        "The point {name} can run away: two guides are parallel near {at}, so that its region has no end.",
+        "Give the drives ranges in which the guides cross at an angle.",
+    ),
+    "workspace.pins-meet": (
+        "The outer pins of a group meet at {at}, an end of a range or one of a whole curve of such values; its links may "
+        "point anywhere there, and the region falls apart.",
+        "Give the drives ranges that keep clear of such values; or make the group's links unequal by a little.",
+    ),
     "workspace.incomplete": (
         "The region of the mode {mode} isn't whole: {share} % of the places sampled at random lie outside of it.",
         "Take another chord, or a part of the drives' ranges; trust its area as a lower bound only.",
     ),
     "workspace.no-area": (
-        "The point {name} moves along curves only, so that it has no region (values: {values}).",
-        "Take a point that both drives move.",
+        "The point {name} moves along curves only, or not at all, so that it has no region{values}.",
+        "Take a point that both drives move; or widen the drives' ranges.",
     ),
     "workspace.never-closes": (
-        "The links never close (values: {values}): {links} fail nearest to closing at {at}, where {joints} are {distance} {unit} "
+        "The links never close{values}: {links} fail nearest to closing at {at}, where {joints} are {distance} {unit} "
         "apart, {by} {unit} {way} than the links can span ({limit} {unit}).",
         "Make the links {direction}, by {by} {unit} at least; or widen the drives' ranges.",
     ),
@@ -1313,6 +1462,12 @@ _TERMS: dict[str, str] = {
     "two-links": "[LINK, LINK]",
     "two-points": "[POINT, POINT], one of each link",
     "two-lines": "[POINT at ANGLE, POINT at ANGLE], one on each link",
+    "numbers": "a list of numbers",
+    "segments": "a list of segments",
+    "law-start": "start",
+    "law-end": "end",
+    "law-value": "value",
+    "law-velocity": "velocity",
     "table-row": "[x, y]",
     "table-rows": "a list of points [x, y]",
     "column": "'COLUMN UNIT', for example angle deg",
@@ -1344,6 +1499,7 @@ _TERMS: dict[str, str] = {
     "a-parameter": "a parameter",
     "a-function": "a function",
     "a-table": "a table",
+    "a-law": "a motion law",
     "a-window": "a window",
     "a-measure": "a measure",
     "the-shaking": "the shaking force",
