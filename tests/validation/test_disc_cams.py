@@ -1,8 +1,8 @@
 """Disc cams of textbooks whose profile or acceleration is known: figures as printed there, and their closed forms.
 
-Sources: tangent cam with roller (187.6 m/s2) and the simple harmonic flat-faced cam are stock examples of courses on the
-theory of machines; the parabolic flat-faced cam, the involute and the eccentric disc follow from the definition. Tolerances: the
-digits printed; the closed forms to round-off.
+Sources: the tangent cam with roller (187.6 m/s2) and the simple harmonic flat-faced cam are stock examples of courses
+on the theory of machines; the parabolic flat-faced cam, the involute and the eccentric disc follow from the definition.
+Tolerances: the digits printed; the closed forms to round-off.
 """
 
 from __future__ import annotations

@@ -1010,8 +1010,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Drive one of the links against the first one of the pin, or give the drive a pin of its own.",
     ),
     "functions.too-many": (
-        "The mechanism has {count} joints; the tool's functions know {limit} at most.",
-        "Name joints that close loops under left_out, or export a part of the mechanism.",
+        "There would be {count} joints, helping ones included; the tool's functions know {limit} at most.",
+        "Name joints that close loops under left_out, allow longer texts, or export a part of the mechanism.",
     ),
     "functions.name": (
         "The joint {joint} can't be called '{name}' in the tool.",
