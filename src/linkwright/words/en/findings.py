@@ -1100,6 +1100,27 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "apart, {by} {unit} {way} than the links can span ({limit} {unit}).",
         "Make the links {direction}, by {by} {unit} at least; or widen the drives' ranges.",
     ),
+    # Of workspaces: maps.
+    "workspace.two-drives": (
+        "{section} needs two drives; with one, the point moves along a curve.",
+        "Take {section} out, or give the mechanism another drive.",
+    ),
+    "workspace.map-name": (
+        "There is no map of the name '{name}' here.",
+        "Take one of these: {known}.",
+    ),
+    "workspace.map-task": (
+        "The map '{name}' isn't there without {key}.",
+        "Add {key}, or take another map.",
+    ),
+    "workspace.limit-missing": (
+        "Under {key} there is nothing for {drives}.",
+        "Give one for each of the two drives.",
+    ),
+    "workspace.limit-positive": (
+        "{what} isn't positive: {given}.",
+        "Give a positive value, or leave it out.",
+    ),
     # Of clearances.
     "clearance.no-joint": (
         "{name} is neither a pin nor a prismatic joint, so it has no clearance.",
@@ -1609,6 +1630,11 @@ _TERMS: dict[str, str] = {
     "shorter": "shorter",
     "longer": "longer",
     "a-drive": "a drive",
+    "a-contributor": "a contributor (a parameter with a tolerance, a change of temperature)",
+    "drive-limit": "The limit of {drive} under {under}",
+    "limit-error": "The limit of the error",
+    "size-of-force": "The size of the force",
+    "force": "[x, y] of a force",
     "a-spring": "a spring",
     "a-parameter": "a parameter",
     "a-function": "a function",
