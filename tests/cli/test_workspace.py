@@ -6,6 +6,7 @@ import json
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -70,11 +71,22 @@ def test_json(file: Path) -> None:
     assert region["holes"] == 1
 
 
-def test_dxf_needs_its_package(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(("option", "extra"), [("--dxf", "cad"), ("--png", "png")])
+def test_dxf_and_png_need_their_packages(file: Path, monkeypatch: pytest.MonkeyPatch, option: str, extra: str) -> None:
     monkeypatch.setattr("linkwright.model.machine.import_module", _missing)
-    result = call("workspace", file, "--dxf")
+    result = call("workspace", file, option)
     assert result.exit_code == 2
-    assert "file.needs-package" in result.stderr and "linkwright[cad]" in result.stderr
+    assert "file.needs-package" in result.stderr and f"linkwright[{extra}]" in result.stderr
+
+
+def test_png_shows_the_picture_of_the_svg(file: Path, tmp_path: Path) -> None:
+    pytest.importorskip("resvg_py", reason="resvg-py isn't installed")
+    assert call("workspace", file, "--out", tmp_path / "out", "--png").exit_code == 0
+    drawn = ElementTree.parse(tmp_path / "out" / "workspace.svg").getroot()
+    content = (tmp_path / "out" / "workspace.png").read_bytes()
+    assert content[:8] == b"\x89PNG\r\n\x1a\n"
+    size = int.from_bytes(content[16:20], "big"), int.from_bytes(content[20:24], "big")
+    assert size == (2 * int(drawn.attrib["width"]), 2 * int(drawn.attrib["height"]))
 
 
 def _missing(package: str) -> None:

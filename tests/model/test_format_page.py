@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from linkwright.kernels import examine
-from linkwright.model import actions, elements, parts, signals
+from linkwright.model import actions, elements, motions, parts, signals
 from linkwright.model.expressions import FUNCTIONS
 from linkwright.model.mechanism import Document
 from linkwright.model.units import unit_words
@@ -21,6 +21,7 @@ PAGE = (Path(__file__).parents[2] / "docs" / "file-format.md").read_text(encodin
 BLOCKS = re.findall(r"^```yaml\n(.*?)^```", PAGE, re.M | re.S)
 CLASSES = [
     parts.Units, parts.Parameter, parts.Link, parts.Joint, parts.Drive, actions.Table, actions.Load, actions.Measure,
+    motions.MotionLaw, motions.Segment,
     elements.Spring, elements.Counterweight,
 ]  # fmt: skip
 

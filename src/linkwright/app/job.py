@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from linkwright.exports import Order, read_exports
 from linkwright.kernels import Compiled, examine
 from linkwright.model.document import located, read_document, write_aside
 from linkwright.model.findings import Finding, ModelError, raise_errors
@@ -31,7 +32,7 @@ from linkwright.studies import (
 from linkwright.studies.accuracy.outcome import AccuracyOutcome
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
-CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite")
+CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite", "export.cannot-")
 """Codes that begin so mean a model that can't do what is asked (exit code 1); all others a wrong file (2)."""
 
 
@@ -42,6 +43,7 @@ class Examined:
     document: Document | None = None
     compiled: Compiled | None = None
     tasks: list[Task] = field(default_factory=list)
+    orders: list[Order] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
     source: Source = field(default_factory=Source)
     folder: Path | None = None
@@ -84,16 +86,22 @@ def examine_file(path: Path, only: str | None = None) -> Examined:
     return examined
 
 
-def examine_document(document: Document, folder: Path | None = None, only: str | None = None) -> Examined:
-    """Compile a document and read its studies; with ``only``, that study alone, whether the file asks for it or not."""
+def examine_document(
+    document: Document, folder: Path | None = None, only: str | None = None, to: str | None = None
+) -> Examined:
+    """Compile a document and read its studies and exports; with ``only``, that study alone, whether the file asks for
+    it or not; with ``to``, that export alone."""
     tasks, findings = read_studies(document.studies if only is None else {only: {}, **document.studies})
-    tasks = [task for task in tasks if only in (None, task.study.name)]
+    orders, wrong = read_exports(document.exports)
+    tasks = [task for task in tasks if to is None and only in (None, task.study.name)]
+    orders = [order for order in orders if only is None and to in (None, order.target.name)]
     compiled, faults = examine(document, folder)
-    findings += faults
+    findings += [*wrong, *faults]
     if compiled is not None:
         checked = [finding for task in tasks for finding in task.study.check(compiled, task.options)]
+        checked += [finding for order in orders for finding in order.target.check(compiled, order.options)]
         findings += [finding for i, finding in enumerate(checked) if finding not in checked[:i]]
-    return Examined(document, compiled, tasks, findings, folder=folder)
+    return Examined(document, compiled, tasks, orders, findings, folder=folder)
 
 
 @dataclass

@@ -16,13 +16,15 @@ from linkwright.graph.graph import Graph
 from linkwright.graph.redundant import redundant
 from linkwright.kernels.follow import Follower
 from linkwright.kernels.laws import Law, action_tables, drive_laws, values_at
+from linkwright.kernels.motions import motion_laws
 from linkwright.kernels.passages import Passage, Passages, unwrapped
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.supply import Supply
-from linkwright.laws import TableLaw
+from linkwright.laws import Motion, TableLaw
 from linkwright.model.check import check_names, check_values
 from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.mechanism import Mechanism
+from linkwright.model.plane import LinkagePlane
 from linkwright.model.quantities import Quantities
 from linkwright.model.spelled import Spelled, spell_out
 from linkwright.structure import Cluster, Group, Structure, Topology, decompose
@@ -40,8 +42,10 @@ class Compiled:
     assembly: Assembly
     laws: dict[str, Law]
     tables: dict[str, TableLaw] = field(default_factory=dict)  # those that loads and springs ask
+    motions: dict[str, Motion] = field(default_factory=dict)  # the motion laws, that drives ask
     kernel: str = "numpy"
     passages: Passages = field(default_factory=Passages)
+    plane: LinkagePlane | None = None  # where a sketch of three coordinates lies in the vehicle
     _kernels: dict[tuple[tuple[str, ...], bool], Kernel] = field(default_factory=dict)
     _nodes: dict[tuple[Passage, tuple[str, ...], bool], Array] = field(default_factory=dict, init=False)
 
@@ -160,6 +164,7 @@ class Prepared:
     quantities: Quantities
     structure: Structure
     laws: dict[str, Law]
+    motions: dict[str, Motion]
     tables: dict[str, TableLaw]
     findings: list[Finding]
 
@@ -177,23 +182,25 @@ def prepare(mechanism: Mechanism, folder: Path | None = None) -> Prepared:
     quantities = Quantities(spelled.mechanism)
     findings = [*names, *(f for f in quantities.findings if not _said(f, names))]
     laws: dict[str, Law] = {}
+    motions: dict[str, Motion] = {}
     tables: dict[str, TableLaw] = {}
     if not quantities.findings:
-        laws, wrong = drive_laws(quantities, folder)
+        motions, unmade = motion_laws(quantities)
+        laws, wrong = drive_laws(quantities, folder, motions)
         tables, unread = action_tables(quantities, folder)
-        findings += [*check_values(quantities), *wrong, *(fault for fault in unread if fault not in wrong)]
+        findings += [*check_values(quantities), *unmade, *wrong, *(fault for fault in unread if fault not in wrong)]
     structure = decompose(spelled.mechanism) if not names else Structure(Topology(spelled.mechanism), ())
     if not findings:
         findings = redundant(quantities, structure, values_at(laws, 0.0))
     else:
         findings += structure.findings
-    return Prepared(spelled, quantities, structure, laws, tables, spelled.home(findings))
+    return Prepared(spelled, quantities, structure, laws, motions, tables, spelled.home(findings))
 
 
 def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled | None, list[Finding]]:
     """Compile a mechanism as far as it goes, with all findings; ``folder`` is where its table files lie.
 
-    The result is ``None`` where an error stops it.
+    The result is ``None`` where an error stops it; warnings alone don't.
     """
     made = prepare(mechanism, folder)
     if made.findings:
@@ -201,7 +208,8 @@ def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled 
     assembly = assemble(made.quantities, made.structure, values_at(made.laws, 0.0))
     if assembly.findings:
         return None, made.spelled.home(assembly.findings)
-    return Compiled(made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables), []
+    parts = (made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables, made.motions)
+    return Compiled(*parts, plane=made.spelled.plane), [*made.spelled.warnings]
 
 
 def _said(finding: Finding, others: list[Finding]) -> bool:

@@ -11,11 +11,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.laws import DEGREES, OutsideTable, TableLaw
+from linkwright.kernels.motions import rate_unit
+from linkwright.laws import DEGREES, Motion, OutsideTable, TableLaw
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, nodes
-from linkwright.model.findings import Finding, ModelError
+from linkwright.model.findings import Finding, ModelError, Term
 from linkwright.model.mechanism import Table
 from linkwright.model.quantities import Quantities, column_unit
 from linkwright.notation import MAX_ORDER, Jet
@@ -46,9 +47,11 @@ class Law:
         return self.of(t, parameters, False)
 
 
-def drive_laws(quantities: Quantities, folder: Path | None) -> tuple[dict[str, Law], list[Finding]]:
+def drive_laws(
+    quantities: Quantities, folder: Path | None, motions: Mapping[str, Motion]
+) -> tuple[dict[str, Law], list[Finding]]:
     """The law of each drive (value and rates, SI) over times (s), and what is wrong with them."""
-    reader = _Reader(quantities, folder)
+    reader = _Reader(quantities, folder, motions)
     laws: dict[str, Law] = {}
     for name in quantities.mechanism.drives:
         law = reader.law(name)
@@ -78,8 +81,8 @@ def values_at(laws: dict[str, Law], time: float) -> dict[str, float]:
 
 
 class _Reader:
-    def __init__(self, quantities: Quantities, folder: Path | None) -> None:
-        self.quantities, self.folder = quantities, folder
+    def __init__(self, quantities: Quantities, folder: Path | None, motions: Mapping[str, Motion]) -> None:
+        self.quantities, self.folder, self.motions = quantities, folder, motions
         self.findings: list[Finding] = []
         self.tables: dict[str, TableLaw | None] = {}
 
@@ -100,11 +103,7 @@ class _Reader:
             if isinstance(part, Name | Call) and is_signal(part):
                 self.findings.append(Finding("drive.signal", path, {"name": getattr(part, "text", "force")}))
                 return None
-            if (
-                isinstance(part, Call)
-                and part.name in self.quantities.mechanism.tables
-                and not self._table(part.name, path)
-            ):
+            if isinstance(part, Call) and not self._called(part.name, path):
                 return None
         law = self._expression(name, node)
         try:
@@ -126,7 +125,7 @@ class _Reader:
         return self._law(law, *parts)
 
     def _expression(self, drive: str, node: Node) -> Law:
-        tables = self.tables
+        tables, motions = self.tables, self.motions
 
         def law(t: Array, parameters: Parameters, strict: bool) -> Jet:
             time = Jet([t, np.ones_like(t), *[np.zeros_like(t)] * (ORDER - 1)])
@@ -135,11 +134,13 @@ class _Reader:
                 return time if name.text == "t" else parameters[name.text]
 
             def called(call: Call) -> Jet:
+                argument = evaluate(call.args[0], given, called)
+                x = argument if isinstance(argument, Jet) else Jet.constant(argument, ORDER)
+                if call.name in motions:
+                    return motions[call.name].on(x)
                 table = tables[call.name]
                 assert table is not None
-                argument = evaluate(call.args[0], given, called)
-                ask = table if strict else table.or_nan
-                return ask(argument if isinstance(argument, Jet) else Jet.constant(argument, ORDER))
+                return table(x) if strict else table.or_nan(x)
 
             try:
                 with np.errstate(all="ignore"):
@@ -155,6 +156,26 @@ class _Reader:
             return jet
 
         return self._law(law, node)
+
+    def _called(self, name: str, path: tuple[str | int, ...]) -> bool:
+        """Whether a function that a position calls can be asked."""
+        m = self.quantities.mechanism
+        if name in m.laws:
+            return name in self.motions and self._smooth(name, path)
+        return name not in m.tables or self._table(name, path)
+
+    def _smooth(self, name: str, path: tuple[str | int, ...]) -> bool:
+        """Whether the value and velocity of a motion law run on without jumps."""
+        law, quantities = self.quantities.mechanism.laws[name], self.quantities
+        for join in self.motions[name].joins:
+            if join.continuity < 1:
+                order = join.continuity + 1
+                (unit, size), (rate, one) = quantities.unit_of(law.axis), rate_unit(quantities, law, order)
+                at, jump = f"{join.at / size:.6g} {unit}", f"{join.jumps[order] / one:.6g} {rate}"
+                data = {"law": name, "what": Term(("law-value", "law-velocity")[order]), "at": at, "jump": jump}
+                self.findings.append(Finding("drive.law-jumps", path, data))
+                return False
+        return True
 
     def _table(self, name: str, path: tuple[str | int, ...]) -> bool:
         if name not in self.tables:

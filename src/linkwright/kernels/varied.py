@@ -64,6 +64,12 @@ class Varied:
             held = {part for cell in cells for part in names_in(cell.node)} & self.varying
             if held:
                 yield Finding("varied.table", ("tables", name), {"table": name, "names": ", ".join(sorted(held))})
+        for name, law in quantities.mechanism.laws.items():
+            parts = [number.node for _, number, _ in law.numbers()]
+            parts += [segment.formula.node for segment in law.segments if segment.formula is not None]
+            held = {part for node in parts for part in names_in(node)} & self.varying
+            if held:
+                yield Finding("varied.law", ("laws", name), {"law": name, "names": ", ".join(sorted(held))})
 
     def parameters(self, values: Array) -> Array:
         """All parameters (parameters, samples) from the values of the varied ones, (names, samples), both in SI.

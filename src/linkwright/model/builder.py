@@ -53,6 +53,11 @@ class Builder:
             self._put("sketch", name, place)
         return self
 
+    def plane(self, axes: str | None = None, *, normal: Iterable[float] | None = None, within: Any = None) -> Self:
+        """The plane of a sketch of three coordinates: two axes of the vehicle such as ``"xz"``, or its normal."""
+        self._data["plane"] = _given(axes=axes, normal=None if normal is None else [*normal], within=within)
+        return self
+
     def frame(self, points: Points = None, **more: Point) -> Self:
         """The link that doesn't move, with its points."""
         return self._put("links", "frame", {"points": _points(points, more)})
@@ -134,6 +139,21 @@ class Builder:
         """A function given by points ``[x, y]``, or by two columns of a CSV file."""
         return self._put("tables", name, _given(file=file, points=points, x=x, y=y, period=period, between=between))
 
+    def law(
+        self,
+        name: str,
+        segments: Any,
+        *,
+        over: str,
+        of: str,
+        start: Any = None,
+        period: Any = None,
+        beyond: str | None = None,
+    ) -> Self:
+        """A function ``over`` an angle or time, ``of`` an angle or length, by segments as in the file."""
+        law = _given(over=over, of=of, start=start, period=period, beyond=beyond, segments=segments)
+        return self._put("laws", name, law)
+
     def load(
         self,
         name: str,
@@ -192,6 +212,10 @@ class Builder:
     def study(self, name: str, **options: Any) -> Self:
         """Something to be computed, with its options."""
         return self._put("studies", name, options)
+
+    def export(self, target: str, **options: Any) -> Self:
+        """What is written for another tool, with the target's options."""
+        return self._put("exports", target, options)
 
     def build(self) -> Document:
         """The document. Raises :class:`ModelError` with all findings of form."""

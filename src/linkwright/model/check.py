@@ -10,6 +10,7 @@ from linkwright.model.actions import WHERE
 from linkwright.model.expressions import FUNCTIONS
 from linkwright.model.findings import Finding, Term
 from linkwright.model.mechanism import FRAME, Mechanism
+from linkwright.model.motions import ARGUMENT
 from linkwright.model.pins import homes, pins
 from linkwright.model.tolerances import tolerance_faults
 from linkwright.model.unknown import near, unknown
@@ -63,11 +64,18 @@ def _collisions(m: Mechanism) -> Iterator[Finding]:
                 data = {"name": name, "first": owners[name], "second": Term(f"a-{kind}")}
                 yield Finding("name.taken", path, data)
             owners.setdefault(name, Term(f"a-{kind}"))
-    for name in m.tables:
-        if name in m.parameters or name in FUNCTIONS:
-            first = Term("a-parameter" if name in m.parameters else "a-function")
-            data = {"name": name, "first": first, "second": Term("a-table")}
-            yield Finding("name.taken", ("tables", name), data)
+    called = {**dict.fromkeys(FUNCTIONS, Term("a-function")), **dict.fromkeys(m.parameters, Term("a-parameter"))}
+    for kind, functions in (("table", m.tables), ("law", m.laws)):
+        for name in functions:
+            if name in called:
+                data = {"name": name, "first": called[name], "second": Term(f"a-{kind}")}
+                yield Finding("name.taken", (f"{kind}s", name), data)
+        called |= dict.fromkeys(functions, Term(f"a-{kind}"))
+    if ARGUMENT in m.parameters:
+        for name, law in m.laws.items():
+            for i, segment in enumerate(law.segments):
+                if segment.formula is not None:
+                    yield Finding("law.argument-taken", ("laws", name, "segments", i), {"name": ARGUMENT})
 
 
 def _joints(m: Mechanism) -> Iterator[Finding]:

@@ -13,6 +13,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Mapping
+from copy import copy
 
 from linkwright.model.expressions import Binary, Call, Name, Negative, Node, Number
 from linkwright.model.forms import DimensionError, Equations, Form
@@ -72,6 +73,12 @@ class Dimensions:
     def use(self, node: Node, place: Wanted) -> None:
         """Note one use: the expression stands where ``place`` is wanted. Raises DimensionError."""
         self.equations.read(node, self._form(place), self._open, self._open_table)
+
+    def with_argument(self, name: str) -> Dimensions:
+        """The same where ``name`` is a pure number besides: the argument of a formula."""
+        other = copy(self)
+        other.signals = lambda node: PURE if node == Name(name) else self.signals(node)
+        return other
 
     def of(self, unknown: Unknown) -> Dimension:
         """The inferred dimension of a parameter, or of another unknown."""

@@ -7,6 +7,7 @@ from typing import Any
 
 from linkwright.model import actions as a
 from linkwright.model import elements as e
+from linkwright.model import motions as m
 from linkwright.model import parts as p
 from linkwright.model.findings import Finding, Term
 from linkwright.model.mechanism import Document
@@ -18,11 +19,13 @@ from linkwright.model.yaml_text import Path, Source
 _CLASSES: dict[str, type[Frozen]] = {
     "units": p.Units,
     "parameters": p.Parameter,
+    "plane": p.Plane,
     "links": p.Link,
     "joints": p.Joint,
     "cylinders": p.Cylinder,
     "drives": p.Drive,
     "tables": a.Table,
+    "laws": m.MotionLaw,
     "loads": a.Load,
     "springs": e.Spring,
     "counterweights": e.Counterweight,
@@ -80,7 +83,8 @@ def _finding(fault: Any, data: Any) -> Finding:
 def known_keys(path: Path) -> list[str]:
     """The keys that may stand beside the last one of a path."""
     inside = path[0] == "parameters" and "tolerance" in path[2:-1]
-    owner = Stated if inside else Document if len(path) == 1 else _CLASSES.get(str(path[0]))
+    segment = path[0] == "laws" and "segments" in path[2:-1]
+    owner = Stated if inside else m.Segment if segment else Document if len(path) == 1 else _CLASSES.get(str(path[0]))
     if owner is None:
         return []
     return [field.alias or name for name, field in owner.model_fields.items()]

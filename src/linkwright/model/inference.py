@@ -10,6 +10,7 @@ from linkwright.model.dimensions import DimensionError, Dimensions, argument, va
 from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, Number, nodes, text_of
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Mechanism
+from linkwright.model.motions import ARGUMENT
 from linkwright.model.names import Names
 from linkwright.model.places import Path, Place, Scope, figure, places
 from linkwright.model.signals import Signals
@@ -64,17 +65,26 @@ class Inference:
             for unknown, text in ((argument(name), table.x), (value(name), table.y)):
                 if text is not None:
                     self.dimensions.settle(unknown, column_unit(text)[1])
-        fine = {id(place) for place in sorted(self.sound, key=_rank) if self._try(place, self.dimensions.use)}
+        for name, law in self.mechanism.laws.items():
+            self.dimensions.settle(argument(name), law.axis)
+            self.dimensions.settle(value(name), law.value)
+        fine = {id(place) for place in sorted(self.sound, key=_rank) if self._try(place, self._use)}
         self.sound = [place for place in self.sound if id(place) in fine and self._try(place, self._bind_here)]
         for place in self.sound:
             self._ambiguous(place)
 
-    def _bind_here(self, node: Node, wanted: object) -> None:
-        self.dimensions.bind(node, self.dimensions.resolve(wanted))  # type: ignore[arg-type]
+    def _of(self, place: Place) -> Dimensions:
+        return self.dimensions.with_argument(ARGUMENT) if place.scope is Scope.FORMULA else self.dimensions
 
-    def _try(self, place: Place, action: Callable[..., None]) -> bool:
+    def _use(self, place: Place) -> None:
+        self._of(place).use(place.expression.node, place.wanted)
+
+    def _bind_here(self, place: Place) -> None:
+        self._of(place).bind(place.expression.node, self.dimensions.resolve(place.wanted))
+
+    def _try(self, place: Place, action: Callable[[Place], None]) -> bool:
         try:
-            action(place.expression.node, place.wanted)
+            action(place)
         except DimensionError as error:
             self._add([Finding(error.key, place.path, error.data)])
             return False

@@ -9,6 +9,7 @@ from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, is_signal, nodes, signal_text
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Mechanism
+from linkwright.model.motions import ARGUMENT
 from linkwright.model.places import Path, Place, Scope
 from linkwright.model.signals import Signals
 from linkwright.model.trees import children
@@ -22,6 +23,7 @@ _MISPLACED = {
     Scope.LOAD: "load.signal",
     Scope.TIME: "drive.signal",
     Scope.SIGNALS: "measure.table",
+    Scope.FORMULA: "law.formula",
 }
 
 
@@ -47,6 +49,8 @@ class Names:
         """Names in an expression that nothing is called by."""
         for node in nodes(place.expression.node):
             if isinstance(node, Name | Call):
+                if place.scope is Scope.FORMULA and node == Name(ARGUMENT):
+                    continue
                 found = self._unknown(node, place.path)
                 yield from map(_of_class, found) if node is place.expression.node else found
 
@@ -58,8 +62,8 @@ class Names:
             except DimensionError as error:
                 yield Finding(error.key, path, error.data)
         elif isinstance(node, Call):
-            if node.name not in FUNCTIONS and node.name not in m.tables:
-                known = [*FUNCTIONS, *m.tables]
+            known = [*FUNCTIONS, *m.tables, *m.laws]
+            if node.name not in known:
                 data = {"name": node.name, "near": near(node.name, known)}
                 yield Finding("expression.unknown-function", path, data)
         elif node.text not in ("t", "pi") and node.text not in m.parameters:
@@ -75,7 +79,9 @@ class Names:
         todo: list[Node] = [place.expression.node]
         while todo:
             node = todo.pop()
-            if not isinstance(node, Name | Call) or self._may_stand(node, place.scope):
+            if isinstance(node, Call) and node.name in self.mechanism.laws and place.path[0] != "drives":
+                yield Finding("law.place", place.path, {"name": node.name})
+            elif not isinstance(node, Name | Call) or self._may_stand(node, place.scope):
                 todo += reversed(children(node))
             else:
                 name = signal_text(node)[:60]
@@ -85,7 +91,7 @@ class Names:
         if is_signal(node):
             return scope is Scope.SIGNALS or (scope is Scope.LOAD and self._kinematic(node))
         if isinstance(node, Name):
-            return node.text != "t" or scope is not Scope.CONSTANT
+            return node.text != "t" or scope not in (Scope.CONSTANT, Scope.FORMULA)
         return node.name in FUNCTIONS or scope in (Scope.TIME, Scope.LOAD)
 
     def _kinematic(self, node: Name | Call) -> bool:

@@ -25,6 +25,7 @@ class Scope(Enum):
     LOAD = "load"
     TIME = "time"
     SIGNALS = "signals"
+    FORMULA = "formula"
 
 
 @dataclass(frozen=True)
@@ -72,12 +73,15 @@ def places(m: Mechanism) -> Iterator[Place]:
         yield Place(("parameters", name), parameter.value, name)
         for key, part in tolerance_parts(parameter.tolerance):
             yield Place(("parameters", name, "tolerance", *key), part, _TOLERANCE.get(key, name))
+    if m.plane is not None and m.plane.within is not None:
+        yield Place(("plane", "within"), m.plane.within, u.LENGTH)
     for g in m.gravity or ():
         yield Place(("gravity",), g, u.ACCELERATION)
     yield from _links(m)
     yield from _actions(m)
     yield from _elements(m)
     yield from _tables(m)
+    yield from _laws(m)
     for name, window in m.windows.items():
         if isinstance(window, tuple):
             yield from (Place(("windows", name), edge, u.TIME) for edge in window)
@@ -187,6 +191,15 @@ def _tables(m: Mechanism) -> Iterator[Place]:
             yield Place(("tables", name, "points", i), y, value(name))
         if table.period is not None:
             yield Place(("tables", name, "period"), table.period, argument(name))
+
+
+def _laws(m: Mechanism) -> Iterator[Place]:
+    for name, law in m.laws.items():
+        at: Path = ("laws", name)
+        yield from (Place((*at, *key), number, dimension) for key, number, dimension in law.numbers())
+        for i, segment in enumerate(law.segments):
+            if segment.formula is not None:
+                yield Place((*at, "segments", i, "formula"), segment.formula, u.PURE, Scope.FORMULA)
 
 
 def _measure(m: Mechanism, name: str, measure: Measure) -> Iterator[Place]:

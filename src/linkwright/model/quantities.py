@@ -16,6 +16,7 @@ from linkwright.model.fields import Expression
 from linkwright.model.findings import Finding, Term
 from linkwright.model.inference import Inference
 from linkwright.model.mechanism import Mechanism
+from linkwright.model.motions import ARGUMENT
 from linkwright.model.names import Names
 from linkwright.model.places import Place, position_parts
 from linkwright.model.signals import Signals
@@ -94,6 +95,10 @@ class Quantities:
             except DimensionError as error:
                 raise self._explained(expression) or DimensionError(error.key, **self.spelt(error.data)) from None
         return self._bound[key]
+
+    def formula(self, expression: Expression) -> Node:
+        """The same of a formula in :data:`~linkwright.model.motions.ARGUMENT`, which gives a pure number."""
+        return self.dimensions.with_argument(ARGUMENT).bind(expression.node, u.PURE)
 
     def value(self, expression: Expression, dimension: Dimension | None) -> float:
         """The value in SI at the nominal parameters; NaN or infinite where it has none.

@@ -2,8 +2,16 @@
 
 from __future__ import annotations
 
+import numpy as np
+from numpy.typing import NDArray
+
 from linkwright.kernels import Compiled
+from linkwright.kernels.motions import rate_unit
+from linkwright.laws.curve import ROUND_OFF
+from linkwright.model import units as u
 from linkwright.model.cylinders import end_of, links_of
+from linkwright.model.plane import LinkagePlane
+from linkwright.notation import MAX_ORDER
 from linkwright.report.data import Check, Fact
 from linkwright.results import Certificate
 from linkwright.results.certificate import PROVEN
@@ -35,6 +43,8 @@ def facts(compiled: Compiled) -> list[Fact]:
     lone = [point for point in compiled.quantities.signals.homes if point not in pinned]
     if lone:
         lines.append(_fact("lone", say("fact.lone.text", points=", ".join(lone))))
+    if compiled.plane is not None:
+        lines.append(_fact("plane", _plane(compiled, compiled.plane)))
     if m.sketch:
         lines.append(_fact("parameters", ", ".join(_parameters(compiled))))
     mobility = say(
@@ -58,11 +68,36 @@ def facts(compiled: Compiled) -> list[Fact]:
         else say("fact.spring", name=name, start=spring.from_, end=spring.to)
         for name, spring in m.springs.items()
     ]
-    for name, said_of in (("weights", weights), ("springs", springs)):
+    laws = [law_fact(compiled, name) for name in compiled.motions]
+    for name, said_of in (("weights", weights), ("springs", springs), ("laws", laws)):
         if said_of:
             lines.append(_fact(name, "; ".join(said_of)))
     gravity = ", ".join(g.text for g in m.gravity) if m.gravity else say("fact.gravity.none")
     return [*lines, _fact("gravity", gravity)]
+
+
+def law_fact(compiled: Compiled, name: str) -> str:
+    """How smooth a motion law is, where and by how much the first derivative that isn't continuous jumps, and its
+    peaks."""
+    motion, law, quantities = compiled.motions[name], compiled.mechanism.laws[name], compiled.quantities
+    unit, size = quantities.unit_of(law.axis)
+    order, continuity = motion.continuity + 1, say("fact.law.smooth")
+    if order <= MAX_ORDER:
+        rate, one = rate_unit(quantities, law, order)
+        rough = [join for join in motion.joins if join.jumps[order]]
+        places = [
+            say("fact.law.jump", at=f"{join.at / size:.6g} {unit}", jump=f"{join.jumps[order] / one:.6g} {rate}")
+            for join in rough
+        ]
+        continuity = say("fact.law.jumps", what=say(f"fact.law.{order}"), places=", ".join(places))
+    peaks = []
+    for k in range(1, MAX_ORDER + 1):
+        rate, one = rate_unit(quantities, law, k)
+        noise = ROUND_OFF * motion.curve.sizes[k]
+        values = (extreme.value if abs(extreme.value) > noise else 0.0 for extreme in motion.extremes(k))
+        low, high = (f"{value / one:.6g}" for value in values)
+        peaks.append(say("fact.law.peak", what=say(f"fact.law.{k}"), low=low, high=f"{high} {rate}"))
+    return say("fact.law", name=name, continuity=continuity, peaks=", ".join(peaks))
 
 
 def _parameters(compiled: Compiled) -> list[str]:
@@ -70,6 +105,20 @@ def _parameters(compiled: Compiled) -> list[str]:
     quantities = compiled.quantities
     units = {name: quantities.unit_of(quantities.dimensions.of(name)) for name in quantities.parameters}
     return [f"{n} = {value / units[n][1]:.10g} {units[n][0]}".strip() for n, value in quantities.parameters.items()]
+
+
+def _plane(compiled: Compiled, plane: LinkagePlane) -> str:
+    """Where the sketch lies in the vehicle."""
+    unit, size = compiled.quantities.unit_of(u.LENGTH)
+    vectors = {key: _triple(getattr(plane, key)) for key in ("normal", "x", "y")}
+    off = [f"{name} {value / size:.4g}" for name, value in plane.deviations.items() if abs(value) > 1e-9 * size]
+    how = say("fact.plane.fitted", points=", ".join(plane.fitted)) if plane.fitted else say("fact.plane.stated")
+    said = say("fact.plane.off", points=", ".join(off), unit=unit) if off else say("fact.plane.flat")
+    return say("fact.plane.text", how=how, origin=_triple(plane.origin / size), unit=unit, off=said, **vectors)
+
+
+def _triple(parts: NDArray[np.float64]) -> str:
+    return "({})".format(", ".join(f"{round(float(part), 9) + 0.0:.6g}" for part in parts))
 
 
 def _order(compiled: Compiled) -> list[str]:

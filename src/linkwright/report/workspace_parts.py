@@ -2,28 +2,64 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from linkwright.report import workspace_maps as maps
 from linkwright.report.data import Chart, Grid
+from linkwright.report.overlay import Overlay
+from linkwright.report.workspace_fits import fit_overlays, fit_tables
+from linkwright.report.workspace_path_files import drives_yaml, laws_csv
+from linkwright.report.workspace_paths import path_charts, path_overlays, path_sentences, path_tables
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 
 @dataclass(frozen=True)
 class Written:
-    """A part's sentences, charts and tables, from the outcome; the text of its files by name (none of those it lacks)."""
+    """A part's sentences, charts and tables, from the outcome; shapes (Shapely, m) with what is said of them; the
+    content of its files by name (or None); what it draws over the picture of the workspace of some index."""
 
     sentences: Callable[[WorkspaceOutcome], Sequence[str]] = lambda outcome: ()
     charts: Callable[[WorkspaceOutcome], Sequence[Chart]] = lambda outcome: ()
     tables: Callable[[WorkspaceOutcome], Sequence[Grid]] = lambda outcome: ()
+    shapes: Callable[[WorkspaceOutcome], Iterable[tuple[Any, dict[str, Any]]]] = lambda outcome: ()
     files: Mapping[str, Callable[[WorkspaceOutcome], Any]] = field(default_factory=dict)
+    overlays: Callable[[WorkspaceOutcome, int], Sequence[Overlay]] = lambda outcome, index: ()
 
 
-WRITTEN: dict[str, Written] = {}
+WRITTEN: dict[str, Written] = {
+    "quality": Written(
+        sentences=maps.quality_sentences,
+        charts=maps.quality_charts,
+        tables=maps.quality_tables,
+        files={"workspace_maps.csv": maps.quality_csv, "workspace_maps.svg": maps.quality_svg},
+    ),
+    "errors": Written(
+        sentences=maps.errors_sentences,
+        charts=maps.errors_charts,
+        tables=maps.errors_tables,
+        shapes=maps.errors_shapes,
+        files={"workspace_errors.csv": maps.errors_csv, "workspace_errors.svg": maps.errors_svg},
+    ),
+    "paths": Written(
+        sentences=path_sentences,
+        charts=path_charts,
+        tables=path_tables,
+        files={"workspace_laws.csv": laws_csv, "workspace_drives.yaml": drives_yaml},
+        overlays=path_overlays,
+    ),
+    "fits": Written(tables=fit_tables, overlays=fit_overlays),
+}
 """By the key of its section in the study's options."""
 
-FILES = {name: content for part in WRITTEN.values() for name, content in part.files.items()}
+
+def _where(key: str, content: Callable[[WorkspaceOutcome], Any]) -> Callable[[WorkspaceOutcome], Any]:
+    """A file's text of an outcome that has the part; else there is none."""
+    return lambda outcome: content(outcome) if key in outcome.parts else None
+
+
+FILES = {name: _where(key, content) for key, part in WRITTEN.items() for name, content in part.files.items()}
 
 
 def written(outcome: WorkspaceOutcome) -> list[Written]:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.laws import TableLaw
-from linkwright.model.expressions import Binary, Call, Node, nodes
+from linkwright.model.expressions import Binary, Call, Node, Number, nodes
 from linkwright.results.stationary import crossings
 from linkwright.results.windows import intervals
 
@@ -20,6 +20,8 @@ Array = NDArray[np.float64]
 
 ASIDE = (1e-11, 1e-10, 1e-9, 1e-8)
 """How far from a jump its two sides are looked at, over the run's length: the first at which they differ."""
+ROUGH = 3
+"""The continuity from which on a join of a motion law hinders nothing: the jerk runs on."""
 MOST = 1 << 13
 """The most kinks of a table that are sought; more are so slight that quadrature doesn't need them."""
 
@@ -60,8 +62,22 @@ def kinks(compiled: Compiled) -> list[Node]:
         if drive.position is not None:
             laws.append(quantities.bind(drive.position, quantities.drive_dimension(name)))
     found = dict.fromkeys(switch for law in laws for node in nodes(law) for switch in switches(node))
-    asked = {node: {n.name for n in nodes(node) if isinstance(n, Call) and n.name in m.tables} for node in found}
+    found |= dict.fromkeys(switch for law in laws for node in nodes(law) for switch in _joins(compiled, node))
+    functions = {*m.tables, *m.laws}
+    asked = {node: {n.name for n in nodes(node) if isinstance(n, Call) and n.name in functions} for node in found}
     return [node for node in found if asked[node] <= {*compiled.tables}]  # not those of a drive's own table
+
+
+def _joins(compiled: Compiled, node: Node) -> list[Node]:
+    """What changes its sign at the joins of a motion law, in every period."""
+    if not isinstance(node, Call) or node.attribute is not None or node.name not in compiled.motions:
+        return []
+    motion, argument = compiled.motions[node.name], node.args[0]
+    rough = [Binary("-", argument, Number(join.at)) for join in motion.joins if join.continuity < ROUGH]
+    if motion.beyond == "hold":
+        return [*rough]
+    turn = Number(np.pi / motion.period)
+    return [Call("sin", (Binary("*", way, turn),)) for way in rough]
 
 
 def _zeros(run: Run, node: Node) -> Array:

@@ -177,13 +177,37 @@ def test_a_path_of_the_papers_five_bar_gives_its_law_again() -> None:
         assert law.servo[k] == pytest.approx(np.asarray(given[k]), abs=close * np.pi**k)
     assert law.efforts is not None
     assert law.efforts.share is None  # no masses, no loads
-    whole = through(compiled.evaluate(["P.x", "P.y"], np.linspace(0.0, 2.0, 201)).T, "quintic")
-    stopped = timed(region, whole, "motor", 2.0)
-    assert stopped.law is None
-    assert codes(stopped) == ["workspace.path-singular"]
-    fine = np.linspace(0.0, 2.0, 2001)
-    look = region.sheet.look(np.stack([fine * np.pi, compiled.laws["servo"](fine).d[0]]))
-    assert (np.diff(np.sign(look.determinant)) != 0).any()  # so does the motion that made the path
+
+
+def test_dead_positions_are_passed_where_the_path_touches_the_edge_of_a_sheet() -> None:
+    """The paper's five-bar: as crank1 is shorter than link2, each turn of the motor lays them in line twice, where it
+    moves P no more. The path of a law with four dead positions gives that law again; without leave it ends at one."""
+    region = on(compile_mechanism(load(PAPER)), "P", shapely.Point(0, 0).buffer(0.1))
+
+    def given(t: Any) -> Any:
+        return np.stack([np.pi * t, np.pi / 2 + np.pi * t - np.radians(40) * np.cos(np.pi * t)])
+
+    t = np.linspace(0.0, 2.0, 201)
+    look = region.sheet.look(given(t))
+    passed = np.flatnonzero(np.diff(np.sign(look.determinant)))
+    path = through(look.at.T, "quintic")
+    way = free(region, path, "motor", np.pi, never_reverse=True)
+    law = way.law
+    assert law is not None
+    assert codes(way) == ["workspace.path-dead"]
+    assert law.dead == pytest.approx((t[passed] + t[passed + 1]) / 2, abs=t[1] / 2)
+    assert (law.period, law.determinant) == (pytest.approx(2.0), 0.0)
+    assert law.residual < 1e-6 * 0.03
+    assert law.servo[0] == pytest.approx(given(law.t)[1], abs=1e-6)
+    assert law.servo[1] == pytest.approx(np.pi + np.radians(40) * np.pi * np.sin(np.pi * law.t), abs=2e-4)
+    assert law.at(law.dead)[1] == pytest.approx(np.interp(law.dead, law.t, law.u), abs=1e-4)
+    assert codes(timed(region, path, "motor", 2.0, off=0.0)) == ["workspace.path-singular"]
+    away = through((look.at - np.array([[0.0], [1e-5]])).T, "quintic")  # 0.01 mm
+    assert free(region, away, "motor", np.pi).law is None
+    near = free(region, away, "motor", np.pi, off=3e-5).law
+    assert near is not None
+    assert 1e-6 < near.residual < 3e-5
+    assert np.abs(near.servo[0] - given(near.t)[1]).max() < np.sqrt(1e-5 / 0.02)  # of r2 = 20 mm
 
 
 @pytest.mark.parametrize(

@@ -67,7 +67,9 @@ class Sheet:
         labels = [group.label for group in structure.groups if group.modes > 1]
         self._closed = [f"reach:{label}" for label in labels]
         self._rows = [f"{point}.{name}" for name in ("x", "y", "vx", "vy")]
-        self._rows += [*self._closed, *(f"determinant:{label}" for label in labels)]
+        spans = [f"span:{group.label}" for group in structure.groups if group.has_span]
+        self._rows += [*self._closed, *(f"determinant:{label}" for label in labels), *spans]
+        self._scale = graph.size ** len(spans)
         self._inputs = [graph.drives.index(drive) * graph.width for drive in drives]
         self._engines: dict[bool, Kernel] = {}
         self.kernel = kernel
@@ -102,7 +104,8 @@ class Sheet:
             y = self._engine(True).run(x, self.parameters)
         jacobian = np.stack([y[2:4, :n], y[2:4, n:]], axis=1)
         y = y[:, :n]
-        return Look(y[:2], jacobian, _least(y[4 : 4 + count], q), np.prod(y[4 + count :], axis=0))
+        closure = np.nan_to_num(np.prod(y[4 + count :], axis=0) / self._scale)  # 0/0 where the pins of a slide meet
+        return Look(y[:2], jacobian, _least(y[4 : 4 + count], q), closure)
 
     def place(self, q: Array) -> tuple[Array, Array]:
         """The working point alone, (2, n), and the least reach, (n,)."""

@@ -25,6 +25,8 @@ from linkwright.studies.workspace.sheet import Sheet
 from linkwright.studies.workspace.signs import Signs, combinations, named
 from linkwright.studies.workspace.together import together
 from linkwright.studies.workspace.turning import turnings
+from linkwright.studies.workspace.unfit import unfit
+from linkwright.words import say
 
 Array = NDArray[np.float64]
 
@@ -49,7 +51,8 @@ class WorkspaceStudy:
 
     def check(self, compiled: Compiled, options: WorkspaceOptions) -> list[Finding]:
         """What is wrong with the options."""
-        return list(check(compiled, options))
+        found = [*check(compiled, options)]
+        return found or [*unfit(compiled, options, PATH)]
 
     def run(self, compiled: Compiled, options: WorkspaceOptions, site: Site = NOWHERE) -> WorkspaceOutcome:
         """The region of each mode for each combination of values."""
@@ -179,12 +182,12 @@ def _nothing(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Ar
     for name, value in values.items():
         unit, size = compiled.quantities.unit_of(compiled.quantities.dimensions.of(name))
         shown.append(f"{name} = {value / size:.6g} {unit}".strip())
-    where = ", ".join(shown)
+    where = say("workspace.for", values=", ".join(shown)) if shown else ""
     ranges = [options.range(compiled, drive) for drive in compiled.graph.drives]
     data = never(
         compiled, [r for r in ranges if r is not None], dict(zip(compiled.graph.parameters, parameters, strict=True))
     )
     if data is None:
-        yield Finding("workspace.no-area", (*PATH, "point"), {"name": options.point, "values": where or "-"})
+        yield Finding("workspace.no-area", (*PATH, "point"), {"name": options.point, "values": where})
     else:
-        yield Finding("workspace.never-closes", PATH, {"values": where or "-", **data})
+        yield Finding("workspace.never-closes", PATH, {"values": where, **data})

@@ -2,7 +2,8 @@
 
 At each step q(u + h) is foretold to second order from exact derivatives and corrected by Newton's method
 (E. L. Allgower, K. Georg, Introduction to Numerical Continuation Methods, SIAM 2003, ch. 2). A step counts when little
-had to be corrected and the jacobian's determinant keeps its sign, so a track never changes over to another solution.
+had to be corrected and the jacobian's determinant keeps its sign, so a track never changes over to another solution;
+where the path touches the edge of a sheet, it passes on a bridge (``passing.py``).
 """
 
 from __future__ import annotations
@@ -15,7 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.kernels import KERNELS
+from linkwright.results.stationary import bracketed
 from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.passing import box_left, bridge, curve
 from linkwright.studies.workspace.regions import Region, solved
 from linkwright.studies.workspace.sheet import Sheet
 from linkwright.studies.workspace.wanted import Wanted
@@ -32,6 +35,7 @@ SOLVED, SMALL = 1e-13, 1e-7
 is left is round-off."""
 SAMPLES, NEAREST = 600, 24
 SAME = 1e-6
+OFF = 1e-6
 UNCERTAIN = 1e-4
 """A closure's determinant below this at the end of a track: two assembly modes meet there."""
 
@@ -45,6 +49,11 @@ class Rates:
     jacobian: Array
     closure: Array
     bend: Array
+
+    @property
+    def determinant(self) -> Array:
+        """Of the jacobian: (n,)."""
+        return determinant(self.jacobian)
 
 
 class Mover:
@@ -108,7 +117,8 @@ def divided(matrix: Array, right: Array) -> Array:
 @dataclass(frozen=True, eq=False)
 class Track:
     """One solution along a path from u = 0 to ``u[-1]``: ``nodes`` (3, 2, n) are the drives with two derivatives by u.
-    ``end`` says why it is no longer: "" (it is whole), "singular", "modes", or "limit" with the ``drive``."""
+    ``end`` says why it is no longer: "" (it is whole), "singular", "modes", or "limit" with the ``drive``. ``bridges``
+    are the stretches of u on which it passes a dead position, near to the path only."""
 
     mover: Mover
     wanted: Wanted
@@ -116,28 +126,59 @@ class Track:
     nodes: Array
     end: str
     drive: str = ""
+    bridges: tuple[tuple[float, float], ...] = ()
 
     @cached_property
     def _spline(self) -> Any:
-        from scipy.interpolate import BPoly
-
-        return BPoly.from_derivatives(self.u, np.moveaxis(self.nodes, (2, 0, 1), (0, 1, 2)))
+        return curve(self.u, self.nodes)
 
     def near(self, u: Array) -> Array:
         """The drives' values between the nodes, as starts: (2, n)."""
         return np.asarray(self._spline(u)).T
 
-    def at(self, u: Array) -> tuple[Array, Rates]:
-        """The drives with two derivatives by u, (3, 2, n), to round-off, and the working point's look there."""
-        path = self.wanted.of(u)
-        q, _ = self.mover.closed(self.near(u), path[0])
-        return self.mover.along(q, path)
+    def bridged(self, u: Array) -> NDArray[np.bool_]:
+        """Which places lie on a bridge."""
+        on = np.zeros(u.shape, dtype=bool)
+        for start, stop in self.bridges:
+            on |= (u > start) & (u < stop)
+        return on
+
+    def along(self, u: Array) -> Array:
+        """The drives with two derivatives by u as the quintics between the nodes have them: (3, 2, n)."""
+        return np.stack([np.asarray(self._spline(u, nu=k)).T for k in range(3)])
+
+    def at(self, u: Array) -> Array:
+        """The drives with two derivatives by u, (3, 2, n), to round-off but for bridges."""
+        path, given = self.wanted.of(u), self.bridged(u)
+        made = self.along(u)
+        q, _ = self.mover.closed(made[0][:, ~given], path[0][:, ~given])
+        made[:, :, ~given] = self.mover.along(q, path[:, :, ~given])[0]
+        return made
+
+    @property
+    def least(self) -> float:
+        """The least size of the jacobian's determinant on the way: none where a dead position is passed."""
+        if self.bridges:
+            return 0.0
+        return float(np.abs(self.mover.look(self.nodes[0], self.nodes[1]).determinant).min())
+
+    @cached_property
+    def dead(self) -> Array:
+        """The u of dead positions that are passed."""
+
+        def sign(u: Array, _: Any) -> Array:
+            return self.mover.look(self.near(u), np.zeros((2, u.size))).determinant
+
+        ends = np.array(self.bridges).reshape(-1, 2).T
+        return bracketed(sign, np.arange(len(self.bridges)), *ends) if self.bridges else np.empty(0)
 
 
-def tracks(region: Region, wanted: Wanted) -> list[Track]:
-    """Every solution of a sheet at the path's start, followed as far as it goes; the longest first."""
+def tracks(region: Region, wanted: Wanted, off: float | None = None) -> list[Track]:
+    """Every solution of a sheet at the path's start, followed as far as it goes; the longest first. Where a dead
+    position is passed, the point may be ``off`` the path (m), :data:`OFF` of the largest link if not said."""
     mover = Mover(region.sheet)
-    found = [_followed(mover, region.box, wanted, start) for start in starts(region, wanted.of(np.zeros(1))[0]).T]
+    off = OFF * region.sheet.compiled.graph.size if off is None else off
+    found = [_followed(mover, region.box, wanted, start, off) for start in starts(region, wanted.of(np.zeros(1))[0]).T]
     return sorted(found, key=lambda track: -float(track.u[-1]))
 
 
@@ -165,15 +206,15 @@ def starts(region: Region, place: Array) -> Array:
     return np.array(found).reshape(-1, 2).T
 
 
-def _followed(mover: Mover, box: Box, wanted: Wanted, start: Array) -> Track:
+def _followed(mover: Mover, box: Box, wanted: Wanted, start: Array, off: float) -> Track:
     scale = box.size[:, None] / (2 * np.pi)
-    held = ~np.array(box.turns)
-    slack = 1e-12 * box.size
     q, _ = mover.closed(start[:, None], wanted.of(np.zeros(1))[0])
+    turns = np.floor((q[:, 0] - np.array(box.low)) / (2 * np.pi) + SAME)
+    q -= np.where(box.turns, 2 * np.pi * turns, 0.0)[:, None]
     node, look = mover.along(q, wanted.of(np.zeros(1)))
     u, h, eager, end, drive = 0.0, FIRST, True, "", ""
-    us, nodes = [u], [node]
-    sign = np.sign(determinant(look.jacobian))
+    us, nodes, signs = [u], [node], [float(look.determinant[0])]
+    bridges: list[tuple[float, float]] = []
     while u < 1.0:
         step = min(h, 1.0 - u)
         ahead = 1.0 if step == 1.0 - u else u + step
@@ -182,17 +223,23 @@ def _followed(mover: Mover, box: Box, wanted: Wanted, start: Array) -> Track:
         with np.errstate(all="ignore"):
             q, ok = mover.closed(foretold, path[0])
             close = ok & (np.abs(q - foretold) / scale <= NEAR).all() & (np.abs(q - node[0]) / scale <= FAR).all()
-        below, above = q[:, 0] < np.array(box.low) - slack, q[:, 0] > np.array(box.high) + slack
-        outside = held & (below | above)
+        outside = box_left(box, q[:, 0])
         good = False
         if close.all() and not outside.any():
             new, look = mover.along(q, path)
-            good = bool(np.isfinite(new).all() and (np.sign(determinant(look.jacobian)) == sign).all())
+            good = bool(np.isfinite(new).all() and (look.determinant * signs[-1] > 0).all())
         if good:
             u, node = ahead, new
             us.append(u)
             nodes.append(node)
+            signs.append(float(look.determinant[0]))
             h, eager = step * (1.5 if eager else 1.0), True
+            continue
+        if eager and off > 0 and (over := bridge(mover, box, wanted, us, nodes, signs, off)) is not None:
+            kept = over.first + 1
+            bridges.append((us[over.first], over.u))
+            u, node = over.u, over.node
+            us, nodes, signs = [*us[:kept], u], [*nodes[:kept], node], [*signs[:kept], over.determinant]
             continue
         h, eager = step / 2, False
         if h < LEAST:
@@ -201,4 +248,4 @@ def _followed(mover: Mover, box: Box, wanted: Wanted, start: Array) -> Track:
             end = "limit" if beyond else "modes" if (closure < UNCERTAIN).any() else "singular"
             drive = mover.sheet.drives[int(np.argmax(outside))] if beyond else ""
             break
-    return Track(mover, wanted, np.array(us), np.concatenate(nodes, axis=2), end, drive)
+    return Track(mover, wanted, np.array(us), np.concatenate(nodes, axis=2), end, drive, tuple(bridges))

@@ -6,7 +6,7 @@ A path comes from points, from a CSV file or a DXF drawing beside the model, or 
 from __future__ import annotations
 
 import csv
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -39,7 +39,7 @@ from linkwright.notation import Jet
 Array = NDArray[np.float64]
 Path_ = tuple[str | int, ...]
 
-PATH: Path_ = ("studies", "workspace", "path")
+PATH: Path_ = ("studies", "workspace", "paths")
 MAX_ROWS = 100_000
 SAME = 1e-9
 """Ends nearer than this share of the path's extent are one: the path is closed."""
@@ -52,19 +52,21 @@ CHORD = 1e-4
 @dataclass(frozen=True)
 class Wanted:
     """``of(u)`` gives the place (m) with its first and second derivative by u: (3, 2, n). ``corners`` are the u at
-    which the direction jumps."""
+    which the direction jumps, ``path`` is its place in the file."""
 
     of: Callable[[Array], Array]
     closed: bool
     corners: tuple[float, ...] = ()
+    path: Path_ = PATH
 
     def backward(self) -> Wanted:
         """The same path run the other way."""
         sign = np.array([1.0, -1.0, 1.0])[:, None, None]
-        return Wanted(lambda share: sign * self.of(1.0 - share), self.closed, tuple(1.0 - c for c in self.corners))
+        corners = tuple(1.0 - c for c in self.corners)
+        return Wanted(lambda share: sign * self.of(1.0 - share), self.closed, corners, self.path)
 
 
-def through(points: Array, between: str = "cubic") -> Wanted:
+def through(points: Array, between: str = "cubic", path: Path_ = PATH) -> Wanted:
     """The path through points (n, 2) in m: a spline over the length of the chords as ``tables`` have it (linear,
     cubic, quintic), periodic where the last point is the first."""
     from scipy.interpolate import make_interp_spline
@@ -76,7 +78,7 @@ def through(points: Array, between: str = "cubic") -> Wanted:
     points, chords = points[kept], chords[kept[1:]]
     degree = DEGREES[between]
     if len(points) < degree + 1 or not np.isfinite(points).all():
-        raise ModelError([Finding("workspace.path-short", PATH, {"given": len(points), "wanted": degree + 1})])
+        raise ModelError([Finding("workspace.path-short", path, {"given": len(points), "wanted": degree + 1})])
     closed = bool(np.hypot(*(points[-1] - points[0])) <= 1e3 * SAME * size)
     if closed:
         points[-1] = points[0]
@@ -88,7 +90,7 @@ def through(points: Array, between: str = "cubic") -> Wanted:
         zero = np.zeros((2, np.size(at)))
         return np.stack([spline(at, nu=k).T if k <= degree else zero for k in range(3)])
 
-    return Wanted(of, closed, _corners(points, share, closed) if degree == 1 else ())
+    return Wanted(of, closed, _corners(points, share, closed) if degree == 1 else (), path)
 
 
 def _corners(points: Array, share: Array, closed: bool) -> tuple[float, ...]:
@@ -131,7 +133,7 @@ def from_csv(file: str, folder: Path | None = None, between: str = "cubic", path
             points.append([float(row[column]) * size for column, size in zip(columns, sizes, strict=True)])
         except (ValueError, IndexError):
             raise ModelError([Finding("table.not-number", path, {"row": number})]) from None
-    return through(np.array(points).reshape(-1, 2), between)
+    return through(np.array(points).reshape(-1, 2), between, path)
 
 
 def from_dxf(
@@ -141,8 +143,8 @@ def from_dxf(
 
     Polylines stay straight pieces; arcs and splines become chords.
     """
-    ezdxf = needed("ezdxf", "dxf")
-    paths = needed("ezdxf.path", "dxf")
+    ezdxf = needed("ezdxf", "cad")
+    paths = needed("ezdxf.path", "cad")
     try:
         drawing = ezdxf.readfile((folder or Path()) / file)
     except (OSError, ezdxf.DXFError, UnicodeDecodeError, ValueError) as error:
@@ -155,11 +157,15 @@ def from_dxf(
     drawn = paths.make_path(found[0])
     extent = max(paths.bbox([drawn]).size)
     points = np.array([(p.x, p.y) for p in drawn.flattening(CHORD * extent)])
-    return through(size * points, "linear")
+    return through(size * points, "linear", path)
 
 
-def from_formula(quantities: Quantities, x: str, y: str, path: Path_ = PATH) -> Wanted:
-    """The path x(u), y(u) for u in 0 .. 1: expressions of u and of the mechanism's parameters, exact derivatives."""
+def from_formula(
+    quantities: Quantities, x: str, y: str, path: Path_ = PATH, parameters: Mapping[str, float] | None = None
+) -> Wanted:
+    """The path x(u), y(u) for u in 0 .. 1: expressions of u and of the mechanism's ``parameters`` (SI, the nominal
+    ones if not given), exact derivatives."""
+    values = quantities.parameters if parameters is None else parameters
     trees, findings = [], []
     for name, text in (("x", x), ("y", y)):
         try:
@@ -183,7 +189,7 @@ def from_formula(quantities: Quantities, x: str, y: str, path: Path_ = PATH) -> 
         rows = []
         for tree in trees:
             with np.errstate(all="ignore"):
-                value: Any = evaluate(tree, lambda name: jet if name.text == "t" else quantities.parameters[name.text])
+                value: Any = evaluate(tree, lambda name: jet if name.text == "t" else values[name.text])
             rows.append((value if isinstance(value, Jet) else Jet.constant(value, 2)).d)
         return np.array([[np.broadcast_to(row[k], at.shape) for row in rows] for k in range(3)], dtype=float)
 
@@ -193,7 +199,7 @@ def from_formula(quantities: Quantities, x: str, y: str, path: Path_ = PATH) -> 
         raise ModelError([Finding("workspace.path-value", path, {"u": where})])
     size = float(np.ptp(tried[0], axis=1).max())
     closed = bool(np.hypot(*(tried[0, :, -1] - tried[0, :, 0])) <= SAME * size)
-    return Wanted(of, closed)
+    return Wanted(of, closed, path=path)
 
 
 def _strange(node: Node, quantities: Quantities) -> str | None:

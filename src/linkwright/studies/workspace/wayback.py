@@ -20,8 +20,8 @@ from linkwright.model.findings import Finding
 from linkwright.results.stationary import bracketed, crossings
 from linkwright.studies.workspace.efforts import Efforts, efforts
 from linkwright.studies.workspace.regions import Region
-from linkwright.studies.workspace.tracks import NEWTON, SOLVED, Track, determinant, divided, tracks
-from linkwright.studies.workspace.wanted import PATH, Wanted
+from linkwright.studies.workspace.tracks import NEWTON, SOLVED, Track, divided, tracks
+from linkwright.studies.workspace.wanted import Path_, Wanted
 
 Array = NDArray[np.float64]
 
@@ -33,6 +33,8 @@ EDGE = 1e-3
 """A track that ends this near to a stretch outside ends for that reason."""
 STILL = 1e-9
 """A servo that moves less than this share of what the motor does stands still; so does a path's point."""
+ACROSS = 17
+"""Places of a bridge at which the motor's sense is looked at."""
 PERIOD = 1e-7
 """Drives that come back to within this (rad or m) have a periodic law."""
 
@@ -65,8 +67,9 @@ class ServoLaw:
 
     ``residual`` (m) is how far the point lies off the path at the worst; ``determinant`` the least size of
     d(x, y)/d(drives) on the way (m² per product of the drives' units), ``closure`` that of the groups' determinants;
-    ``reverses`` the times at which the servo's speed changes its sign. ``backward``: the path is run from u = 1 to 0.
-    ``period``: the drives come back after it. ``efforts``: what motor and servo give, where asked for.
+    ``reverses`` the times at which the servo's speed changes its sign, ``dead`` those at which a dead position is
+    passed. ``backward``: the path is run from u = 1 to 0. ``period``: the drives come back after it. ``efforts``: what
+    motor and servo give, where asked for.
     """
 
     names: tuple[str, str]
@@ -79,6 +82,7 @@ class ServoLaw:
     determinant: float
     closure: float
     reverses: Array
+    dead: Array
     backward: bool
     period: float | None
     at: Callable[[Array], tuple[Array, Array]]
@@ -105,41 +109,45 @@ def free(
     samples: int = 361,
     never_reverse: bool = False,
     forces: bool = True,
+    off: float | None = None,
 ) -> Way:
     """The servo's law that keeps the point on the path while the motor turns at constant ``speed`` (rad/s or m/s).
 
     The path is run from u = 0, or backward where only that suits the motor's sense. Of several solutions the one is
-    taken that follows furthest, then the one whose determinant stays largest.
+    taken that follows furthest, then the one whose determinant stays largest. ``off`` (m): how far the point may be
+    from the path where it passes a dead position.
     """
     m = region.sheet.drives.index(motor)
     u = np.linspace(0.0, 1.0, LOOKS + 1)
     pace = np.hypot(*wanted.of(u)[1])
     if pace.min() <= STILL * pace.max():
-        return Way(None, (), 0, (Finding("workspace.path-rests", PATH, {"u": float(u[pace.argmin()])}),))
+        return Way(None, (), 0, (Finding("workspace.path-rests", wanted.path, {"u": float(u[pace.argmin()])}),))
     best: tuple[tuple[float, float], Track, float, bool] | None = None
     solutions, laps = 0, [wanted, wanted.backward()]
     for backward, way in enumerate(laps):
-        found = tracks(region, way)
+        found = tracks(region, way, off)
         solutions = max(solutions, len(found))
         for track in found:
             turn = _turned(track, m, speed)
-            rank = (min(turn, float(track.u[-1])), _least(track))
+            rank = (min(turn, float(track.u[-1])), track.least)
             if best is None or rank[0] > best[0][0] + 1e-9 or (rank[0] > best[0][0] - 1e-9 and rank[1] > best[0][1]):
                 best = rank, track, turn, bool(backward)
         if best is not None and best[0][0] >= 1.0:
             break
     if best is None:
         stretches = _stretches(region, wanted, None, 1.0, False)
-        return Way(None, stretches, 0, _said(region, stretches, motor))
+        return Way(None, stretches, 0, _said(region, wanted.path, stretches, motor))
     _, track, turn, back = best
     stretches = _stretches(region, wanted, track, turn, back)
     if stretches:
-        return Way(None, stretches, solutions, _said(region, stretches, motor))
+        return Way(None, stretches, solutions, _said(region, wanted.path, stretches, motor))
     first, last = track.nodes[0, m, [0, -1]]
     time = float((last - first) / speed)
 
     def at(t: Array) -> tuple[Array, Array]:
-        return _timed(track, m, first + speed * t, speed)
+        motion, u = _timed(track, m, first + speed * t, speed)
+        motion[1, m], motion[2, m] = speed, 0.0  # to round-off it is
+        return motion, u
 
     return _way(region, wanted, track, at, time, (m, 1 - m), samples, solutions, never_reverse, forces, back)
 
@@ -157,19 +165,20 @@ def timed(
     samples: int = 361,
     never_reverse: bool = False,
     forces: bool = True,
+    off: float | None = None,
 ) -> Way:
-    """The laws of both drives where the path is given in time: u = t / ``duration`` (s), or as ``timing`` has it."""
+    """The laws of both drives where the path is given in time: u = t / ``duration`` (s), or as ``timing`` has it;
+    ``off`` as for :func:`free`."""
     m = region.sheet.drives.index(motor)
-    found = sorted(tracks(region, wanted), key=lambda track: (-round(float(track.u[-1]), 9), -_least(track)))
+    found = sorted(tracks(region, wanted, off), key=lambda track: (-round(float(track.u[-1]), 9), -track.least))
     stretches = _stretches(region, wanted, found[0] if found else None, 1.0, False)
     if not found or stretches:
-        return Way(None, stretches, len(found), _said(region, stretches, motor))
+        return Way(None, stretches, len(found), _said(region, wanted.path, stretches, motor))
 
     def at(t: Array) -> tuple[Array, Array]:
         zero = np.zeros_like(t)
         u = timing(t) if timing else np.stack([t / duration, zero + 1 / duration, zero])
-        nodes, _ = found[0].at(u[0])
-        return _ruled(nodes, u[1], u[2]), u[0]
+        return _ruled(found[0].at(u[0]), u[1], u[2]), u[0]
 
     return _way(region, wanted, found[0], at, duration, (m, 1 - m), samples, len(found), never_reverse, forces, False)
 
@@ -180,7 +189,24 @@ def _ruled(nodes: Array, first: Array, second: Array) -> Array:
 
 
 def _timed(track: Track, m: int, value: Array, speed: float) -> tuple[Array, Array]:
-    """Drives (3, 2, n) and u where the motor has a value: F(q1, q2) = p(u) solved for q2 and u."""
+    """Drives (3, 2, n) and u where the motor has a value: F(q1, q2) = p(u) solved for q2 and u; on a bridge q1(u) alone
+    for u."""
+    made, u = np.empty((3, 2, value.size)), np.empty(value.size)
+    solved = np.ones(value.size, dtype=bool)
+    for start, stop in track.bridges:
+        low, high = np.sort(track.near(np.array([start, stop]))[m])
+        on = (value > low) & (value < high)
+        rows, ends = np.flatnonzero(on), (np.full(on.sum(), start), np.full(on.sum(), stop))
+        u[on] = bracketed(lambda u, row: track.near(u)[m] - value[row], rows, *ends)
+        made[:, :, on] = track.along(u[on])
+        solved &= ~on
+    made[:, :, solved], u[solved] = _solved(track, m, value[solved])
+    first = speed / made[1, m]
+    return _ruled(made, first, -made[2, m] * first**2 / made[1, m]), u
+
+
+def _solved(track: Track, m: int, value: Array) -> tuple[Array, Array]:
+    """Drives by u (3, 2, n) and u at values of the motor off all bridges."""
     s, mover = 1 - m, track.mover
     line = np.linspace(0.0, 1.0, 8 * track.u.size)
     along = track.near(line)[m]
@@ -195,28 +221,21 @@ def _timed(track: Track, m: int, value: Array, speed: float) -> tuple[Array, Arr
         u = np.clip(u - step[1], 0.0, 1.0)
         if (np.abs(step) <= SOLVED * (1.0 + np.abs(q[s]))).all():
             break
-    nodes, _ = mover.along(q, track.wanted.of(u))
-    first = speed / nodes[1, m]
-    return _ruled(nodes, first, -nodes[2, m] * first**2 / nodes[1, m]), u
-
-
-def _least(track: Track) -> float:
-    """The least size of the jacobian's determinant at a track's nodes."""
-    look = track.mover.look(track.nodes[0], track.nodes[1])
-    return float(np.abs(determinant(look.jacobian)).min())
+    return mover.along(q, track.wanted.of(u))[0], u
 
 
 def _turned(track: Track, m: int, speed: float) -> float:
     """The u from which on the motor would have to turn back; 1 where it needn't."""
-    rate = np.sign(speed) * track.nodes[1, m]
+    inner = [np.linspace(*bridge, ACROSS) for bridge in track.bridges]
+    places = np.unique(np.concatenate([track.u, *inner]))
+    rate = np.sign(speed) * track.along(places)[1, m]
     bad = np.flatnonzero(rate <= 0)
     if not bad.size:
         return 1.0
     if bad[0] == 0:
         return 0.0
-    k = bad[0]
-    low, high = track.u[[k - 1]], track.u[[k]]
-    return float(bracketed(lambda u, _: track.at(u)[0][1, m], np.zeros(1, dtype=np.intp), low, high)[0])
+    low, high = places[[bad[0] - 1]], places[[bad[0]]]
+    return float(bracketed(lambda u, _: track.at(u)[1, m], np.zeros(1, dtype=np.intp), low, high)[0])
 
 
 def _way(
@@ -245,8 +264,8 @@ def _way(
     off = np.hypot(*(look.at - track.wanted.of(u)[0]))
     moves = np.abs(track.nodes[1]).max(axis=1)
     still = moves[order[1]] <= STILL * moves.max()
-    turned = np.empty(0) if still else crossings(lambda s: track.at(s)[0][1, order[1]], 0.0, 1.0, track.u.size)
-    times = np.array([_time_at(at, one, time) for one in turned])
+    turned = np.empty(0) if still else crossings(lambda s: track.at(s)[1, order[1]], 0.0, 1.0, track.u.size)
+    times, dead = (np.array([_time_at(at, one, time) for one in some]) for some in (turned, track.dead))
     law = ServoLaw(
         names,
         t,
@@ -255,9 +274,10 @@ def _way(
         1.0 - u if backward else u,
         look.at,
         float(off.max()),
-        min(_least(track), float(np.abs(determinant(look.jacobian)).min())),
+        min(track.least, float(np.abs(look.determinant).min())),
         float(np.abs(look.closure).min()),
         times,
+        dead,
         backward,
         time if _comes_back(region, wanted, motion) else None,
         ordered,
@@ -267,10 +287,13 @@ def _way(
     findings = []
     if wanted.corners:
         data: dict[str, Any] = {"count": len(wanted.corners), "u": wanted.corners[0]}
-        findings.append(Finding("workspace.path-corner", PATH, data, severity="warning"))
+        findings.append(Finding("workspace.path-corner", wanted.path, data, severity="warning"))
+    if dead.size:
+        passed = {"count": dead.size, "time": float(dead[0]), "point": sheet.point}
+        findings.append(Finding("workspace.path-dead", wanted.path, passed, severity="warning"))
     if never_reverse and times.size:
         reversal = {"servo": names[1], "count": times.size, "time": float(times[0])}
-        findings.append(Finding("workspace.servo-reverses", PATH, reversal))
+        findings.append(Finding("workspace.servo-reverses", wanted.path, reversal))
     return Way(law, (), solutions, tuple(findings))
 
 
@@ -338,7 +361,7 @@ def outside(region: Region, wanted: Wanted) -> tuple[Stretch, ...]:
     return tuple(found)
 
 
-def _said(region: Region, stretches: tuple[Stretch, ...], motor: str) -> tuple[Finding, ...]:
+def _said(region: Region, path: Path_, stretches: tuple[Stretch, ...], motor: str) -> tuple[Finding, ...]:
     """What is to be said of stretches that can't be followed."""
     unit, size = region.sheet.compiled.quantities.unit_of(si.LENGTH)
     findings = []
@@ -350,5 +373,5 @@ def _said(region: Region, stretches: tuple[Stretch, ...], motor: str) -> tuple[F
             "point": region.sheet.point,
             "drive": one.drive or motor,
         }
-        findings.append(Finding(_CODES[one.kind], PATH, data))
+        findings.append(Finding(_CODES[one.kind], path, data))
     return tuple(findings)

@@ -1,0 +1,122 @@
+"""A plate cam: pitch curve, profile, their curvature and the pressure angle, exact, at any cam angle.
+
+A point x of the fixed frame is R(-sense theta) x in the cam's. With the roller's centre C(theta) in the fixed frame the
+pitch curve is c = R(-sense theta) C; its outward normal n is common to it, to the profile c - r n and to all that is
+offset from it. A flat face touches its envelope at H n + dH/dphi J n, phi being the direction of its normal in the
+cam's frame and H its distance. Curvature 1/rho = -sense (c' x c'') / |c'|^3, positive where the cam is convex; of a
+flat face rho = H + d2H/dphi2. (Rothbart, Cam Design Handbook, 2004, ch. 7; Norton, Cam Design and Manufacturing
+Handbook, ch. 7.)
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.cam.followers import Follower, Vector, cross, dot, turned
+from linkwright.notation import Jet
+
+Array = NDArray[np.float64]
+Lift = Callable[[Jet], Jet]
+"""The lift (m or rad) with its derivatives as a jet, from the cam angle as a jet."""
+
+TURN = 2 * math.pi
+ORDER = 3
+
+
+@dataclass(frozen=True)
+class Look:
+    """A cam at some angles, jets of the cam angle whose entries are (n,).
+
+    ``lift`` is of order 3. In the cam's frame: ``pitch`` is the pitch curve (without a roller: the profile), ``normal``
+    its outward unit normal. ``curvature`` is the pitch curve's (1/m), ``pressure`` the signed pressure angle (rad) from
+    the normal to the follower's velocity, positive on a rise without offset; ``speed`` the length of the pitch curve's
+    derivative. In the fixed frame: ``centre`` is the roller's centre or the edge or place of contact, ``along`` the
+    normal there, ``arm`` the derivative of that place of the follower by the lift.
+    """
+
+    theta: Array
+    lift: Jet
+    pitch: Vector
+    normal: Vector
+    curvature: Jet
+    pressure: Jet
+    speed: Jet
+    centre: Vector
+    along: Vector
+    arm: Vector
+
+    def offset(self, by: float) -> Array:
+        """The curve ``by`` (m) outward of the pitch curve, in the cam's frame: (2, n)."""
+        rows = [
+            np.broadcast_to(p.d[0] + by * n.d[0], self.theta.shape)
+            for p, n in zip(self.pitch, self.normal, strict=True)
+        ]
+        return np.array(rows)
+
+    def radius(self, by: float = 0.0) -> Array:
+        """The radius of curvature (m) of the curve ``by`` outward of the pitch curve: (n,)."""
+        with np.errstate(divide="ignore"):
+            return np.asarray(1.0 / np.broadcast_to(self.curvature.d[0], self.theta.shape) + by)
+
+
+@dataclass(frozen=True)
+class Disc:
+    """A follower on a cam that turns in the sense ``sense`` (+1: counter-clockwise), with its lift over a turn.
+
+    ``joins`` are the angles, 0 .. 2 pi, at which the law of the lift changes; values there are those from the right.
+    """
+
+    follower: Follower
+    lift: Lift
+    sense: int = 1
+    joins: Sequence[float] = (0.0,)
+
+    @cached_property
+    def pieces(self) -> list[tuple[float, float]]:
+        """The cam angles between joins: (start, stop) of each, a turn in all."""
+        starts = sorted({float(join) % TURN for join in self.joins} | {0.0})
+        return list(zip(starts, [*starts[1:], TURN], strict=True))
+
+    def look(self, theta: Array) -> Look:
+        """The cam at angles (n,)."""
+        theta = np.asarray(theta, dtype=float)
+        angle = Jet([theta, np.ones_like(theta), *(np.zeros_like(theta) for _ in range(ORDER - 1))])
+        lift = self.lift(angle)
+        made = self._faced(angle, lift) if self.follower.faced else self._rolled(angle, lift)
+        return Look(theta, lift, *made)
+
+    def _rolled(self, angle: Jet, lift: Jet) -> tuple[Vector, Vector, Jet, Jet, Jet, Vector, Vector, Vector]:
+        centre = self.follower.touch(lift).at
+        assert centre is not None
+        pitch = turned(centre, -self.sense * angle)
+        way = pitch[0].rate(), pitch[1].rate()
+        speed = dot(way, way).sqrt()
+        normal = -self.sense * way[1] / speed, self.sense * way[0] / speed
+        curvature = -self.sense * cross(way, (way[0].rate(), way[1].rate())) / (speed * speed * speed)
+        along = turned(normal, self.sense * angle)
+        arm = self.follower.velocity(centre)
+        return pitch, normal, curvature, self._pressure(along, arm), speed, centre, along, arm
+
+    def _faced(self, angle: Jet, lift: Jet) -> tuple[Vector, Vector, Jet, Jet, Jet, Vector, Vector, Vector]:
+        touch = self.follower.touch(lift)
+        facing, height = touch.facing, touch.height
+        assert facing is not None and height is not None
+        direction = facing - self.sense * angle
+        slope = height.rate() / direction.rate()
+        normal = direction.cos(), direction.sin()
+        pitch = height * normal[0] - slope * normal[1], height * normal[1] + slope * normal[0]
+        radius = height + slope.rate() / direction.rate()
+        along = facing.cos(), facing.sin()
+        contact = height * along[0] - slope * along[1], height * along[1] + slope * along[0]
+        arm = self.follower.velocity(contact)
+        speed = radius * abs(direction.rate())
+        return pitch, normal, 1.0 / radius, self._pressure(along, arm), speed, contact, along, arm
+
+    def _pressure(self, along: Vector, arm: Vector) -> Jet:
+        return (-self.sense * cross(along, arm)).arctan2(dot(along, arm))

@@ -1,0 +1,41 @@
+"""A cam as a DXF drawing: closed polylines of arcs and lines, as laser and wire cutters want them."""
+
+from __future__ import annotations
+
+import io
+import math
+from collections.abc import Mapping, Sequence
+
+from linkwright.cam.nc.path import Element
+from linkwright.model.machine import needed
+
+Circle = tuple[float, float, float]
+"""x, y, radius (mm)."""
+
+
+def bulge(element: Element) -> float:
+    """The tangent of a quarter of the angle of an arc, positive counter-clockwise; 0 of a line."""
+    if element.centre is None:
+        return 0.0
+    (sx, sy), (ex, ey), (cx, cy) = element.start, element.end, element.centre
+    swept = element.turn * (math.atan2(ey - cy, ex - cx) - math.atan2(sy - cy, sx - cx)) % (2 * math.pi)
+    return element.turn * math.tan(swept / 4)
+
+
+def dxf(contours: Mapping[str, Sequence[Element]], circles: Mapping[str, Sequence[Circle]]) -> str:
+    """A drawing in mm: contours, closed, and circles by the name of their layer."""
+    ezdxf = needed("ezdxf", "cad")
+    drawing = ezdxf.new("R2010", setup=False)
+    drawing.units = 4
+    space = drawing.modelspace()
+    for layer in {**contours, **circles}:
+        drawing.layers.add(layer)
+    for layer, elements in contours.items():
+        rows = [(*element.start, bulge(element)) for element in elements]
+        space.add_lwpolyline(rows, format="xyb", close=True, dxfattribs={"layer": layer})
+    for layer, some in circles.items():
+        for x, y, radius in some:
+            space.add_circle((x, y), radius, dxfattribs={"layer": layer})
+    stream = io.StringIO()
+    drawing.write(stream)
+    return stream.getvalue()

@@ -1,0 +1,233 @@
+"""Followers of a plate cam: how they are guided, and what touches the cam.
+
+The contact in the fixed frame follows from the lift alone: of a roller or a knife edge the path of its centre, of a
+flat face a line. The cam is their envelope in its own frame (reversal). A follower rises away from the cam's centre: a
+translating one along +y, a swinging one by turning clockwise about its pivot at (distance, 0).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.notation import Jet
+from linkwright.notation.angles import wrapped
+from linkwright.notation.registry import Registry
+
+Array = NDArray[np.float64]
+Vector = tuple[Jet, Jet]
+
+
+class NoFollower(ValueError):
+    """Lengths with which a follower can't be put onto the base circle; ``key`` and ``data`` say it."""
+
+    def __init__(self, key: str, **data: float) -> None:
+        super().__init__(key)
+        self.key, self.data = key, data
+
+
+@dataclass(frozen=True)
+class Touch:
+    """What the follower holds against the cam, in the fixed frame, as jets of the cam angle.
+
+    ``at`` is the centre of a roller or the edge of a knife, ``None`` for a flat face; this has its outward normal (away
+    from the cam) at the angle ``facing`` and lies ``height`` from the cam's centre.
+    """
+
+    at: Vector | None = None
+    facing: Jet | None = None
+    height: Jet | None = None
+
+
+class Follower:
+    """A guide and what touches. ``base`` is the radius of the cam's base circle (m)."""
+
+    name: ClassVar[str]
+    turns: ClassVar[bool] = False
+    """Whether the lift is an angle."""
+    faced: ClassVar[bool] = False
+    """Whether a flat face touches."""
+    base: float
+
+    @property
+    def radius(self) -> float:
+        """Of the roller (m); 0 where there is none."""
+        return 0.0
+
+    def touch(self, lift: Jet) -> Touch:
+        """The contact at a lift (m or rad)."""
+        raise NotImplementedError
+
+    def velocity(self, at: Vector) -> Vector:
+        """The derivative by the lift of the place of the follower's point that is at ``at``."""
+        raise NotImplementedError
+
+    def resting(self, x: Array, y: Array) -> Array:
+        """The lift (m or rad) at which the follower rests on a point of the fixed frame; NaN where it never does."""
+        raise NotImplementedError
+
+
+FOLLOWERS: Registry[type[Follower]] = Registry()
+
+
+def register(cls: type[Follower]) -> type[Follower]:
+    """Register a follower under its name."""
+    FOLLOWERS[cls.name] = cls
+    return cls
+
+
+class Translating(Follower):
+    """Moves along +y."""
+
+    def velocity(self, at: Vector) -> Vector:
+        return Jet.constant(0.0, at[0].order), Jet.constant(1.0, at[0].order)
+
+
+class Swinging(Follower):
+    """Turns clockwise about its pivot at (``distance``, 0); the arm makes the angle ``start`` + lift with the line from
+    the pivot to the cam's centre."""
+
+    turns = True
+    distance: float
+
+    @property
+    def start(self) -> float:
+        """The angle (rad) between arm or face and the line of centres on the base circle."""
+        raise NotImplementedError
+
+    def velocity(self, at: Vector) -> Vector:
+        return at[1], self.distance - at[0]
+
+
+@register
+@dataclass(frozen=True)
+class TranslatingRoller(Translating):
+    """A roller on a slide along +y at x = ``offset``."""
+
+    name = "translating_roller"
+    base: float
+    roller: float
+    offset: float = 0.0
+
+    @property
+    def radius(self) -> float:
+        return self.roller
+
+    @property
+    def start(self) -> float:
+        """The height (m) of the roller's centre on the base circle."""
+        pitch = self.base + self.roller
+        if not abs(self.offset) < pitch:
+            raise NoFollower("cam.offset", offset=self.offset, limit=pitch)
+        return math.sqrt(pitch**2 - self.offset**2)
+
+    def touch(self, lift: Jet) -> Touch:
+        return Touch(at=(Jet.constant(self.offset, lift.order), lift + self.start))
+
+    def resting(self, x: Array, y: Array) -> Array:
+        return y + np.sqrt(self.radius**2 - (x - self.offset) ** 2) - self.start
+
+
+@register
+@dataclass(frozen=True)
+class TranslatingKnife(TranslatingRoller):
+    """A knife edge on a slide along +y at x = ``offset``."""
+
+    name = "translating_knife"
+    roller: float = 0.0
+
+
+@register
+@dataclass(frozen=True)
+class SwingingRoller(Swinging):
+    """A roller on an arm of length ``arm``."""
+
+    name = "swinging_roller"
+    base: float
+    roller: float
+    distance: float
+    arm: float
+
+    @property
+    def radius(self) -> float:
+        return self.roller
+
+    @property
+    def start(self) -> float:
+        pitch, a, arm = self.base + self.roller, self.distance, self.arm
+        cosine = (a * a + arm * arm - pitch * pitch) / (2 * a * arm)
+        if not -1 < cosine < 1:
+            raise NoFollower("cam.reach", distance=a, arm=arm, pitch=pitch, low=abs(a - arm), high=a + arm)
+        return math.acos(cosine)
+
+    def touch(self, lift: Jet) -> Touch:
+        angle = lift + self.start
+        return Touch(at=(self.distance - self.arm * angle.cos(), self.arm * angle.sin()))
+
+    def resting(self, x: Array, y: Array) -> Array:
+        away = np.hypot(x - self.distance, y)
+        between = np.arccos((self.arm**2 + away**2 - self.radius**2) / (2 * self.arm * away))
+        return wrapped(np.arctan2(y, self.distance - x) + between - self.start)
+
+
+@register
+@dataclass(frozen=True)
+class TranslatingFlat(Translating):
+    """A flat face square to the slide."""
+
+    name = "translating_flat"
+    faced = True
+    base: float
+
+    def touch(self, lift: Jet) -> Touch:
+        return Touch(facing=Jet.constant(math.pi / 2, lift.order), height=lift + self.base)
+
+    def resting(self, x: Array, y: Array) -> Array:
+        return y - self.base
+
+
+@register
+@dataclass(frozen=True)
+class SwingingFlat(Swinging):
+    """A flat face on an arm, ``face`` (m) from the pivot on the side away from the cam."""
+
+    name = "swinging_flat"
+    faced = True
+    base: float
+    distance: float
+    face: float = 0.0
+
+    @property
+    def start(self) -> float:
+        sine = (self.base - self.face) / self.distance
+        if not -1 < sine < 1:
+            raise NoFollower("cam.face", base=self.base, face=self.face, distance=self.distance)
+        return math.asin(sine)
+
+    def touch(self, lift: Jet) -> Touch:
+        angle = lift + self.start
+        return Touch(facing=math.pi / 2 - angle, height=self.distance * angle.sin() + self.face)
+
+    def resting(self, x: Array, y: Array) -> Array:
+        away = np.hypot(x - self.distance, y)
+        return wrapped(np.arctan2(y, self.distance - x) - np.arcsin(self.face / away) - self.start)
+
+
+def cross(a: Vector, b: Vector) -> Jet:
+    """The area that two vectors span."""
+    return a[0] * b[1] - a[1] * b[0]
+
+
+def dot(a: Vector, b: Vector) -> Jet:
+    """The scalar product."""
+    return a[0] * b[0] + a[1] * b[1]
+
+
+def turned(a: Vector, angle: Jet) -> Vector:
+    """A vector turned counter-clockwise."""
+    cosine, sine = angle.cos(), angle.sin()
+    return cosine * a[0] - sine * a[1], sine * a[0] + cosine * a[1]

@@ -1,0 +1,1 @@
+"""NC code of plate cams: the cutter's path, posts, and the proof that reads the code back."""

@@ -1,0 +1,53 @@
+"""What speaks against a job before a line of it is written."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from linkwright.cam.disc import Disc
+from linkwright.cam.extremes import curvature, extremes
+from linkwright.cam.nc.job import Job, path
+from linkwright.cam.nc.posts import Post
+from linkwright.cam.nc.reader import Fault
+
+STILL = 1e-9
+"""A follower that moves less than this (m or rad per rad) dwells."""
+
+
+def faults(disc: Disc, job: Job, post: Post) -> Iterator[Fault]:
+    """Why a job can't be milled so, or not on this control; line 0."""
+    roller = disc.follower.radius
+    sharpest = extremes(disc, curvature())[1]
+    if roller * sharpest.value >= 1:
+        data = {"theta": f"{math.degrees(sharpest.theta):.4g}", "radius": f"{1e3 / sharpest.value:.4g}"}
+        yield Fault("nc.undercut", 0, data | {"roller": f"{1e3 * roller:.4g}"})
+        return
+    hollow = extremes(disc, curvature(-roller))[0]
+    if hollow.value < 0 and -1e3 / hollow.value <= job.cutter * (1 + 1e-9):
+        data = {"theta": f"{math.degrees(hollow.theta):.4g}", "radius": f"{-1e3 / hollow.value:.4g}"}
+        yield Fault("nc.concave", 0, data | {"cutter": f"{job.cutter:.4g}"})
+    if job.compensation and not post.compensates:
+        yield Fault("nc.no-compensation", 0, {"post": post.name})
+    if job.compensation and job.lead <= job.cutter:
+        yield Fault("nc.short-lead", 0, {"lead": f"{job.lead:.4g}", "cutter": f"{job.cutter:.4g}"})
+    if job.decimals > post.most:
+        yield Fault("nc.decimals", 0, {"post": post.name, "most": str(post.most)})
+    least = 1e3 * min(_allowed(disc, job), default=math.inf)
+    rounding = 10.0**-job.decimals / math.sqrt(2)
+    if least < rounding:
+        yield Fault("nc.fine", 0, {"allowed": f"{least:.2g}", "rounding": f"{rounding:.2g}"})
+
+
+def warnings(disc: Disc, job: Job) -> Iterator[Fault]:
+    """What is unwise."""
+    moving = np.abs(np.broadcast_to(disc.look(np.array([job.start])).lift.d[1], 1))[0]
+    if moving > STILL:
+        yield Fault("nc.no-dwell", 0, {"theta": f"{math.degrees(job.start):.4g}"})
+
+
+def _allowed(disc: Disc, job: Job) -> Iterator[float]:
+    """How far elements may be off along the path (m)."""
+    yield from path(disc, job).at(np.linspace(0.0, 1.0, 721))[3] / 1e3

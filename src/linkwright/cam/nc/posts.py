@@ -1,0 +1,205 @@
+"""Posts: how each control wants the motions written."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import ClassVar
+
+from linkwright.cam.nc.job import Job, Pass
+from linkwright.cam.nc.path import Element
+from linkwright.notation.registry import Registry
+
+RATIO = (0.25, 4.0)
+"""The feed on arcs is scaled within these."""
+
+
+class Post:
+    """A control: its frame around the motions, its comments. ``compensates``: it has G41 and G42. ``longest`` is the
+    longest line that it takes; ``most`` the most digits after the point."""
+
+    name: ClassVar[str]
+    suffix: ClassVar[str] = "nc"
+    compensates: ClassVar[bool] = True
+    longest: ClassVar[int] = 127
+    most: ClassVar[int] = 4
+
+    def comment(self, text: str) -> str:
+        """A remark."""
+        return f"({text.replace('(', '[').replace(')', ']')})"
+
+    def head(self, job: Job) -> list[str]:
+        """What comes before the first motion."""
+        raise NotImplementedError
+
+    def foot(self, job: Job) -> list[str]:
+        """What comes after the last."""
+        return ["M5", "M9", "M30"]
+
+    def text(self, job: Job, passes: Sequence[Pass], notes: Sequence[str] = ()) -> str:
+        """The whole file."""
+        writer = _Writer(min(job.decimals, self.most))
+        lines = [*self.head(job), *map(self.comment, notes), f"G0 Z{writer.number(job.clear)}"]
+        for one in passes:
+            lines.append(self.comment(f"{one.note} Z{writer.number(one.z)}"))
+            lines += self._once(writer, job, one)
+        return "\n".join([*lines, *self.foot(job)]) + "\n"
+
+    def _once(self, writer: _Writer, job: Job, one: Pass) -> Iterator[str]:
+        """Down, around, up."""
+        x, y = one.entry
+        if job.compensation:  # switched on and off on straight ways of their own, from beside the entry
+            nx, ny = _aside(one.elements[0], job.cutter + job.lead)
+            yield writer.straight(0, x + nx, y + ny)
+        else:
+            yield writer.straight(0, x, y)
+        yield f"G0 Z{writer.number(min(2.0, job.clear))}"
+        yield f"G1 Z{writer.number(one.z)} F{job.plunge:.0f}"
+        writer.word, writer.feed = 1, None
+        if job.compensation:
+            side = "G41" if job.climb else "G42"
+            yield f"{side} D{job.tool} " + writer.straight(1, x, y, job.feed)
+        for element in one.elements:
+            yield writer.element(element, job.feed * min(max(element.ratio, RATIO[0]), RATIO[1]))
+        if job.compensation:
+            ex, ey = one.elements[-1].end
+            nx, ny = _aside(one.elements[-1], job.cutter + job.lead, last=True)
+            yield "G40 " + writer.straight(1, ex + nx, ey + ny)
+        yield f"G0 Z{writer.number(job.clear)}"
+        writer.word = 0
+
+
+POSTS: Registry[Post] = Registry()
+
+
+def register(cls: type[Post]) -> type[Post]:
+    """Register a post under its name."""
+    POSTS[cls.name] = cls()
+    return cls
+
+
+@register
+class LinuxCnc(Post):
+    """LinuxCNC (RS-274/NGC)."""
+
+    name = "linuxcnc"
+    suffix = "ngc"
+    longest = 255
+
+    def head(self, job: Job) -> list[str]:
+        blend = f"{job.blend:.4f}"
+        return [
+            "%",
+            self.comment(job.name),
+            "G17 G54 G40 G49 G80 G90",
+            "G21",
+            f"G64 P{blend} Q{blend}",
+            f"T{job.tool} M6",
+            f"G43 H{job.tool}",
+            f"S{job.speed:.0f} M3",
+        ]
+
+    def foot(self, job: Job) -> list[str]:
+        return ["M5", "M9", "M2", "%"]
+
+
+@register
+class Fanuc(Post):
+    """Fanuc 0i, 30i and the like."""
+
+    name = "fanuc"
+
+    def head(self, job: Job) -> list[str]:
+        return [
+            "%",
+            f"O{job.number:04d} {self.comment(job.name)}",
+            "G17 G54 G40 G49 G80 G90",
+            "G21 G94",
+            f"T{job.tool} M6",
+            f"G0 G43 H{job.tool} Z{job.clear:.3f}",
+            f"S{job.speed:.0f} M3",
+        ]
+
+    def foot(self, job: Job) -> list[str]:
+        return ["M5", "M9", "M30", "%"]
+
+
+@register
+class Siemens(Post):
+    """Sinumerik 840D."""
+
+    name = "siemens"
+    suffix = "mpf"
+    longest = 512
+
+    def comment(self, text: str) -> str:
+        return f"; {text}"
+
+    def head(self, job: Job) -> list[str]:
+        return [
+            self.comment(job.name),
+            "G17 G54 G71 G40 G90 G94",
+            f"T{job.tool} M6",
+            f"CYCLE832({job.blend:.4f},_FINISH,1)",
+            f"S{job.speed:.0f} M3",
+        ]
+
+
+@register
+class Grbl(Post):
+    """Grbl 1.1: no compensation, no tool table, no canned cycles."""
+
+    name = "grbl"
+    compensates = False
+    longest = 70
+
+    def head(self, job: Job) -> list[str]:
+        return [self.comment(job.name), "G17 G21 G90 G94 G54", "G40", f"S{job.speed:.0f} M3"]
+
+
+class _Writer:
+    """Modal words: what hasn't changed isn't written."""
+
+    def __init__(self, decimals: int) -> None:
+        self.decimals = decimals
+        self.word: int | None = None
+        self.feed: str | None = None
+
+    def number(self, value: float) -> str:
+        """Fixed decimals; controls may take a number without a point as one of the smallest unit."""
+        return f"{round(value, self.decimals) + 0.0:.{self.decimals}f}"
+
+    def _start(self, word: int, feed: float | None) -> tuple[str, str]:
+        """The G word and the feed, where they change."""
+        front = "" if word == self.word else f"G{word} "
+        self.word = word
+        shown = None if feed is None else f"{feed:.0f}"
+        back = f" F{shown}" if shown is not None and shown != self.feed else ""
+        self.feed = shown or self.feed
+        return front, back
+
+    def straight(self, word: int, x: float, y: float, feed: float | None = None) -> str:
+        """A straight motion."""
+        front, back = self._start(word, feed)
+        return f"{front}X{self.number(x)} Y{self.number(y)}{back}"
+
+    def element(self, element: Element, feed: float) -> str:
+        """A motion of the path."""
+        (x, y), (sx, sy) = element.end, element.start
+        if element.centre is None:
+            return self.straight(1, x, y, feed)
+        front, back = self._start(3 if element.turn > 0 else 2, feed)
+        i, j = element.centre[0] - sx, element.centre[1] - sy
+        return f"{front}X{self.number(x)} Y{self.number(y)} I{self._fine(i)} J{self._fine(j)}{back}"
+
+    def _fine(self, value: float) -> str:
+        return f"{round(value, self.decimals + 1) + 0.0:.{self.decimals + 1}f}"
+
+
+def _aside(lead: Element, far: float, last: bool = False) -> tuple[float, float]:
+    """The way (mm) from a lead's outer end straight on, away from the cam."""
+    assert lead.centre is not None
+    (x, y), (cx, cy) = (lead.end if last else lead.start), lead.centre
+    dx, dy = x - cx, y - cy
+    size = (dx * dx + dy * dy) ** 0.5
+    turn = lead.turn if last else -lead.turn
+    return -turn * dy / size * far, turn * dx / size * far

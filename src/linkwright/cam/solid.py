@@ -1,0 +1,85 @@
+"""A cam as a solid: the plate with its hub, bore and keyway, as a STEP file (build123d, Open CASCADE)."""
+
+from __future__ import annotations
+
+import math
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from linkwright.cam.nc.path import Element
+from linkwright.model.machine import needed
+
+
+@dataclass(frozen=True)
+class Blank:
+    """All in mm. The plate reaches from z = 0 to ``thickness``; the hub, of radius ``hub``, on beyond it to ``height``
+    above the plate. The keyway is ``key_width`` wide and reaches ``key_depth`` beyond the bore, in the direction
+    ``key_angle`` (rad) of the cam's frame. 0 is for what there isn't."""
+
+    thickness: float
+    bore: float = 0.0
+    hub: float = 0.0
+    height: float = 0.0
+    key_width: float = 0.0
+    key_depth: float = 0.0
+    key_angle: float = 0.0
+
+    @property
+    def hollow(self) -> float:
+        """The area (mm2) of bore and keyway."""
+        if not self.bore:
+            return 0.0
+        if not self.key_width:
+            return math.pi * self.bore**2
+        half, reach = self.key_width / 2, self.bore + self.key_depth
+        corner = math.sqrt(self.bore**2 - half**2)
+        sector = self.bore**2 * math.asin(half / self.bore)
+        return math.pi * self.bore**2 + self.key_width * reach - (half * corner + sector)
+
+    def volume(self, area: float) -> float:
+        """The volume (mm3) of a cam whose profile has an area (mm2) and holds the hub."""
+        return (area - self.hollow) * self.thickness + (math.pi * self.hub**2 - self.hollow) * self.height * bool(
+            self.hub
+        )
+
+
+def solid(elements: Sequence[Element], blank: Blank) -> Any:
+    """The solid (a build123d ``Part``) within a closed contour. Raises ModelError where build123d isn't installed."""
+    b = needed("build123d", "cad")
+    edges = [_edge(b, element) for element in elements]
+    made = b.extrude(b.make_face(b.Wire(edges)), amount=blank.thickness, dir=(0, 0, 1))
+    high = blank.thickness
+    if blank.hub and blank.height:
+        made += b.Pos(0, 0, high) * b.extrude(b.Circle(blank.hub), amount=blank.height)
+        high += blank.height
+    if blank.bore:
+        made -= b.extrude(b.Circle(blank.bore), amount=high)
+    if blank.bore and blank.key_width:
+        reach = blank.bore + blank.key_depth
+        key = b.Pos(reach / 2, 0, 0) * b.Rectangle(reach, blank.key_width)
+        made -= b.extrude(b.Rot(0, 0, math.degrees(blank.key_angle)) * key, amount=high)
+    return made
+
+
+def _edge(b: Any, element: Element) -> Any:
+    start, end = ((float(x), float(y), 0.0) for x, y in (element.start, element.end))
+    if element.centre is None:
+        return b.Edge.make_line(start, end)
+    (sx, sy), (ex, ey), (cx, cy) = element.start, element.end, element.centre
+    first = math.atan2(sy - cy, sx - cx)
+    swept = element.turn * (math.atan2(ey - cy, ex - cx) - first) % (2 * math.pi)
+    middle, radius = first + element.turn * swept / 2, math.hypot(sx - cx, sy - cy)
+    through = (cx + radius * math.cos(middle), cy + radius * math.sin(middle), 0.0)
+    return b.Edge.make_three_point_arc(start, through, end)
+
+
+def step(made: Any) -> bytes:
+    """A solid as a STEP file (mm)."""
+    b = needed("build123d", "cad")
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "cam.step"
+        b.export_step(made, str(file))
+        return file.read_bytes()

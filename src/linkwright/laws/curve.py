@@ -1,0 +1,154 @@
+"""Curves of pieces in sequence: values and derivatives, on jets too; how smooth their joins are; their extremes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.laws.pieces import Part
+from linkwright.notation import Jet
+from linkwright.notation.duals import Dual, value_of
+
+Array = NDArray[np.float64]
+
+SMOOTH = 4
+"""The highest derivative whose continuity is looked at: value 0, velocity 1, acceleration 2, jerk 3, its rate 4."""
+ROUND_OFF = 1e-9
+"""A jump smaller than this share of the derivative's natural size is round-off."""
+
+
+class Extreme(NamedTuple):
+    """A largest or smallest value, and where it is first reached."""
+
+    value: float
+    at: float
+
+
+@dataclass(frozen=True)
+class Join:
+    """Where two pieces meet: the derivatives 0 to :data:`SMOOTH` right before and right after."""
+
+    at: float
+    before: tuple[float, ...]
+    after: tuple[float, ...]
+    sizes: tuple[float, ...]
+
+    @cached_property
+    def jumps(self) -> tuple[float, ...]:
+        """By how much each derivative jumps, 0 where it doesn't."""
+        return tuple(
+            after - before if abs(after - before) > ROUND_OFF * size else 0.0
+            for before, after, size in zip(self.before, self.after, self.sizes, strict=True)
+        )
+
+    @property
+    def continuity(self) -> int:
+        """The last derivative up to which nothing jumps; -1 where the value itself does."""
+        return next((order - 1 for order, jump in enumerate(self.jumps) if jump), SMOOTH)
+
+
+@dataclass(frozen=True)
+class Curve:
+    """Pieces that follow one another without gaps."""
+
+    parts: tuple[Part, ...]
+
+    @property
+    def start(self) -> float:
+        return self.parts[0].start
+
+    @property
+    def stop(self) -> float:
+        return self.parts[-1].stop
+
+    @cached_property
+    def _starts(self) -> Array:
+        return np.array([part.start for part in self.parts[1:]])
+
+    def at(self, x: Any, order: int = 0) -> Array:
+        """A derivative by the argument, at places within the curve; at a join that of the piece behind it."""
+        x = np.asarray(x, dtype=float)
+        which = np.searchsorted(self._starts, x, side="right")
+        found = np.full(x.shape, np.nan)
+        for i in np.unique(which):
+            here = which == i
+            found[here] = self.parts[i].at(x[here], order)
+        return found
+
+    def moved(self, offset: float, width: float, scale: float = 1.0, base: float = 0.0) -> Curve:
+        """``base + scale * curve((x - offset) / width)``; a negative width runs it backwards."""
+        parts = tuple(part.moved(offset, width, scale, base) for part in self.parts)
+        return Curve(parts[::-1] if width < 0 else parts)
+
+    def pieces(self, x: str = "x") -> tuple[tuple[float, float, str], ...]:
+        """Start, stop and formula of each piece."""
+        return tuple((part.start, part.stop, part.text(x)) for part in self.parts)
+
+    def ends(self) -> tuple[tuple[float, ...], tuple[float, ...]]:
+        """The derivatives 0 to :data:`SMOOTH` at the start and at the end."""
+        return rates(self.parts[0], self.start), rates(self.parts[-1], self.stop)
+
+    @cached_property
+    def sizes(self) -> tuple[float, ...]:
+        """The natural size of each derivative, against which jumps are judged."""
+        width, height = self.stop - self.start, self.extremes(0)
+        span = max(abs(height[1].value - height[0].value), 1e-12 * max(abs(e.value) for e in height), 1e-300)
+        found = [span]
+        for order in range(1, SMOOTH + 1):
+            largest = max(float(np.abs(part.at(_grid(part), order)).max()) for part in self.parts)
+            found.append(max(largest, span / width**order))
+        return tuple(found)
+
+    def joins(self) -> Iterator[Join]:
+        """The joins inside."""
+        for before, after in pairwise(self.parts):
+            yield Join(after.start, rates(before, before.stop), rates(after, after.start), self.sizes)
+
+    def extremes(self, order: int) -> tuple[Extreme, Extreme]:
+        """The smallest and the largest value of a derivative, root-found between the ends of the pieces."""
+        places = [_candidates(part, order) for part in self.parts]
+        values = np.concatenate([part.at(x, order) for part, x in zip(self.parts, places, strict=True)])
+        at, low, high = np.concatenate(places), int(np.argmin(values)), int(np.argmax(values))
+        return Extreme(float(values[low]), float(at[low])), Extreme(float(values[high]), float(at[high]))
+
+    def __call__(self, x: Any) -> Any:
+        """The value at plain numbers, or on a jet with its derivatives."""
+        return composed(x, self.at) if isinstance(x, Jet) else self.at(x)
+
+
+def composed(x: Jet, at: Any, order: int = 0) -> Jet:
+    """A function of a jet from ``at(places, order)``, the function's derivatives; the jet's entries may be duals."""
+    places = np.asarray(value_of(x.d[0]), dtype=float)
+    value: Any = at(places, order)
+    if isinstance(x.d[0], Dual):
+        value = Dual(value, at(places, order + 1) * x.d[0].slope)
+    return x.chain(value, lambda low: composed(low, at, order + 1))
+
+
+def rates(part: Part, x: float) -> tuple[float, ...]:
+    """The derivatives 0 to :data:`SMOOTH` of a piece at one place."""
+    return tuple(float(part.at(np.asarray(x), order)) for order in range(SMOOTH + 1))
+
+
+def _grid(part: Part) -> Array:
+    return np.linspace(part.start, part.stop, part.fineness + 1)
+
+
+def _candidates(part: Part, order: int) -> Array:
+    """Where a derivative of a piece may be largest or smallest: its ends, and the zeros of the next derivative."""
+    grid = _grid(part)
+    slope = part.at(grid, order + 1)
+    sign = np.signbit(slope)
+    low, high = grid[:-1][sign[1:] != sign[:-1]], grid[1:][sign[1:] != sign[:-1]]
+    falls = np.signbit(part.at(low, order + 1))
+    for _ in range(60):  # bisection, all at once, down to neighbouring floats
+        middle = (low + high) / 2
+        left = np.signbit(part.at(middle, order + 1)) == falls
+        low, high = np.where(left, middle, low), np.where(left, high, middle)
+    return np.concatenate([grid[[0, -1]], low])

@@ -1,0 +1,171 @@
+"""The segments of a motion: dwells, rises by a law, polynomials and splines between given rates, free shapes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import Any, ClassVar, Protocol
+
+import numpy as np
+
+from linkwright.laws.curve import Curve
+from linkwright.laws.pieces import Piece
+from linkwright.laws.polynomials import polynomial
+from linkwright.laws.registry import Law
+from linkwright.laws.splines import spline
+
+CLOSEST = 1e-6
+"""How close to one another, over a segment, its points may lie."""
+MOST = 16
+"""The most conditions that one polynomial may have; with more it swings, and round-off grows."""
+
+Rates = tuple[float | None, ...]
+"""Derivatives from the first on; None where they are those of the neighbour."""
+
+
+@dataclass(frozen=True)
+class Fault:
+    """What is wrong with a motion: a code, the segment (None: the motion as a whole), the data of its sentence."""
+
+    code: str
+    segment: int | None = None
+    data: dict[str, Any] = field(default_factory=dict)
+
+
+class MotionError(ValueError):
+    """A motion that can't be; ``faults`` says all that is wrong."""
+
+    def __init__(self, faults: Sequence[Fault]) -> None:
+        super().__init__("; ".join(f"{fault.code} in segment {fault.segment}: {fault.data}" for fault in faults))
+        self.faults = tuple(faults)
+
+
+class Segment(Protocol):
+    """One stretch of a motion, ``over`` so much of its axis."""
+
+    @property
+    def mirrored(self) -> str:
+        """The name of its law where that ends with an acceleration, which only its mirror image takes on."""
+
+    @property
+    def over(self) -> float: ...
+
+    @property
+    def lift(self) -> float:
+        """How much further its end lies than its start."""
+
+    @property
+    def open(self) -> tuple[Rates, Rates]:
+        """The rates at its start and end that it has by itself, or takes from its neighbours (None)."""
+
+    def faults(self) -> list[tuple[str, dict[str, Any]]]:
+        """What is wrong with it by itself."""
+
+    def curve(self, start: Sequence[float], end: Sequence[float]) -> Curve:
+        """From 0 at 0 to ``lift`` at ``over``; ``start`` and ``end`` are the rates asked for in :attr:`open`."""
+
+
+@dataclass(frozen=True)
+class Dwell:
+    """At rest."""
+
+    over: float
+    lift: ClassVar[float] = 0.0
+    mirrored: ClassVar[str] = ""
+    open: ClassVar[tuple[Rates, Rates]] = ((), ())
+
+    def faults(self) -> list[tuple[str, dict[str, Any]]]:
+        return []
+
+    def curve(self, start: Sequence[float], end: Sequence[float]) -> Curve:
+        return Curve((Piece(0.0, self.over, (0.0,)),))
+
+
+@dataclass(frozen=True)
+class Rise:
+    """By ``lift`` with a normalised law; ``fall`` runs the law backwards, as the mirror image of a rise."""
+
+    over: float
+    lift: float
+    law: Curve
+    fall: bool = False
+    open: ClassVar[tuple[Rates, Rates]] = ((), ())
+
+    @property
+    def mirrored(self) -> str:
+        return self.law.name if isinstance(self.law, Law) and self.law.mirrored else ""
+
+    def faults(self) -> list[tuple[str, dict[str, Any]]]:
+        ends = self.law.at([0.0, 1.0])
+        if not np.allclose(ends, [0.0, 1.0], rtol=0, atol=1e-9):
+            return [("law.not-normal", {"start": f"{ends[0]:.6g}", "end": f"{ends[1]:.6g}"})]
+        return []
+
+    def curve(self, start: Sequence[float], end: Sequence[float]) -> Curve:
+        if self.fall:
+            return self.law.moved(self.over, -self.over, -self.lift, self.lift)
+        return self.law.moved(0.0, self.over, self.lift)
+
+
+@dataclass(frozen=True)
+class Blend:
+    """A polynomial, or a spline of odd ``degree``, with given rates at its ends through given points.
+
+    ``start`` and ``end`` are velocity, acceleration, ... there, None for what the neighbours have; ``via`` are points
+    (way from the start, value above that at the start).
+    """
+
+    over: float
+    lift: float
+    start: Rates = (0.0, 0.0)
+    end: Rates = (0.0, 0.0)
+    via: tuple[tuple[float, float], ...] = ()
+    degree: int | None = None
+    mirrored: ClassVar[str] = ""
+
+    @property
+    def open(self) -> tuple[Rates, Rates]:
+        return self.start, self.end
+
+    def faults(self) -> list[tuple[str, dict[str, Any]]]:
+        places = [0.0, *(x for x, _ in self.via), self.over]
+        if any(b - a < CLOSEST * self.over for a, b in pairwise(places)):
+            return [("law.via", {})]
+        count = 2 + len(self.start) + len(self.end) + len(self.via)
+        if self.degree is None and count > MOST:
+            return [("law.conditions", {"count": count, "limit": MOST})]
+        half = ((self.degree or 0) - 1) // 2
+        if self.degree and (len(self.start) != half or len(self.end) != half):
+            return [("law.end-rates", {"degree": self.degree, "wanted": half})]
+        return []
+
+    def curve(self, start: Sequence[float], end: Sequence[float]) -> Curve:
+        if self.degree:
+            x, y = np.array([(0.0, 0.0), *self.via, (self.over, self.lift)]).T
+            return spline(x, y, self.degree, start, end)
+        # Solved over 0..1 for a lift of about 1, whatever the units.
+        conditions = [(0.0, 0, 0.0), (1.0, 0, self.lift), *((x / self.over, 0, y) for x, y in self.via)]
+        for place, given in ((0.0, start), (1.0, end)):
+            conditions += [(place, order, rate * self.over**order) for order, rate in enumerate(given, start=1)]
+        return polynomial(conditions).moved(0.0, self.over)
+
+
+@dataclass(frozen=True)
+class Shape:
+    """A curve over 0..1 that begins at 0, stretched over the segment."""
+
+    over: float
+    shape: Curve
+    mirrored: ClassVar[str] = ""
+    open: ClassVar[tuple[Rates, Rates]] = ((), ())
+
+    @property
+    def lift(self) -> float:
+        return float(self.shape.at(1.0) - self.shape.at(0.0))
+
+    def faults(self) -> list[tuple[str, dict[str, Any]]]:
+        return []
+
+    def curve(self, start: Sequence[float], end: Sequence[float]) -> Curve:
+        return self.shape.moved(0.0, self.over, 1.0, -float(self.shape.at(0.0)))

@@ -1,0 +1,192 @@
+"""Motion laws as a model file states them: segments in sequence over an angle or a time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from itertools import count, repeat
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Field
+
+from linkwright.laws import LAWS
+from linkwright.model.actions import Row
+from linkwright.model.fields import Expression, Frozen
+from linkwright.model.units import ANGLE, LENGTH, PURE, TIME, Dimension
+from linkwright.model.unknown import near
+from linkwright.model.written import Fault, fault, short_text, unexpected
+
+MAX_SEGMENTS, MAX_NUMBERS = 200, 200
+MATCHED = {"velocity": 1, "acceleration": 2, "jerk": 3}
+"""How many derivatives a segment takes from its neighbours."""
+DEGREES = {"cubic": 3, "quintic": 5}
+AXES: dict[str, Dimension] = {"angle": ANGLE, "time": TIME}
+VALUES: dict[str, Dimension] = {"angle": ANGLE, "length": LENGTH}
+ARGUMENT = "u"
+"""The name of the argument of a normalised formula."""
+
+
+def _some(refusal: Callable[[Any], Exception], most: int) -> BeforeValidator:
+    """A list that isn't empty; ``refusal`` is raised on anything else."""
+
+    def check(raw: Any) -> Any:
+        if not isinstance(raw, list | tuple) or not raw:
+            raise refusal(raw)
+        if len(raw) > most:
+            raise fault("file.too-many", count=len(raw), limit=most)
+        return tuple(raw)
+
+    return BeforeValidator(check)
+
+
+def _known(raw: Any) -> str:
+    name = short_text(raw)
+    if name not in LAWS:
+        raise fault("law.unknown", name=name[:60], near=near(name, [*LAWS]))
+    return name
+
+
+Numbers = Annotated[tuple[Expression, ...], _some(lambda raw: unexpected("numbers", raw), MAX_NUMBERS)]
+Powers = Annotated[tuple[Annotated[int, Field(ge=1, le=20)], ...], _some(lambda raw: unexpected("numbers", raw), 20)]
+LawName = Annotated[str, BeforeValidator(_known), Field(json_schema_extra={"enum": [*LAWS]})]
+Rows = Annotated[tuple[Row, ...], _some(lambda raw: unexpected("table-rows", raw), MAX_NUMBERS)]
+
+_NORMALISED = ("law", "fractions", "powers", "formula")
+_BETWEEN = ("match", "from", "to", "via", "spline")
+_HEADS: dict[str, tuple[str, ...]] = {
+    "dwell": (),
+    "rise": ("over", *_NORMALISED, "skew", *_BETWEEN),
+    "fall": ("over", *_NORMALISED, "skew"),
+    "control": ("over", "degree"),
+    "harmonics": ("over",),
+}
+"""What says which kind of segment it is, and the keys that go with it."""
+
+
+class Segment(Frozen):
+    """One stretch of a motion: a dwell, a rise or fall, control values of a B-spline, a harmonic series."""
+
+    dwell: Expression | None = Field(None, description="at rest for so long")
+    rise: Expression | None = Field(None, description="by so much up, negative down; with over and how")
+    fall: Expression | None = Field(None, description="by so much down, as the mirror image of a rise")
+    over: Expression | None = Field(None, description="the way along the axis that the segment takes")
+    law: LawName | None = Field(None, description="the name of a law, such as cycloidal, modified_sine, poly_345")
+    skew: Expression | None = Field(
+        None, description="where the greatest velocity of a symmetric law is reached, 0 to 1; 0.5 unless given"
+    )
+    fractions: Numbers | None = Field(
+        None, description="[b, c, d, z] of the SCCA family, sum 1, or the widths of all seven zones"
+    )
+    powers: Powers | None = Field(None, description="the powers of a polynomial law, e.g. [3, 4, 5]")
+    formula: Expression | None = Field(None, description="a law of one's own in u, from 0 at u = 0 to 1 at u = 1")
+    match: Literal["velocity", "acceleration", "jerk"] | None = Field(
+        None, description="a polynomial that takes its end rates, up to this one, from its neighbours"
+    )
+    from_: Numbers | None = Field(
+        None, alias="from", description="[velocity, acceleration, ...] at the start, by the axis"
+    )
+    to: Numbers | None = Field(None, description="[velocity, acceleration, ...] at the end, by the axis")
+    via: Rows | None = Field(None, description="points [way, height] passed, both from the segment's start")
+    spline: Literal["cubic", "quintic"] | None = Field(
+        None, description="a spline through via instead of one polynomial"
+    )
+    control: Numbers | None = Field(None, description="the control values of a B-spline; with over and degree")
+    degree: Annotated[int, Field(ge=2, le=9)] | None = Field(None, description="of the B-spline; 5 unless given")
+    harmonics: Rows | None = Field(
+        None, description="[[a1, b1], [a2, b2], ...] of the series a cos + b sin, once over the segment"
+    )
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+        heads = [key for key in _HEADS if key in given]
+        if len(heads) != 1:
+            yield "law.segment", {"given": ", ".join(heads) or "-", "known": ", ".join(_HEADS)}
+            return
+        head, fitting = heads[0], _HEADS[heads[0]]
+        odd = [key for key in cls.names() if key in given and key not in (head, *fitting)]
+        ways = [key for key in _NORMALISED if key in given and key in fitting]
+        between = [key for key in _BETWEEN if key in given and key in fitting]
+        if "skew" in given and not {"law", "fractions"} & {*ways}:
+            odd.append("skew")
+        if odd:
+            yield "law.keys", {"head": head, "given": ", ".join(dict.fromkeys(odd))}
+        if "over" in fitting and "over" not in given:
+            yield "law.no-over", {"head": head}
+        if "law" in fitting and len(ways) + bool(between) != 1:
+            known = [key for key in (*_NORMALISED, *_BETWEEN) if key in fitting]
+            yield "law.way", {"given": ", ".join([*ways, *between]) or "-", "known": ", ".join(known)}
+
+    @classmethod
+    def names(cls) -> list[str]:
+        """The keys as files have them."""
+        return [field.alias or name for name, field in cls.model_fields.items()]
+
+    @property
+    def width(self) -> Expression:
+        """The way that it takes along the axis."""
+        width = self.dwell if self.dwell is not None else self.over
+        assert width is not None
+        return width
+
+
+class MotionLaw(Frozen):
+    """A function of an angle or a time, by segments; drives call it by its name."""
+
+    over: Literal["angle", "time"] = Field(description="what it is a function of")
+    of: Literal["angle", "length"] = Field(description="what it gives")
+    start: Expression = Field(Expression(0), description="the value at the beginning; 0 unless given")
+    period: Expression | None = Field(
+        None, description="what the segments add up to; 360 deg over an angle unless given, over a time any"
+    )
+    beyond: Literal["repeat", "advance", "hold"] = Field(
+        "repeat", description="behind the last segment: all again; again from the value reached; rest"
+    )
+    segments: Annotated[tuple[Segment, ...], _some(lambda raw: unexpected("segments", raw), MAX_SEGMENTS)] = Field(
+        description="one after the other, from 0 on"
+    )
+
+    @property
+    def axis(self) -> Dimension:
+        """The dimension of its argument."""
+        return AXES[self.over]
+
+    @property
+    def value(self) -> Dimension:
+        """The dimension of what it gives."""
+        return VALUES[self.of]
+
+    def rate(self, order: int) -> Dimension:
+        """The dimension of a derivative by the axis."""
+        return self.value.times(self.axis, -order)
+
+    def numbers(self) -> Iterator[tuple[tuple[str | int, ...], Expression, Dimension]]:
+        """Every expression but formulas, with its place within the law and its dimension."""
+        yield ("start",), self.start, self.value
+        if self.period is not None:
+            yield ("period",), self.period, self.axis
+        for i, segment in enumerate(self.segments):
+            for key, number, dimension in self._of(segment):
+                yield ("segments", i, *key), number, dimension
+
+    def _of(self, s: Segment) -> Iterator[tuple[tuple[str | int, ...], Expression, Dimension]]:
+        axis, value = self.axis, self.value
+        for key, number, dimension in (
+            ("dwell", s.dwell, axis),
+            ("rise", s.rise, value),
+            ("fall", s.fall, value),
+            ("over", s.over, axis),
+            ("skew", s.skew, PURE),
+        ):
+            if number is not None:
+                yield (key,), number, dimension
+        for key, numbers, dimensions in (
+            ("fractions", s.fractions, repeat(PURE)),
+            ("control", s.control, repeat(value)),
+            ("from", s.from_, map(self.rate, count(1))),
+            ("to", s.to, map(self.rate, count(1))),
+        ):
+            for k, (number, dimension) in enumerate(zip(numbers or (), dimensions, strict=False)):
+                yield (key, k), number, dimension
+        for key, rows, first in (("via", s.via, axis), ("harmonics", s.harmonics, value)):
+            for k, (x, y) in enumerate(rows or ()):
+                yield (key, k), x, first
+                yield (key, k), y, value

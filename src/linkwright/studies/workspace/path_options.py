@@ -1,0 +1,180 @@
+"""The section ``paths`` of a workspace study: what is wanted of each path, and what is wrong with that."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import ConfigDict, Field, RootModel
+
+from linkwright.kernels import Compiled
+from linkwright.laws import DEGREES
+from linkwright.model import units as u
+from linkwright.model.actions import FileBeside
+from linkwright.model.dimensions import DimensionError
+from linkwright.model.expressions import ExpressionError, evaluate
+from linkwright.model.fields import Expression, Frozen, Text
+from linkwright.model.fields import Name as NameField
+from linkwright.model.findings import Finding, ModelError
+from linkwright.model.parts import Vector, freeze
+from linkwright.model.quantities import LARGEST
+from linkwright.model.unknown import unknown
+from linkwright.model.written import Fault
+from linkwright.studies.asked import one_of
+from linkwright.studies.site import Site
+from linkwright.studies.workspace.wanted import PATH, Path_, Wanted, from_csv, from_dxf, from_formula, through
+
+if TYPE_CHECKING:
+    from linkwright.studies.workspace.options import WorkspaceOptions
+    from linkwright.studies.workspace.outcome import WorkspaceOutcome
+
+Array = NDArray[np.float64]
+
+SOURCES = ("points", "file", "drawing", "x")
+MOST = 100
+"""The most paths of one study."""
+
+Between = one_of("workspace", "between", [*DEGREES])
+Pace = one_of("workspace", "timing", ["even", "rest"])
+
+
+class WantedPath(Frozen):
+    """A path that the working point is wanted to follow, and how the drives shall move along it."""
+
+    points: tuple[Vector, ...] | None = Field(None, max_length=10_000, description="[x, y] of points that it passes")
+    file: FileBeside | None = Field(None, description="a CSV file beside the model with the columns 'x [mm]', 'y [mm]'")
+    drawing: FileBeside | None = Field(None, description="a DXF drawing beside the model, in the file's length unit")
+    layer: Text | None = Field(None, description="the drawing's layer that holds the path alone")
+    x: Expression | None = Field(None, description="with y: a formula in u, which runs from 0 to 1, and parameters")
+    y: Expression | None = Field(None, description="with x: a formula in u")
+    between: Between = Field("cubic", description="the curve between points: linear, cubic, quintic")  # type: ignore[valid-type]
+    motor: NameField = Field(description="the drive that has constant speed; the other one is the servo")
+    speed: Expression | None = Field(None, description="the motor's constant speed, e.g. 30 rpm; negative: backwards")
+    duration: Expression | None = Field(None, description="instead of speed: both drives follow the path in this time")
+    timing: Pace = Field("even", description="with duration: even, or from rest to rest")  # type: ignore[valid-type]
+    never_reverse: bool = Field(False, description="whether the servo must never turn back")
+    tolerance: Expression | None = Field(
+        None,
+        description="how far the point may be off in dead positions; 1e-6 of the largest link by default",
+    )
+    samples: int = Field(361, ge=2, le=100_000, description="times at which the laws of the drives are given")
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+        sources = [key for key in SOURCES if key in given]
+        if len(sources) != 1 or ("x" in given) != ("y" in given):
+            yield "workspace.path-source", {"given": ", ".join(sources) or "-"}
+        if ("speed" in given) == ("duration" in given):
+            yield "workspace.path-pace", {}
+        for key, of in (("layer", ("drawing",)), ("timing", ("duration",)), ("between", ("points", "file"))):
+            if key in given and not any(one in given for one in of):
+                yield "workspace.path-key", {"key": key, "of": ", ".join(of)}
+
+
+class WantedPaths(RootModel[Annotated[dict[NameField, WantedPath], freeze, Field(min_length=1, max_length=MOST)]]):
+    """Paths by name."""
+
+    model_config = ConfigDict(frozen=True)
+
+    def check(self, compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
+        """What is wrong with them, as far as that can be told without their files."""
+        if len(compiled.graph.drives) != 2:
+            yield Finding("workspace.section-drives", PATH, {"count": len(compiled.graph.drives)})
+            return
+        for name, path in self.root.items():
+            yield from _check(compiled, path, (*PATH, name))
+
+    def perform(self, outcome: WorkspaceOutcome, site: Site) -> Any:
+        """Each path tried in each region."""
+        from linkwright.studies.workspace.followed import follow
+
+        return follow(self.root, outcome, site.folder)
+
+
+def _check(compiled: Compiled, path: WantedPath, at: Path_) -> Iterator[Finding]:
+    known = path.motor in compiled.graph.drives
+    if not known:
+        yield unknown("drive", (*at, "motor"), path.motor, compiled.graph.drives)
+    if path.speed is not None and known:
+        speed, faults = constant(compiled, path.speed, rate_of(compiled, path.motor), (*at, "speed"))
+        yield from faults
+        if speed == 0:
+            yield Finding("workspace.path-still", (*at, "speed"))
+    for key, expression, dimension in (("duration", path.duration, u.TIME), ("tolerance", path.tolerance, u.LENGTH)):
+        if expression is not None:
+            yield from positive(compiled, expression, dimension, (*at, key))
+    if path.points is not None:
+        wrong = [
+            fault
+            for i, point in enumerate(path.points)
+            for k, value in enumerate(point)
+            for fault in constant(compiled, value, u.LENGTH, (*at, "points", i, k))[1]
+        ]
+        yield from wrong
+        if wrong:
+            return
+    if path.file is None and path.drawing is None:
+        try:
+            wanted(compiled, path, at, compiled.quantities.parameters)
+        except ModelError as error:
+            yield from error.findings
+
+
+def rate_of(compiled: Compiled, drive: str) -> u.Dimension:
+    """The dimension of a drive's speed."""
+    return u.OMEGA if compiled.mechanism.prescribed(drive).turns else u.SPEED
+
+
+def constant(
+    compiled: Compiled, expression: Expression, dimension: u.Dimension, at: Path_
+) -> tuple[float | None, list[Finding]]:
+    """A value in SI, or what is wrong with it."""
+    try:
+        value = compiled.quantities.value(expression, dimension)
+    except DimensionError as error:
+        return None, [Finding(error.key, at, compiled.quantities.spelt(error.data))]
+    if not abs(value) < LARGEST:
+        return None, [Finding("value.not-finite", at, {"text": expression.text[:60]})]
+    return value, []
+
+
+def positive(compiled: Compiled, expression: Expression, dimension: u.Dimension, at: Path_) -> list[Finding]:
+    """What is wrong with a value that must be positive."""
+    value, faults = constant(compiled, expression, dimension, at)
+    if value is not None and value <= 0:
+        return [Finding("workspace.not-positive", at, {"key": str(at[-1]), "text": expression.text[:60]})]
+    return faults
+
+
+def wanted(
+    compiled: Compiled, path: WantedPath, at: Path_, parameters: Mapping[str, float], folder: Path | None = None
+) -> Wanted:
+    """The path itself, for values of the parameters (SI). Raises ModelError."""
+    quantities, source = compiled.quantities, (*at, next(key for key in SOURCES if getattr(path, key) is not None))
+    if path.file is not None:
+        made = from_csv(path.file, folder, path.between, source)
+    elif path.drawing is not None:
+        made = from_dxf(path.drawing, quantities.unit_of(u.LENGTH)[1], folder, path.layer, source)
+    elif path.points is not None:
+        points = [[valued(compiled, value, u.LENGTH, parameters) for value in point] for point in path.points]
+        made = through(np.array(points).reshape(-1, 2), path.between, source)
+    else:
+        assert path.x is not None and path.y is not None
+        made = from_formula(quantities, path.x.text, path.y.text, at, parameters)
+    return replace(made, path=at)
+
+
+def valued(
+    compiled: Compiled, expression: Expression, dimension: u.Dimension, parameters: Mapping[str, float]
+) -> float:
+    """A constant for values of the parameters (SI); NaN where it has none."""
+    node = compiled.quantities.bind(expression, dimension)
+    try:
+        with np.errstate(all="ignore"):
+            return float(evaluate(node, lambda name: parameters[name.text]))
+    except (ArithmeticError, ExpressionError):
+        return float("nan")

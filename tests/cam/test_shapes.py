@@ -1,0 +1,89 @@
+"""Drawing and solid read back by ezdxf, Shapely and Open CASCADE; areas."""
+
+from __future__ import annotations
+
+import io
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from tests.cam.lifts import HEAT_SEAL, harmonic, heat_seal
+
+from linkwright.cam.contour import area, contour
+from linkwright.cam.disc import Disc
+from linkwright.cam.drawing import dxf
+from linkwright.cam.followers import SwingingRoller, TranslatingFlat
+from linkwright.cam.solid import Blank, solid, step
+
+DISC = Disc(SwingingRoller(0.039, 0.020, 0.085, 0.090), heat_seal, -1, HEAT_SEAL)
+
+
+def off(places: Any) -> float:
+    """How far places (n, 2), mm, lie from the exact profile (mm), along its normals."""
+    from scipy.spatial import KDTree
+
+    look = DISC.look(np.linspace(0, 2 * np.pi, 80_000))
+    profile, normal = 1e3 * look.offset(-0.02), look.offset(1.0) - look.offset(0.0)
+    which = KDTree(profile.T).query(places)[1]
+    return float(np.abs(((np.asarray(places).T - profile[:, which]) * normal[:, which]).sum(axis=0)).max())
+
+
+def test_areas() -> None:
+    """A circle in closed form, the heat-seal cam against Shapely."""
+    import shapely
+
+    assert area(Disc(TranslatingFlat(25.0), harmonic(25.0))) == pytest.approx(math.pi * 2500, rel=1e-13)
+    corners = DISC.look(np.linspace(0, 2 * np.pi, 200_000, endpoint=False)).offset(-0.02).T
+    assert area(DISC) == pytest.approx(shapely.Polygon(corners).area, rel=1e-8)
+
+
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-8])
+def test_the_drawing_is_within_its_tolerance(tolerance: float) -> None:
+    ezdxf = pytest.importorskip("ezdxf")
+    text = dxf({"PROFILE": contour(DISC, tolerance)}, {"BORE": [(0.0, 0.0, 10.0)]})
+    drawing = ezdxf.read(io.StringIO(text))
+    assert not drawing.audit().errors
+    (line,) = drawing.modelspace().query("LWPOLYLINE")
+    assert line.closed
+    assert line.dxf.layer == "PROFILE"
+    places = []
+    for part in line.virtual_entities():  # arcs as they are: ezdxf's paths are Bezier curves, some 1e-2 mm off
+        if part.dxftype() == "LINE":
+            places += [part.dxf.start, part.dxf.end]
+        else:
+            low, high = part.dxf.start_angle, part.dxf.end_angle
+            places += list(part.vertices(low + np.linspace(0, 1, 40) * ((high - low) % 360)))
+    places = [(p[0], p[1]) for p in places]
+    assert off(places) < 1e3 * tolerance * 1.01
+    (circle,) = drawing.modelspace().query("CIRCLE")
+    assert circle.dxf.radius == 10.0
+
+
+def test_the_solid_read_back() -> None:
+    """Volume against the exact area, to 1e-6, at a tolerance of 1e-5 mm; the contour within it; one valid solid."""
+    b = pytest.importorskip("build123d")
+    blank = Blank(12.0, bore=10.0, hub=18.0, height=8.0, key_width=6.0, key_depth=2.8, key_angle=0.3)
+    text = step(solid(contour(DISC, 1e-8), blank))
+    import tempfile
+    from pathlib import Path
+
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "cam.step").write_bytes(text)
+        read = b.import_step(str(Path(folder) / "cam.step"))
+    (found,) = read.solids()
+    assert found.is_valid
+    assert found.volume == pytest.approx(blank.volume(1e6 * area(DISC)), rel=1e-6)
+    bottom = min(found.faces(), key=lambda face: face.center().Z)
+    places = [p for edge in bottom.outer_wire().edges() for p in (edge @ 0.0, edge @ 0.3, edge @ 0.8)]
+    assert off([(p.X, p.Y) for p in places]) < 1.1e-5
+    box = found.bounding_box()
+    assert (pytest.approx(0.0, abs=1e-6), pytest.approx(20.0, abs=1e-6)) == (box.min.Z, box.max.Z)
+
+
+def test_bore_and_keyway() -> None:
+    """By a sum over small squares."""
+    blank = Blank(1.0, bore=10.0, key_width=6.0, key_depth=2.8)
+    x, y = np.meshgrid(np.arange(-15, 15, 0.01) + 0.005, np.arange(-15, 15, 0.01) + 0.005)
+    inside = (np.hypot(x, y) < 10) | ((x > 0) & (x < 12.8) & (np.abs(y) < 3))
+    assert blank.hollow == pytest.approx(inside.sum() * 1e-4, rel=1e-4)
