@@ -1091,6 +1091,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The region of the mode {mode} isn't whole: {share} % of the places sampled at random lie outside of it.",
         "Take another chord, or a part of the drives' ranges; trust its area as a lower bound only.",
     ),
+    "workspace.stopped": (
+        "Interrupted with {done} of {total} regions done. These are kept; what else was asked of them may be missing.",
+        "Perform the study again for the rest: it begins anew.",
+    ),
     "workspace.no-area": (
         "The point {name} moves along curves only, or not at all, so that it has no region{values}.",
         "Take a point that both drives move; or widen the drives' ranges.",
