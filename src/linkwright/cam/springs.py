@@ -77,12 +77,13 @@ def highest_speed(disc: Disc, loads: Loads, contact: float = 0.0) -> Sized | Non
     """The speed (rad/s) up to which ``contact`` (N) or more is kept from rest on; infinite where always, ``None`` where
     not at rest."""
     drivable(Side(disc))
-    if _wanting(disc, loads, (0.0, 0.0), contact).value > 0:
+    if _wanting(disc, loads, (0.0, 0.0), contact).value > CLOSE * abs(loads.preload):
         return None
 
     def asked(look: Look) -> Jet:
         """The inertia's share of what holds the follower at rest, over w^2."""
         held = loads.along(look, 0.0) - reach(look) * contact
+        held = held.maximum(0.0 * held)  # where all is used up, round-off may pull
         return look.lift.rate().rate() * -loads.inertia / held
 
     with np.errstate(divide="ignore", invalid="ignore"):  # nothing presses at rest in a dwell

@@ -69,12 +69,20 @@ def _end(
 
 def _writing(folder: Path, job: Job, netcdf: bool, png: bool = False) -> None:
     from linkwright import app
-    from linkwright.cli import show
 
-    try:
+    def write() -> None:
         app.write(job, folder, netcdf)
         if png:
             app.write_png(job, folder)
+
+    _try_writing(folder, write)
+
+
+def _try_writing(folder: Path, write: Callable[[], None]) -> None:
+    from linkwright.cli import show
+
+    try:
+        write()
     except OSError as error:
         show.cannot_write(folder, error)
         sys.exit(2)
@@ -205,6 +213,28 @@ def workspace(file: Path, out: Path | None, dxf: bool, png: bool, as_json: bool)
     _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
 
 
+@cli.command(help=say("cli.export"))
+@_file
+@click.option("--to", required=True, metavar="NAME", help=say("cli.to"))
+@click.option("--out", type=click.Path(path_type=Path), help=say("cli.out"))
+@click.option("--dialect", metavar="NAME", help=say("cli.dialect"))
+@click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help=say("cli.set"))
+@_json
+def export(
+    file: Path, to: str, out: Path | None, dialect: str | None, settings: tuple[str, ...], as_json: bool
+) -> None:
+    """Write a mechanism for another tool."""
+    from linkwright import app
+    from linkwright.cli import show
+
+    folder = out or _beside(file)
+    with show.working(file, to, quiet=as_json):
+        examined = app.examine_export(file, to, settings, {"dialect": dialect})
+        job = app.export_of(examined, to)
+        _try_writing(folder, lambda: app.write_export(job, folder))
+    _end(file, examined, as_json, lambda: job.summary, lambda: show.export(job, file), job.exit_code)
+
+
 @cli.command(help=say("cli.bench"))
 @_file
 @click.option("--poses", type=click.IntRange(1, 10**9), default=1_000_000, show_default=True, help=say("cli.poses"))
@@ -258,7 +288,7 @@ def schema() -> None:
     """Print the JSON Schema."""
     import json
 
-    from linkwright.studies.schema import file_schema
+    from linkwright.exports.schema import file_schema
 
     click.echo(json.dumps(file_schema(), indent=2, ensure_ascii=False))
 
