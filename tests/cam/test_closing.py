@@ -11,9 +11,10 @@ from tests.cam.cases import EVERY, NAMES
 from tests.cam.lifts import HEAT_SEAL, harmonic, heat_seal
 
 from linkwright.cam.closing import conjugate, groove, yoke
-from linkwright.cam.contact import NoContact
+from linkwright.cam.contact import NoContact, Side
 from linkwright.cam.disc import Disc
 from linkwright.cam.followers import SwingingRoller, TranslatingFlat, TranslatingKnife, TranslatingRoller
+from linkwright.cam.hertz import rolling
 from linkwright.cam.loads import Loads, forces
 from linkwright.cam.rolling import rolled
 from linkwright.notation import Jet
@@ -106,6 +107,15 @@ def test_forces_of_a_conjugate_pair() -> None:
     assert 50 < bears.sum() < bears.size - 50
     assert np.abs(moment - found.torque)[bears].max() < 1e-12
     assert found.reversals == pytest.approx([HEAT_SEAL[1] / 2, (HEAT_SEAL[2] + HEAT_SEAL[3]) / 2])
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_rollers_on_both_discs_of_a_pair(sense: int) -> None:
+    """At rest on round discs both turn against the shaft, by the ratio of the radii."""
+    still = Disc(SwingingRoller(39e-3, 20e-3, 85e-3, 90e-3), lambda theta: 0.0 * theta, sense)
+    second = conjugate(still, base=50e-3, roller=16e-3).second
+    spins = [rolling(side, 8.0, np.zeros(1)).spin[0] for side in (Side(still), second)]
+    assert spins == pytest.approx([-sense * 8.0 * 39 / 20, -sense * 8.0 * 50 / 16])
 
 
 def test_a_yoke_of_constant_breadth() -> None:

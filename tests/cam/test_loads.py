@@ -150,10 +150,12 @@ def test_speeds_without_an_end_and_without_a_start() -> None:
     endless = highest_speed(still, Loads(M, C, F))
     assert endless is not None
     assert math.isinf(endless.value)
+    assert least_rate(still, Loads(M, preload=1.0), (0.0, 1.0), contact=2.0) is None
     assert highest_speed(ECCENTRIC, Loads(M, C, -1.0)) is None
     tight = highest_speed(ECCENTRIC, Loads(M, C, F), contact=F)  # on the base circle nothing is left over
     assert tight is not None
     assert tight.value == pytest.approx(math.sqrt(2 * C / M), rel=1e-12)
+    assert least_rate(ECCENTRIC, Loads(preload=F), (0.0, 0.0), contact=F) is not None
     bare = highest_speed(HEAT, Loads(0.01, rate=6.0))  # in the lower dwell nothing presses
     assert bare is not None
     assert forces(HEAT, Loads(0.01, rate=6.0), bare.value * 1.01).contact_range[0].value < 0

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.contact import Side, drivable, reach
+from linkwright.cam.contact import Side, drivable, reach, rows
 from linkwright.cam.disc import Disc, Look
 from linkwright.cam.extremes import extremes
 from linkwright.cam.loads import Loads
@@ -26,6 +26,7 @@ Speeds = tuple[float, float]
 """The lowest and the highest speed of the cam (rad/s)."""
 
 CLOSE = 1e-12
+"""What is missing may be this share of the largest force along the lift."""
 MOST_STEPS = 60
 
 
@@ -51,20 +52,17 @@ def least_rate(disc: Disc, loads: Loads, speeds: Speeds, contact: float = 0.0) -
     doesn't count. ``None`` where no rate does, as on the base circle; 0 where none is needed."""
     drivable(Side(disc))
     tried = replace(loads, rate=0.0)
-    scale, found = 0.0, Sized(0.0, 0.0, speeds[0])
+    scale = abs(loads.preload)
     for _ in range(MOST_STEPS):
         found = _wanting(disc, tried, speeds, contact)
         scale = max(scale, abs(found.value))
         if found.value <= CLOSE * scale:
-            break
-        lift = float(np.max(disc.look(np.array([found.theta])).lift.d[0]))
-        if not lift > CLOSE:
+            return replace(found, value=tried.rate)
+        lift = float(rows(disc.look(np.array([found.theta])).lift.d[0], 1)[0])
+        if not lift > 0:
             return None
-        step = found.value / lift
-        tried = replace(tried, rate=tried.rate + step)
-        if step <= CLOSE * tried.rate:
-            break
-    return replace(found, value=tried.rate)
+        tried = replace(tried, rate=tried.rate + found.value / lift)
+    return None
 
 
 def line(disc: Disc, loads: Loads, speeds: Speeds, rates: Array, contact: float = 0.0) -> Array:
