@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree
 
 import numpy as np
@@ -13,8 +14,9 @@ from click.testing import CliRunner, Result
 
 import linkwright as lw
 from helpers.workspaces import arm
-from linkwright.cli import cli
+from linkwright.cli import cli, main
 from linkwright.model.document import parse_document
+from linkwright.studies import Stopped
 
 
 @pytest.fixture
@@ -35,6 +37,31 @@ def test_the_study_alone(file: Path, tmp_path: Path) -> None:
     assert "Where E gets to: 1 regions" in result.stdout and "1507" in result.stdout
     files = {"report.html", "summary.json", "workspace.geojson", "workspace.svg", "workspace_boundary.csv"}
     assert {path.name for path in (tmp_path / "out").iterdir()} - {"workspace.dxf"} == files
+
+
+def test_interrupted_it_writes_what_is_done(
+    file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The first of three regions interrupts the rest."""
+    study = {"point": "E", "chord": 1e-3, "for": {"b": [30, 35, 20]}}
+    lw.save(lw.load(file).model_copy(update={"studies": {"workspace": study}}), file)
+
+    def interrupting(*given: Any) -> Any:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("linkwright.studies.workspace.together.wait", interrupting)
+    monkeypatch.setattr("sys.argv", ["linkwright", "workspace", str(file), "--out", str(tmp_path / "out")])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code == 130
+    assert "1 of 3 regions" in capsys.readouterr().err
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
+    assert not summary["done"] and [f["code"] for f in summary["findings"]] == ["workspace.stopped"]
+    assert [region["b"] for region in summary["workspace"]["regions"]] == [30]
+    assert "E" in (tmp_path / "out" / "workspace.svg").read_text()
+    with pytest.raises(Stopped):
+        lw.workspace(file, out=tmp_path / "python")
+    assert (tmp_path / "python" / "summary.json").exists()
 
 
 def test_json(file: Path) -> None:

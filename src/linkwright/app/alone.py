@@ -62,6 +62,8 @@ def perform_alone(
     raise_errors(examined.findings)
     if target is not None:
         write(job, target)
+    if job.stopped is not None:
+        raise job.stopped
     return job.outcomes[study]
 
 

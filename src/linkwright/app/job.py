@@ -24,6 +24,7 @@ from linkwright.studies import (
     LimitsOutcome,
     ModesOutcome,
     Site,
+    Stopped,
     SweepOutcome,
     Task,
     read_studies,
@@ -106,11 +107,13 @@ def examine_document(
 
 @dataclass
 class Job:
-    """A performed model file: outcomes by study name, and the folder they were written to."""
+    """A performed model file: outcomes by study name, and the folder they were written to; ``stopped`` is the interrupt
+    that ended it, after which the last outcome holds what was done."""
 
     examined: Examined
     outcomes: dict[str, Any] = field(default_factory=dict)
     folder: Path | None = None
+    stopped: Stopped | None = None
 
     @property
     def cycle(self) -> CycleOutcome | None:
@@ -155,7 +158,9 @@ class Job:
 
     @property
     def exit_code(self) -> int:
-        """The examination's code, else 1 where an outcome isn't what is asked, else 0."""
+        """130 where it was interrupted, else the examination's code, else 1 where an outcome isn't what is asked."""
+        if self.stopped is not None:
+            return 130
         return self.examined.exit_code or (0 if all(o.done for o in self.outcomes.values()) else 1)
 
     @property
@@ -179,6 +184,9 @@ def perform(examined: Examined, site: Site = NOWHERE) -> Job:
                 job.outcomes[task.study.name] = task.study.run(examined.compiled, task.options, site)
             except ModelError as error:  # a drive's law that gives no number between the samples
                 examined.findings += examined.located(error.findings)
+            except Stopped as stopped:
+                job.outcomes[task.study.name], job.stopped = stopped.outcome, stopped
+                break
     return job
 
 
@@ -227,6 +235,8 @@ def run(model: str | Path | Document, out: str | Path | None = None, folder: str
     raise_errors(examined.findings)
     if out is not None:
         write(job, Path(out))
+    if job.stopped is not None:
+        raise job.stopped
     return job
 
 

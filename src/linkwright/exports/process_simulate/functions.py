@@ -36,6 +36,8 @@ FINEST = 15
 """The most decimals."""
 OFFERED = 1e-6
 """The error (rad or mm) of the polynomials that are offered for a group without a closed form."""
+MOST = 64
+"""The most joints that the tool's functions know."""
 PATH = ("exports", "process-simulate")
 
 
@@ -128,15 +130,17 @@ def _motion(compiled: Compiled, wish: Wish, joints: list[ToolJoint]) -> Motion:
 
 def _links(compiled: Compiled, wish: Wish, joints: list[ToolJoint], motion: Motion) -> tuple[Linkage, bool]:
     """All functions as trees, and whether some are polynomials."""
-    poses, fits = motion.poses(DESIGNED), []
+    poses, fits = motion.poses(DESIGNED), list[Cluster]()
 
     def moved(joint: ToolJoint) -> tuple[Array, float]:
         return motion.values([joint], poses)[0], motion.at_zero(joint)
 
     def fitted(links: Linkage, cluster: Cluster) -> None:
-        fits.append((cluster, *fit(links, cluster, motion.joint, moved, wish.approximate or OFFERED)))
-        if wish.approximate is None:
-            raise Refused(_no_closed_form(*fits[0], wish.drive))
+        wanted = wish.approximate or OFFERED
+        error, degree = fit(links, cluster, motion.joint, moved, wanted)
+        fits.append(cluster)
+        if wish.approximate is None or error > wanted:
+            raise Refused(_no_closed_form(cluster, error, degree, wish.drive))
 
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
     links = linkage(
@@ -151,7 +155,7 @@ def _no_closed_form(cluster: Cluster, error: float, degree: int, drive: str) -> 
     return Finding(
         "functions.no-closed-form",
         ("links", cluster.links[0]),
-        data | {"degree": degree, "error": f"{error:.2g}", "approximate": f"{max(error, OFFERED):.2g}"},
+        data | {"degree": degree, "error": f"{error:.2g}", "approximate": f"{max(1.1 * error, OFFERED):.2g}"},
     )
 
 
@@ -249,6 +253,8 @@ class _Writer:
             functions.append(
                 JointFunction(joint, self.names.get(joint, joint), kind, shown, limits, error, *links, sign)
             )
+        if len(functions) >= MOST:
+            raise Refused(Finding("functions.too-many", PATH, {"count": len(functions) + 1, "limit": MOST}))
         j = self.motion.joint
         moving = JointFunction(j.joint, j.name, j.kind, "", (low, high), 0.0, j.parent, j.child, j.sign)
         r, worst = self.motion.reach, max((f.error for f in functions), default=0.0)

@@ -10,7 +10,7 @@ from pydantic import Field
 
 from linkwright.exports.process_simulate.dialects import DIALECTS
 from linkwright.exports.process_simulate.facts import Facts, check_facts
-from linkwright.exports.process_simulate.functions import PATH, Wish
+from linkwright.exports.process_simulate.functions import MOST, PATH, Wish
 from linkwright.exports.process_simulate.joints import ToolJoint, driving, joints_of, named
 from linkwright.kernels import Compiled
 from linkwright.model.dimensions import DimensionError
@@ -23,8 +23,6 @@ from linkwright.model.unknown import unknown
 from linkwright.studies.asked import one_of
 from linkwright.studies.limits import WIDEST
 
-MOST = 64
-"""The most joints that the tool's functions know."""
 ALLOWED = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,59}")
 """Names that every tool takes: what else Process Simulate would take isn't known."""
 

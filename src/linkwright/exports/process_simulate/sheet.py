@@ -18,7 +18,7 @@ from linkwright.kernels import Compiled
 from linkwright.report.charts import Axes, figures, points
 from linkwright.report.data import Chart
 from linkwright.report.page import POLICY
-from linkwright.report.workspace_picture import Plane
+from linkwright.report.plane import Plane
 from linkwright.words import LANGUAGE, say
 
 Array = NDArray[np.float64]

@@ -171,6 +171,18 @@ class WorkspaceOutcome:
         """The working point."""
         return self.options.point
 
+    def shown(self, one: Workspace) -> dict[str, float]:
+        """The varied parameters of a workspace by name, in their units; angles in the file's."""
+        quantities = self.compiled.quantities
+        sizes = {name: quantities.unit_of(quantities.dimensions.of(name))[1] for name in one.values}
+        return {name: float(f"{value / sizes[name]:.12g}") for name, value in one.values.items()}
+
+    def told(self, one: Workspace) -> str:
+        """The same in a line."""
+        quantities = self.compiled.quantities
+        units = {name: quantities.unit_of(quantities.dimensions.of(name))[0] for name in one.values}
+        return ", ".join(f"{name} = {v:.6g} {units[name]}".strip() for name, v in self.shown(one).items())
+
     @property
     def regions(self) -> list[Reached]:
         """The regions of all workspaces."""

@@ -80,6 +80,11 @@ class Sheet:
             self._engines[whole] = KERNELS[self.kernel](program)
         return self._engines[whole]
 
+    def ready(self) -> None:
+        """Make the programs, which all sheets of a mechanism share."""
+        for whole in (False, True):
+            self._engine(whole)
+
     def inputs(self, q: Array) -> Array:
         """The program's inputs at drive values ``q`` (2, n), at rest: (inputs, n)."""
         graph = self.compiled.graph
@@ -91,15 +96,14 @@ class Sheet:
 
     def look(self, q: Array) -> Look:
         """Everything at drive values ``q`` (2, n) in rad or m."""
-        x, engine = self.inputs(q), self._engine(True)
-        columns = []
-        for row in self._inputs:
-            x[row + 1] = 1.0
-            with np.errstate(all="ignore"):
-                columns.append(engine.run(x, self.parameters))
-            x[row + 1] = 0.0
-        y, count = columns[0], len(self._closed)
-        jacobian = np.stack([column[2:4] for column in columns], axis=1)
+        n, count = q.shape[1], len(self._closed)
+        x = self.inputs(np.concatenate([q, q], axis=1))  # one call for both columns of the jacobian
+        first, second = self._inputs
+        x[first + 1, :n] = x[second + 1, n:] = 1.0
+        with np.errstate(all="ignore"):
+            y = self._engine(True).run(x, self.parameters)
+        jacobian = np.stack([y[2:4, :n], y[2:4, n:]], axis=1)
+        y = y[:, :n]
         closure = np.nan_to_num(np.prod(y[4 + count :], axis=0) / self._scale)  # 0/0 where the pins of a slide meet
         return Look(y[:2], jacobian, _least(y[4 : 4 + count], q), closure)
 

@@ -11,6 +11,7 @@ from linkwright.words.en.sheet import SHEET
 from linkwright.words.en.sweep import SWEEP
 from linkwright.words.en.texts import TEXTS
 from linkwright.words.en.workspace import WORKSPACE
+from linkwright.words.en.workspace_maps import WORKSPACE_MAPS
 from linkwright.words.en.workspace_paths import WORKSPACE_PATHS
 
 PARTS = (
@@ -25,6 +26,7 @@ PARTS = (
     SWEEP,
     TEXTS,
     WORKSPACE,
+    WORKSPACE_MAPS,
     WORKSPACE_PATHS,
 )
 WORDS: dict[str, str] = {key: text for part in PARTS for key, text in part.items()}

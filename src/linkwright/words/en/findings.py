@@ -1077,8 +1077,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Drive one of the links against the first one of the pin, or give the drive a pin of its own.",
     ),
     "functions.too-many": (
-        "The mechanism has {count} joints; the tool's functions know {limit} at most.",
-        "Name joints that close loops under left_out, or export a part of the mechanism.",
+        "There would be {count} joints, helping ones included; the tool's functions know {limit} at most.",
+        "Name joints that close loops under left_out, allow longer texts, or export a part of the mechanism.",
     ),
     "functions.name": (
         "The joint {joint} can't be called '{name}' in the tool.",
@@ -1158,6 +1158,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The region of the mode {mode} isn't whole: {share} % of the places sampled at random lie outside of it.",
         "Take another chord, or a part of the drives' ranges; trust its area as a lower bound only.",
     ),
+    "workspace.stopped": (
+        "Interrupted with {done} of {total} regions done. These are kept; what else was asked of them may be missing.",
+        "Perform the study again for the rest: it begins anew.",
+    ),
     "workspace.no-area": (
         "The point {name} moves along curves only, or not at all, so that it has no region{values}.",
         "Take a point that both drives move; or widen the drives' ranges.",
@@ -1166,6 +1170,27 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The links never close{values}: {links} fail nearest to closing at {at}, where {joints} are {distance} {unit} "
         "apart, {by} {unit} {way} than the links can span ({limit} {unit}).",
         "Make the links {direction}, by {by} {unit} at least; or widen the drives' ranges.",
+    ),
+    # Of workspaces: maps.
+    "workspace.two-drives": (
+        "{section} needs two drives; with one, the point moves along a curve.",
+        "Take {section} out, or give the mechanism another drive.",
+    ),
+    "workspace.map-name": (
+        "There is no map of the name '{name}' here.",
+        "Take one of these: {known}.",
+    ),
+    "workspace.map-task": (
+        "The map '{name}' isn't there without {key}.",
+        "Add {key}, or take another map.",
+    ),
+    "workspace.limit-missing": (
+        "Under {key} there is nothing for {drives}.",
+        "Give one for each of the two drives.",
+    ),
+    "workspace.limit-positive": (
+        "{what} isn't positive: {given}.",
+        "Give a positive value, or leave it out.",
     ),
     # Of clearances.
     "clearance.no-joint": (
@@ -1677,6 +1702,11 @@ _TERMS: dict[str, str] = {
     "shorter": "shorter",
     "longer": "longer",
     "a-drive": "a drive",
+    "a-contributor": "a contributor (a parameter with a tolerance, a change of temperature)",
+    "drive-limit": "The limit of {drive} under {under}",
+    "limit-error": "The limit of the error",
+    "size-of-force": "The size of the force",
+    "force": "[x, y] of a force",
     "a-spring": "a spring",
     "a-parameter": "a parameter",
     "a-function": "a function",

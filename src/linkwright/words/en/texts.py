@@ -182,6 +182,7 @@ TEXTS: dict[str, str] = {
     "cli.not_met": "NOT met",
     "cli.working": "{study}: {file}",
     "cli.rate": "{rate} poses/s",
+    "cli.count": "{done} of {total}",
     "cli.left": ", {time} left",
     "cli.interrupted": "Interrupted. What is written already is whole.",
     # Why a joint with clearance may lose contact.
