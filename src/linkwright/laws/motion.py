@@ -68,6 +68,10 @@ class Motion:
         """The value on a jet."""
         return composed(x, self.at)
 
+    def slope(self, x: Jet) -> Jet:
+        """The derivative by the axis on a jet."""
+        return composed(x, self.at, 1)
+
     def pieces(self, x: str = "x") -> tuple[tuple[float, float, str], ...]:
         """Start, stop and formula of each piece, in the units of the axis and the value."""
         return self.curve.pieces(x)
