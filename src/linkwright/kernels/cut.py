@@ -2,9 +2,8 @@
 
 The law of a cam says how it is to be cut, from the nominal dimensions. Of a cam that is cut, a deviation of the centre
 distance, the arm or the roller changes the lift instead: the follower rests where its roller's centre lies on the
-profile's own parallel. That is sought along the cut pitch curve, exactly, with all rates: Newton's steps on jets, each
-of which leaves of the error in every derivative the share by which the slope is inexact (the change of the roller's
-radius over the radius of curvature). Base circle and phase belong to the cam: their deviations are errors of its own.
+profile's own parallel. That is sought along the cut pitch curve, exactly, with all rates, by Newton's method on jets: it
+converges in all derivatives alike. Base circle and phase belong to the cam: their deviations are errors of its own.
 """
 
 from __future__ import annotations
@@ -20,9 +19,10 @@ from linkwright.laws import Motion
 from linkwright.model import units as u
 from linkwright.model.cams import Following
 from linkwright.notation import Jet, Pair, Scalar, Vec
-from linkwright.notation.jets import call
+from linkwright.notation.jets import call, is_zero
 
-STEPS = 10
+STEPS = 4
+"""Newton's steps from the angle of the cam: deviations are small, and each step squares what is left."""
 
 
 def cut(compiled: Compiled) -> Compiled:
@@ -31,7 +31,7 @@ def cut(compiled: Compiled) -> Compiled:
         return compiled
     drives = followings(compiled.quantities)
     laws = {
-        name: replace(law, ride=_Cut(compiled, drives[name]).ride).driven_by(compiled.laws[law.motor])
+        name: replace(law, ride=_Cut(compiled, drives[name], law).ride).driven_by(compiled.laws[law.motor])
         if isinstance(law, CamLaw)
         else law
         for name, law in compiled.laws.items()
@@ -42,16 +42,21 @@ def cut(compiled: Compiled) -> Compiled:
 class _Cut:
     """One profile, and its follower at any parameters."""
 
-    def __init__(self, compiled: Compiled, drive: Following) -> None:
+    def __init__(self, compiled: Compiled, drive: Following, law: CamLaw) -> None:
         self.quantities, self.drive = compiled.quantities, drive
         self.motion: Motion = compiled.motions[drive.cam.law]
         self.forward = sense(self.quantities, drive)
         nominal = self.quantities.parameters
         self.plan = seat(Geometry(self.quantities, nominal), drive)
         self.turn = whole(self.quantities, nominal, drive)
+        self.law, self.nominal = law, nominal
 
     def ride(self, angle: Jet, parameters: Parameters) -> Jet:
         """The follower's value (rad or m) from the motor's angle, at other parameters."""
+        own = ((parameters[name], self.nominal[name]) for name in self.law.names if name in parameters)
+        if all(isinstance(value, float) and value == planned for value, planned in own):
+            assert self.law.ride is not None
+            return self.law.ride(angle, parameters)
         geometry = Geometry(self.quantities, parameters)
         here, phase = seat(geometry, self.drive), geometry.number(self.drive.cam.phase, u.ANGLE)
         plan = replace(self.plan, base=here.base)
@@ -65,10 +70,14 @@ class _Cut:
         more, forward, start = here.roller - plan.roller, self.forward, at
         pivot, right = here.pivot.minus(here.shaft), Pair(here.way.y, -here.way.x)
         for step in range(STEPS + 1):
-            centre, way = self.centre(plan, at)
+            centre, way, bend = self.centre(plan, at)
             across = centre.plus(way.perp.times(forward))
             parallel = centre.plus(across.times(more / across.dot(across).sqrt()))
             past = way.minus(centre.perp.times(forward))
+            if not is_zero(more):
+                bent = bend.minus(way.perp.times(2 * forward)).minus(centre)
+                size = past.dot(past)
+                past = past.times(1.0 - (forward * more) * past.cross(bent) / (size * size.sqrt()))
             spin = turned - forward * (at - phase)
             point, past = _turned(parallel, spin), _turned(past, spin)
             if step == STEPS:
@@ -87,16 +96,18 @@ class _Cut:
         found: Jet = beyond + angle + (here.offset - here.home)
         return found
 
-    def centre(self, plan: Seat, at: Jet) -> tuple[Vec, Vec]:
-        """The roller's centre from the shaft as planned, in the carrier, and its derivative by the law's angle."""
-        lift, slope = self.motion.on(at) + plan.start, self.motion.slope(at)
+    def centre(self, plan: Seat, at: Jet) -> tuple[Vec, Vec, Vec]:
+        """The roller's centre from the shaft as planned, in the carrier, and its derivatives by the law's angle."""
+        lift, slope, bend = self.motion.on(at) + plan.start, self.motion.on(at, 1), self.motion.on(at, 2)
         if not plan.turns:
             right = Pair(plan.way.y, -plan.way.x)
             aside = _vector(Pair(plan.aside * right.x, plan.aside * right.y), at)
-            return Vec(lift * plan.way.x, lift * plan.way.y).plus(aside), Vec(slope * plan.way.x, slope * plan.way.y)
+            along = [Vec(part * plan.way.x, part * plan.way.y) for part in (lift, slope, bend)]
+            return along[0].plus(aside), along[1], along[2]
         angle = plan.home + plan.sign * lift
         arm = Vec(angle.cos(), angle.sin()).times(plan.reach)
-        return _vector(plan.pivot.minus(plan.shaft), at).plus(arm), arm.perp.times(plan.sign * slope)
+        bent = arm.perp.times(plan.sign * bend).minus(arm.times(slope * slope))
+        return _vector(plan.pivot.minus(plan.shaft), at).plus(arm), arm.perp.times(plan.sign * slope), bent
 
     def faced(self, plan: Seat, here: Seat, turned: Jet, at: Jet, phase: Scalar) -> Jet:
         """With a flat face: a tangent of the profile, by its distance from the shaft over its direction."""
@@ -108,7 +119,7 @@ class _Cut:
         away, planned = here.pivot.minus(here.shaft), plan.pivot.minus(plan.shaft)
         for step in range(STEPS + 1):
             swing = plan.home + plan.sign * (plan.start + self.motion.on(at))
-            rate = plan.sign * self.motion.slope(at)
+            rate = plan.sign * self.motion.on(at, 1)
             angle = swing + turned - self.forward * (at - phase)
             if step == STEPS:
                 break
