@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from math import pi
+from math import atan2, pi
 from typing import TYPE_CHECKING
 
 from linkwright.graph.geometry import Geometry, unit_vector
@@ -68,6 +68,7 @@ class Seat:
     roller: Scalar
     reach: Scalar
     aside: Scalar  # of a sliding follower: how far right of the shaft it slides, looking the way that it rises
+    home: Scalar  # of a swinging follower: the direction from its pivot to the shaft
     offset: Scalar
     sign: int
     faced: bool
@@ -105,24 +106,32 @@ def seat(geometry: Geometry, drive: Following) -> Seat:
     base = geometry.number(cam.base, u.LENGTH)
     roller = geometry.number(cam.roller, u.LENGTH) if cam.roller is not None else 0.0
     touching = geometry.point(drive.link, cam.touches)
+    plain = Geometry(geometry.quantities, geometry.quantities.parameters)
     faced = cam.face is not None
     if drive.pivot is not None:
         own, pivot = geometry.point(drive.link, drive.pivot[0]), geometry.point(on, drive.pivot[1])
         arm, home = touching.minus(own), shaft.minus(pivot)
+        far = plain.point(on, drive.shaft[1]).minus(plain.point(on, drive.pivot[1]))
         if cam.face is not None:
             heading = geometry.number(cam.face.angle, u.ANGLE)
             reach, turn = -drive.side * arm.dot(unit_vector(heading).perp), heading
         else:
-            reach, turn = call("sqrt", arm.dot(arm)), call("arctan2", arm.y, arm.x)
-        offset = call("arctan2", home.y, home.x) - turn
-        return Seat(shaft, pivot, Pair(0.0, 0.0), base, roller, reach, 0.0, offset, -drive.side, faced, True)
+            about = plain.point(drive.link, cam.touches).minus(plain.point(drive.link, drive.pivot[0]))
+            reach, turn = call("sqrt", arm.dot(arm)), _angle(arm, about)
+        back, none = _angle(home, far), Pair(0.0, 0.0)
+        return Seat(shaft, pivot, none, base, roller, reach, 0.0, back, back - turn, -drive.side, faced, True)
     assert drive.joint is not None
     (at, heading_on), (foot, heading_of) = (geometry.line(drive.joint, link) for link in (on, drive.link))
     ahead, own = at.minus(shaft), touching.minus(foot)
     offset = -(ahead.dot(heading_on) + own.dot(heading_of))
     aside = -drive.side * (ahead.dot(heading_on.perp) + own.dot(heading_of.perp))
     way = Pair(drive.side * heading_on.x, drive.side * heading_on.y)
-    return Seat(shaft, at, way, base, roller, 0.0, aside, offset, drive.side, faced, False)
+    return Seat(shaft, at, way, base, roller, 0.0, aside, 0.0, offset, drive.side, faced, False)
+
+
+def _angle(vector: Pair, near: Pair) -> Scalar:
+    """The angle of a vector, without a jump about that of its nominal value ``near``."""
+    return atan2(near.y, near.x) + call("arctan2", near.cross(vector), near.dot(vector))
 
 
 def slant(geometry: Geometry, drive: Following) -> Scalar:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from linkwright.cam.nc.swept import chains
 from linkwright.model import units as u
 from linkwright.report.charts import points, thinned
-from linkwright.report.workspace_picture import LEFT, TOP, Plane
+from linkwright.report.plane import LEFT, TOP, Plane
 from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.words import say
 

@@ -1193,6 +1193,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Give a positive value, or leave it out.",
     ),
     # Of clearances.
+    "clearance.cam": (
+        "The joint {name} guides the cam {cam} or its follower: a clearance there would move the contact too, which isn't "
+        "followed.",
+        "Leave this joint out; state the play as a tolerance of the centre distance instead.",
+    ),
     "clearance.no-joint": (
         "{name} is neither a pin nor a prismatic joint, so it has no clearance.",
         "Name one of the joints: {near}; a pin made by a revolute joint is called after that.",
