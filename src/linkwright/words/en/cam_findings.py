@@ -51,6 +51,34 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "At the cam angle {theta} the contour can't be followed within {tolerance}: it bends too sharply.",
         "Take a larger base circle or a smoother law, or a wider tolerance.",
     ),
+    "cam.knife": (
+        "An edge has no radius, and no contact pressure that could be told.",
+        "Give the follower a roller.",
+    ),
+    "cam.no-roller": (
+        "This follower has no roller that could turn.",
+        "Give the follower a roller.",
+    ),
+    "cam.shock": (
+        "The follower's velocity jumps: the force there would be infinite.",
+        "Take a law whose velocity joins.",
+    ),
+    "cam.locked": (
+        "The follower locks: the common normal is square to its way.",
+        "Take a larger base circle, or lead the follower otherwise.",
+    ),
+    "cam.groove": (
+        "Only a roller runs in a groove.",
+        "Give the follower a roller.",
+    ),
+    "cam.conjugate": (
+        "The second disc's follower doesn't reach its base circle.",
+        "Change the base circle of the second disc, or the place of its contact.",
+    ),
+    "cam.yoke": (
+        "Only a sliding follower has a yoke.",
+        "Close a swinging one by a groove or a second disc.",
+    ),
     "nc.undercut": (
         "The cam is undercut at {theta} deg: the pitch curve's radius is {radius} mm, the roller's {roller} mm.",
         "Take a larger base circle, or a smaller roller.",
