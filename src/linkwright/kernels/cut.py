@@ -2,8 +2,9 @@
 
 The law of a cam says how it is to be cut, from the nominal dimensions. Of a cam that is cut, a deviation of the centre
 distance, the arm or the roller changes the lift instead: the follower rests where its roller's centre lies on the
-profile's own parallel. That is sought along the cut pitch curve, exactly, with all rates, by Newton's method on jets: it
-converges in all derivatives alike. Base circle and phase belong to the cam: their deviations are errors of its own.
+profile's own parallel. That is sought along the cut pitch curve, exactly, with all rates: by Newton's method on jets,
+which converges in all derivatives alike. Base circle and phase belong to the cam: their deviations are errors of its
+own.
 """
 
 from __future__ import annotations

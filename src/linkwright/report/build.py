@@ -14,6 +14,7 @@ from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.model.pins import spring_ends
 from linkwright.model.units import LENGTH, TIME
+from linkwright.report.cam_shapes import cam_shapes
 from linkwright.report.centrodes import centrodes
 from linkwright.report.data import (
     Failure,
@@ -100,13 +101,17 @@ def scene(result: Result) -> Scene:
         zip(moving, compiled.evaluate(compiled.graph.pose_rows, result.t).reshape(-1, 4, result.t.size), strict=True)
     )
     links: list[Link] = []
+    outlines = cam_shapes(compiled, size)
     for name, entry in compiled.mechanism.links.items():
         points = {p: [c / size for c in geometry.point(name, p)] for p in entry.points}
         pose: Pose = {"x": [0.0], "y": [0.0], "c": [1.0], "s": [0.0]}
         if name != FRAME:
             x, y, c, s = poses[name]
             pose = {"x": listed(x / size), "y": listed(y / size), "c": listed(c), "s": listed(s)}
-        links.append({"name": name, "fixed": name == FRAME, "points": points, "pose": pose})
+        link: Link = {"name": name, "fixed": name == FRAME, "points": points, "pose": pose}
+        if name in outlines:
+            link["outlines"] = outlines[name]
+        links.append(link)
     return {
         "length_unit": unit,
         "time": axis(result)["values"],

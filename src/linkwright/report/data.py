@@ -50,12 +50,14 @@ class Pose(TypedDict):
 
 
 class Link(TypedDict):
-    """A body with its named points in its own axes (length unit, x right, y up)."""
+    """A body with its named points in its own axes (length unit, x right, y up); ``outlines`` are closed lines there,
+    of a cam or a roller."""
 
     name: str
     fixed: bool
     points: Mapping[str, Sequence[float]]
     pose: Pose
+    outlines: NotRequired[Sequence[Sequence[Sequence[float]]]]
 
 
 class Joint(TypedDict):
