@@ -72,6 +72,10 @@ class Sampling(Frozen):
         """The number of equal steps."""
         return self.cycle.samples if self.poses is None else self.poses
 
+    def made(self, compiled: Compiled) -> Compiled:
+        """The mechanism of which the samples are taken."""
+        return compiled
+
     def measures(self, compiled: Compiled) -> list[str]:
         """The measures wanted, by name."""
         known = compiled.mechanism.measures

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from linkwright.kernels import Compiled
-from linkwright.kernels.laws import Law, uniform, values_at
+from linkwright.kernels.law import Law
+from linkwright.kernels.laws import uniform, values_at
 from linkwright.model import units as u
 from linkwright.model.fields import Frozen, Name
 from linkwright.model.findings import Finding, Term

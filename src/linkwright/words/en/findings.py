@@ -4,6 +4,8 @@
 don't are in SI, and the text says so.
 """
 
+from linkwright.words.en.cam_findings import CAM_TERMS, CAM_TEXTS
+
 _TEXTS: dict[str, tuple[str, str]] = {
     # The file and its text.
     "file.unreadable": (
@@ -397,6 +399,71 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "cylinder.same-point": (
         "Both ends of the cylinder are at {point}.",
         "Name two different points, such as one on the frame and one on the link that it moves.",
+    ),
+    # Cams.
+    "cam.contact": (
+        "What touches the cam isn't clear; given: {given}.",
+        "Give roller with at (its centre), or knife with a point of the follower, or face with a line of it.",
+    ),
+    "cam.same-link": (
+        "Cam, follower and carrier must be three links: {cam}, {follower}, {on}.",
+        "Name the link that carries the cam, the link that rides on it, and the one on which both are guided.",
+    ),
+    "cam.no-shaft": (
+        "The cam's link {cam} isn't pinned to {on}.",
+        "Give both a point of the same name on the camshaft's axis, or name another link under on.",
+    ),
+    "cam.no-motor": (
+        "No drive turns {cam} on {on} by a law of its own.",
+        "Add a drive that turns {cam} on {on}, without output; the cam's law is asked at its angle.",
+    ),
+    "cam.no-guide": (
+        "The follower {follower} is neither pinned to {on} nor does it slide on it.",
+        "Give both a point of the same name, or list a prismatic joint between them.",
+    ),
+    "cam.law": (
+        "The law {law} doesn't fit the follower ({given}).",
+        "Take a law with over: angle, of: {of} and beyond: repeat.",
+    ),
+    "cam.period": (
+        "The law {law} goes over {period} {unit}; a cam needs a whole turn, or a whole part of one.",
+        "Let the segments add up to a turn, for example with a dwell.",
+    ),
+    "cam.side": (
+        "On which side the follower lies isn't clear: {given}.",
+        "Write for example 'side: {meant}'.",
+    ),
+    "cam.askew": (
+        "The face is {angle} {unit} out of square with the slide.",
+        "Turn the face's line; only a face square to the slide is known.",
+    ),
+    "cam.offset": (
+        "The follower {follower} passes the shaft at {offset} {unit}; base circle and roller reach out to {limit} {unit} "
+        "only.",
+        "Take a larger base circle, or lead the follower nearer to the shaft.",
+    ),
+    "cam.reach": (
+        "The arm of {follower} misses the base circle by {by} {unit}: arm {arm} {unit} and centre distance {distance} "
+        "{unit} allow a roller's centre from {low} {unit} to {high} {unit} off the shaft; base circle and roller ask for "
+        "{pitch} {unit}.",
+        "Change the base circle, the arm or the centre distance until the asked distance lies between.",
+    ),
+    "cam.face": (
+        "The face of {follower} can't lie on the base circle: its radius {base} {unit} less the face's offset {face} "
+        "{unit} isn't within the centre distance {distance} {unit}.",
+        "Change the base circle, the face's place or the centre distance.",
+    ),
+    "cam.no-distance": (
+        "The follower {follower} is pinned where the cam's shaft is.",
+        "Set the two pins apart.",
+    ),
+    "cam.no-arm": (
+        "The point {point} lies on the follower's own pin.",
+        "Name a point of the follower away from its pin.",
+    ),
+    "study.cams": (
+        "The study {study} moves drives singly, and can't with cams ({names}): their followers move with the motor.",
+        "Leave the study out, or put a drive in the place of each cam.",
     ),
     "motion.cylinder-length": (
         "The cylinder {name} would have to be {by} {length_unit} {end} than it can be: {length} {length_unit} "
@@ -1126,6 +1193,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Give a positive value, or leave it out.",
     ),
     # Of clearances.
+    "clearance.cam": (
+        "The joint {name} guides the cam {cam} or its follower: a clearance there would move the contact too, which isn't "
+        "followed.",
+        "Leave this joint out; state the play as a tolerance of the centre distance instead.",
+    ),
     "clearance.no-joint": (
         "{name} is neither a pin nor a prismatic joint, so it has no clearance.",
         "Name one of the joints: {near}; a pin made by a revolute joint is called after that.",
@@ -1626,6 +1698,7 @@ _TERMS: dict[str, str] = {
     "a-joint": "a joint",
     "a-slide": "a prismatic joint",
     "a-cylinder": "a cylinder",
+    "a-cam": "a cam",
     "closure": "the closure of the joints",
     "equilibrium": "the equilibrium of the links",
     "power": "the balance of power",
@@ -1680,7 +1753,7 @@ _TERMS: dict[str, str] = {
 }
 
 FINDINGS: dict[str, str] = {
-    **{f"{code}.what": what for code, (what, _) in _TEXTS.items()},
-    **{f"{code}.mend": mend for code, (_, mend) in _TEXTS.items()},
-    **{f"term.{name}": text for name, text in _TERMS.items()},
+    **{f"{code}.what": what for code, (what, _) in {**_TEXTS, **CAM_TEXTS}.items()},
+    **{f"{code}.mend": mend for code, (_, mend) in {**_TEXTS, **CAM_TEXTS}.items()},
+    **{f"term.{name}": text for name, text in {**_TERMS, **CAM_TERMS}.items()},
 }
