@@ -122,7 +122,7 @@ def _motion(compiled: Compiled, wish: Wish, joints: list[ToolJoint]) -> Motion:
         zero = float(values_at(compiled.laws, 0.0)[wish.drive]) if wish.zero is None else wish.zero
         ends = sorted(zero + sign * stop for stop in wish.stops)
         window = ends[0], ends[1]
-    found = reach(compiled, wish.drive, wish.zero, window)
+    found = reach(compiled, wish.drive, wish.zero, window, None if wish.stops is None else (joint.name, sign))
     if isinstance(found, Finding):
         raise Refused(found)
     return Motion(compiled, wish.drive, found, joint, sign)
