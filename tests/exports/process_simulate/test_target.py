@@ -101,7 +101,7 @@ def test_everything_wrong_with_the_options_is_told_at_once() -> None:
 @pytest.mark.parametrize(
     ("options", "code"),
     [
-        ({"dialect": "latin"}, "study.choice"),
+        ({"dialect": "latin"}, "export.choice"),
         ({"decimals": 3}, "export.options"),
         ({"range": ["0 mm", "20 mm"]}, "expression.units-conflict"),
         ({"range": [0, 1e9]}, "study.wide-range"),

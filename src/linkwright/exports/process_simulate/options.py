@@ -26,7 +26,7 @@ from linkwright.studies.limits import WIDEST
 ALLOWED = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,59}")
 """Names that every tool takes: what else Process Simulate would take isn't known."""
 
-Which = one_of("exports: process-simulate", "dialect", [*DIALECTS])
+Which = one_of("process-simulate", "dialect", [*DIALECTS], "export.choice")
 
 
 class ProcessSimulateOptions(Frozen):

@@ -955,6 +955,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The option {key} of the export to {export} is wrong: {reason}.",
         "Correct it; docs/file-format.md lists the options of each target.",
     ),
+    "export.choice": (
+        "The option {key} of the export to {study} can't be {given}.",
+        "Write one of these: {known}.",
+    ),
     "export.handle": (
         "The handle {name} is a point of the frame: it doesn't move.",
         "Name a point of the panel, where a hand opens it.",
