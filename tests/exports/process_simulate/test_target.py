@@ -178,6 +178,17 @@ def test_a_zero_pose_beyond_a_toggle_is_told_where_it_may_be(options: dict[str, 
     assert exported(model, zero=failure.data["high"], **options).done
 
 
+def test_pivots_in_one_place_are_pointed_out() -> None:
+    """A four-bar without a base turns as one piece."""
+    links = {**FOUR_BAR["links"], "frame": {"points": {"O": [0, 0], "D": [0, 0]}}}
+    done = exported(document(links=links, parameters={"a": 60}))
+    assert done.done
+    (warning,) = done.warnings
+    assert warning.code == "functions.still"
+    assert warning.data["joints"] == "C, B"
+    assert not exported().warnings
+
+
 def test_a_mechanism_that_starts_at_a_toggle_is_refused() -> None:
     """Coupler and rocker in line at the start: cos = (a2 + d2 - (b + c)2)/(2 a d)."""
     end = math.degrees(math.acos((160**2 + 100**2 - 200**2) / (2 * 160 * 100)))

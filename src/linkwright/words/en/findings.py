@@ -1044,6 +1044,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "function can't follow both of its assembly modes.",
         "Take zero within [{low} {unit}, {high} {unit}]; or start the drive on the side where the zero pose is.",
     ),
+    "functions.still": (
+        "These joints stand still over the whole range: {joints}.",
+        "If they shouldn't: see whether two pivots stand in one place, or whether the range is too small.",
+    ),
     "functions.sweep": (
         "A direction turns by {spread} deg over the range, seen from any link (joints {joints}); a function in the dialect "
         "{dialect} holds {most} deg.",
