@@ -12,6 +12,8 @@ from typing import Any
 import pytest
 
 import linkwright
+from linkwright.exports import TARGETS
+from linkwright.exports import register as register_target
 from linkwright.groups import REGISTRY
 from linkwright.groups.dyad import register as register_group
 from linkwright.kernels import KERNELS
@@ -34,6 +36,7 @@ PUBLIC = [
     "check",
     "compile",
     "dump",
+    "export",
     "load",
     "modes",
     "run",
@@ -112,6 +115,7 @@ def test_the_registered_names() -> None:
     assert set(REGISTRY) == {"RRR", "RRP", "RPR", "PRP", "RPP"}
     assert set(KERNELS) == {"jax", "numba", "numpy"}
     assert set(STUDIES) == {"accuracy", "cycle", "limits", "modes", "sweep", "workspace"}
+    assert set(TARGETS) == {"mjcf", "motor-expressions", "process-simulate"}
 
 
 @pytest.mark.parametrize("entry", REGISTRY.values(), ids=REGISTRY)
@@ -138,7 +142,17 @@ def test_a_study_registers_once(name: str) -> None:
     assert before == STUDIES
 
 
-@pytest.mark.parametrize(("registry", "key"), [(REGISTRY, "signature"), (KERNELS, "name"), (STUDIES, "name")])
+@pytest.mark.parametrize("name", TARGETS)
+def test_a_target_registers_once(name: str) -> None:
+    before = dict(TARGETS)
+    with pytest.raises(ValueError, match=name):
+        register_target(type("Second", (), {"name": name}))
+    assert before == TARGETS
+
+
+@pytest.mark.parametrize(
+    ("registry", "key"), [(REGISTRY, "signature"), (KERNELS, "name"), (STUDIES, "name"), (TARGETS, "name")]
+)
 def test_a_registered_name_stands_on_its_class(registry: dict[str, Any], key: str) -> None:
     for name, entry in registry.items():
         assert getattr(entry, key) == name
@@ -159,10 +173,11 @@ LEVELS = {
     "results": 8,
     "cam": 9,
     "studies": 10,
-    **dict.fromkeys(("report", "export"), 11),
-    "app": 12,
-    "cli": 13,
-    "__main__": 14,
+    "report": 11,
+    "exports": 12,
+    "app": 13,
+    "cli": 14,
+    "__main__": 15,
 }
 # The side floors know of nothing but what is named here.
 SIDES = {"notation": set(), "words": set(), "gallery": set(), "laws": {"notation"}, "tolerances": {"notation"}}

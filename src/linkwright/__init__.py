@@ -13,7 +13,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from linkwright.app import Job, accuracy, check, modes, run, sweep, workspace
+    from linkwright.app import Job, accuracy, check, export, modes, run, sweep, workspace
     from linkwright.kernels import Compiled
     from linkwright.kernels import compile_mechanism as compile
     from linkwright.model.builder import Builder
@@ -39,6 +39,7 @@ _PLACES = {
     "check": ("linkwright.app", "check"),
     "compile": ("linkwright.kernels", "compile_mechanism"),
     "dump": ("linkwright.model.document", "dump"),
+    "export": ("linkwright.app", "export"),
     "load": ("linkwright.model.document", "load"),
     "modes": ("linkwright.app", "modes"),
     "run": ("linkwright.app", "run"),
@@ -62,6 +63,7 @@ __all__ = [
     "check",
     "compile",
     "dump",
+    "export",
     "load",
     "modes",
     "run",

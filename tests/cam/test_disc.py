@@ -127,33 +127,6 @@ def test_the_heat_seal_cam(sense: int, curve: float, profile: float, pitch: floa
     assert (edge.min(), edge.max()) == (pytest.approx(39.0, abs=1e-9), pytest.approx(55.852, abs=1e-3))
 
 
-def test_a_harmonic_flat_cam_is_a_circle() -> None:
-    """50 mm of simple harmonic lift over a turn, least radius 25 mm: a circle of 50 mm, its centre 25 mm off."""
-    look = Disc(TranslatingFlat(25.0), harmonic(25.0)).look(THETA)
-    assert np.ptp(look.radius()) < 1e-12
-    x, y = look.offset(0.0)
-    assert np.abs(np.hypot(x, y + 25.0) - 50.0).max() < 1e-12
-
-
-def test_an_eccentric_disc() -> None:
-    """Disc of 40 mm, 10 mm off centre, roller of 10 mm: pitch curve a circle of 50 mm, pressure angle asin(10 / 50)."""
-    start = 40.0
-
-    def lift(theta: Any) -> Any:
-        return -10.0 * theta.cos() + (2500.0 - 100.0 * theta.sin() ** 2).sqrt() - start
-
-    disc = Disc(TranslatingRoller(30.0, 10.0), lift)
-    assert np.abs(disc.look(THETA).radius() - 50.0).max() < 1e-11
-    assert math.degrees(extremes(disc, pressure)[1].value) == pytest.approx(11.5370, abs=5e-5)
-
-
-def test_an_involute_cam_has_no_pressure_angle() -> None:
-    """Offset equal to the base circle's lift per radian."""
-    follower = TranslatingKnife(25.0, offset=20.0)
-    look = Disc(follower, lambda theta: 20.0 * theta).look(np.linspace(0.0, 1.0, 11))
-    assert np.abs(look.pressure.d[0]).max() < 1e-15
-
-
 @pytest.mark.parametrize(
     ("follower", "key"),
     [

@@ -60,6 +60,20 @@ def test_it_says_share_rate_and_time_left(clock: Clock) -> None:
     assert "0:02 left" in text
 
 
+def test_few_pieces_are_counted(clock: Clock) -> None:
+    """After a work of many poses, for one bar: neither its poses nor its time count."""
+    stream = io.StringIO()
+    with Bar("run", True, Console(file=stream, force_terminal=True, width=120)) as bar:
+        bar(0, 10**6)
+        clock.now += 50.0
+        bar(10**6, 10**6)
+        for done in range(4):
+            bar(done, 6)
+            clock.now += 2.0
+            bar(done, 6)
+    assert "3 of 6, 0:08 left" in stream.getvalue() and "50%" in stream.getvalue()
+
+
 def test_rates_and_times() -> None:
     speeds = {0.5: "0.5", 999.4: "999", 999.6: "1 k", 38.21e6: "38.2 M", 999.9e3: "1 M", 2.5e9: "2.5 G"}
     assert {speed: rate(speed) for speed in speeds} == speeds

@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -12,8 +14,9 @@ from click.testing import CliRunner, Result
 
 import linkwright as lw
 from helpers.workspaces import arm
-from linkwright.cli import cli
+from linkwright.cli import cli, main
 from linkwright.model.document import parse_document
+from linkwright.studies import Stopped
 
 
 @pytest.fixture
@@ -36,6 +39,31 @@ def test_the_study_alone(file: Path, tmp_path: Path) -> None:
     assert {path.name for path in (tmp_path / "out").iterdir()} - {"workspace.dxf"} == files
 
 
+def test_interrupted_it_writes_what_is_done(
+    file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The first of three regions interrupts the rest."""
+    study = {"point": "E", "chord": 1e-3, "for": {"b": [30, 35, 20]}}
+    lw.save(lw.load(file).model_copy(update={"studies": {"workspace": study}}), file)
+
+    def interrupting(*given: Any) -> Any:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("linkwright.studies.workspace.together.wait", interrupting)
+    monkeypatch.setattr("sys.argv", ["linkwright", "workspace", str(file), "--out", str(tmp_path / "out")])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code == 130
+    assert "1 of 3 regions" in capsys.readouterr().err
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
+    assert not summary["done"] and [f["code"] for f in summary["findings"]] == ["workspace.stopped"]
+    assert [region["b"] for region in summary["workspace"]["regions"]] == [30]
+    assert "E" in (tmp_path / "out" / "workspace.svg").read_text()
+    with pytest.raises(Stopped):
+        lw.workspace(file, out=tmp_path / "python")
+    assert (tmp_path / "python" / "summary.json").exists()
+
+
 def test_json(file: Path) -> None:
     result = call("workspace", file, "--json")
     assert result.exit_code == 0
@@ -43,11 +71,22 @@ def test_json(file: Path) -> None:
     assert region["holes"] == 1
 
 
-def test_dxf_needs_its_package(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(("option", "extra"), [("--dxf", "cad"), ("--png", "png")])
+def test_dxf_and_png_need_their_packages(file: Path, monkeypatch: pytest.MonkeyPatch, option: str, extra: str) -> None:
     monkeypatch.setattr("linkwright.model.machine.import_module", _missing)
-    result = call("workspace", file, "--dxf")
+    result = call("workspace", file, option)
     assert result.exit_code == 2
-    assert "file.needs-package" in result.stderr and "linkwright[cad]" in result.stderr
+    assert "file.needs-package" in result.stderr and f"linkwright[{extra}]" in result.stderr
+
+
+def test_png_shows_the_picture_of_the_svg(file: Path, tmp_path: Path) -> None:
+    pytest.importorskip("resvg_py", reason="resvg-py isn't installed")
+    assert call("workspace", file, "--out", tmp_path / "out", "--png").exit_code == 0
+    drawn = ElementTree.parse(tmp_path / "out" / "workspace.svg").getroot()
+    content = (tmp_path / "out" / "workspace.png").read_bytes()
+    assert content[:8] == b"\x89PNG\r\n\x1a\n"
+    size = int.from_bytes(content[16:20], "big"), int.from_bytes(content[20:24], "big")
+    assert size == (2 * int(drawn.attrib["width"]), 2 * int(drawn.attrib["height"]))
 
 
 def _missing(package: str) -> None:

@@ -216,3 +216,34 @@ def test_what_a_run_finds_is_told_in_the_file_s_names() -> None:
     data["links"]["frame"]["points"]["K"] = [2, 0]
     job = lw.run(Document.model_validate(data | {"assembly": {}, "studies": {"cycle": {"duration": 2}}}))
     assert [(f.code, f.path) for f in job.found] == [("motion.singular", ("cylinders", "lift"))]
+
+
+def between_two(**sections: Any) -> dict[str, Any]:
+    """A pin P that only two cylinders carry, 1.3 m and 1.5 m long, 1 m apart."""
+    return {
+        **boom(),
+        "links": {"frame": {"points": {"O": [0, 0], "K": [1, 0]}}},
+        "cylinders": {"left": {"from": "O", "to": "P"}, "right": {"from": "K", "to": "P"}},
+        "assembly": {"P": "left of O-K"},
+        "drives": {
+            "first": {"extends": "left", "speed": 0, "start": 1.3},
+            "second": {"extends": "right", "speed": 0, "start": 1.5},
+        },
+        **sections,
+    }
+
+
+def test_cylinders_may_share_a_pin_that_no_other_link_has() -> None:
+    x, y = compiled_from(between_two()).evaluate(["P.x", "P.y"], T[:1])[:, 0]
+    assert (np.hypot(x, y), np.hypot(x - 1, y)) == pytest.approx((1.3, 1.5)) and y > 0
+    drawn = between_two(sketch={"O": [0, 0], "K": [1, 0], "P": [0.2, 1.1]})
+    drawn["links"]["frame"]["points"] = ["O", "K"]
+    for drive in drawn["drives"].values():
+        drive["start"] = "sketch"
+    assert compiled_from(drawn).evaluate(["P.x", "P.y"], T[:1])[:, 0] == pytest.approx([0.2, 1.1])
+
+
+def test_a_pin_of_one_cylinder_alone_is_a_slip() -> None:
+    wrong = between_two(cylinders={"left": {"from": "O", "to": "P"}, "right": {"from": "K", "to": "Q"}})
+    told = [(f.code, f.element) for f in examine(Document.model_validate(wrong))[1]]
+    assert told[:2] == [("name.unknown", "cylinders.left.to"), ("name.unknown", "cylinders.right.to")]

@@ -98,6 +98,7 @@ SEGMENT = ("laws", "law", "segments", 0)
         ([{**CYCLOID, "law": "eighth_degree"}, *BACK], {}, [("law.end-acceleration", SEGMENT)]),
         ([{**CYCLOID, "skew": 1}, *BACK], {}, [("law.skew", SEGMENT)]),
         ([{"rise": 12, "over": 90, "fractions": [0.5, 0.5, 0.5, 0]}, *BACK], {}, [("law.fractions", SEGMENT)]),
+        ([{"rise": 12, "over": 90, "fractions": [1e-300, 0.5, 0.5, 0]}, *BACK], {}, [("law.fractions", SEGMENT)]),
         ([{"rise": 12, "over": 90, "fractions": [0, 0, 0, 1]}, *BACK], {}, [("law.fractions", SEGMENT)]),
         ([{"rise": 12, "over": 90, "powers": [3, 3, 4]}, *BACK], {}, [("law.powers", SEGMENT)]),
         ([{"rise": 0, "over": 360, "via": [[20, 3], [10, 2]]}], {}, [("law.via", SEGMENT)]),

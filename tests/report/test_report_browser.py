@@ -13,8 +13,10 @@ import numpy as np
 import pytest
 
 from helpers.accuracies import outcome
+from helpers.workspaces import five_bar, performed
 from linkwright.report import ReportData, Scene, page
 from linkwright.report.accuracy_page import accuracy_page
+from linkwright.report.build import report_data
 
 pytestmark = pytest.mark.browser
 sync_api = pytest.importorskip("playwright.sync_api")
@@ -365,3 +367,28 @@ def test_drawing_works_alone_as_a_notebook_widget(browser: Any, report: ReportDa
     )
     shown.close()
     assert counts == [5, 1, 0, 0]
+
+
+@pytest.mark.parametrize("width", [390, 1400])
+def test_one_pose_of_a_workspace_stands_still_before_its_regions(show: Any, width: int) -> None:
+    job = performed(five_bar(drives={"motor": [80, 120], "servo": [40, 100]}))
+    document = job.examined.document
+    assert document is not None
+    view = show(report_data(document, job.outcomes), viewport={"width": width, "height": 900})
+    assert view.complaints == []
+    drawing = view.page.locator("#drawing")
+    assert not drawing.locator(".lw-bar").is_visible() and not drawing.locator("select").is_visible()
+    frame = drawing.locator("svg.lw-drawing").bounding_box()
+    assert frame is not None
+    for shape in drawing.locator(".lw-area, .lw-bodies, .lw-pin").all():
+        box = shape.bounding_box()
+        assert box is not None and box["x"] >= frame["x"] and box["y"] >= frame["y"]
+        assert box["x"] + box["width"] <= frame["x"] + frame["width"]
+        assert box["y"] + box["height"] <= frame["y"] + frame["height"]
+    own = drawing.locator(".lw-area").first
+    # C, the working point, lies in the region of the file's own mode: cranks at 100 and 80 deg, 12 mm couplers.
+    pin, reach = drawing.locator('[data-point="C"]').bounding_box(), own.bounding_box()
+    assert pin is not None and reach is not None
+    assert reach["x"] < pin["x"] < reach["x"] + reach["width"] and reach["y"] < pin["y"] < reach["y"] + reach["height"]
+    drawing.get_by_label(job.summary["workspace"]["regions"][0]["mode"]).uncheck()
+    assert not own.is_visible() and drawing.locator(".lw-area").nth(1).is_visible()

@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
+from linkwright.exports.schema import file_schema
 from linkwright.model.yaml_text import read_text
-from linkwright.studies.schema import file_schema
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.yaml"))
 
@@ -39,6 +39,7 @@ def test_the_examples_are_valid(path: Path, validator: Any) -> None:
         ("links", {"crank": {"poins": {}}}),
         ("studies", {"cycle": {"samples": 1}}),
         ("studies", {"cycel": {}}),
+        ("exports", {"nothing": {}}),
         ("assembly", {"C": "beside B"}),
         ("drives", {"motor": {"turns": 5}}),
     ],

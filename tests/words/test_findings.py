@@ -32,7 +32,8 @@ what is wrong and how to mend it. The command line, `summary.json`, the report a
 `ModelError.findings`) show the same ones. The codes are stable; the words may change.
 
 Exit codes: 2 where the file or the command is wrong, 1 where the model is well written but can't do what is
-asked (`structure.…`, `assembly.…`, `motion.…`, a load or measure without a value, a requirement that isn't met).
+asked (`structure.…`, `assembly.…`, `motion.…`, `export.cannot-…`, a load or measure without a value, a requirement
+that isn't met).
 
 Words in *italics* stand for what the finding names.
 """
@@ -62,9 +63,11 @@ TITLES = {
     "window": "Windows",
     "measure": "Measures",
     "study": "Studies",
+    "export": "Exports",
     "clearance": "Clearances",
     "tolerance": "Tolerances",
     "accuracy": "Accuracy",
+    "functions": "Joint functions",
     "workspace": "Workspaces",
     "varied": "Many parameter sets",
     "structure": "Structure",
@@ -102,7 +105,7 @@ def rendered() -> str:
 
 def in_source() -> set[str]:
     """The codes that the source raises: what looks like one, begins like one, and isn't another text's key."""
-    files = (".csv", ".nc", ".svg", ".dxf", ".step", ".geojson")
+    files = (".csv", ".nc", ".svg", ".dxf", ".step", ".geojson", ".png")
     codes = {text for text in source.texts() if text.split(".")[0] in TITLES and not text.endswith(files)}
     return codes - OTHERS
 

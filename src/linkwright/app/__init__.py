@@ -4,20 +4,25 @@ from linkwright.app.accuracies import accuracy
 from linkwright.app.alone import examine_alone, runner_of
 from linkwright.app.assembly_modes import ModesJob, modes, modes_of_file
 from linkwright.app.bench import Bench, bench_file
+from linkwright.app.exports import ExportJob, examine_export, export, export_of, write_export
 from linkwright.app.job import Examined, Job, check, examine_file, perform, run, write
 from linkwright.app.sweeps import sweep
-from linkwright.app.workspaces import workspace
+from linkwright.app.workspaces import workspace, write_png
 
 __all__ = [
     "Bench",
     "Examined",
+    "ExportJob",
     "Job",
     "ModesJob",
     "accuracy",
     "bench_file",
     "check",
     "examine_alone",
+    "examine_export",
     "examine_file",
+    "export",
+    "export_of",
     "modes",
     "modes_of_file",
     "perform",
@@ -26,4 +31,6 @@ __all__ = [
     "sweep",
     "workspace",
     "write",
+    "write_export",
+    "write_png",
 ]

@@ -62,15 +62,19 @@ def perform_alone(
     raise_errors(examined.findings)
     if target is not None:
         write(job, target)
+    if job.stopped is not None:
+        raise job.stopped
     return job.outcomes[study]
 
 
-def altered(document: Document, study: str, given: Mapping[str, Any], without: Sequence[str] = ()) -> Document:
-    """The document with other options of a study; what is ``None`` isn't given."""
+def altered(
+    document: Document, name: str, given: Mapping[str, Any], without: Sequence[str] = (), section: str = "studies"
+) -> Document:
+    """The document with other options of a study, or of an export; what is ``None`` isn't given."""
     data = plain(document)
-    studies = data.setdefault("studies", {})
-    options = {key: value for key, value in studies.get(study, {}).items() if key not in without}
-    studies[study] = options | {key: _listed(value) for key, value in given.items() if value is not None}
+    entries = data.setdefault(section, {})
+    options = {key: value for key, value in entries.get(name, {}).items() if key not in without}
+    entries[name] = options | {key: _listed(value) for key, value in given.items() if value is not None}
     made = parse_document(data)
     assert made is not None
     return made

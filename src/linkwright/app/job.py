@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from linkwright.exports import Order, read_exports
 from linkwright.kernels import Compiled, examine
 from linkwright.model.document import located, read_document, write_aside
 from linkwright.model.findings import Finding, ModelError, raise_errors
@@ -23,6 +24,7 @@ from linkwright.studies import (
     LimitsOutcome,
     ModesOutcome,
     Site,
+    Stopped,
     SweepOutcome,
     Task,
     read_studies,
@@ -30,7 +32,7 @@ from linkwright.studies import (
 from linkwright.studies.accuracy.outcome import AccuracyOutcome
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
-CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite")
+CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite", "export.cannot-")
 """Codes that begin so mean a model that can't do what is asked (exit code 1); all others a wrong file (2)."""
 
 
@@ -41,6 +43,7 @@ class Examined:
     document: Document | None = None
     compiled: Compiled | None = None
     tasks: list[Task] = field(default_factory=list)
+    orders: list[Order] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
     source: Source = field(default_factory=Source)
     folder: Path | None = None
@@ -83,25 +86,33 @@ def examine_file(path: Path, only: str | None = None) -> Examined:
     return examined
 
 
-def examine_document(document: Document, folder: Path | None = None, only: str | None = None) -> Examined:
-    """Compile a document and read its studies; with ``only``, that study alone, whether the file asks for it or not."""
+def examine_document(
+    document: Document, folder: Path | None = None, only: str | None = None, to: str | None = None
+) -> Examined:
+    """Compile a document and read its studies and exports; with ``only``, that study alone, whether the file asks for
+    it or not; with ``to``, that export alone."""
     tasks, findings = read_studies(document.studies if only is None else {only: {}, **document.studies})
-    tasks = [task for task in tasks if only in (None, task.study.name)]
+    orders, wrong = read_exports(document.exports)
+    tasks = [task for task in tasks if to is None and only in (None, task.study.name)]
+    orders = [order for order in orders if only is None and to in (None, order.target.name)]
     compiled, faults = examine(document, folder)
-    findings += faults
+    findings += [*wrong, *faults]
     if compiled is not None:
         checked = [finding for task in tasks for finding in task.study.check(compiled, task.options)]
+        checked += [finding for order in orders for finding in order.target.check(compiled, order.options)]
         findings += [finding for i, finding in enumerate(checked) if finding not in checked[:i]]
-    return Examined(document, compiled, tasks, findings, folder=folder)
+    return Examined(document, compiled, tasks, orders, findings, folder=folder)
 
 
 @dataclass
 class Job:
-    """A performed model file: outcomes by study name, and the folder they were written to."""
+    """A performed model file: outcomes by study name, and the folder they were written to; ``stopped`` is the interrupt
+    that ended it, after which the last outcome holds what was done."""
 
     examined: Examined
     outcomes: dict[str, Any] = field(default_factory=dict)
     folder: Path | None = None
+    stopped: Stopped | None = None
 
     @property
     def cycle(self) -> CycleOutcome | None:
@@ -141,7 +152,9 @@ class Job:
 
     @property
     def exit_code(self) -> int:
-        """The examination's code, else 1 where an outcome isn't what is asked, else 0."""
+        """130 where it was interrupted, else the examination's code, else 1 where an outcome isn't what is asked."""
+        if self.stopped is not None:
+            return 130
         return self.examined.exit_code or (0 if all(o.done for o in self.outcomes.values()) else 1)
 
     @property
@@ -165,6 +178,9 @@ def perform(examined: Examined, site: Site = NOWHERE) -> Job:
                 job.outcomes[task.study.name] = task.study.run(examined.compiled, task.options, site)
             except ModelError as error:  # a drive's law that gives no number between the samples
                 examined.findings += examined.located(error.findings)
+            except Stopped as stopped:
+                job.outcomes[task.study.name], job.stopped = stopped.outcome, stopped
+                break
     return job
 
 
@@ -213,6 +229,8 @@ def run(model: str | Path | Document, out: str | Path | None = None, folder: str
     raise_errors(examined.findings)
     if out is not None:
         write(job, Path(out))
+    if job.stopped is not None:
+        raise job.stopped
     return job
 
 

@@ -7,7 +7,11 @@ from pathlib import Path
 from typing import Any
 
 from linkwright.app.alone import perform_alone
+from linkwright.app.job import Job
+from linkwright.model.document import write_aside
+from linkwright.model.machine import needed
 from linkwright.model.mechanism import Document
+from linkwright.report.workspace_files import png
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 
@@ -34,3 +38,10 @@ def workspace(
     outcome = perform_alone(model, "workspace", {**(options or {}), **stated}, out=out, folder=folder)
     assert isinstance(outcome, WorkspaceOutcome)
     return outcome
+
+
+def write_png(job: Job, folder: Path) -> None:
+    """Write the pictures of a workspace as workspace.png; :class:`ModelError` where the package for it is missing."""
+    renderer = needed("resvg_py", "png")
+    if job.workspace is not None and (made := png(job.workspace, renderer)) is not None:
+        write_aside(folder / "workspace.png", made)

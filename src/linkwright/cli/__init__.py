@@ -67,12 +67,22 @@ def _end(
     sys.exit(code)
 
 
-def _writing(folder: Path, job: Job, netcdf: bool) -> None:
+def _writing(folder: Path, job: Job, netcdf: bool, png: bool = False) -> None:
     from linkwright import app
+
+    def write() -> None:
+        app.write(job, folder, netcdf)
+        if png:
+            app.write_png(job, folder)
+
+    _try_writing(folder, write)
+
+
+def _try_writing(folder: Path, write: Callable[[], None]) -> None:
     from linkwright.cli import show
 
     try:
-        app.write(job, folder, netcdf)
+        write()
     except OSError as error:
         show.cannot_write(folder, error)
         sys.exit(2)
@@ -178,8 +188,9 @@ def accuracy(samples: int | None, kernel: str | None, **others: Any) -> None:
 @_file
 @click.option("--out", type=click.Path(path_type=Path), help=say("cli.out"))
 @click.option("--dxf", is_flag=True, help=say("cli.dxf"))
+@click.option("--png", is_flag=True, help=say("cli.png"))
 @_json
-def workspace(file: Path, out: Path | None, dxf: bool, as_json: bool) -> None:
+def workspace(file: Path, out: Path | None, dxf: bool, png: bool, as_json: bool) -> None:
     """Perform the workspace study alone."""
     from linkwright import app
     from linkwright.cli import show
@@ -188,17 +199,40 @@ def workspace(file: Path, out: Path | None, dxf: bool, as_json: bool) -> None:
     from linkwright.studies import Site
 
     examined = app.examine_file(file, only="workspace")
-    if dxf:
+    for asked, package, extra in ((dxf, "ezdxf", "cad"), (png, "resvg_py", "png")):
         try:
-            needed("ezdxf", "cad")
+            if asked:
+                needed(package, extra)
         except ModelError as error:
             examined.findings += error.findings
     folder = out or _beside(file)
     with show.working(file, "workspace", quiet=as_json) as progress:
         job = app.perform(examined, Site(out=folder, progress=progress))
         if job.outcomes:
-            _writing(folder, job, False)
+            _writing(folder, job, False, png)
     _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
+
+
+@cli.command(help=say("cli.export"))
+@_file
+@click.option("--to", required=True, metavar="NAME", help=say("cli.to"))
+@click.option("--out", type=click.Path(path_type=Path), help=say("cli.out"))
+@click.option("--dialect", metavar="NAME", help=say("cli.dialect"))
+@click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help=say("cli.set"))
+@_json
+def export(
+    file: Path, to: str, out: Path | None, dialect: str | None, settings: tuple[str, ...], as_json: bool
+) -> None:
+    """Write a mechanism for another tool."""
+    from linkwright import app
+    from linkwright.cli import show
+
+    folder = out or _beside(file)
+    with show.working(file, to, quiet=as_json):
+        examined = app.examine_export(file, to, settings, {"dialect": dialect})
+        job = app.export_of(examined, to)
+        _try_writing(folder, lambda: app.write_export(job, folder))
+    _end(file, examined, as_json, lambda: job.summary, lambda: show.export(job, file), job.exit_code)
 
 
 @cli.command(help=say("cli.bench"))
@@ -254,7 +288,7 @@ def schema() -> None:
     """Print the JSON Schema."""
     import json
 
-    from linkwright.studies.schema import file_schema
+    from linkwright.exports.schema import file_schema
 
     click.echo(json.dumps(file_schema(), indent=2, ensure_ascii=False))
 

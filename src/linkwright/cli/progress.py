@@ -1,4 +1,4 @@
-"""A bar for long work on the terminal: the share done, the rate in poses, the time left."""
+"""A bar for long work on the terminal: the share done, the rate in poses or the count of pieces, the time left."""
 
 from __future__ import annotations
 
@@ -10,10 +10,12 @@ from linkwright.words import say
 
 PATIENCE = 1.0
 """Seconds of work before the bar shows."""
+FEW = 1000
+"""So few in all aren't poses but pieces of work: they are counted."""
 
 
 class Bar:
-    """A progress of poses (see :class:`linkwright.blocks.Progress`), for a ``with``; on standard error.
+    """A progress of poses or other work (see :class:`linkwright.blocks.Progress`), for a ``with``; on standard error.
 
     It shows on a terminal only, unless ``shown`` says yes or no, and only where the work lasts over a second.
     """
@@ -26,23 +28,25 @@ class Bar:
         self._bar: Any = None
         self._start = time.monotonic()
         self._first: int | None = None
+        self._total = 0
 
     def __enter__(self) -> Bar:
         return self
 
     def __call__(self, done: int, total: int) -> None:
-        """So many of all poses are done."""
-        if self._first is None:
-            self._first, self._start = done, time.monotonic()
+        """So many of all poses are done. Another total is that of other work."""
+        if self._first is None or total != self._total:
+            self._first, self._total, self._start = done, total, time.monotonic()
         spent = time.monotonic() - self._start
         if not self._shown or (self._bar is None and spent < PATIENCE):
             return
         if self._bar is None:
             self._bar = self._made(total)
             self._bar.start()
-        speed = (done - self._first) / spent
+        speed = (done - self._first) / max(spent, 1e-9)
         left = (total - done) / speed if speed > 0 else None
-        tail = say("cli.rate", rate=rate(speed)) + (say("cli.left", time=duration(left)) if left is not None else "")
+        what = say("cli.count", done=done, total=total) if total < FEW else say("cli.rate", rate=rate(speed))
+        tail = what + (say("cli.left", time=duration(left)) if left is not None else "")
         self._bar.update(self._bar.task_ids[0], completed=done, total=total, tail=tail)
 
     def _made(self, total: int) -> Any:

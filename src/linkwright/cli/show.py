@@ -14,7 +14,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from linkwright.app import Bench, Examined, Job, ModesJob
+from linkwright.app import Bench, Examined, ExportJob, Job, ModesJob
 from linkwright.blocks import Progress as Told
 from linkwright.cli.progress import Bar
 from linkwright.model.findings import Finding
@@ -126,6 +126,16 @@ def job(done: Job, file: Path) -> None:
             out.print(escape(text))
         _grids(workspace_tables(done.workspace))
     for item in done.examined.located(done.found):
+        finding(item, file)
+    if done.folder is not None:
+        written(done.folder)
+
+
+def export(done: ExportJob, file: Path) -> None:
+    """What an export says of itself, what it found, and where its files lie."""
+    for text in done.exported.sentences if done.exported is not None else ():
+        out.print(escape(text))
+    for item in done.found:
         finding(item, file)
     if done.folder is not None:
         written(done.folder)

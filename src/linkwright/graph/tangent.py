@@ -60,3 +60,18 @@ def tangent(graph: Graph, names: Sequence[str], rates: bool = False, plays: Sequ
     said = [f"d({name})" for name in (*graph.parameters, *plays)]
     outputs = tuple(f"{name}/{kind}" for name in names for kind in range(kinds))
     return Program((), block, (*graph.inputs, *(f"d({n})" for n in graph.inputs)), (*graph.parameters, *said), outputs)
+
+
+def jacobian(graph: Graph, names: Sequence[str], by: Sequence[str], others: Sequence[str] = ()) -> Program:
+    """The program of the named signals of a mechanism of dyads, then of the derivatives of each by some inputs and
+    parameters: all of one signal, then all of the next; then ``others``, without derivatives. They share what they
+    have in common."""
+    order = max((graph.order_of(name) for name in (*names, *others)), default=0)
+    view = View.build(graph, order, graph.inputs, ())
+    symbols = dict(zip((*graph.inputs, *graph.parameters), ca.vertsplit(ca.vertcat(view.x, view.p)), strict=True))
+    rows = ca.vertcat(*(ca.SX(view.row(name)) for name in names))
+    slopes = ca.densify(ca.jacobian(rows, ca.vertcat(*(symbols[name] for name in by))))
+    more = [ca.SX(view.row(name)) for name in others]
+    block = ExpressionStage.from_rows(view.x, view.p, [rows, ca.reshape(slopes.T, -1, 1), *more])
+    outputs = (*names, *(f"d({name})/d({other})" for name in names for other in by), *others)
+    return Program((), block, graph.inputs, graph.parameters, outputs)

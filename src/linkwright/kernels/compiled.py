@@ -26,6 +26,7 @@ from linkwright.laws import Motion, TableLaw
 from linkwright.model.check import check_names, check_values
 from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.mechanism import Mechanism
+from linkwright.model.plane import LinkagePlane
 from linkwright.model.quantities import Quantities
 from linkwright.model.spelled import Spelled, spell_out
 from linkwright.structure import Cluster, Group, Structure, Topology, decompose
@@ -46,6 +47,7 @@ class Compiled:
     motions: dict[str, Motion] = field(default_factory=dict)  # the motion laws, that drives ask
     kernel: str = "numpy"
     passages: Passages = field(default_factory=Passages)
+    plane: LinkagePlane | None = None  # where a sketch of three coordinates lies in the vehicle
     _kernels: dict[tuple[tuple[str, ...], bool], Kernel] = field(default_factory=dict)
     _nodes: dict[tuple[Passage, tuple[str, ...], bool], Array] = field(default_factory=dict, init=False)
 
@@ -201,7 +203,7 @@ def prepare(mechanism: Mechanism, folder: Path | None = None) -> Prepared:
 def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled | None, list[Finding]]:
     """Compile a mechanism as far as it goes, with all findings; ``folder`` is where its table files lie.
 
-    The result is ``None`` where an error stops it.
+    The result is ``None`` where an error stops it; warnings alone don't.
     """
     made = prepare(mechanism, folder)
     if made.findings:
@@ -210,7 +212,7 @@ def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled 
     if assembly.findings:
         return None, made.spelled.home(assembly.findings)
     parts = (made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables, made.motions)
-    return Compiled(*parts), []
+    return Compiled(*parts, plane=made.spelled.plane), [*made.spelled.warnings]
 
 
 def _said(finding: Finding, others: list[Finding]) -> bool:

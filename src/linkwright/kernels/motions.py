@@ -37,6 +37,9 @@ from linkwright.model.units import PURE, Dimension
 from linkwright.notation import Jet
 
 CLOSE = 1e-9
+"""How closely fractions must add up to 1."""
+NARROWEST = 1e-6
+"""The smallest fraction of a zone of acceleration that isn't zero."""
 EDGE = 1e-3
 """How near to an end of its way a law may be fastest."""
 
@@ -133,7 +136,11 @@ class _Reader:
 
     def member(self, fractions: list[float]) -> Law:
         """A member of the SCCA family."""
-        fit = len(fractions) in (4, 7) and abs(sum(fractions) - 1) < CLOSE and min(fractions) >= 0
+        fit = (
+            len(fractions) in (4, 7)
+            and abs(sum(fractions) - 1) < CLOSE
+            and all(f == 0 or f >= NARROWEST for f in fractions)
+        )
         halves = (fractions[:3],) if len(fractions) == 4 else (fractions[:3], fractions[4:])
         if not fit or any(sum(half) == 0 for half in halves):
             raise _WrongError("law.fractions", count=len(fractions), sum=f"{sum(fractions):.10g}")

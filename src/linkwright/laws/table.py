@@ -72,6 +72,17 @@ class TableLaw:
             value = Dual(value, self._at(self._within(given), 0) * x.d[0].slope)
         return x.chain(value, self.or_nan)
 
+    def powers(self) -> tuple[Array, Array]:
+        """The spline as polynomials: its knots (n + 1,), and between each two of them the coefficients of the powers of
+        what the argument is past the first, (n, degree + 1), lowest first."""
+        from scipy.interpolate import PPoly
+
+        made = PPoly.from_spline(self._spline)
+        wide = np.diff(made.x) > 0
+        first, last = self.x[0], self.x[0] + self.period if self.period is not None else self.x[-1]
+        wide &= (made.x[:-1] >= first) & (made.x[1:] <= last)
+        return np.append(made.x[:-1][wide], made.x[1:][wide][-1]), made.c[::-1, wide].T
+
     def _within(self, at: Array) -> Array:
         """The arguments brought into the table by whole periods; NaN outside an open one."""
         if self.period is not None:

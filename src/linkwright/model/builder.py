@@ -53,6 +53,11 @@ class Builder:
             self._put("sketch", name, place)
         return self
 
+    def plane(self, axes: str | None = None, *, normal: Iterable[float] | None = None, within: Any = None) -> Self:
+        """The plane of a sketch of three coordinates: two axes of the vehicle such as ``"xz"``, or its normal."""
+        self._data["plane"] = _given(axes=axes, normal=None if normal is None else [*normal], within=within)
+        return self
+
     def frame(self, points: Points = None, **more: Point) -> Self:
         """The link that doesn't move, with its points."""
         return self._put("links", "frame", {"points": _points(points, more)})
@@ -213,6 +218,10 @@ class Builder:
     def study(self, name: str, **options: Any) -> Self:
         """Something to be computed, with its options."""
         return self._put("studies", name, options)
+
+    def export(self, target: str, **options: Any) -> Self:
+        """What is written for another tool, with the target's options."""
+        return self._put("exports", target, options)
 
     def build(self) -> Document:
         """The document. Raises :class:`ModelError` with all findings of form."""

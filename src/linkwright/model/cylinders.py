@@ -6,6 +6,7 @@ A cylinder ``lift`` from the point K to the point M becomes the links ``lift_bar
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from typing import Any
 
@@ -80,9 +81,16 @@ def _sliding(drive: Drive, joints: dict[str, Joint]) -> Drive:
     return drive.model_copy(update={"extends": None, "slides": link, "on_": on})
 
 
+def shared_pins(m: Mechanism) -> list[str]:
+    """The points that only cylinders name, several of them: pins between their barrels and rods."""
+    named = Counter(point for cylinder in m.cylinders.values() for point in {cylinder.from_, cylinder.to})
+    links = homes(m)
+    return [point for point, count in named.items() if count > 1 and point not in links]
+
+
 def cylinder_faults(m: Mechanism) -> Iterator[Finding]:
     """Faults of cylinders, and of drives that extend them, before they are spelled out."""
-    points = homes(m)
+    points = [*homes(m), *shared_pins(m)]
     for name, cylinder in m.cylinders.items():
         path: Path = ("cylinders", name)
         for key, point in (("from", cylinder.from_), ("to", cylinder.to)):

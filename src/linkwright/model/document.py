@@ -15,6 +15,7 @@ from pydantic import ValidationError
 from linkwright.model.faults import findings_of
 from linkwright.model.findings import Finding, ModelError, Term
 from linkwright.model.mechanism import VERSION, Document
+from linkwright.model.plane import in_plane
 from linkwright.model.sketch import with_sketch
 from linkwright.model.unknown import near
 from linkwright.model.yaml_text import MAX_FINDINGS, Source, read_text
@@ -72,7 +73,7 @@ def load(path: str | Path) -> Document:
 def replaced(document: Document, parameters: Mapping[str, Any]) -> Document:
     """The document with other values of some parameters; see :meth:`Document.replace`."""
     data = plain(document)
-    known, declared = data.setdefault("parameters", {}), with_sketch(document).parameters
+    known, declared = data.setdefault("parameters", {}), with_sketch(in_plane(document).mechanism).parameters
     unknown = [name for name in parameters if name not in declared]
     if unknown:
         raise ModelError(

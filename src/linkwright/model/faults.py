@@ -19,6 +19,7 @@ from linkwright.model.yaml_text import Path, Source
 _CLASSES: dict[str, type[Frozen]] = {
     "units": p.Units,
     "parameters": p.Parameter,
+    "plane": p.Plane,
     "links": p.Link,
     "joints": p.Joint,
     "cylinders": p.Cylinder,

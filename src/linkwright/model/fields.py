@@ -31,6 +31,7 @@ __all__ = [
     "LineOn",
     "LongText",
     "Name",
+    "Place",
     "Position",
     "Requirement",
     "Shape",
@@ -139,6 +140,35 @@ class Position(Written):
         self.put("second", Expression(parts[1]))
         if not self.polar and not self.sketched:
             self.put("raw", (self.first.raw, self.second.raw))
+
+
+class Place(Position):
+    """The place of a point of a sketch: as a position, or ``[x, y, z]`` in the vehicle's axes."""
+
+    __slots__ = ("third",)
+    json_type = {
+        "anyOf": [
+            {"type": "array", "items": {"type": ["number", "string"]}, "minItems": 2, "maxItems": 3},
+            {"type": "string", "pattern": " at |^sketch$"},
+        ]
+    }
+    third: Expression | None
+
+    def read(self, raw: Any) -> None:
+        self.put("third", None)
+        if not isinstance(raw, list | tuple) or len(raw) != 3:
+            super().read(raw)
+            return
+        self.put("polar", False)
+        self.put("sketched", False)
+        for name, part in zip(("first", "second", "third"), raw, strict=True):
+            self.put(name, Expression(part))
+        self.put("raw", tuple(part.raw for part in self.parts))
+
+    @property
+    def parts(self) -> tuple[Expression, ...]:
+        """The coordinates, two or three."""
+        return (self.first, self.second) if self.third is None else (self.first, self.second, self.third)
 
 
 class LineOn(Written):

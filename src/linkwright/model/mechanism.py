@@ -16,14 +16,14 @@ from linkwright.model.fields import (
     FrozenDict,
     LongText,
     Name,
-    Position,
+    Place,
     Requirement,
     Text,
     fault,
     frozen,
 )
 from linkwright.model.motions import MotionLaw
-from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter, Units, Vector, freeze
+from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter, Plane, Units, Vector, freeze
 from linkwright.model.written import unexpected
 
 __all__ = [
@@ -84,9 +84,13 @@ class Mechanism(Frozen):
     parameters: Annotated[dict[Name, Parameter], _bound, freeze] = Field(
         default_factory=FrozenDict, description="named values"
     )
-    sketch: Annotated[dict[Name, Position], _bound, freeze] = Field(
+    sketch: Annotated[dict[Name, Place], _bound, freeze] = Field(
         default_factory=FrozenDict,
-        description="places of points in the frame at the start of the motion; links list them by name",
+        description="places of points in the frame at the start of the motion; links list them by name; "
+        "with three coordinates each, in the vehicle's axes",
+    )
+    plane: Plane | None = Field(
+        None, description="the plane of a sketch of three coordinates, e.g. xz; found by least squares unless given"
     )
     links: Annotated[dict[Name, Link], _at_most(MAX_LINKS), freeze] = Field(
         description="the rigid links; the one that doesn't move is called frame"
@@ -171,13 +175,16 @@ Options = Annotated[dict[str, Any], BeforeValidator(_options), AfterValidator(Fr
 
 
 class Document(Mechanism):
-    """A model file: a mechanism and the raw options of its studies."""
+    """A model file: a mechanism and the raw options of its studies and exports."""
 
     linkwright: Annotated[Literal[1], BeforeValidator(_version)] = Field(
         1, description="the version of the file format"
     )
     studies: Annotated[dict[Name, Options], _bound, freeze] = Field(
         default_factory=FrozenDict, description="what is computed, with each study's options"
+    )
+    exports: Annotated[dict[Text, Options], _bound, freeze] = Field(
+        default_factory=FrozenDict, description="what is written for other tools, with each target's options"
     )
 
     def replace(self, **parameters: float | str) -> Document:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from pydantic import (
     AfterValidator,
@@ -29,7 +29,7 @@ from linkwright.model.fields import (
     pair,
 )
 from linkwright.model.tolerances import Tolerance
-from linkwright.model.written import Fault, Shortened, unexpected
+from linkwright.model.written import Fault, Shortened, plain_number, unexpected
 
 freeze = AfterValidator(FrozenDict)
 
@@ -72,6 +72,37 @@ class Parameter(Shortened):
         "ISO 2768-m, h7 or IT8, or a mapping that says more",
     )
     note: LongText | None = Field(None, description="free text")
+
+
+def _direction(raw: Any) -> Any:
+    if not isinstance(raw, list | tuple) or len(raw) != 3:
+        raise unexpected("direction", raw)
+    numbers = tuple(float(plain_number(part, "direction")) for part in raw)
+    if not any(numbers):
+        raise unexpected("direction", raw)
+    return numbers
+
+
+class Plane(Shortened):
+    """The plane of a sketch in the vehicle's coordinates. Mostly written as two axes alone."""
+
+    main = "axes"
+    alone = "the two axes alone"
+
+    axes: Literal["xy", "xz", "yz", "yx", "zx", "zy"] | None = Field(
+        None, description="the vehicle's axes that the plane's own x and y are along, e.g. xz"
+    )
+    normal: Annotated[tuple[float, float, float], BeforeValidator(_direction)] | None = Field(
+        None, description="instead of axes: the direction of the joints' axes, [nx, ny, nz], to either side"
+    )
+    within: Expression | None = Field(
+        None, description="how far pinned points may be off the plane; beyond is an error"
+    )
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+        if "axes" in given and "normal" in given:
+            yield "sketch.plane-twice", {}
 
 
 def _named(raw: Any) -> Any:

@@ -73,6 +73,8 @@ def places(m: Mechanism) -> Iterator[Place]:
         yield Place(("parameters", name), parameter.value, name)
         for key, part in tolerance_parts(parameter.tolerance):
             yield Place(("parameters", name, "tolerance", *key), part, _TOLERANCE.get(key, name))
+    if m.plane is not None and m.plane.within is not None:
+        yield Place(("plane", "within"), m.plane.within, u.LENGTH)
     for g in m.gravity or ():
         yield Place(("gravity",), g, u.ACCELERATION)
     yield from _links(m)

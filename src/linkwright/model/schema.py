@@ -11,14 +11,14 @@ _NAMED = ("properties", "patternProperties", "$defs")
 
 
 def json_schema() -> dict[str, Any]:
-    """The schema of a model file (JSON Schema 2020-12). Studies stand in it as free mappings."""
+    """The schema of a model file (JSON Schema 2020-12). Studies and exports stand in it as free mappings."""
     schema = _plain(Document.model_json_schema(by_alias=True))
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "$id": f"urn:linkwright:model:{VERSION}",
         **schema,
         "title": "linkwright model file",
-        "description": "A planar mechanism: links, joints, drives, loads, measures and studies.",
+        "description": "A planar mechanism: links, joints, drives, loads, measures, studies and exports.",
         "required": ["linkwright", "links"],
     }
 

@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Iterator
 from itertools import chain
 
-from linkwright.model.cylinders import links_of
+from linkwright.model.cylinders import links_of, shared_pins
 from linkwright.model.fields import AssemblyRule, Expression, Position
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import FRAME, Mechanism
@@ -166,7 +166,7 @@ def sketched(link: Link) -> list[str]:
 
 def sketch_faults(m: Mechanism) -> Iterator[Finding]:
     """Faults of the sketch, before it is spelled out."""
-    used = set()
+    used = set(shared_pins(m))
     for name, link in m.links.items():
         for point in sketched(link):
             used.add(point)
@@ -190,7 +190,7 @@ def _sound(m: Mechanism, drive: Drive) -> bool:
     named = {drive.turns, drive.on, drive.slides, drive.extends, drive.output} - {None, ""}
     cylinders = [m.cylinders[name] for name in named if name in m.cylinders]
     ends = {end for cylinder in cylinders for end in (cylinder.from_, cylinder.to)}
-    return named <= links | m.cylinders.keys() | m.joints.keys() and ends <= homes(m).keys()
+    return named <= links | m.cylinders.keys() | m.joints.keys() and ends <= {*homes(m), *shared_pins(m)}
 
 
 def sketch_home(m: Mechanism, path: Path) -> Path | None:

@@ -9,16 +9,22 @@ from linkwright.model.cylinders import cylinder_faults, cylinder_home, with_cyli
 from linkwright.model.findings import Finding
 from linkwright.model.followers import cam_faults, cam_home, with_cams
 from linkwright.model.mechanism import Mechanism
+from linkwright.model.plane import LinkagePlane, in_plane
 from linkwright.model.sketch import sketch_faults, sketch_home, with_sketch
 
 
 @dataclass(frozen=True)
 class Spelled:
-    """A mechanism without short forms, made from the ``written`` one; ``findings`` says what can't be spelled out."""
+    """A mechanism without short forms, made from the ``written`` one; ``findings`` says what can't be spelled out.
+
+    ``plane`` is where the sketch lies in the vehicle, if it has three coordinates, ``warnings`` what is odd with it.
+    """
 
     written: Mechanism
     mechanism: Mechanism
     findings: tuple[Finding, ...] = ()
+    plane: LinkagePlane | None = None
+    warnings: tuple[Finding, ...] = ()
 
     def home(self, findings: Iterable[Finding]) -> list[Finding]:
         """Findings with their places as the file has them."""
@@ -38,6 +44,9 @@ def home(m: Mechanism, findings: Iterable[Finding]) -> list[Finding]:
 
 def spell_out(written: Mechanism) -> Spelled:
     """The mechanism that the solver sees, as far as the short forms are sound."""
-    plain = with_cylinders(with_sketch(written))
-    findings = (*sketch_faults(written), *cylinder_faults(written), *cam_faults(plain))
-    return Spelled(written, with_cams(plain), findings)
+    flat = in_plane(written)
+    wrong = tuple(finding for finding in flat.findings if finding.severity == "error")
+    plain = with_cylinders(with_sketch(flat.mechanism))
+    findings = (*sketch_faults(written), *wrong, *cylinder_faults(written), *cam_faults(plain))
+    warnings = tuple(finding for finding in flat.findings if finding not in wrong)
+    return Spelled(written, with_cams(plain), findings, flat.plane, warnings)

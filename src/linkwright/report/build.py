@@ -61,7 +61,7 @@ def report_data(document: Document, outcomes: Mapping[str, Any]) -> ReportData:
         "words": words,
         "time": axis(result),
         "scene": scene(result),
-        "plots": plots(result),
+        "plots": plots(result) if result.t[-1] > result.t[0] else [],
         "measures": [],
         "certificate": [],
         "limits": [],
@@ -72,6 +72,7 @@ def report_data(document: Document, outcomes: Mapping[str, Any]) -> ReportData:
     for name, part in PARTS.items():
         if name in outcomes:
             data |= part.page(outcomes[name])  # type: ignore[typeddict-item]
+            data["scene"] |= part.scene(outcomes[name])  # type: ignore[typeddict-item]
     return data
 
 

@@ -106,6 +106,13 @@ class Spring(TypedDict):
     look: Literal["coil", "strut"]
 
 
+class Area(TypedDict):
+    """What lies behind the mechanism: a shape by its rings of places [x, y], holes among them, in the length unit."""
+
+    name: str
+    rings: Sequence[Sequence[Sequence[float]]]
+
+
 class Scene(TypedDict):
     """The mechanism as ``assets/mechanism.js`` draws it. ``time``: one entry per pose, increasing."""
 
@@ -116,6 +123,7 @@ class Scene(TypedDict):
     traces: Sequence[Trace]
     centrodes: NotRequired[Sequence[Centrode]]
     springs: NotRequired[Sequence[Spring]]
+    areas: NotRequired[Sequence[Area]]
 
 
 class Series(TypedDict):

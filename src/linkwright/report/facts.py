@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import numpy as np
+from numpy.typing import NDArray
+
 from linkwright.kernels import Compiled
 from linkwright.kernels.motions import rate_unit
 from linkwright.laws.curve import ROUND_OFF
+from linkwright.model import units as u
 from linkwright.model.cylinders import end_of, links_of
+from linkwright.model.plane import LinkagePlane
 from linkwright.notation import MAX_ORDER
 from linkwright.report.data import Check, Fact
 from linkwright.results import Certificate
@@ -38,6 +43,8 @@ def facts(compiled: Compiled) -> list[Fact]:
     lone = [point for point in compiled.quantities.signals.homes if point not in pinned]
     if lone:
         lines.append(_fact("lone", say("fact.lone.text", points=", ".join(lone))))
+    if compiled.plane is not None:
+        lines.append(_fact("plane", _plane(compiled, compiled.plane)))
     if m.sketch:
         lines.append(_fact("parameters", ", ".join(_parameters(compiled))))
     motors = len(compiled.graph.motors)
@@ -99,6 +106,20 @@ def _parameters(compiled: Compiled) -> list[str]:
     quantities = compiled.quantities
     units = {name: quantities.unit_of(quantities.dimensions.of(name)) for name in quantities.parameters}
     return [f"{n} = {value / units[n][1]:.10g} {units[n][0]}".strip() for n, value in quantities.parameters.items()]
+
+
+def _plane(compiled: Compiled, plane: LinkagePlane) -> str:
+    """Where the sketch lies in the vehicle."""
+    unit, size = compiled.quantities.unit_of(u.LENGTH)
+    vectors = {key: _triple(getattr(plane, key)) for key in ("normal", "x", "y")}
+    off = [f"{name} {value / size:.4g}" for name, value in plane.deviations.items() if abs(value) > 1e-9 * size]
+    how = say("fact.plane.fitted", points=", ".join(plane.fitted)) if plane.fitted else say("fact.plane.stated")
+    said = say("fact.plane.off", points=", ".join(off), unit=unit) if off else say("fact.plane.flat")
+    return say("fact.plane.text", how=how, origin=_triple(plane.origin / size), unit=unit, off=said, **vectors)
+
+
+def _triple(parts: NDArray[np.float64]) -> str:
+    return "({})".format(", ".join(f"{round(float(part), 9) + 0.0:.6g}" for part in parts))
 
 
 def _order(compiled: Compiled) -> list[str]:

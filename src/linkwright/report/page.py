@@ -14,6 +14,7 @@ from linkwright.report.payload import script_json
 POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:"
 
 SCRIPT_WORDS = (
+    "report.areas",
     "report.centrodes",
     "report.copied",
     "report.drawing",

@@ -26,6 +26,7 @@ from linkwright.report.sweep_files import netcdf_bytes as sweep_netcdf
 from linkwright.report.workspace import workspace_entry, workspace_page
 from linkwright.report.workspace_files import boundary_csv, dxf, geojson, svg
 from linkwright.report.workspace_parts import FILES as WORKSPACE_FILES
+from linkwright.report.workspace_picture import areas
 from linkwright.results import Result
 from linkwright.results.netcdf import netcdf_bytes
 from linkwright.studies import CycleOutcome, LimitsOutcome, MeasureResult, SweepOutcome
@@ -38,13 +39,15 @@ class Part:
     """How one study is written.
 
     ``summary`` gives its entries in summary.json, ``page`` its keys of the report's data, ``result`` what the report
-    draws (where no study before it has one), ``files`` the text of further files by name (none of those it lacks),
-    ``netcdf`` those that are written only where asked for. ``settle`` is told that all is written.
+    draws (where no study before it has one), ``scene`` what lies behind that, ``files`` the text of further files by
+    name (none of those it lacks), ``netcdf`` those that are written only where asked for. ``settle`` is told that all
+    is written.
     """
 
     summary: Callable[[Any], dict[str, Any]]
     page: Callable[[Any], dict[str, Any]]
     result: Callable[[Any], Result | None]
+    scene: Callable[[Any], dict[str, Any]] = lambda outcome: {}
     files: dict[str, Callable[[Any], str | bytes | None]] = field(default_factory=dict)
     netcdf: dict[str, Callable[[Any], str | bytes | None]] = field(default_factory=dict)
     settle: Callable[[Any], None] = lambda outcome: None
@@ -130,6 +133,7 @@ PARTS: dict[str, Part] = {
         summary=workspace_entry,
         page=workspace_page,
         result=lambda outcome: outcome.result,
+        scene=lambda outcome: {"areas": areas(outcome)},
         files={
             "workspace.geojson": geojson,
             "workspace.svg": svg,

@@ -63,18 +63,12 @@ def sum_of_overlaps(one: Workspace) -> float:
 
 def shown_values(outcome: WorkspaceOutcome, one: Workspace) -> dict[str, float]:
     """The varied parameters of a workspace by name, in their units; angles in the file's."""
-    made = {}
-    for name, value in one.values.items():
-        size = outcome.compiled.quantities.unit_of(outcome.compiled.quantities.dimensions.of(name))[1]
-        made[name] = float(f"{value / size:.12g}")
-    return made
+    return outcome.shown(one)
 
 
 def values_text(outcome: WorkspaceOutcome, one: Workspace) -> str:
     """The same in a line."""
-    quantities = outcome.compiled.quantities
-    units = {name: quantities.unit_of(quantities.dimensions.of(name))[0] for name in one.values}
-    return ", ".join(f"{name} = {v:.6g} {units[name]}".strip() for name, v in shown_values(outcome, one).items())
+    return outcome.told(one)
 
 
 def known(value: float) -> float | None:

@@ -13,13 +13,18 @@ from numpy.typing import NDArray
 
 from linkwright.model import units as u
 from linkwright.report.csv_text import cell, head, written
+from linkwright.report.plane import stacked
 from linkwright.report.workspace import shown_values, values_text
+from linkwright.report.workspace_parts import written as parts
 from linkwright.report.workspace_picture import pictures
 from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, pieces
 from linkwright.words import say
 
 Array = NDArray[np.float64]
+
+ZOOM = 2
+"""Pixels of a PNG to each of the SVG's."""
 
 
 def geojson(outcome: WorkspaceOutcome) -> str | None:
@@ -35,6 +40,9 @@ def geojson(outcome: WorkspaceOutcome) -> str | None:
             features.append(_feature(reached.shape, told_region, size))
         area = float(one.union.area) / size**2
         features.append(_feature(one.union, {"kind": "union", **told, "area": area}, size))
+    for part in parts(outcome):
+        told = {"point": outcome.point, "unit": unit}
+        features += [_feature(shape, {**told, **own}, size) for shape, own in part.shapes(outcome)]
     note = say("workspace.note", unit=unit)
     return json.dumps({"type": "FeatureCollection", "note": note, "features": features}, ensure_ascii=False) + "\n"
 
@@ -55,19 +63,13 @@ def svg(outcome: WorkspaceOutcome) -> str | None:
     if not outcome.workspaces:
         return None
     texts = [values_text(outcome, one) for one in outcome.workspaces]
-    drawn, top, width = [], 0.0, 0.0
-    for chart in pictures(outcome, texts):
-        box = chart["drawing"].split('viewBox="0 0 ', 1)[1].split('"', 1)[0]
-        wide, high = map(float, box.split())
-        drawn.append(
-            chart["drawing"].replace("<svg ", f'<svg y="{top:.0f}" width="{wide:.0f}" height="{high:.0f}" ', 1)
-        )
-        top, width = top + high, max(width, wide)
-    return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}" height="{top:.0f}" '
-        f'viewBox="0 0 {width:.0f} {top:.0f}" color="#1d2733">'
-        f'<rect width="100%" height="100%" fill="#fff"/>{"".join(drawn)}</svg>\n'
-    )
+    return stacked(pictures(outcome, texts))
+
+
+def png(outcome: WorkspaceOutcome, renderer: Any) -> bytes | None:
+    """The same pictures in pixels, by the package ``resvg_py``."""
+    text = svg(outcome)
+    return None if text is None else bytes(renderer.svg_to_bytes(svg_string=text, zoom=ZOOM))
 
 
 def boundary_csv(outcome: WorkspaceOutcome) -> str | None:

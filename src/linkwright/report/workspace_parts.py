@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from linkwright.report import workspace_maps as maps
 from linkwright.report.data import Chart, Grid
 from linkwright.report.overlay import Overlay
 from linkwright.report.workspace_fits import fit_overlays, fit_tables
@@ -16,17 +17,31 @@ from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 @dataclass(frozen=True)
 class Written:
-    """A part's sentences, charts and tables, from the outcome; the content of its files by name (or None); what it
-    draws over the picture of the workspace of some index."""
+    """A part's sentences, charts and tables, from the outcome; shapes (Shapely, m) with what is said of them; the
+    content of its files by name (or None); what it draws over the picture of the workspace of some index."""
 
     sentences: Callable[[WorkspaceOutcome], Sequence[str]] = lambda outcome: ()
     charts: Callable[[WorkspaceOutcome], Sequence[Chart]] = lambda outcome: ()
     tables: Callable[[WorkspaceOutcome], Sequence[Grid]] = lambda outcome: ()
+    shapes: Callable[[WorkspaceOutcome], Iterable[tuple[Any, dict[str, Any]]]] = lambda outcome: ()
     files: Mapping[str, Callable[[WorkspaceOutcome], Any]] = field(default_factory=dict)
     overlays: Callable[[WorkspaceOutcome, int], Sequence[Overlay]] = lambda outcome, index: ()
 
 
 WRITTEN: dict[str, Written] = {
+    "quality": Written(
+        sentences=maps.quality_sentences,
+        charts=maps.quality_charts,
+        tables=maps.quality_tables,
+        files={"workspace_maps.csv": maps.quality_csv, "workspace_maps.svg": maps.quality_svg},
+    ),
+    "errors": Written(
+        sentences=maps.errors_sentences,
+        charts=maps.errors_charts,
+        tables=maps.errors_tables,
+        shapes=maps.errors_shapes,
+        files={"workspace_errors.csv": maps.errors_csv, "workspace_errors.svg": maps.errors_svg},
+    ),
     "paths": Written(
         sentences=path_sentences,
         charts=path_charts,

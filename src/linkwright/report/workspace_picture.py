@@ -2,88 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from html import escape
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.model import units as u
-from linkwright.report.charts import LETTER, points, ticks
-from linkwright.report.data import Chart
+from linkwright.report.charts import points
+from linkwright.report.data import Area, Chart
 from linkwright.report.overlay import Overlay
+from linkwright.report.plane import Plane, framed, lines, outline
 from linkwright.report.workspace_parts import written
-from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.outcome import Workspace, WorkspaceOutcome, pieces
-from linkwright.studies.workspace.sheet import Sheet
 from linkwright.words import say
 
 Array = NDArray[np.float64]
 
-WIDTH, LEFT, RIGHT, TOP, BOTTOM, LINE = 560.0, 58.0, 12.0, 8.0, 36.0, 17.0
-TALLEST = 700.0
-MARGIN = 0.04
 KINDS = ("singular", "modes", "pins", "limit")
-STYLE = """
-.still.workspace text { font: 12px system-ui, sans-serif; }
-.still.workspace .grid { fill: none; stroke: #8886; stroke-width: 0.5; }
-.still.workspace .region { fill-opacity: 0.28; stroke: none; fill-rule: evenodd; }
-.still.workspace .path { fill: none; stroke-width: 1.6; }
-.still.workspace .m0 { fill: #1f6fb5; stroke: #1f6fb5; }
-.still.workspace .m1 { fill: #c2571a; stroke: #c2571a; }
-.still.workspace .m2 { fill: #2f8a4c; stroke: #2f8a4c; }
-.still.workspace .m3 { fill: #8a4fb5; stroke: #8a4fb5; }
-.still.workspace .region { stroke: none; }
-.still.workspace .path { fill: none; }
-.still.workspace .kind { fill: none; stroke: currentColor; stroke-width: 1; }
-.still.workspace .k-modes { stroke-dasharray: 5 3; stroke-width: 1.6; }
-.still.workspace .k-pins { stroke-dasharray: 1 3; stroke-width: 2; }
-.still.workspace .k-limit { stroke: #888; stroke-width: 2; }
-.still.workspace .over { fill: none; stroke: #8a4fb5; stroke-width: 2; }
-.still.workspace .blocked, .still.workspace .misses { stroke: #c8102e; }
-.still.workspace .blocked { stroke-width: 3.5; }
-.still.workspace .fits { stroke: #2f8a4c; }
-"""
-"""How a picture looks; it stands in each picture, since one is written as a file of its own."""
-
-
-class Plane:
-    """Places in a picture: ``box`` are least x, least y, largest x, largest y; one scale for both axes."""
-
-    def __init__(self, box: tuple[float, float, float, float], unit: str) -> None:
-        low, high = np.array(box[:2]), np.array(box[2:])
-        wide = float((high - low).max()) or 1.0
-        low, high = low - MARGIN * wide, high + MARGIN * wide
-        span = np.maximum(high - low, 0.2 * wide)
-        self.scale = min((WIDTH - LEFT - RIGHT) / span[0], (TALLEST - TOP - BOTTOM) / span[1])
-        self.low, self.unit = low, unit
-        self.right, self.bottom = LEFT + span[0] * self.scale, TOP + span[1] * self.scale
-        self.high = low + span
-
-    def at(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Where places lie in the picture."""
-        return LEFT + (x - self.low[0]) * self.scale, self.bottom - (y - self.low[1]) * self.scale
-
-    def grid(self) -> str:
-        """Lines and numbers of the axes."""
-        lines, numbers = [], []
-        for value in ticks(self.low[0], self.high[0], 6):
-            x = float(self.at(np.array(value), np.array(0.0))[0])
-            lines.append(f"M{x:.1f} {TOP:.0f}V{self.bottom:.1f}")
-            numbers.append(f'<text x="{x:.1f}" y="{self.bottom + 14:.1f}" text-anchor="middle">{_number(value)}</text>')
-        for value in ticks(self.low[1], self.high[1], 6):
-            y = float(self.at(np.array(0.0), np.array(value))[1])
-            lines.append(f"M{LEFT:.0f} {y:.1f}H{self.right:.1f}")
-            numbers.append(f'<text x="{LEFT - 6:.0f}" y="{y + 4:.1f}" text-anchor="end">{_number(value)}</text>')
-        label = f"x, y, {self.unit}" if self.unit else "x, y"
-        middle = (LEFT + self.right) / 2
-        numbers.append(f'<text x="{middle:.0f}" y="{self.bottom + 30:.1f}" text-anchor="middle">{escape(label)}</text>')
-        return f'<path class="grid" d="{"".join(lines)}"/>{"".join(numbers)}'
-
-
-def _number(value: float) -> str:
-    return f"{value:.7g}".replace("-", "−")
 
 
 def pictures(outcome: WorkspaceOutcome, values: Sequence[str]) -> list[Chart]:
@@ -107,7 +42,7 @@ def picture(outcome: WorkspaceOutcome, one: Workspace, title: str, over: Sequenc
     shapes: list[str] = []
     legend: list[tuple[str, str]] = []
     for i, reached in enumerate(one.regions):
-        shapes.append(f'<path class="region m{i % 4}" d="{_outline(reached.shape, plane, size)}"/>')
+        shapes.append(f'<path class="region m{i % 4}" d="{outline(reached.shape, plane, size)}"/>')
         text = say("workspace.kind.region", mode=reached.mode or say("workspace.one-mode"))
         legend.append((f"region m{i % 4}", text))
     for i, curve in enumerate(one.curves):
@@ -116,7 +51,7 @@ def picture(outcome: WorkspaceOutcome, one: Workspace, title: str, over: Sequenc
             shapes.append(f'<polyline class="path m{i % 4}" points="{way}"/>')
         legend.append((f"path m{i % 4}", say("workspace.kind.curve", mode=curve.mode or say("workspace.one-mode"))))
     for kind in KINDS:
-        paths = [line for r in one.regions for line in _lines(r.region.sheet, r.region.segments, kind, plane, size)]
+        paths = [line for r in one.regions for line in lines(r.region.sheet, r.region.segments, kind, plane, size)]
         if paths:
             shapes += [f'<polyline class="kind k-{kind}" points="{way}"/>' for way in paths]
             groups = "; ".join(group.label for group in outcome.compiled.graph.branched)
@@ -126,55 +61,22 @@ def picture(outcome: WorkspaceOutcome, one: Workspace, title: str, over: Sequenc
         for line in overlay.lines:
             shapes.append(f'<polyline class="over {overlay.kind}" points="{points(*plane.at(*(line / size)))}"/>')
         legend.append((f"over {overlay.kind}", overlay.text))
-    return _drawn(plane, shapes, legend, title)
+    return framed(plane, shapes, legend, title)
 
 
-def _drawn(plane: Plane, shapes: Sequence[str], legend: Sequence[tuple[str, str]], title: str) -> str:
-    told, y = "", plane.bottom + 52
-    for look, text in legend:
-        lines = [*_folded(text, int((WIDTH - LEFT - 40) / LETTER))]
-        box = "v8h-24z" if look.startswith("region") else ""
-        told += f'<path class="{look}" d="M{LEFT - 30:.0f} {y - 8 + 4 * (not box):.0f}h24{box}"/>'
-        for line in lines:
-            told += f'<text x="{LEFT:.0f}" y="{y:.0f}">{escape(line)}</text>'
-            y += LINE
-    return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" class="lw still workspace" viewBox="0 0 {WIDTH:.0f} {y:.0f}" '
-        f'fill="currentColor" role="img" aria-label="{escape(title)}"><style>{STYLE}</style>'
-        f"{plane.grid()}{''.join(shapes)}{told}</svg>"
-    )
-
-
-def _folded(text: str, room: int) -> Iterator[str]:
-    """A text in lines of so many letters."""
-    line = ""
-    for word in text.split():
-        if line and len(line) + 1 + len(word) > room:
-            yield line
-            line = word
-        else:
-            line = f"{line} {word}".strip()
-    yield line
-
-
-def _outline(shape: Any, plane: Plane, size: float) -> str:
-    """All rings of a shape, thinned to what can be seen."""
-    drawn = shape.simplify(0.1 / plane.scale * size)
-    rings = [ring for polygon in pieces(drawn) for ring in (polygon.exterior, *polygon.interiors)]
-    return "".join(f"M{points(*plane.at(*(np.array(ring.coords).T / size)))}Z" for ring in rings)
-
-
-def _lines(sheet: Sheet, segments: Iterable[Segments], kind: str, plane: Plane, size: float) -> Iterator[str]:
-    """The curves of a kind, joined and thinned."""
-    import shapely
-
-    for one in segments:
-        if one.kind != kind or not one.a.shape[1]:
+def areas(outcome: WorkspaceOutcome) -> list[Area]:
+    """The regions of the file's own parameters, to lie behind the mechanism, thinned to what can be seen."""
+    compiled = outcome.compiled
+    size = compiled.quantities.unit_of(u.LENGTH)[1]
+    own = dict(zip(compiled.graph.parameters, compiled.parameters.tolist(), strict=True))
+    found: list[Area] = []
+    for one in outcome.workspaces:
+        if not all(np.isclose(value, own[name], rtol=1e-12, atol=0) for name, value in one.values.items()):
             continue
-        ends = sheet.place(np.stack([one.a, one.b], axis=1).reshape(2, -1))[0].reshape(2, 2, -1)
-        kept = np.isfinite(ends).all(axis=(0, 1)) & (ends[:, 0] != ends[:, 1]).any(axis=0)
-        lines = shapely.linestrings(np.moveaxis(ends[:, :, kept], (0, 1, 2), (2, 1, 0)))
-        merged = shapely.line_merge(shapely.multilinestrings(shapely.set_precision(lines, 1e-9 * size)))
-        for line in shapely.get_parts(shapely.simplify(merged, 0.1 / plane.scale * size)):
-            if not line.is_empty:
-                yield points(*plane.at(*(np.array(line.coords).T / size)))
+        for reached in one.regions:
+            bounds = np.array(reached.shape.bounds)
+            thin = reached.shape.simplify(5e-4 * float((bounds[2:] - bounds[:2]).max()))
+            lines = [ring for polygon in pieces(thin) for ring in (polygon.exterior, *polygon.interiors)]
+            rings = [(np.array(line.coords)[:-1] / size).tolist() for line in lines]
+            found.append({"name": reached.mode or say("workspace.one-mode"), "rings": rings})
+    return found

@@ -106,10 +106,15 @@ def _roots(f: Callable[[Array], Array], brackets: list[Array]) -> list[Array]:
 
 
 def bracketed(
-    f: Callable[[Array, Rows], Array], rows: Rows, low: Array, high: Array, first: Array | float = 0.5
+    f: Callable[[Array, Rows], Array],
+    rows: Rows,
+    low: Array,
+    high: Array,
+    first: Array | float = 0.5,
+    near: Array | float = 4e-16,
 ) -> Array:
-    """One root of ``f(t, row)`` in each bracket (n,), each by itself to round-off; ``first`` is where to look first,
-    as a share of it.
+    """One root of ``f(t, row)`` in each bracket (n,), each by itself; ``first`` is where to look first, as a share of
+    it, ``near`` how near to look, as a share of its ends: to round-off.
 
     Inverse quadratic interpolation where it is safe, else bisection: Chandrupatla, Advances in Engineering Software
     28 (1997) 145, as written out by Scherer, Computational Physics (2010), 6.1.7.3.
@@ -122,7 +127,7 @@ def bracketed(
     fa, fb = finite(a, rows), finite(b, rows)
     fc = fb
     share = np.broadcast_to(np.clip(np.nan_to_num(first, nan=0.5), EDGE, 1 - EDGE), low.shape)
-    tolerance = 4e-16 * np.maximum(np.abs(low), np.abs(high))
+    tolerance = near * np.maximum(np.abs(low), np.abs(high))
     open_ = np.arange(low.size)  # the brackets that are looked at, and which of them aren't closed yet
     # An end whose sign is round-off had the other one when it was looked at before: it is the root.
     going = np.sign(fa) * np.sign(fb) < 0

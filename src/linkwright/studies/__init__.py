@@ -9,6 +9,7 @@ from linkwright.studies.modes import ModesOptions, ModesOutcome, find_modes
 from linkwright.studies.registry import STUDIES, Task, read_studies
 from linkwright.studies.sampling import Interrupted
 from linkwright.studies.site import NOWHERE, Site
+from linkwright.studies.stopped import Stopped
 from linkwright.studies.sweep_options import SweepOptions
 from linkwright.studies.sweep_outcome import SweepOutcome
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
@@ -26,6 +27,7 @@ __all__ = [
     "ModesOptions",
     "ModesOutcome",
     "Site",
+    "Stopped",
     "SweepOptions",
     "SweepOutcome",
     "Task",

@@ -6,13 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, Protocol
 
-from pydantic import BaseModel, ValidationError
+from pydantic import BaseModel
 
 from linkwright.kernels import Compiled
-from linkwright.model.faults import written
 from linkwright.model.findings import Finding
-from linkwright.model.unknown import near
 from linkwright.notation.registry import Registry
+from linkwright.studies.sections import read_section
 from linkwright.studies.site import Site
 
 
@@ -48,29 +47,6 @@ class Task:
 
 
 def read_studies(raw: Mapping[str, Mapping[str, Any]]) -> tuple[list[Task], list[Finding]]:
-    """The studies that a file names, and what is wrong with their options.
-
-    Options may look at those of the other studies: these are the context of their validation.
-    """
-    tasks, findings = [], []
-    for name, entry in raw.items():
-        study = STUDIES.get(name)
-        if study is None:
-            findings.append(Finding("study.unknown", ("studies", name), {"name": name, "near": near(name, [*STUDIES])}))
-            continue
-        try:
-            tasks.append(Task(study, study.options.model_validate(entry, context=raw)))
-        except ValidationError as error:
-            findings += [_wrong_option(name, entry, fault) for fault in error.errors(include_url=False)]
-    return tasks, findings
-
-
-def _wrong_option(study: str, entry: Mapping[str, Any], fault: Any) -> Finding:
-    """A fault of an option as a finding: its own where the option has one, else what the type wants."""
-    missing = fault["loc"][-1:] if fault["type"] == "missing" else ()
-    path = ("studies", study, *written(fault["loc"], entry), *missing)
-    if fault["type"] == "finding":
-        context = dict(fault["ctx"])
-        return Finding(context.pop("code"), path, context)
-    key = ".".join(map(str, path[2:]))
-    return Finding("study.options", path, {"study": study, "key": key, "reason": fault["msg"]})
+    """The studies that a file names, and what is wrong with their options."""
+    read, findings = read_section("studies", raw, STUDIES, "study.unknown", "study.options")
+    return [Task(study, options) for study, options in read], findings

@@ -1,25 +1,32 @@
-"""The JSON Schema of model files: the model's own, with the options of every registered study."""
+"""The JSON Schema of model files: the model's own, with the options of whatever is registered for its sections."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from linkwright.model.schema import json_schema
 from linkwright.studies.registry import STUDIES
+from linkwright.studies.sections import Optioned
 
 
-def file_schema() -> dict[str, Any]:
-    """The schema that editors complete from."""
-    schema: dict[str, Any] = json_schema()
+def studies_schema() -> dict[str, Any]:
+    """The model's schema with the options of every study."""
+    return with_section(json_schema(), "studies", "what to do with the mechanism, by study", STUDIES)
+
+
+def with_section(
+    schema: dict[str, Any], section: str, description: str, registered: Mapping[str, Optioned]
+) -> dict[str, Any]:
+    """The schema with the options of each registered entry of a section."""
     known: dict[str, Any] = {}
-    for name, study in STUDIES.items():
-        options = study.options.model_json_schema(by_alias=True)
+    for name, entry in registered.items():
+        options = entry.options.model_json_schema(by_alias=True)
         schema.setdefault("$defs", {}).update(options.pop("$defs", {}))
         known[name] = options
-    properties: dict[str, Any] = schema["properties"]
-    properties["studies"] = {
+    schema["properties"][section] = {
         "type": "object",
-        "description": "what to do with the mechanism, by study",
+        "description": description,
         "properties": known,
         "additionalProperties": False,
     }

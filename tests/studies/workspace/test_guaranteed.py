@@ -20,7 +20,8 @@ from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.stated import contributors
 from linkwright.studies.cycle import CycleOptions
 from linkwright.studies.workspace.curves import curves
-from linkwright.studies.workspace.guaranteed import Errors, edges, errors, farthest, guaranteed, moved
+from linkwright.studies.workspace.errors import Errors, errors, farthest
+from linkwright.studies.workspace.guaranteed import edges, guaranteed, moved
 from linkwright.studies.workspace.mesh import Box, mesh
 from linkwright.studies.workspace.regions import Region, reached, reaches
 from linkwright.studies.workspace.sheet import Sheet

@@ -14,12 +14,14 @@ import linkwright as lw
 from helpers.workspaces import arm, findings, five_bar, four_bar, performed, polar
 from linkwright.app.alone import altered
 from linkwright.app.job import examine_document
+from linkwright.blocks import Threads
 from linkwright.model.document import parse_document
 from linkwright.studies.site import Site
+from linkwright.studies.stopped import Stopped
 from linkwright.studies.workspace import study
 from linkwright.studies.workspace.options import WorkspaceOptions
 from linkwright.studies.workspace.regions import Region
-from linkwright.studies.workspace.study import Stopped, WorkspaceStudy
+from linkwright.studies.workspace.study import WorkspaceStudy
 
 MM2 = 1e6
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -165,19 +167,52 @@ def test_other_numbers_of_drives_and_clusters_are_refused() -> None:
     assert [found.code for found in triad.findings] == ["workspace.cluster"]
 
 
-def test_an_interrupt_says_what_is_lost() -> None:
-    document = parse_document(arm(**{"for": {"b": [30, 40]}}))
+def test_an_interrupt_keeps_what_is_done() -> None:
+    document = parse_document(arm())
     assert document is not None
     compiled = lw.compile(document)
-    options = WorkspaceOptions.model_validate({"point": "E", "chord": 1e-3, "for": {"b": [30, 35]}})
+    options = WorkspaceOptions.model_validate({"point": "E", "chord": 1e-3, "for": {"b": [30, 35, 20]}})
 
     def told(done: int, total: int) -> None:
-        assert (done, total) == (1, 2)
-        raise KeyboardInterrupt
+        assert total == 3
+        if done:
+            raise KeyboardInterrupt
 
     with pytest.raises(Stopped) as stopped:
-        WorkspaceStudy().run(compiled, options, Site(progress=told))
-    assert "1 of 2 regions" in stopped.value.what
+        WorkspaceStudy().run(compiled, options, Site(runner=Threads(1), progress=told))
+    outcome = stopped.value.outcome
+    assert not outcome.done and [f.code for f in outcome.failures] == ["workspace.stopped"]
+    done = len(outcome.workspaces)  # the one told of, and one that was at work by then
+    assert 1 <= done <= 2 and f"{done} of 3 regions" in stopped.value.what
+    assert outcome.workspaces[0].regions[0].figures.area * MM2 == pytest.approx(np.pi * (70**2 - 10**2), rel=3e-3)
+
+
+def test_threads_change_nothing() -> None:
+    """Both modes for two lengths, to the last bit."""
+    data = five_bar(chord=1e-3, drives={"motor": [80, 120], "servo": [40, 100]}, **{"for": {"base": [9, 10]}})
+    document = parse_document(data)
+    assert document is not None
+    options = WorkspaceOptions.model_validate(data["studies"]["workspace"])
+    one, two = (
+        [
+            region.shape.wkb
+            for region in WorkspaceStudy().run(lw.compile(document), options, Site(runner=Threads(workers))).regions
+        ]
+        for workers in (1, 3)
+    )
+    assert len(one) == 4 and one == two
+
+
+def test_nothing_is_missed_around_a_pit() -> None:
+    """Both pins of the couplers meet within the drives' ranges, where two singular curves pass as well. The area is
+    that of the places of a grid of 2400 x 2400 for which the two dyads, solved backwards, have such drive values."""
+    data = five_bar(modes="own", drives={"motor": [0, 200]})
+    data["parameters"]["base"] = 6
+    outcome = performed(data).workspace
+    assert outcome is not None and not outcome.warnings
+    (region,) = outcome.regions
+    assert region.region.segments[2].a.size  # the rings around pits
+    assert region.figures.area * MM2 == pytest.approx(892.456, abs=0.02)
 
 
 def test_a_region_that_lacks_a_part_is_told(monkeypatch: pytest.MonkeyPatch) -> None:

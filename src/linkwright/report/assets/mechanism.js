@@ -187,6 +187,8 @@ function survey(scene) {
   for (const trace of scene.traces) {
     trace.x.forEach((x, k) => x != null && trace.y[k] != null && include([x, trace.y[k]]));
   }
+  const areas = scene.areas ?? [];
+  for (const ring of areas.flatMap((area) => area.rings)) ring.forEach(include);
   if (box.x0 > box.x1) [box.x0, box.x1, box.y0, box.y1] = [-1, 1, -1, 1];
   const narrow = { ...box };
   const centrodes = scene.centrodes ?? [];
@@ -196,7 +198,7 @@ function survey(scene) {
   const size = Math.max(box.x1 - box.x0, box.y1 - box.y0) || 1;
   const moving = scene.links.filter((link) => !link.fixed);
   const colour = new Map(moving.map((link, i) => [link, i % PALETTE]));
-  return { scene, times, links, guides, box, wide, size, gaps, colour, centrodes, pins: pinsOf(scene) };
+  return { scene, times, links, guides, box, wide, size, gaps, colour, centrodes, areas, pins: pinsOf(scene) };
 }
 
 /** Sample and fraction at a time: {k, f, nearest}. */
@@ -208,7 +210,7 @@ function locate(times, t) {
     else high = middle;
   }
   if (high === low) return { k: 0, f: 0, nearest: 0 };
-  const f = clamp((t - times[low]) / (times[high] - times[low]), 0, 1);
+  const f = clamp((t - times[low]) / (times[high] - times[low] || 1), 0, 1);
   return f === 1 ? { k: high, f: 0, nearest: high } : { k: low, f, nearest: f < 0.5 ? low : high };
 }
 
@@ -518,6 +520,12 @@ function draw(svg, facts, width, most, say, { ghosts = [], box } = {}) {
   svg.replaceChildren();
   svg.setAttribute("viewBox", `0 0 ${view.width} ${view.height}`);
   backdrop(facts, view, make("g", {}, svg));
+  const areas = facts.areas.map(({ rings }, i) => {
+    const group = make("g", { class: `lw-area lw-c${i % PALETTE}` }, svg);
+    const d = rings.map((ring) => `M${ring.map((at) => view.toScreen(at).map(round).join(" ")).join("L")}Z`);
+    make("path", { d: d.join("") }, group);
+    return { group };
+  });
   for (const sample of ghosts) {
     bodies(facts, view.k, r, make("g", { class: "lw-ghost" }, svg))(view.toScreen, sample, 0);
   }
@@ -581,7 +589,7 @@ function draw(svg, facts, width, most, say, { ghosts = [], box } = {}) {
     }
     note.style.display = facts.gaps[sample] || (f && facts.gaps[sample + 1]) ? "" : "none";
   };
-  return { show, traces, centrodes: rolling.parts };
+  return { show, areas, traces, centrodes: rolling.parts };
 }
 
 // ---------------------------------------------------------------- looks
@@ -615,6 +623,7 @@ ${COLOURS}
 .lw-ground{stroke:var(--lw-muted);stroke-width:1.3;fill:none}
 .lw-spring{stroke:var(--lw-ink);stroke-width:1.4;fill:none;stroke-linejoin:round}
 .lw-pivot{stroke:var(--lw-ink);stroke-width:1.4;fill:var(--lw-paper);stroke-linejoin:round}
+.lw-area path{fill:var(--c);fill-opacity:.14;fill-rule:evenodd;stroke:var(--c);stroke-opacity:.6;stroke-width:1}
 .lw-centre{stroke:var(--lw-muted);stroke-width:1;stroke-dasharray:14 3 2 3;fill:none}
 .lw-body,.lw-slot,.lw-block,.lw-piston{stroke:var(--c);stroke-width:1.6;fill:var(--c);fill-opacity:.2}
 .lw-slot{fill-opacity:.07;stroke-width:1.2}
@@ -633,7 +642,7 @@ ${COLOURS}
 .lw-drawing .lw-label{fill:var(--lw-ink);font-weight:600;paint-order:stroke;stroke:var(--lw-paper);stroke-width:3px;stroke-linejoin:round}
 .lw-drawing .lw-name{fill:var(--c);font-weight:400;font-style:italic}
 .lw-drawing .lw-note{fill:var(--lw-warn);font-size:14px;font-weight:600}
-.lw-hidden,.lw-no-points .lw-label:not(.lw-name),.lw-no-links .lw-name{display:none}
+.lw .lw-hidden,.lw-no-points .lw-label:not(.lw-name),.lw-no-links .lw-name{display:none}
 .lw-bar,.lw-options{display:flex;align-items:center;gap:.5rem .75rem;margin-top:.5rem;flex-wrap:wrap}
 .lw-options{gap:.35rem 1rem;color:var(--lw-muted);font-size:13px}
 .lw-options label{display:inline-flex;align-items:center;gap:.35rem;cursor:pointer}
@@ -713,6 +722,8 @@ function controls(root, facts, { say, time, real }) {
       return box;
     });
   };
+  const coloured = facts.areas.map(({ name }, i) => ({ name, colour: `lw-c${i % PALETTE}` }));
+  const areas = choices("areas", coloured, true);
   const named = facts.scene.traces.map(({ name }, i) => ({ name, colour: traceColour(facts, i) }));
   const traces = choices("paths", named, true);
   const rolling = facts.centrodes.map(({ link }) => ({
@@ -722,7 +733,7 @@ function controls(root, facts, { say, time, real }) {
   const centrodes = choices("centrodes", rolling, false);
   const still = last < 1 || facts.times[last] === facts.times[0];
   if (still) for (const part of [bar, speedLabel]) part.classList.add("lw-hidden");
-  return { play, slider, readout, speed, points, links, traces, centrodes };
+  return { play, slider, readout, speed, points, links, areas, traces, centrodes };
 }
 
 const speaker = (words) => (key) => words[`report.${key}`] ?? key.replaceAll("_", " ");
@@ -751,7 +762,7 @@ export function render({ model, el, words = {}, time = { unit: "s", label: "time
   const ui = controls(root, facts, { say, time, real: (last - first) / perSecond });
   const decimals = clamp(1 - Math.floor(Math.log10((last - first) / (times.length - 1) || 1)), 0, 9);
   const listeners = new Set();
-  let picture = { show() {}, traces: [], centrodes: [] };
+  let picture = { show() {}, areas: [], traces: [], centrodes: [] };
   let now = first;
   let tick = 0;
 
@@ -772,7 +783,7 @@ export function render({ model, el, words = {}, time = { unit: "s", label: "time
   const options = () => {
     svg.classList.toggle("lw-no-points", !ui.points.checked);
     svg.classList.toggle("lw-no-links", !ui.links.checked);
-    for (const kind of ["traces", "centrodes"]) {
+    for (const kind of ["areas", "traces", "centrodes"]) {
       picture[kind].forEach(({ group }, i) => group.classList.toggle("lw-hidden", !ui[kind][i].checked));
     }
   };
@@ -811,7 +822,7 @@ export function render({ model, el, words = {}, time = { unit: "s", label: "time
 
   ui.play.addEventListener("click", () => (tick ? pause() : play()));
   ui.slider.addEventListener("input", () => setIndex(Number(ui.slider.value)));
-  for (const box of [ui.points, ui.links, ...ui.traces]) box.addEventListener("change", options);
+  for (const box of [ui.points, ui.links, ...ui.areas, ...ui.traces]) box.addEventListener("change", options);
   for (const box of ui.centrodes) box.addEventListener("change", layout); // they may need more room
   let width = 0;
   const watcher = new ResizeObserver(() => {

@@ -13,15 +13,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.results.stationary import bracketed
-from linkwright.studies.workspace.mesh import HALVINGS, RIM, Mesh, halved, sides_of
+from linkwright.studies.workspace.mesh import HALVINGS, RIM, Mesh, halved, numbered, sides_of
 from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
 Ends = tuple[Array, Array]
+Traced = Mapping[str, Ends]
 
 ROUNDS = 24
 """Segments are halved at most so many times."""
+CLOSE, ROUGH = 1e-14, 1e-3
+"""Zeros are found to the first share of the drives' values, and to the second of where they are looked for."""
 WAY = 0.5
 """The rim is looked for no further beside a segment than this share of its length ..."""
 RINGS = (2, 3, 4)
@@ -29,9 +32,9 @@ MEET = 1e-9
 """Ends of pieces that are nearer than this share of the drives' ranges are one."""
 SHORT = 1e-7
 """A piece no longer than this (rad, m) needn't follow the curve."""
-LEVELS, MOST = 20, 200_000
-"""Triangles are quartered at most so many times, and no more of them than that."""
-WAYS = (-0.03, 0.03, -0.3, 0.3)
+LEVELS, MOST = 10, 200_000
+"""Triangles are cut into sixteen at most so many times, and no more of them than that."""
+WAYS = ((-0.03, 0.03), (-0.3, 0.3))
 """... and a curve beside its middle these shares of it."""
 
 
@@ -48,25 +51,28 @@ class Segments:
 
 def curves(sheet: Sheet, mesh: Mesh, chord: float) -> list[Segments]:
     """All of a sheet's curves, their paths' chords within ``chord`` (m)."""
-    inner, rim, pits, limit = _singular(sheet, mesh)
-    return [
-        refined(sheet, "singular", inner, chord, lambda q: sheet.look(q).numerator),
-        refined(sheet, "modes", rim, chord, lambda q: sheet.place(q)[1] - RIM),
-        refined(sheet, "pins", pits, chord, None),
-        refined(sheet, "limit", limit, chord, None),
-    ]
+    return smooth(sheet, traced(sheet, mesh), chord)
 
 
-def _singular(sheet: Sheet, mesh: Mesh) -> tuple[Ends, Ends, Ends, Ends]:
-    """Pieces of the singular curve; those of the rim and around pits, cut where the curve meets them."""
+def traced(sheet: Sheet, mesh: Mesh, levels: int = LEVELS) -> Traced:
+    """All of a sheet's curves by their kinds: pieces as a mesh has them, the singular curve's one in each triangle that
+    it passes. Those of the other kinds are cut where it meets them. With fewer ``levels`` of finer triangles, pieces
+    near places where it crosses itself may lead astray."""
     rim, pits, limit = (np.sort(pairs, axis=1) for pairs in (mesh.rim, mesh.pits, mesh.limit))
     straight = np.concatenate([pits, limit])
     for rings in RINGS:
         cuts: dict[tuple[int, int], Array] = {}
-        pieces = _passing(sheet, mesh.q, mesh.triangles, (rim, straight), cuts, rings)
-        if not _loose(sheet, mesh, *pieces):
+        pieces = _passing(sheet, mesh.q, mesh.triangles, (rim, straight), cuts, rings, levels)
+        if levels < LEVELS or not _loose(sheet, mesh, *pieces):
             break
-    return pieces, _stopped(mesh.q, rim, cuts), _stopped(mesh.q, pits, cuts), _stopped(mesh.q, limit, cuts)
+    others = {"modes": rim, "pins": pits, "limit": limit}
+    return {"singular": pieces} | {kind: _stopped(mesh.q, pairs, cuts) for kind, pairs in others.items()}
+
+
+def smooth(sheet: Sheet, pieces: Traced, chord: float) -> list[Segments]:
+    """Curves refined until their paths' chords are within ``chord`` (m)."""
+    zero = {"singular": lambda q: sheet.look(q).numerator, "modes": lambda q: sheet.place(q)[1] - RIM}
+    return [refined(sheet, kind, ends, chord, zero.get(kind)) for kind, ends in pieces.items()]
 
 
 def _stopped(q: Array, pairs: Rows, cuts: Mapping[tuple[int, int], Array]) -> Ends:
@@ -87,10 +93,11 @@ def _passing(
     border: tuple[Rows, Rows],
     cuts: dict[tuple[int, int], Array],
     rings: int,
-    level: int = 0,
+    levels: int,
 ) -> tuple[Array, Array]:
     """One piece of the singular curve in each triangle that it passes, its ends on the sides; ``cuts`` takes those on
-    the rim. Where a piece doesn't follow the curve, as where two branches cross, the triangles around are quartered."""
+    the rim. Where a piece doesn't follow the curve, as where two branches cross, the triangles around are cut into
+    sixteen each."""
     numerator = sheet.look(q).numerator
     # A triangle beside the rim may bulge beyond it, so that a quarter of it lies outside.
     triangles = triangles[np.isfinite(numerator)[triangles].all(axis=1)]
@@ -98,23 +105,23 @@ def _passing(
     passed = np.flatnonzero(positive[triangles].any(axis=1) & ~positive[triangles].all(axis=1))
     sides = sides_of(triangles[passed])
     crossed = positive[sides[:, 0]] != positive[sides[:, 1]]
-    pairs, where = np.unique(np.sort(sides[crossed], axis=1), axis=0, return_inverse=True)
+    pairs, where = numbered(sides[crossed])
     rim, pits = border
     on_rim, on_pit = _among(pairs, rim), _among(pairs, pits)
     places = np.empty((2, len(pairs)))
-    for chosen, bent in ((~on_rim, False), (on_rim, True)):
-        ends = q[:, pairs[chosen, 0]], q[:, pairs[chosen, 1]]
-        sign = positive[pairs[chosen, 0]]
-        path = _along_rim(sheet, *ends) if bent else _straight(*ends)
-        places[:, chosen] = path(_turning(sheet, path, sign))
+    a, b = q[:, pairs[:, 0]], q[:, pairs[:, 1]]
+    places[:, ~on_rim] = _zeros(sheet, a[:, ~on_rim], b[:, ~on_rim])
+    if on_rim.any():
+        path = _along_rim(sheet, a[:, on_rim], b[:, on_rim])
+        places[:, on_rim] = path(_turning(sheet, path, positive[pairs[on_rim, 0]]))
     stops = on_rim | on_pit
     cuts |= {(i, k): place for (i, k), place in zip(pairs[stops].tolist(), places[:, stops].T, strict=True)}
     at = np.full(len(sides), -1)
-    at[crossed] = where.ravel()
+    at[crossed] = where
     two = np.sort(at.reshape(3, -1), axis=0)[1:]
     a, b = places[:, two[0]], places[:, two[1]]
     long = np.abs(a - b).max(axis=0) > SHORT
-    astray = passed[long & ~_followed(sheet, a, b)] if level < LEVELS and len(triangles) < MOST else passed[:0]
+    astray = passed[long & ~_followed(sheet, a, b)] if levels and len(triangles) < MOST else passed[:0]
     if not astray.size:
         return a, b
     held = np.isin(triangles, np.unique(np.concatenate(border))).any(axis=1)
@@ -124,8 +131,8 @@ def _passing(
         around |= np.isin(triangles, np.unique(triangles[around])).any(axis=1)
     around &= ~held
     kept = ~around[passed]
-    corners, quarters = _quartered(q, triangles[around])
-    inner = _passing(sheet, corners, quarters, (rim[:0], rim[:0]), cuts, rings, level + 1)
+    corners, parts = _quartered(*_quartered(q, triangles[around]))
+    inner = _passing(sheet, corners, parts, (rim[:0], rim[:0]), cuts, rings, levels - 1)
     return np.concatenate([a[:, kept], inner[0]], axis=1), np.concatenate([b[:, kept], inner[1]], axis=1)
 
 
@@ -151,7 +158,8 @@ def _followed(sheet: Sheet, a: Array, b: Array) -> NDArray[np.bool_]:
         return sheet.look(q).numerator
 
     middle, found = _beside(f, a, b, rough=True)
-    return found & _beside(f, a, middle, rough=True)[1] & _beside(f, middle, b, rough=True)[1]
+    halves = np.concatenate([a, middle], axis=1), np.concatenate([middle, b], axis=1)
+    return np.asarray(found & _beside(f, *halves, rough=True)[1].reshape(2, -1).all(axis=0))
 
 
 def _turning(sheet: Sheet, path: Callable[[Array], Array], sign: NDArray[np.bool_]) -> Array:
@@ -159,9 +167,24 @@ def _turning(sheet: Sheet, path: Callable[[Array], Array], sign: NDArray[np.bool
     return halved(lambda share: (sheet.look(path(share)).numerator >= 0) == sign, sign.size)
 
 
+def _zeros(sheet: Sheet, a: Array, b: Array) -> Array:
+    """The places (2, n) between a and b at which the numerator, of opposite signs there, changes it."""
+
+    def f(share: Array, rows: Rows) -> Array:
+        return np.nan_to_num(sheet.look(a[:, rows] + share * (b - a)[:, rows]).numerator, nan=-np.inf)
+
+    rows, whole = np.arange(a.shape[1]), np.ones(a.shape[1])
+    return a + bracketed(f, rows, 0 * whole, whole, near=_near(a, b - a)) * (b - a)
+
+
+def _near(q: Array, way: Array) -> Array:
+    """How exactly a share of a way from a place is worth knowing."""
+    return np.asarray(np.minimum(CLOSE * np.abs(q).max(axis=0) / np.abs(way).max(axis=0), ROUGH))
+
+
 def _quartered(q: Array, triangles: Rows) -> tuple[Array, Rows]:
     """Triangles cut into four each by the middles of their sides."""
-    pairs, where = np.unique(np.sort(sides_of(triangles), axis=1), axis=0, return_inverse=True)
+    pairs, where = numbered(sides_of(triangles))
     x, y, z = q.shape[1] + where.reshape(3, -1)
     a, b, c = triangles.T
     corners = np.concatenate([q, q[:, pairs].mean(axis=2)], axis=1)
@@ -173,10 +196,6 @@ def _quartered(q: Array, triangles: Rows) -> tuple[Array, Rows]:
 def _among(pairs: Rows, known: Rows) -> NDArray[np.bool_]:
     size = int(max(pairs.max(initial=0), known.max(initial=0))) + 1
     return np.isin(pairs[:, 0] * size + pairs[:, 1], known[:, 0] * size + known[:, 1])
-
-
-def _straight(a: Array, b: Array) -> Callable[[Array], Array]:
-    return lambda share: a + share * (b - a)
 
 
 def _along_rim(sheet: Sheet, a: Array, b: Array) -> Callable[[Array], Array]:
@@ -232,17 +251,25 @@ def _beside(f: Callable[[Array], Array], a: Array, b: Array, rough: bool = False
     """The zeros of f on the normals through the middles of segments (``rough``: where a line through two places has
     it); whether there is one nearby."""
     middle, across = (a + b) / 2, np.stack([a[1] - b[1], b[0] - a[0]])
+
+    def beside(share: Array, rows: Rows) -> Array:
+        return f(middle[:, rows] + share * across[:, rows])
+
+    every = np.arange(a.shape[1])
     here = f(middle)
-    share, found = np.zeros(a.shape[1]), here == 0
-    for way in WAYS:
-        there = f(middle + way * across)
-        fresh = np.flatnonzero(~found & (np.sign(here) * np.sign(there) < 0))
-        share[fresh] = way * here[fresh] / (here[fresh] - there[fresh])
-        found[fresh] = True
-        if not rough and fresh.size:
-            ends = np.zeros(fresh.size), np.full(fresh.size, way)
-            low, high = np.minimum(*ends), np.maximum(*ends)
-            share[fresh] = bracketed(lambda s, i: f(middle[:, i] + s * across[:, i]), fresh, low, high)
+    share, found, end = np.zeros(every.size), here == 0, np.zeros(every.size)
+    for ways in WAYS:
+        rest = every[~found]
+        there = beside(np.repeat(ways, rest.size), np.tile(rest, len(ways))).reshape(len(ways), -1)
+        for way, value in zip(ways, there, strict=True):
+            fresh = ~found[rest] & (np.sign(here[rest]) * np.sign(value) < 0)
+            some, ratio = rest[fresh], here[rest[fresh]] / (here[rest[fresh]] - value[fresh])
+            share[some], end[some], found[some] = way * ratio, way, True
+    some = np.flatnonzero(end)
+    if not rough and some.size:
+        low, high = np.minimum(end[some], 0.0), np.maximum(end[some], 0.0)
+        near = _near(middle[:, some], end[some] * across[:, some])
+        share[some] = bracketed(beside, some, low, high, (share[some] - low) / (high - low), near)
     return middle + share * across, found
 
 

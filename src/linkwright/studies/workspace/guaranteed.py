@@ -1,133 +1,39 @@
-"""What tolerances leave of a workspace: maps of the working point's errors, and the part of a region that is sure.
+"""What tolerances leave of a workspace: the part of a region that is sure.
 
-At given drive values F(q, p) is the working point, and c_i = dF/dp_i, of contributor i, its error of first order
-(superposition: Peng and Zi, Journal of Mechanical Transmission 34(4), 2010, eq. 8, 9). The boundary of a region
-moves along its normal n by the sum of n . c_i d_i: how the drive values of the boundary move doesn't count there
+With c_i = dF/dp_i of the working point F at given drive values (:mod:`errors`), the boundary of a region moves along
+its normal n by the sum of n . c_i d_i: how the drive values of the boundary move doesn't count there
 (envelope theorem: Danskin, SIAM Journal on Applied Mathematics 14, 1966, 641-664). On the rim, where two modes meet,
 c_i is taken along it, at constant reach, as it grows without bound at given drive values.
 """
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.graph.tangent import tangent
-from linkwright.kernels import KERNELS
-from linkwright.kernels.choice import choose
-from linkwright.model import units as u
-from linkwright.structure import Group
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.workspace import mesh as meshes
-from linkwright.studies.workspace.maps import MOST, Maps, mapped
-from linkwright.studies.workspace.mesh import Box, Mesh
+from linkwright.studies.workspace.covered import covered
+from linkwright.studies.workspace.errors import STEPS, Errors
+from linkwright.studies.workspace.mesh import Mesh
 from linkwright.studies.workspace.regions import Region
-from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]
 
-STEPS = 200
 ROUND = 8
 """Strips end round, in so many pieces a quarter of a turn; they are wider by what these lack."""
+THIN = 0.05
+"""Parts narrower than about this share of a step of the mesh, over the region's extent, are left out."""
+ROUGH = 0.01
+"""Segments of the boundary are one where their strips' widths differ by no more than this share of the widest."""
 BESIDE = 1e-6
 """Curves within this share of the region's extent from its boundary bound it."""
 AWAY = 2.0**15
 """How much farther from a pit than its innermost ring the shifts are looked at: the direction alone matters."""
-KINDS = {f"error {what}": u.LENGTH for what in ("x least", "x most", "y least", "y most", "worst")} | {
-    f"spread {what}": u.LENGTH for what in ("x", "y", "worst")
-}
-
-
-POSES: dict[str, Callable[[Group], tuple[str, str]]] = {
-    "RRR": lambda group: (f"{group.ends[0]}.angle", f"{group.ends[1]}.angle"),
-    "RPR": lambda group: (f"{group.ends[0]}.angle", f"{group.inner.joint}.s"),
-}
-"""What tells the pose of a dyad with two outer pins, which may meet."""
-
-
-class Errors:
-    """The errors of the working point by the contributors' deviations, at given drive values."""
-
-    def __init__(self, sheet: Sheet, contributors: Contributors, count: int) -> None:
-        self.sheet, self.contributors = sheet, contributors
-        self.graph = sheet.compiled.graph
-        groups = sheet.compiled.structure.groups
-        closed = [f"reach:{group.label}" for group in groups if group.modes > 1]
-        poses = [row for group in groups if group.signature in POSES for row in POSES[group.signature](group)]
-        self.reaches, self.poses = slice(2, 2 + len(closed)), slice(2 + len(closed), None)
-        names = [f"{sheet.point}.x", f"{sheet.point}.y", *closed, *poses]
-        program = tangent(self.graph, names)
-        self.engine = KERNELS[choose(program, count * (len(contributors) + 2), os.cpu_count() or 1).kernel](program)
-        self.drives = [self.graph.drives.index(drive) * self.graph.width for drive in sheet.drives]
-
-    def slopes(self, q: Array, drives: bool = False) -> tuple[Array, Array]:
-        """Values (rows, n) of the point, of the ``reaches`` of groups with two modes, of the ``poses`` of those with
-        two outer pins; their derivatives by the contributors and, with ``drives``, by the two drives after them:
-        (rows, contributors + drives, n)."""
-        size, many, more = len(self.graph.inputs), len(self.contributors), 2 if drives else 0
-        x = np.zeros((2 * size, many + more, q.shape[1]))
-        x[:size] = self.sheet.inputs(q)[:, None]
-        for k, row in enumerate(self.drives[:more]):
-            x[size + row, many + k] = 1.0
-        along = np.zeros((self.sheet.parameters.size, many + more))
-        along[:, :many] = self.contributors.directions
-        p = np.concatenate([np.repeat(self.sheet.parameters[:, None], many + more, axis=1), along])
-        with np.errstate(all="ignore"):
-            y = self.engine.over(x, p).reshape(-1, 2, many + more, q.shape[1])
-        return y[:, 0, 0], y[:, 1]
-
-    def __call__(self, q: Array) -> dict[str, Array]:
-        """The figures of the error maps at drive values (2, n): see :func:`errors`."""
-        step = max(1, MOST // len(self.contributors))
-        parts = [self._figures(q[:, start : start + step]) for start in range(0, q.shape[1], step)]
-        return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]} if parts else {}
-
-    def _figures(self, q: Array) -> dict[str, Array]:
-        values, slopes = self.slopes(q)
-        low, high = self.contributors.low[:, None], self.contributors.high[:, None]
-        found = {"x": values[0], "y": values[1]}
-        with np.errstate(all="ignore"):
-            outside = ~(values[self.reaches] > 0).all(axis=0)
-            for name, slope in zip("xy", slopes[:2], strict=True):
-                found[f"error {name} least"] = np.minimum(low * slope, high * slope).sum(axis=0)
-                found[f"error {name} most"] = np.maximum(low * slope, high * slope).sum(axis=0)
-            found["error worst"] = farthest(slopes[:2], low, high)
-            xx, xy, yy = (
-                np.einsum("in,ij,jn->n", slopes[a], self.contributors.covariance, slopes[b])
-                for a, b in ((0, 0), (0, 1), (1, 1))
-            )
-            found["spread x"], found["spread y"] = 3 * np.sqrt(xx), 3 * np.sqrt(yy)
-            found["spread worst"] = 3 * np.sqrt((xx + yy) / 2 + np.hypot((xx - yy) / 2, xy))
-        return {name: np.where(outside, np.nan, row) for name, row in found.items()}
-
-
-def errors(sheet: Sheet, box: Box, contributors: Contributors, steps: int = STEPS) -> Maps:
-    """Maps of the working point's errors (m), of first order, on ``steps`` equal steps of each drive.
-
-    Worst case: ``error x least`` and ``most`` are its limits along x, y likewise; ``error worst`` is the farthest that
-    the point may be off. ``spread x``, ``y``: three standard deviations; ``spread worst`` those along the direction
-    in which they are largest.
-    """
-    return mapped(sheet.compiled.quantities, box, steps, Errors(sheet, contributors, (steps + 1) ** 2), KINDS)
-
-
-def farthest(slopes: Array, low: Array, high: Array) -> Array:
-    """The greatest length of the sum of slopes (2, contributors, n) times deviations within ``low`` .. ``high``
-    (contributors, 1): (n,).
-
-    The sums fill a polygon, whose corners follow each other as its sides are ordered by their directions.
-    """
-    middle, half = (slopes * (low + high) / 2).sum(axis=1), slopes * (high - low) / 2
-    half = np.where((half[1] < 0) | ((half[1] == 0) & (half[0] < 0)), -half, half)
-    order = np.argsort(np.arctan2(half[1], half[0]), axis=0)
-    sides = np.take_along_axis(half, order[None], axis=1)
-    corners = sides.sum(axis=1, keepdims=True) - 2 * np.cumsum(sides, axis=1)
-    both = np.stack([middle[:, None] + corners, middle[:, None] - corners])
-    return np.asarray(np.hypot(both[:, 0], both[:, 1]).max(axis=(0, 1)))
 
 
 @dataclass(frozen=True)
@@ -140,11 +46,11 @@ class Guaranteed:
     """
 
     region: Region
-    shape: object
+    shape: Any
     least: float
     most: float
     limit: float | None = None
-    precise: object | None = None
+    precise: Any | None = None
 
 
 def guaranteed(
@@ -156,18 +62,59 @@ def guaranteed(
     found = Errors(region.sheet, contributors, sum(one.a.shape[1] for one in region.segments))
     made = edges(region, found)
     width = np.concatenate([one.width for one in made]) if made else np.array([np.nan])
-    shape = region.shape
-    if made:
-        which, first, every = np.unique(
-            np.concatenate([one.segment for one in made]), return_index=True, return_inverse=True
-        )
-        widest = np.zeros(which.size)
-        np.maximum.at(widest, every, width)
-        lines = np.concatenate([one.lines for one in made])[first]
-        strips = shapely.buffer(lines, widest / np.cos(np.pi / 4 / ROUND), quad_segs=ROUND)
-        shape = shapely.difference(shape, shapely.union_all(strips))
-    precise = None if limit is None else shapely.difference(shape, imprecise(region, found, limit, steps))
+    shape = shapely.difference(region.shape, shapely.union_all(_strips(region, made))) if made else region.shape
+    precise = None
+    if limit is not None:
+        parts = shapely.get_parts(shapely.difference(shape, imprecise(region, found, limit, steps)))
+        thin = THIN / steps * float(np.ptp(np.reshape(region.shape.bounds, (2, 2)), axis=0).max())
+        precise = shapely.union_all(parts[shapely.area(parts) > thin * shapely.length(parts)])
     return Guaranteed(region, shape, float(np.min(width)), float(np.max(width)), limit, precise)
+
+
+def _strips(region: Region, made: Sequence[Edge]) -> Any:
+    """Strips along the boundary, each as wide as it moves inward there. Segments in a row that move alike are one, and
+    the strip wider by what is cut off."""
+    import shapely
+
+    corners = [shapely.get_coordinates(ring).T for ring in _rings(region.shape)]
+    widest = np.zeros(sum(ring.shape[1] - 1 for ring in corners))
+    for one in made:
+        np.maximum.at(widest, one.segment, one.width)
+    cut = ROUGH * float(widest.max())
+    levels = np.floor(widest / max(cut, 1e-300))
+    lines, widths, first = [], [], 0
+    for ring in corners:
+        count = ring.shape[1] - 1
+        own, level = widest[first : first + count], levels[first : first + count]
+        kept = _kept(ring, cut)
+        kept[1:-1] |= level[1:] != level[:-1]
+        stops = np.flatnonzero(kept)
+        lines.append(
+            shapely.linestrings(np.stack([ring[:, stops[:-1]], ring[:, stops[1:]]], axis=2).transpose(1, 2, 0))
+        )
+        widths.append(np.maximum.reduceat(own, stops[:-1]) + cut)
+        first += count
+    wide = np.concatenate(widths) / np.cos(np.pi / 4 / ROUND)
+    return shapely.buffer(np.concatenate(lines), wide, quad_segs=ROUND)
+
+
+def _kept(ring: Array, cut: float) -> NDArray[np.bool_]:
+    """Which corners of a closed line (2, n) are left where others may be ``cut`` off: by Douglas and Peucker."""
+    import shapely
+
+    left = {
+        tuple(place) for place in shapely.get_coordinates(shapely.simplify(shapely.linestrings(ring.T), cut)).tolist()
+    }
+    kept = np.array([tuple(place) in left for place in ring.T.tolist()])
+    kept[[0, -1]] = True
+    return kept
+
+
+def _rings(shape: Any) -> Any:
+    """The boundary's rings; the shape lies to their left."""
+    import shapely
+
+    return shapely.get_parts(shapely.boundary(shapely.orient_polygons(shape)))
 
 
 @dataclass(frozen=True)
@@ -186,20 +133,12 @@ class Edge:
     width: Array
     segment: NDArray[np.intp]
 
-    @property
-    def lines(self):  # type: ignore[no-untyped-def]
-        """The pieces, in Shapely."""
-        import shapely
-
-        return shapely.linestrings(np.moveaxis(self.ends, (0, 1, 2), (2, 1, 0)))
-
 
 def edges(region: Region, found: Errors) -> list[Edge]:
     """The boundary of a region by the curves on which it lies."""
     import shapely
 
-    rings = shapely.get_parts(shapely.boundary(shapely.orient_polygons(region.shape)))
-    corners = [shapely.get_coordinates(ring).T for ring in rings]  # the region lies to their left
+    corners = [shapely.get_coordinates(ring).T for ring in _rings(region.shape)]
     if not corners:
         return []
     ends = np.concatenate([np.stack([ring[:, :-1], ring[:, 1:]], axis=1) for ring in corners], axis=2)
@@ -213,16 +152,20 @@ def edges(region: Region, found: Errors) -> list[Edge]:
     known = np.flatnonzero(np.isfinite(paths).all(axis=(0, 1)))
     tree = shapely.STRtree(shapely.linestrings(np.moveaxis(paths[:, :, known], (0, 1, 2), (2, 1, 0))))
     beside = BESIDE * float(np.ptp(ends, axis=(1, 2)).max())
-    near = tree.query(middles, predicate="dwithin", distance=beside)
+    # Segments shorter than that lie where curves end, among many others: the nearest curve tells enough.
+    long = np.flatnonzero(np.hypot(*along) > beside)
+    near = tree.query(middles[long], predicate="dwithin", distance=beside)
+    near[0] = long[near[0]]
     nearest = tree.query_nearest(middles)
     which, piece = np.unique(np.concatenate([near, nearest], axis=1), axis=1)
     piece, made = known[piece], []
     for k, one in enumerate(region.segments):
         of = kinds[piece] == k
         if of.any():
-            seen = every[:, :, piece[of]]
+            used, of_used = np.unique(piece[of], return_inverse=True)  # many pieces meet where a curve ends
+            seen = every[:, :, used]
             seen = apart(region.mesh, seen) if one.kind == "pins" else seen
-            shifts = moved(found, one.kind, seen, outward[:, which[of]])
+            shifts = moved(found, one.kind, seen, outward[:, which[of]], of_used)
             width = np.fmax.reduce(_worst(found.contributors, -shifts))
             width[np.isnan(width)] = np.fmax.reduce(width)
             made.append(Edge(one.kind, ends[:, :, which[of]], outward[:, which[of]], shifts, width, which[of]))
@@ -245,19 +188,23 @@ def _worst(contributors: Contributors, shifts: Array) -> Array:
     return np.asarray(np.maximum(np.maximum(low * shifts, high * shifts).sum(axis=0), 0.0))
 
 
-def moved(found: Errors, kind: str, drives: Array, outward: Array) -> Array:
+def moved(found: Errors, kind: str, drives: Array, outward: Array, of: NDArray[np.intp] | None = None) -> Array:
     """How far the ends of pieces (2, 2, n): coordinate, end, piece, in the drives' plane, move along their own normals,
-    which point about as ``outward`` (2, n) does, per unit of each deviation: (contributors, 2, n).
+    which point about as ``outward`` (2, n) does, per unit of each deviation: (contributors, 2, n). With ``of`` (m,) the
+    pieces to which ``outward`` (2, m) belongs.
 
     The normals come from derivatives: where a curve ends on the rim, these grow without bound and hardly the shifts.
     """
-    values, slopes = found.slopes(drives.reshape(2, -1), drives=True)
+    values, slopes = found.slopes(drives.reshape(2, -1))
     way = np.repeat((drives[:, 1] - drives[:, 0])[:, None], 2, axis=1).reshape(2, -1)
     with np.errstate(all="ignore"):
         own, along = ALONG.get(kind, _free)(found, values, slopes, way)
         normal = np.stack([along[1], -along[0]]) / np.hypot(*along)
-    normal *= np.where((normal * np.tile(outward, 2)).sum(axis=0) < 0, -1.0, 1.0)
-    return np.asarray(np.einsum("kin,kn->in", own, normal).reshape(len(own[0]), 2, -1))
+    shifts = np.einsum("kin,kn->in", own, normal).reshape(len(own[0]), 2, -1)
+    normal = normal.reshape(2, 2, -1)
+    if of is not None:
+        shifts, normal = shifts[:, :, of], normal[:, :, of]
+    return np.asarray(shifts * np.where((normal * outward[:, None]).sum(axis=0) < 0, -1.0, 1.0))
 
 
 Held = tuple[Array, Array]
@@ -300,20 +247,17 @@ ALONG = {"singular": _singular, "modes": _rim, "pins": _pins}
 """What tells of a kind of curve how it moves."""
 
 
-def imprecise(region: Region, found: Errors, limit: float, steps: int = STEPS):  # type: ignore[no-untyped-def]
+def imprecise(region: Region, found: Errors, limit: float, steps: int = STEPS) -> Any:
     """Where some pose's error is above a limit, as far as triangles of the mesh show it (Shapely, m)."""
-    import shapely
 
     sheet, box = region.sheet, region.box
-    made = meshes.mesh(sheet, box, steps)
+    pits = meshes.found_pits(sheet, box) if region.mesh.pits.size else None
+    made = meshes.mesh(sheet, box, steps, pits)
 
     def above(q: Array) -> NDArray[np.bool_]:
         error = found(q)["error worst"]
         return ~(error <= limit)
 
     q, triangles, _ = meshes.cut(above, made.q, made.triangles)
-    at = sheet.place(q)[0][:, triangles]
-    at = at[:, np.isfinite(at).all(axis=(0, 2))]
-    if not at.size:
-        return shapely.Polygon()
-    return shapely.union_all(shapely.polygons(np.moveaxis(at, 0, 2)))
+    at = sheet.place(q)[0]
+    return covered(at, triangles[np.isfinite(at[:, triangles]).all(axis=(0, 2))])

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.kernels.spread import pool
+from linkwright.model.machine import processors
 from linkwright.model.quantities import Quantities
 from linkwright.model.units import Dimension
 from linkwright.results.stationary import bracketed
@@ -23,8 +25,8 @@ ZOOMS, NARROWER, LOOKS = 16, 4.0, 9
 """An extreme is looked for on so many grids, each so much narrower than the one before, with so many places a side."""
 ENDLESS = 1e4
 """What grows by this factor on the way there goes to infinity, what falls by it to zero: a root grows by 3e4."""
-MOST = 1 << 17
-"""Poses that are computed together."""
+MOST = 1 << 14
+"""Poses that are computed together: few enough to stay in cache."""
 
 
 @dataclass(frozen=True)
@@ -72,34 +74,42 @@ class Maps:
 
     def least(self, name: str) -> Extreme | None:
         """The least value of a map; None where the mechanism can be assembled nowhere."""
-        return self._extreme(name, -1.0)
+        return self.ends([name])[name][0]
 
     def greatest(self, name: str) -> Extreme | None:
         """The greatest value of a map."""
-        return self._extreme(name, 1.0)
+        return self.ends([name])[name][1]
 
-    def _extreme(self, name: str, sign: float) -> Extreme | None:
-        """From the best place of the grid, on narrower and narrower grids around the best place so far."""
-        values = sign * self.maps[name].values
-        if np.isnan(values).all():
-            return None
-        i, k = np.unravel_index(np.nanargmax(values), values.shape)
-        q, steps = np.array([self.axes[0][i], self.axes[1][k]]), np.array([axis[1] - axis[0] for axis in self.axes])
-        best = float(values[i, k])
+    def ends(self, names: Sequence[str] | None = None) -> dict[str, tuple[Extreme | None, Extreme | None]]:
+        """The least and the greatest value of maps, of all by default: from the best places of the grid, on narrower
+        and narrower grids around the best places so far."""
+        names = [*self.maps] if names is None else names
+        if not names or np.isnan(self.maps[names[0]].values).all():
+            return dict.fromkeys(names, (None, None))
+        signs = np.tile([-1.0, 1.0], len(names))[:, None]
+        steps = np.array([axis[1] - axis[0] for axis in self.axes])
+        rows = np.repeat(np.stack([self.maps[name].values.ravel() for name in names]), 2, axis=0)
+        found = np.nanargmax(signs * rows, axis=1)
+        first = np.take_along_axis(rows, found[:, None], axis=1)[:, 0]
+        best = signs[:, 0] * first
+        q = np.stack([axis[i] for axis, i in zip(self.axes, np.unravel_index(found, self.at.shape[1:]), strict=True)])
         for zoom in range(ZOOMS):
             ticks = np.linspace(-1, 1, LOOKS) / NARROWER**zoom
-            offsets = np.stack(np.meshgrid(ticks, ticks, indexing="ij")).reshape(2, -1)
-            places = self._within(q[:, None] + steps[:, None] * offsets)
-            here = np.nan_to_num(sign * self.figures(places)[name], nan=-np.inf)
-            if here.max() > best:
-                best, q = float(here.max()), places[:, here.argmax()]
-        value, first = sign * best, abs(float(values[i, k]))
-        if abs(value) > ENDLESS * first:
-            value = float(np.copysign(np.inf, value))
-        elif abs(value) < first / ENDLESS:
-            value = 0.0
-        at = self.figures(q[:, None])
-        return Extreme(value, q, np.array([at["x"][0], at["y"][0]]))
+            offsets = steps[:, None] * np.stack(np.meshgrid(ticks, ticks, indexing="ij")).reshape(2, -1)
+            places = self._within((q[:, :, None] + offsets[:, None]).reshape(2, -1)).reshape(2, best.size, -1)
+            figures = self.figures(places.reshape(2, -1))
+            here = np.stack([figures[name].reshape(best.size, -1)[i : i + 2] for i, name in _twice(names)])
+            here = np.nan_to_num(signs * here.reshape(best.size, -1), nan=-np.inf)
+            which = here.argmax(axis=1)
+            better = here[np.arange(best.size), which] > best
+            best = np.where(better, here.max(axis=1), best)
+            q = np.where(better, places[:, np.arange(best.size), which], q)
+        at = self.figures(q)
+        every = [
+            Extreme(_endless(value, start), q[:, i], np.array([at["x"][i], at["y"][i]]))
+            for i, (value, start) in enumerate(zip((signs[:, 0] * best).tolist(), first.tolist(), strict=True))
+        ]
+        return {name: (every[i], every[i + 1]) for i, name in _twice(names)}
 
     def _within(self, q: Array) -> Array:
         low, high = np.array(self.box.low)[:, None], np.array(self.box.high)[:, None]
@@ -108,13 +118,7 @@ class Maps:
     def contour(self, name: str, level: float) -> list[Line]:
         """The lines on which a map has a value (SI), by marching triangles; their corners lie on the true line."""
         values = self.maps[name].values.ravel() - level
-        triangles = halves(self.axes[0].size, self.axes[1].size)
-        triangles = triangles[np.isfinite(values[triangles]).all(axis=1)]
-        above = values >= 0
-        triangles = triangles[above[triangles].any(axis=1) & ~above[triangles].all(axis=1)]
-        sides = np.sort(sides_of(triangles), axis=1)
-        crossed = above[sides[:, 0]] != above[sides[:, 1]]
-        pairs, where = np.unique(sides[crossed], axis=0, return_inverse=True)
+        pairs, ends = crossings(halves(self.axes[0].size, self.axes[1].size), values)
         if not len(pairs):
             return []
         grid = np.stack(np.meshgrid(*self.axes, indexing="ij")).reshape(2, -1)
@@ -127,20 +131,51 @@ class Maps:
         q = start + share * way
         found = self.figures(q)
         at = np.stack([found["x"], found["y"]])
-        of = np.full(len(sides), -1)
-        of[crossed] = where.ravel()
-        ends = np.sort(of.reshape(3, -1), axis=0)[1:].T
         return [Line(q[:, chain], at[:, chain]) for chain in chained(ends)]
+
+
+def _twice(names: Sequence[str]) -> Iterator[tuple[int, str]]:
+    """The names, numbered by twos."""
+    return zip(range(0, 2 * len(names), 2), names, strict=True)
+
+
+def _endless(value: float, first: float) -> float:
+    """What grows or falls without end from its ``first`` value is infinite or 0."""
+    if abs(value) > ENDLESS * abs(first):
+        return float(np.copysign(np.inf, value))
+    return 0.0 if abs(value) < abs(first) / ENDLESS else value
 
 
 def mapped(quantities: Quantities, box: Box, steps: int, figures: Figures, kinds: Mapping[str, Dimension]) -> Maps:
     """Maps of the named figures on ``steps`` equal steps of each drive, ends included."""
     first, second = (np.linspace(a, b, steps + 1) for a, b in zip(box.low, box.high, strict=True))
     grid = np.stack(np.meshgrid(first, second, indexing="ij")).reshape(2, -1)
-    parts = [figures(grid[:, start : start + MOST]) for start in range(0, grid.shape[1], MOST)]
-    rows = {name: np.concatenate([part[name] for part in parts]).reshape(steps + 1, -1) for name in ("x", "y", *kinds)}
+    parts = together(figures, grid)
+    rows = {name: parts[name].reshape(steps + 1, -1) for name in ("x", "y", *kinds)}
     made = {name: Map(name, rows[name], kind, *quantities.unit_of(kind)) for name, kind in kinds.items()}
     return Maps(box, (first, second), np.stack([rows["x"], rows["y"]]), made, figures)
+
+
+def together(figures: Figures, q: Array) -> dict[str, Array]:
+    """All figures at many drive values (2, n), on as many threads as there are processors."""
+    parts = [q[:, start : start + MOST] for start in range(0, q.shape[1], MOST)] or [q]
+    found = [figures(parts[0])] if len(parts) == 1 else [*pool(processors()).map(figures, parts)]
+    return {name: np.concatenate([part[name] for part in found]) for name in found[0]}
+
+
+def crossings(triangles: NDArray[np.intp], values: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Where values at the triangles' corners pass zero: sides (m, 2) by their corners, and the pieces of lines from one
+    of those to another, (n, 2)."""
+    triangles = triangles[np.isfinite(values[triangles]).all(axis=1)]
+    above = values >= 0
+    triangles = triangles[above[triangles].any(axis=1) & ~above[triangles].all(axis=1)]
+    sides = np.sort(sides_of(triangles), axis=1)
+    crossed = above[sides[:, 0]] != above[sides[:, 1]]
+    own = sides[crossed]
+    _, first, where = np.unique(own[:, 0] * values.size + own[:, 1], return_index=True, return_inverse=True)
+    of = np.full(len(sides), -1)
+    of[crossed] = where
+    return own[first], np.sort(of.reshape(3, -1), axis=0)[1:].T
 
 
 def chained(pieces: NDArray[np.intp]) -> list[list[int]]:

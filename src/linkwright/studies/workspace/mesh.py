@@ -19,14 +19,16 @@ HALVINGS = 60
 SKEW = (0.7548776662, 0.5698402910)
 CLEAR = 1e-3
 """A reach above this is far from the rim."""
-SMALL, MET = 0.2, 1e-18
+SMALL, MET = 0.2, 1e-14
 """Where a pit may be near, and where it is: the closure's determinant squared, over the reach."""
-LOOKS = 400
+LOOKS = 100
+POLISH = (1e-3, 1e-4, 1e-5)
+"""Then by parabolas through places so far apart, a share of the ranges."""
 WAYS = np.array([[i, k] for i in (-1.0, 0.0, 1.0) for k in (-1.0, 0.0, 1.0) if (i, k) != (0.0, 0.0)])
 AROUND = 1.5
 """Around a pit the mesh is finer within so many steps ..."""
-NARROW = 3e-8
-"""... halved until they are no wider than this (rad, m)."""
+NARROW = 2e-7
+"""... halved until they are no wider than this (rad, m), far over what a pit's place isn't known by."""
 
 
 @dataclass(frozen=True)
@@ -100,6 +102,13 @@ def sides_of(triangles: Rows) -> Rows:
     return np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
 
 
+def numbered(sides: Rows) -> tuple[Rows, Rows]:
+    """The different ones of sides (n, 2), the lower corner first, and which of them each is: (n,)."""
+    size = int(sides.max(initial=0)) + 1
+    number, which = np.unique(sides.min(axis=1) * size + sides.max(axis=1), return_inverse=True)
+    return np.stack(np.divmod(number, size), axis=1), which.ravel()
+
+
 def _pitted(q: Array, ring: Rows, centres: Array, step: Array) -> tuple[Array, Rows, Rows]:
     """Rings around pits, each half as wide as the one before, down to a share of a step that is round-off."""
     used, own = np.unique(ring, return_inverse=True)
@@ -136,13 +145,19 @@ def found_pits(sheet: Sheet, box: Box, steps: int = 48) -> Array:
     around = [padded[i : i + steps + 1, k : k + steps + 1] for i in range(3) for k in range(3) if (i, k) != (1, 1)]
     q = grid[:, (size <= np.min(around, axis=0)) & (size < SMALL)]
     best, step = small(q), np.repeat(box.size[:, None] / steps, q.shape[1], axis=1)
+    ways = WAYS.T[:, :, None]
     for _ in range(LOOKS if q.size else 0):
-        tried = q[:, None] + step[:, None] * WAYS.T[:, :, None]
+        tried = q[:, None] + step[:, None] * ways
         values = small(tried.reshape(2, -1)).reshape(len(WAYS), -1)
         which = values.argmin(axis=0)
         better = values.min(axis=0) < best
         q = np.where(better, tried[:, which, np.arange(which.size)], q)
         best, step = np.minimum(best, values.min(axis=0)), np.where(better, step, step / 2)
+    for h in POLISH if q.size else ():
+        q = q + h * box.size[:, None] * _lowest(
+            best, small((q[:, None] + h * box.size[:, None, None] * ways).reshape(2, -1))
+        )
+        best = small(q)
     low, turns = np.array(box.low), np.array(box.turns)
     q = np.where(turns[:, None], low[:, None] + np.mod(q - low[:, None], 2 * np.pi), q)
     found: list[Array] = []
@@ -152,6 +167,17 @@ def found_pits(sheet: Sheet, box: Box, steps: int = 48) -> Array:
     return np.array(found).reshape(-1, 2).T
 
 
+def _lowest(here: Array, around: Array) -> Array:
+    """Where a function is least, (2, n), by the parabolas through its values at places (n,) and one step along all
+    :data:`WAYS` (8 n,); in steps, no more than three."""
+    v = around.reshape(len(WAYS), -1)
+    gx, gy = (v[6] - v[1]) / 2, (v[4] - v[3]) / 2
+    hxx, hyy, hxy = v[6] + v[1] - 2 * here, v[4] + v[3] - 2 * here, (v[7] + v[0] - v[5] - v[2]) / 4
+    with np.errstate(all="ignore"):
+        found = np.stack([hxy * gy - hyy * gx, hxy * gx - hxx * gy]) / (hxx * hyy - hxy * hxy)
+    return np.asarray(np.clip(np.nan_to_num(found, posinf=0.0, neginf=0.0), -3.0, 3.0))
+
+
 def cut(within: Callable[[Array], NDArray[np.bool_]], q: Array, triangles: Rows) -> tuple[Array, Rows, Rows]:
     """The parts of triangles inside, with new corners on the rim."""
     inside = within(q)
@@ -159,14 +185,14 @@ def cut(within: Callable[[Array], NDArray[np.bool_]], q: Array, triangles: Rows)
     whole, partly = triangles[count == 3], triangles[(count > 0) & (count < 3)]
     edges = sides_of(partly)
     crossed = inside[edges[:, 0]] != inside[edges[:, 1]]
-    pairs, where = np.unique(np.sort(edges[crossed], axis=1), axis=0, return_inverse=True)
+    pairs, where = numbered(edges[crossed])
     kept = inside[pairs]
     a = q[:, np.where(kept[:, 0], pairs[:, 0], pairs[:, 1])]
     b = q[:, np.where(kept[:, 0], pairs[:, 1], pairs[:, 0])]
     share = halved(lambda s: within(a + s * (b - a)), len(pairs))
     corners = np.concatenate([q, a + share * (b - a)], axis=1)
     new = np.full(len(edges), -1)
-    new[crossed] = q.shape[1] + where.ravel()
+    new[crossed] = q.shape[1] + where
     sides = new.reshape(3, -1).T
     made, rim = [whole], []
     for k in range(3):
@@ -184,8 +210,10 @@ def cut(within: Callable[[Array], NDArray[np.bool_]], q: Array, triangles: Rows)
 
 def _limits(q: Array, triangles: Rows, box: Box) -> Rows:
     """The sides of triangles that lie on the end of a drive's range."""
-    sides = np.sort(sides_of(triangles), axis=1)
     found = [np.empty((0, 2), dtype=np.intp)]
+    if all(box.turns):
+        return found[0]
+    sides = np.sort(sides_of(triangles), axis=1)
     for k in (0, 1):
         ends = () if box.turns[k] else (box.low[k], box.high[k])
         found += [sides[(q[k][sides] == end).all(axis=1)] for end in ends]

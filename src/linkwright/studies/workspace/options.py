@@ -22,9 +22,11 @@ from linkwright.model.unknown import near, unknown
 from linkwright.structure import FRAME
 from linkwright.studies.asked import one_of
 from linkwright.studies.ranges import stroke
+from linkwright.studies.workspace.errors_asked import ErrorsOptions
 from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.parts import sections
 from linkwright.studies.workspace.path_options import WantedPaths
+from linkwright.studies.workspace.quality_asked import QualityOptions
 from linkwright.studies.workspace.required import RequiredFits
 from linkwright.studies.workspace.signs import combinations
 
@@ -54,6 +56,8 @@ class WorkspaceOptions(Frozen):
     chord: float = Field(
         1e-6, ge=1e-9, le=1e-2, description="how far the boundary may lie off, over the largest link length"
     )
+    quality: QualityOptions | None = Field(None, description="how well it works there: maps, singular positions")
+    errors: ErrorsOptions | None = Field(None, description="what tolerances do to the point, and leave of each region")
     paths: WantedPaths | None = Field(None, description="paths that the point is wanted to follow, by name")
     fits: RequiredFits | None = Field(None, description="circles and rectangles that have to fit in, by name")
 

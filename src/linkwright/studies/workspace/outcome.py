@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from linkwright.kernels import Compiled
 from linkwright.model.findings import Finding
 from linkwright.results import Result, Run
-from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.mesh import RIM, Box
 from linkwright.studies.workspace.regions import Region
 from linkwright.studies.workspace.turning import Turning
 
@@ -119,10 +119,15 @@ class Workspace:
 
     @cached_property
     def union(self) -> Any:
-        """What some mode reaches."""
+        """What some mode reaches; the gaps of a root of ``RIM`` that regions leave where two modes meet are closed."""
         import shapely
 
-        return without_slivers(shapely.union_all([one.shape for one in self.regions]), self.chord)
+        shapes = [one.shape for one in self.regions]
+        if len(shapes) > 1:
+            gap = max(self.chord / 2, 2 * RIM**0.5 * self.regions[0].region.sheet.compiled.graph.size)
+            grown = [shape.buffer(gap, join_style="mitre") for shape in shapes]
+            shapes = [shapely.union_all(grown).buffer(-gap, join_style="mitre")]
+        return without_slivers(shapely.union_all(shapes), self.chord)
 
     @cached_property
     def overlaps(self) -> tuple[Overlap, ...]:
@@ -165,6 +170,18 @@ class WorkspaceOutcome:
     def point(self) -> str:
         """The working point."""
         return self.options.point
+
+    def shown(self, one: Workspace) -> dict[str, float]:
+        """The varied parameters of a workspace by name, in their units; angles in the file's."""
+        quantities = self.compiled.quantities
+        sizes = {name: quantities.unit_of(quantities.dimensions.of(name))[1] for name in one.values}
+        return {name: float(f"{value / sizes[name]:.12g}") for name, value in one.values.items()}
+
+    def told(self, one: Workspace) -> str:
+        """The same in a line."""
+        quantities = self.compiled.quantities
+        units = {name: quantities.unit_of(quantities.dimensions.of(name))[0] for name in one.values}
+        return ", ".join(f"{name} = {v:.6g} {units[name]}".strip() for name, v in self.shown(one).items())
 
     @property
     def regions(self) -> list[Reached]:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.kernels import KERNELS
+from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.choice import choose
 from linkwright.model import units as u
 from linkwright.model.units import Dimension
@@ -95,6 +95,34 @@ def loci(sheet: Sheet, segments: Sequence[Segments]) -> tuple[Locus, ...]:
     return tuple(found)
 
 
+def kinds(compiled: Compiled, task: Task) -> dict[str, Dimension]:
+    """The maps that there are for a task, and their dimensions."""
+    area = u.LENGTH.times(u.LENGTH)
+    for drive in compiled.graph.drives:
+        area = area if _turns(compiled, drive) else area.times(u.LENGTH, -1)
+    found = {"condition": u.PURE, "manipulability": area}
+    if compiled.structure.groups:
+        found["transmission"] = u.ANGLE
+    if task.speeds is not None:
+        found |= {"speed": u.SPEED, "speed any way": u.SPEED}
+    if task.efforts is not None:
+        found |= {"force": u.FORCE, "force any way": u.FORCE}
+    if task.force is not None:
+        found |= {f"effort {name}": u.TORQUE if _turns(compiled, name) else u.FORCE for name in compiled.graph.drives}
+    return found
+
+
+def better(name: str, values: Array) -> Array:
+    """Of a map's values how good they are: the larger, the better."""
+    if name.startswith("effort "):
+        return -np.abs(values)
+    return -values if name == "condition" else values
+
+
+def _turns(compiled: Compiled, drive: str) -> bool:
+    return bool(compiled.mechanism.prescribed(drive).turns)
+
+
 class _Measuring:
     """All figures at drive values, from one run of one program."""
 
@@ -106,26 +134,9 @@ class _Measuring:
         program = graph.program([*(f"{point}.{row}" for row in ("x", "y", "vx", "vy")), *self.closed, *determinants])
         self.engine = KERNELS[choose(program, 2 * poses, os.cpu_count() or 1).kernel](program)
         self.rows = [graph.drives.index(drive) * graph.width for drive in sheet.drives]
-        turns = [bool(sheet.compiled.mechanism.drives[drive].turns) for drive in sheet.drives]
+        turns = [_turns(sheet.compiled, drive) for drive in sheet.drives]
         self.arms = np.where(turns, graph.size, 1.0) if any(turns) and not all(turns) else np.ones(2)
-        self.kinds = self._kinds([u.ANGLE if turn else u.LENGTH for turn in turns], turns)
-
-    def _kinds(self, drives: list[Dimension], turns: list[bool]) -> dict[str, Dimension]:
-        """The maps and their dimensions."""
-        area = u.LENGTH.times(u.LENGTH)
-        for drive in drives:
-            area = area.times(drive, -1) if drive == u.LENGTH else area
-        kinds = {"condition": u.PURE, "manipulability": area}
-        if self.sheet.compiled.structure.groups:
-            kinds["transmission"] = u.ANGLE
-        if self.task.speeds is not None:
-            kinds |= {"speed": u.SPEED, "speed any way": u.SPEED}
-        if self.task.efforts is not None:
-            kinds |= {"force": u.FORCE, "force any way": u.FORCE}
-        if self.task.force is not None:
-            for name, turn in zip(self.sheet.drives, turns, strict=True):
-                kinds[f"effort {name}"] = u.TORQUE if turn else u.FORCE
-        return kinds
+        self.kinds = kinds(sheet.compiled, self.task)
 
     def __call__(self, q: Array) -> dict[str, Array]:
         """All figures at drive values (2, n)."""

@@ -67,7 +67,9 @@ class Sheet:
         labels = [group.label for group in structure.groups if group.modes > 1]
         self._closed = [f"reach:{label}" for label in labels]
         self._rows = [f"{point}.{name}" for name in ("x", "y", "vx", "vy")]
-        self._rows += [*self._closed, *(f"determinant:{label}" for label in labels)]
+        spans = [f"span:{group.label}" for group in structure.groups if group.has_span]
+        self._rows += [*self._closed, *(f"determinant:{label}" for label in labels), *spans]
+        self._scale = graph.size ** len(spans)
         self._inputs = [graph.drives.index(drive) * graph.width for drive in drives]
         self._engines: dict[bool, Kernel] = {}
         self.kernel = kernel
@@ -77,6 +79,11 @@ class Sheet:
             program = self.compiled.graph.program(self._rows if whole else [*self._rows[:2], *self._closed])
             self._engines[whole] = KERNELS[self.kernel](program)
         return self._engines[whole]
+
+    def ready(self) -> None:
+        """Make the programs, which all sheets of a mechanism share."""
+        for whole in (False, True):
+            self._engine(whole)
 
     def inputs(self, q: Array) -> Array:
         """The program's inputs at drive values ``q`` (2, n), at rest: (inputs, n)."""
@@ -89,16 +96,16 @@ class Sheet:
 
     def look(self, q: Array) -> Look:
         """Everything at drive values ``q`` (2, n) in rad or m."""
-        x, engine = self.inputs(q), self._engine(True)
-        columns = []
-        for row in self._inputs:
-            x[row + 1] = 1.0
-            with np.errstate(all="ignore"):
-                columns.append(engine.run(x, self.parameters))
-            x[row + 1] = 0.0
-        y, count = columns[0], len(self._closed)
-        jacobian = np.stack([column[2:4] for column in columns], axis=1)
-        return Look(y[:2], jacobian, _least(y[4 : 4 + count], q), np.prod(y[4 + count :], axis=0))
+        n, count = q.shape[1], len(self._closed)
+        x = self.inputs(np.concatenate([q, q], axis=1))  # one call for both columns of the jacobian
+        first, second = self._inputs
+        x[first + 1, :n] = x[second + 1, n:] = 1.0
+        with np.errstate(all="ignore"):
+            y = self._engine(True).run(x, self.parameters)
+        jacobian = np.stack([y[2:4, :n], y[2:4, n:]], axis=1)
+        y = y[:, :n]
+        closure = np.nan_to_num(np.prod(y[4 + count :], axis=0) / self._scale)  # 0/0 where the pins of a slide meet
+        return Look(y[:2], jacobian, _least(y[4 : 4 + count], q), closure)
 
     def place(self, q: Array) -> tuple[Array, Array]:
         """The working point alone, (2, n), and the least reach, (n,)."""

@@ -8,11 +8,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.blocks import Threads
 from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
 from linkwright.model.findings import Finding
 from linkwright.studies.registry import register
 from linkwright.studies.site import NOWHERE, Site
+from linkwright.studies.stopped import Stopped
 from linkwright.studies.workspace.never import never
 from linkwright.studies.workspace.one import Curve, curve
 from linkwright.studies.workspace.options import PATH, WorkspaceOptions, check
@@ -20,8 +22,10 @@ from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOu
 from linkwright.studies.workspace.parts import sections
 from linkwright.studies.workspace.regions import Region, region
 from linkwright.studies.workspace.sheet import Sheet
-from linkwright.studies.workspace.signs import combinations, named
+from linkwright.studies.workspace.signs import Signs, combinations, named
+from linkwright.studies.workspace.together import together
 from linkwright.studies.workspace.turning import turnings
+from linkwright.studies.workspace.unfit import unfit
 from linkwright.words import say
 
 Array = NDArray[np.float64]
@@ -29,25 +33,13 @@ Array = NDArray[np.float64]
 CLOSE = 1e-6
 """Meshes are doubled until the area changes by less than this share, or that which the chords leave open."""
 LOOKS = 64
-MESHES = ((96, 1536), (96, 96), (80, 80), (112, 112))
-"""First and last steps of meshes; others are tried where a region doesn't hold all that is sampled ..."""
+MESHES = ((96, 1536, True), (192, 1536, False), (96, 96, False), (80, 80, False), (112, 112, False))
+"""First and last steps of meshes, and whether the same curves on two are enough; others are tried where a region
+doesn't hold all that is sampled ..."""
 SAMPLES = 20_000
 """... at so many random values of the drives."""
 FLAT = 1e-9
 """A jacobian's determinant below this share of its columns' lengths everywhere: the point moves along curves only."""
-
-
-class Stopped(KeyboardInterrupt):
-    """The study was interrupted; nothing of it is kept."""
-
-    def __init__(self, done: int, total: int) -> None:
-        super().__init__()
-        self.done, self.total = done, total
-
-    @property
-    def what(self) -> str:
-        """How far it came."""
-        return say("workspace.interrupted", done=self.done, total=self.total)
 
 
 @register
@@ -59,34 +51,52 @@ class WorkspaceStudy:
 
     def check(self, compiled: Compiled, options: WorkspaceOptions) -> list[Finding]:
         """What is wrong with the options."""
-        return list(check(compiled, options))
+        found = [*check(compiled, options)]
+        return found or [*unfit(compiled, options, PATH)]
 
     def run(self, compiled: Compiled, options: WorkspaceOptions, site: Site = NOWHERE) -> WorkspaceOutcome:
         """The region of each mode for each combination of values."""
         outcome = WorkspaceOutcome(compiled, options, options.chord * compiled.graph.size)
-        signs = combinations(compiled, options.modes)
-        every = options.values(compiled)
         if len(compiled.graph.drives) == 2:
             outcome.box = options.box(compiled)
-        done, total = 0, len(signs) * len(every)
+        done = total = 0
         try:
-            for values, parameters in zip(every, _parameters(compiled, every), strict=True):
-                if fault := _senseless(compiled, values):
-                    outcome.failures += fault
-                    continue
-                found: list[Any] = []
-                for one in signs:
-                    found.append(_found(outcome, one, parameters))
-                    done += 1
-                    if site.progress is not None:
-                        site.progress(done, total)
-                _keep(outcome, values, parameters, [f for f in found if f is not None])
+            done, total, stopped = _regions(outcome, site)
+            if stopped:
+                raise KeyboardInterrupt
+            if outcome.workspaces:
+                for name, section in sections(options):
+                    outcome.parts[name] = section.perform(outcome, site)
         except KeyboardInterrupt:
-            raise Stopped(done, total) from None
-        if outcome.workspaces:
-            for name, section in sections(options):
-                outcome.parts[name] = section.perform(outcome, site)
+            outcome.failures.append(Finding("workspace.stopped", PATH, {"done": done, "total": total}))
+            raise Stopped(outcome, outcome.failures[-1].what) from None
         return outcome
+
+
+def _regions(outcome: WorkspaceOutcome, site: Site) -> tuple[int, int, bool]:
+    """Find the region of each mode for each combination of values; how many are done, of how many, and whether an
+    interrupt came."""
+    compiled, options = outcome.compiled, outcome.options
+    signs, cases = combinations(compiled, options.modes), []
+    every = options.values(compiled)
+    for values, parameters in zip(every, _parameters(compiled, every), strict=True):
+        if fault := _senseless(compiled, values):
+            outcome.failures += fault
+        else:
+            cases.append((values, parameters))
+    works = [(one, parameters) for _, parameters in cases for one in signs]
+    if outcome.box is not None and works:
+        _sheet(outcome, *works[0]).ready()  # the graph isn't made for several threads
+    # NumPy's calls are short and each waits for the interpreter: more threads are no sooner done, unless asked for.
+    workers = site.runner.workers if outcome.box and isinstance(site.runner, Threads) else 1
+    found, stopped = together(lambda work: _found(outcome, *work), works, workers, site.progress)
+    for i, (values, parameters) in enumerate(cases):
+        here = [found[k] for k in range(i * len(signs), (i + 1) * len(signs)) if k in found]
+        outcome.warnings += [warning for _, warnings in here for warning in warnings]
+        reached = [one for one, _ in here if one is not None]
+        if reached or len(here) == len(signs):
+            _keep(outcome, values, parameters, reached)
+    return len(found), len(works), stopped
 
 
 def _parameters(compiled: Compiled, every: list[dict[str, float]]) -> Array:
@@ -101,8 +111,13 @@ def _senseless(compiled: Compiled, values: dict[str, float]) -> list[Finding]:
     return Varied(compiled, tuple(values)).faults(np.array([*values.values()]).reshape(-1, 1))
 
 
-def _found(outcome: WorkspaceOutcome, signs: tuple[float, ...], parameters: Array) -> Reached | Curve | None:
-    """What one mode reaches; ``None`` where it can't be assembled anywhere."""
+def _sheet(outcome: WorkspaceOutcome, signs: Signs, parameters: Array) -> Sheet:
+    first, second = outcome.compiled.graph.drives
+    return Sheet(outcome.compiled, outcome.point, (first, second), signs, parameters)
+
+
+def _found(outcome: WorkspaceOutcome, signs: Signs, parameters: Array) -> tuple[Reached | Curve | None, list[Finding]]:
+    """What one mode reaches, ``None`` where it can't be assembled anywhere; warnings. The outcome isn't changed."""
     compiled, options, box = outcome.compiled, outcome.options, outcome.box
     mode = named(compiled, signs)
     if box is None:
@@ -110,22 +125,21 @@ def _found(outcome: WorkspaceOutcome, signs: tuple[float, ...], parameters: Arra
         ends = options.range(compiled, drive)
         assert ends is not None
         found = curve(compiled, options.point, mode, signs, parameters, ends, options.turns(compiled)[0], outcome.chord)
-        return found if found.length > 0 else None
-    drives = compiled.graph.drives[0], compiled.graph.drives[1]
-    sheet = Sheet(compiled, options.point, drives, signs, parameters)
+        return found if found.length > 0 else None, []
+    sheet = _sheet(outcome, signs, parameters)
     if _flat(sheet, box.low, box.high):
-        return None
+        return None, []
     tried: list[tuple[float, Region]] = []
-    for first, most in MESHES:
-        made = region(sheet, box, outcome.chord, first, most, close=max(CLOSE, 10 * options.chord))
+    close = max(CLOSE, 10 * options.chord)
+    for first, most, quick in MESHES:
+        made = region(sheet, box, outcome.chord, first, most, close, quick)
         tried.append((_missed(made, outcome.chord), made))
         if not tried[-1][0]:
             break
     missed, best = min(tried, key=lambda one: one[0])
-    if missed:
-        data = {"mode": mode or "-", "share": f"{100 * missed:.3g}"}
-        outcome.warnings.append(Finding("workspace.incomplete", PATH, data, severity="warning"))
-    return Reached(mode, signs, best) if best.shape.area > 0 else None
+    data = {"mode": mode or "-", "share": f"{100 * missed:.3g}"}
+    warnings = [Finding("workspace.incomplete", PATH, data, severity="warning")] if missed else []
+    return Reached(mode, signs, best) if best.shape.area > 0 else None, warnings
 
 
 def _missed(found: Region, chord: float) -> float:
@@ -168,12 +182,12 @@ def _nothing(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Ar
     for name, value in values.items():
         unit, size = compiled.quantities.unit_of(compiled.quantities.dimensions.of(name))
         shown.append(f"{name} = {value / size:.6g} {unit}".strip())
-    where = ", ".join(shown)
+    where = say("workspace.for", values=", ".join(shown)) if shown else ""
     ranges = [options.range(compiled, drive) for drive in compiled.graph.drives]
     data = never(
         compiled, [r for r in ranges if r is not None], dict(zip(compiled.graph.parameters, parameters, strict=True))
     )
     if data is None:
-        yield Finding("workspace.no-area", (*PATH, "point"), {"name": options.point, "values": where or "-"})
+        yield Finding("workspace.no-area", (*PATH, "point"), {"name": options.point, "values": where})
     else:
-        yield Finding("workspace.never-closes", PATH, {"values": where or "-", **data})
+        yield Finding("workspace.never-closes", PATH, {"values": where, **data})

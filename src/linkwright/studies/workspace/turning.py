@@ -137,7 +137,7 @@ class _Margin:
         """The margins of all rows (rows, n) as one (n,): a determinant keeps its sign, whichever it is."""
         rooms, ahead, behind = best[: self.rooms], best[self.rooms : self.count], best[self.count :]
         margins = np.concatenate([rooms, np.fmax(ahead, behind)])
-        return np.asarray(np.nan_to_num(np.fmin.reduce(margins), nan=-1.0))
+        return np.asarray(np.nan_to_num(np.fmin.reduce(margins), nan=-1.0, neginf=-1.0))
 
 
 def positive(

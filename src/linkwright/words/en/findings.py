@@ -364,6 +364,36 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Give it as a number. The sketch tells the angle between links whose first two points are sketched, the "
         "length of a cylinder between sketched points, and the travel of a slide on the frame.",
     ),
+    "sketch.mixed": (
+        "Some sketched points have three coordinates ({three}), others two ({two}).",
+        "Give all of them three, in the vehicle's axes, or all of them two, in the plane of the linkage.",
+    ),
+    "sketch.in-line": (
+        "The sketched points lie in a line (or are less than three): they don't tell the plane of the linkage.",
+        "State it, such as plane: xz or plane: {{normal: [0, 1, 0.02]}}, or sketch another pose.",
+    ),
+    "sketch.coincident": (
+        "The points {a} and {b} of the link {link} lie at the same place in the plane of the linkage.",
+        "Check their coordinates and the plane: the two need a distance.",
+    ),
+    "sketch.no-plane": (
+        "This is no plane linkage: {name} lies {off} {unit} off the plane with the normal ({normal}), more than "
+        "{limit} {unit}.",
+        "Check the coordinates. Pins that stand at different places along their axes need the plane stated "
+        "(plane: xz, or its normal); plane: {{within: LENGTH}} allows more or less.",
+    ),
+    "sketch.off-plane": (
+        "{name} lies {off} {unit} off the plane with the normal ({normal}) that fits the pinned points best.",
+        "Check its coordinates, or state the plane; plane: {{within: LENGTH}} says how much is meant.",
+    ),
+    "sketch.plane-unused": (
+        "A plane is stated, but the sketch has no points of three coordinates.",
+        "Give the sketched points as [x, y, z] in the vehicle's axes, or leave the plane out.",
+    ),
+    "sketch.plane-twice": (
+        "The plane has both axes and normal.",
+        "Give axes for a plane of two of the vehicle's axes, normal for any other.",
+    ),
     "cylinder.same-point": (
         "Both ends of the cylinder are at {point}.",
         "Name two different points, such as one on the frame and one on the link that it moves.",
@@ -664,7 +694,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Give each power once.",
     ),
     "law.fractions": (
-        "The {count} fractions add up to {sum}; there must be four [b, c, d, z], or seven, none negative, with the sum 1, and some acceleration on either side.",
+        "The {count} fractions add up to {sum}; there must be four [b, c, d, z], or seven, none negative or below 1e-6 but 0, with the sum 1, and some acceleration on either side.",
         "Correct them: [0.25, 0, 0.75, 0] is the modified sine.",
     ),
     "law.skew": (
@@ -986,6 +1016,113 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The file asks for no study.",
         "Add one, for example studies: {{cycle: {{period: 1.5 s, samples: 200}}}}.",
     ),
+    # Of exports.
+    "export.unknown": (
+        "There is no export to '{name}'.",
+        "Write one of these: {near}.",
+    ),
+    "export.options": (
+        "The option {key} of the export to {export} is wrong: {reason}.",
+        "Correct it; docs/file-format.md lists the options of each target.",
+    ),
+    "export.handle": (
+        "The handle {name} is a point of the frame: it doesn't move.",
+        "Name a point of the panel, where a hand opens it.",
+    ),
+    "export.outline": (
+        "These points make no outline: {reason}.",
+        "List three points or more of the panel, in order around it, each once.",
+    ),
+    "export.setting": (
+        "'{given}' isn't an option and its value.",
+        "Write KEY=VALUE, the value as in a model file: --set decimals=12.",
+    ),
+    "export.no-mass": (
+        "MuJoCo wants a mass for every moving body: {links} got {mass}, with a radius of gyration of {radius}.",
+        "Give them masses in the model, or another tiny_mass.",
+    ),
+    "export.no-inertia": (
+        "MuJoCo wants a moment of inertia for every moving body: {links} got that of a radius of gyration of {radius}.",
+        "Give them one in the model where it matters.",
+    ),
+    "export.no-duration": (
+        "Nothing says how long the motion lasts.",
+        "Give duration under exports.{export}, or a cycle under studies.",
+    ),
+    "export.too-many-pieces": (
+        "The law of {drive} has more than {limit} pieces in this time; it isn't written as text.",
+        "Take its values from motion.csv, or give a shorter duration.",
+    ),
+    "export.unproven": (
+        "What would be written for {name} is off the model by {error} {unit}; it isn't given.",
+        "Look for a law or pose that is nearly singular; else tell the authors, since this is a fault of linkwright.",
+    ),
+    "export.left-out": (
+        "The file for MuJoCo doesn't have {names}.",
+        "Add them to the file by hand where the simulation needs them.",
+    ),
+    # Of joint functions.
+    "functions.drives": (
+        "Joint functions ask for one driving joint; this mechanism has {count} drives: {names}.",
+        "Leave one drive, and fix the links of the others to each other.",
+    ),
+    "functions.left-out": (
+        "The joint {joint} is left out, but it is the one that {drive} drives.",
+        "Take it out of left_out.",
+    ),
+    "functions.no-dependent": (
+        "No joint depends on {drive}: there is nothing to write a function for.",
+        "Close a loop, or leave the export out; a joint that is driven alone needs no function.",
+    ),
+    "functions.shared-pin": (
+        "The drive {drive} moves two links against each other on the pin {pin}, which holds others that are placed before "
+        "them; the tool's joints lead from the first link of a pin to each other one.",
+        "Drive one of the links against the first one of the pin, or give the drive a pin of its own.",
+    ),
+    "functions.too-many": (
+        "There would be {count} joints, helping ones included; the tool's functions know {limit} at most.",
+        "Name joints that close loops under left_out, allow longer texts, or export a part of the mechanism.",
+    ),
+    "functions.name": (
+        "The joint {joint} can't be called '{name}' in the tool.",
+        "Give it a name of letters A to Z, digits and underscores, no digit first, under names; what else the tool takes "
+        "isn't known.",
+    ),
+    "functions.same-name": (
+        "Several joints are called '{name}': {joints}.",
+        "Give each a name of its own under names.",
+    ),
+    "functions.two-ranges": (
+        "Both range and stops say how far the driving joint goes.",
+        "Keep one: range in values of the drive, or stops in values of the joint since the zero pose.",
+    ),
+    "functions.no-range": (
+        "The mechanism can't be moved from {drive} = {start} {unit}.",
+        "Start the drive where the mechanism isn't at a dead centre; `limits` tells its ranges.",
+    ),
+    "functions.toggle": (
+        "From {from} to {to} {unit} of {drive} the mechanism meets a toggle (group {groups}): there its two assembly modes "
+        "meet, and one function can't follow both.",
+        "Take a range within [{low} {unit}, {high} {unit}], the largest one on this side of the toggle.",
+    ),
+    "functions.sweep": (
+        "A direction turns by {spread} deg over the range, seen from any link (joints {joints}); a function in the dialect "
+        "{dialect} holds {most} deg.",
+        "Take a narrower range; what is too far for the arccosine of the dialect seed may do for atan2 in wizard.",
+    ),
+    "functions.error": (
+        "However many decimals are taken, a function is off by {error} (rad or mm) at {drive} = {at} {unit}.",
+        "Take a range that stays further away from poses in which links are in line or pins meet.",
+    ),
+    "functions.length": (
+        "No splitting brings all functions under {longest} characters; the least possible is {least}.",
+        "Set longest to {least} or more.",
+    ),
+    "functions.no-closed-form": (
+        "The links {links} can only be placed all together (group {group}): their joints have no function in closed form.",
+        "Set approximate to take polynomials in the value of {drive}; over this range those of degree {degree} come within "
+        "{error} (rad or mm), so approximate: {approximate} is enough. A narrower range makes them better.",
+    ),
     # Of workspaces.
     "workspace.drives": (
         "A workspace needs two drives (or one: then it is a curve); this mechanism has {count}: {names}.",
@@ -1011,18 +1148,52 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "These would be {count} regions; at most {limit} are computed.",
         "Take fewer values, or modes: own.",
     ),
+    "workspace.unbounded": (
+        "The point {name} can run away: two guides are parallel near {at}, so that its region has no end.",
+        "Give the drives ranges in which the guides cross at an angle.",
+    ),
+    "workspace.pins-meet": (
+        "The outer pins of a group meet at {at}, an end of a range or one of a whole curve of such values; its links may "
+        "point anywhere there, and the region falls apart.",
+        "Give the drives ranges that keep clear of such values; or make the group's links unequal by a little.",
+    ),
     "workspace.incomplete": (
         "The region of the mode {mode} isn't whole: {share} % of the places sampled at random lie outside of it.",
         "Take another chord, or a part of the drives' ranges; trust its area as a lower bound only.",
     ),
+    "workspace.stopped": (
+        "Interrupted with {done} of {total} regions done. These are kept; what else was asked of them may be missing.",
+        "Perform the study again for the rest: it begins anew.",
+    ),
     "workspace.no-area": (
-        "The point {name} moves along curves only, so that it has no region (values: {values}).",
-        "Take a point that both drives move.",
+        "The point {name} moves along curves only, or not at all, so that it has no region{values}.",
+        "Take a point that both drives move; or widen the drives' ranges.",
     ),
     "workspace.never-closes": (
-        "The links never close (values: {values}): {links} fail nearest to closing at {at}, where {joints} are {distance} {unit} "
+        "The links never close{values}: {links} fail nearest to closing at {at}, where {joints} are {distance} {unit} "
         "apart, {by} {unit} {way} than the links can span ({limit} {unit}).",
         "Make the links {direction}, by {by} {unit} at least; or widen the drives' ranges.",
+    ),
+    # Of workspaces: maps.
+    "workspace.two-drives": (
+        "{section} needs two drives; with one, the point moves along a curve.",
+        "Take {section} out, or give the mechanism another drive.",
+    ),
+    "workspace.map-name": (
+        "There is no map of the name '{name}' here.",
+        "Take one of these: {known}.",
+    ),
+    "workspace.map-task": (
+        "The map '{name}' isn't there without {key}.",
+        "Add {key}, or take another map.",
+    ),
+    "workspace.limit-missing": (
+        "Under {key} there is nothing for {drives}.",
+        "Give one for each of the two drives.",
+    ),
+    "workspace.limit-positive": (
+        "{what} isn't positive: {given}.",
+        "Give a positive value, or leave it out.",
     ),
     # Of clearances.
     "clearance.cam": (
@@ -1490,6 +1661,9 @@ _TERMS: dict[str, str] = {
     "text": "a text (numbers in quotes)",
     "name": "a name (letters, digits, underscores)",
     "other": "another kind of value",
+    "outline-few": "it takes three different points at least, each once",
+    "outline-crossed": "the lines between them cross, or they lie in a line",
+    "direction": "three numbers [x, y, z], not all zero",
     "position": "[x, y] or 'r at angle'",
     "place": "a point of the link, [x, y] or 'r at angle'",
     "line": "a line such as 'G at 90 deg'",
@@ -1536,6 +1710,11 @@ _TERMS: dict[str, str] = {
     "shorter": "shorter",
     "longer": "longer",
     "a-drive": "a drive",
+    "a-contributor": "a contributor (a parameter with a tolerance, a change of temperature)",
+    "drive-limit": "The limit of {drive} under {under}",
+    "limit-error": "The limit of the error",
+    "size-of-force": "The size of the force",
+    "force": "[x, y] of a force",
     "a-spring": "a spring",
     "a-parameter": "a parameter",
     "a-function": "a function",

@@ -2,6 +2,7 @@
 
 REPORT: dict[str, str] = {
     "report.accuracy": "Accuracy",
+    "report.areas": "Regions",
     "report.centrodes": "Centrodes",
     "report.certificate": "Certificate",
     "report.check": "Check",

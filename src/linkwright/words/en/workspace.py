@@ -5,7 +5,6 @@ WORKSPACE: dict[str, str] = {
     "workspace.sentence.curves": "With one drive {point} moves along a curve: {count} of them.",
     "workspace.sentence.none": "Nothing was computed.",
     "workspace.rough": "Near points where curves end or touch, pieces of at most {rough} {unit} couldn't be refined.",
-    "workspace.interrupted": "Interrupted with {done} of {total} regions done. Nothing of them is kept: the same command begins anew.",
     "workspace.one-mode": "the only one",
     "workspace.table.regions": "Regions by assembly mode",
     "workspace.table.union": "All modes together",

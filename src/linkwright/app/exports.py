@@ -1,0 +1,137 @@
+"""A mechanism written for another tool."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from linkwright.app.alone import altered
+from linkwright.app.job import Examined, examine_document, read_file
+from linkwright.exports import TARGETS, Exported
+from linkwright.model.document import load, write_aside
+from linkwright.model.findings import Finding, ModelError, raise_errors
+from linkwright.model.mechanism import Document
+from linkwright.model.unknown import near
+from linkwright.model.yaml_text import read_text
+from linkwright.studies import Site
+
+
+@dataclass
+class ExportJob:
+    """A performed export: what came of it, and the folder it was written to."""
+
+    examined: Examined
+    to: str
+    exported: Exported | None = None
+    folder: Path | None = None
+
+    @property
+    def found(self) -> list[Finding]:
+        """What the target found, with lines of the file."""
+        return [] if self.exported is None else self.examined.located(self.exported.failures + self.exported.warnings)
+
+    @property
+    def exit_code(self) -> int:
+        """The examination's code, else 1 where the export isn't what was asked, else 0."""
+        return self.examined.exit_code or (0 if self.exported is not None and self.exported.done else 1)
+
+    @property
+    def summary(self) -> dict[str, Any]:
+        """The target's summary as plain data, with the names of the files and all findings."""
+        exported = self.exported or Exported()
+        return {
+            "target": self.to,
+            "done": self.exit_code == 0,
+            **exported.summary,
+            "files": [*exported.files],
+            "findings": [finding.as_dict() for finding in (*self.examined.findings, *self.found)],
+        }
+
+
+def export(
+    model: str | Path | Document,
+    to: str,
+    out: str | Path | None = None,
+    *,
+    folder: str | Path | None = None,
+    **options: Any,
+) -> Exported:
+    """Write a mechanism for another tool: ``to`` is a target such as ``mjcf``; with ``out``, a folder, its files are
+    written there.
+
+    ``options`` are the target's, in place of those in the file's ``exports``. ``folder`` is where the tables of a
+    document lie; those of a file lie beside it. Raises :class:`ModelError` with all findings where the mechanism can't
+    be exported at all; what the target found else stands in ``failures`` and ``warnings`` of the result.
+    """
+    document = model if isinstance(model, Document) else load(model)
+    tables = Path(folder) if folder else None if isinstance(model, Document) else Path(model).parent
+    job = export_of(_examined(document, tables, to, options), to)
+    raise_errors(job.examined.findings)
+    assert job.exported is not None
+    if out is not None:
+        write_export(job, Path(out))
+    return job.exported
+
+
+def examine_export(
+    path: Path, to: str, settings: Sequence[str] = (), given: Mapping[str, Any] | None = None
+) -> Examined:
+    """Read and compile a model file for one export, with options in place of the file's: ``given``, and ``settings``
+    as ``KEY=VALUE`` with a value of YAML."""
+    read = read_file(path)
+    if read.document is None:
+        return read
+    try:
+        examined = _examined(read.document, path.parent, to, {**(given or {}), **_settings(settings)})
+    except ModelError as error:
+        return Examined(findings=[*error.findings])
+    examined.source = read.source
+    examined.findings = examined.located(examined.findings)
+    return examined
+
+
+def export_of(examined: Examined, to: str, site: Site | None = None) -> ExportJob:
+    """Perform the export of an examined file; none where something is wrong with it."""
+    job = ExportJob(examined, to)
+    if examined.exit_code == 0 and examined.compiled is not None and examined.orders:
+        (order,) = examined.orders
+        here = Site(document=examined.document, folder=examined.folder)
+        try:
+            job.exported = order.target.export(examined.compiled, order.options, site or here)
+        except ModelError as error:
+            examined.findings += examined.located(error.findings)
+    return job
+
+
+def write_export(job: ExportJob, folder: Path) -> None:
+    """Write the files of an export, each whole or not at all."""
+    if job.exported is None or not job.exported.files:
+        return
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, content in job.exported.files.items():
+        write_aside(folder / name, content)
+    job.folder = folder
+
+
+def _examined(document: Document, folder: Path | None, to: str, given: Mapping[str, Any]) -> Examined:
+    if to not in TARGETS:
+        data = {"name": to, "near": near(to, [*TARGETS])}
+        return Examined(document, findings=[Finding("export.unknown", (), data)])
+    return examine_document(altered(document, to, given, section="exports"), folder, to=to)
+
+
+def _settings(settings: Sequence[str]) -> dict[str, Any]:
+    """Options from ``KEY=VALUE``."""
+    options, findings = {}, []
+    for setting in settings:
+        key, equals, value = setting.partition("=")
+        source = read_text(f"value: {value}".encode())
+        if not (equals and key.strip() and isinstance(source.data, dict) and [*source.data] == ["value"]):
+            findings.append(Finding("export.setting", (), {"given": setting[:60]}))
+        else:
+            options[key.strip()] = source.data["value"]
+    if findings:
+        raise ModelError(findings)
+    return options

@@ -1,0 +1,42 @@
+"""The motion that an export covers: that of the file's cycle, or as long as the target's options say."""
+
+from __future__ import annotations
+
+from linkwright.exports.numbers import positive
+from linkwright.kernels import Compiled
+from linkwright.model import units as u
+from linkwright.model.fields import Expression
+from linkwright.model.findings import Finding
+from linkwright.model.mechanism import Document
+from linkwright.results import Run
+from linkwright.studies.cycle import CycleOptions, span
+from linkwright.studies.feasible import unassembled
+from linkwright.studies.through import carried
+
+
+def cycle_of(document: Document | None) -> CycleOptions | None:
+    """The options of the file's cycle, which are sound; None where it has none."""
+    given = None if document is None else document.studies.get("cycle")
+    return None if given is None or document is None else CycleOptions.model_validate(given, context=document.studies)
+
+
+def duration(
+    compiled: Compiled, document: Document | None, to: str, given: Expression | None
+) -> tuple[float | None, list[Finding]]:
+    """How long the motion lasts (s): as ``given`` under the target's ``duration``, else as the file's cycle; None where
+    neither says so."""
+    if given is None:
+        cycle = cycle_of(document)
+        return (None, []) if cycle is None else span(compiled, cycle)
+    seconds, findings = positive(compiled, to, "duration", given, u.TIME, 0.0)
+    return (None if findings else seconds), findings
+
+
+def followed(compiled: Compiled, document: Document | None, stop: float, steps: int) -> tuple[Run, list[Finding]]:
+    """The motion to ``stop`` (s), carried through change points where the file's cycle is, and why it can't be
+    followed."""
+    run, kept = Run(compiled, 0.0, stop, steps), list[Finding]()
+    cycle = cycle_of(document)
+    if cycle is not None and cycle.through == "keep":
+        run, kept = carried(run)
+    return run, kept or unassembled(run)

@@ -1,0 +1,39 @@
+"""The law of a drive as one tree, and the functions that it calls."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from linkwright.exports.motors.functions import Function, OfMotion, OfTable
+from linkwright.graph.cams import value
+from linkwright.kernels import Compiled
+from linkwright.kernels.laws import read_table
+from linkwright.model import units as u
+from linkwright.model.cams import Following
+from linkwright.model.expressions import Binary, Call, Name, Node, Number, nodes
+
+
+def law_of(compiled: Compiled, drive: str) -> Node:
+    """The tree of a drive's value in t, parameters, and called functions; bound to SI."""
+    entry, quantities = compiled.mechanism.drives[drive], compiled.quantities
+    dimension = quantities.drive_dimension(drive)
+    if isinstance(entry, Following):
+        return value(quantities, entry, law_of(compiled, entry.motor))
+    if entry.position is not None:
+        return quantities.bind(entry.position, dimension)
+    rate, change = (u.OMEGA, u.ALPHA) if dimension == u.ANGLE else (u.SPEED, u.ACCELERATION)
+    given = [(entry.start, dimension, 1.0), (entry.speed, rate, 1.0), (entry.acceleration, change, 0.5)]
+    total: Node = Number(0.0)
+    for power, (expression, of, factor) in enumerate(given):
+        if expression is not None:
+            time = Binary("*", Number(factor), Binary("^", Name("t"), Number(float(power))))
+            total = Binary("+", total, Binary("*", quantities.bind(expression, of), time))
+    return total
+
+
+def functions(compiled: Compiled, law: Node, folder: Path | None) -> dict[str, Function]:
+    """The tables and motion laws that a drive's law calls. Raises :class:`ModelError` where a file can't be read."""
+    names = {node.name for node in nodes(law) if isinstance(node, Call)}
+    tables = [name for name in compiled.mechanism.tables if name in names]
+    found: dict[str, Function] = {name: OfTable(read_table(compiled.quantities, name, folder)) for name in tables}
+    return found | {name: OfMotion(motion) for name, motion in compiled.motions.items() if name in names}

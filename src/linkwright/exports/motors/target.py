@@ -1,0 +1,92 @@
+"""The target ``motor-expressions``: the motion laws of drives as text for the motors of CAD simulators."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+from pydantic import Field
+
+from linkwright.exports.followed import duration
+from linkwright.exports.motors.law import functions, law_of
+from linkwright.exports.motors.pieces import MOST, TooManyError, Unfolding
+from linkwright.exports.motors.write import Motor, expressions, motor, sheet, values
+from linkwright.exports.registry import Exported, register
+from linkwright.kernels import Compiled
+from linkwright.model.fields import Expression, Frozen
+from linkwright.model.findings import Finding
+from linkwright.studies import Site
+from linkwright.words import say
+
+PROVEN = 1e-9
+"""How far a text may be off its law, over the largest value of the law."""
+
+
+class MotorOptions(Frozen):
+    """How the texts are written, and over which time."""
+
+    dialect: Literal["creo", "radians"] = Field("creo", description="creo: sin and cos take degrees; or radians")
+    duration: Expression | None = Field(None, description="how long the motion lasts; that of the cycle where left out")
+    samples: int = Field(360, ge=1, le=100_000, description="equal steps of the table of values")
+
+
+@register
+class MotorExpressions:
+    """The motion laws of drives as piecewise text in t, and as tables."""
+
+    name = "motor-expressions"
+    options = MotorOptions
+
+    def check(self, compiled: Compiled, options: MotorOptions) -> list[Finding]:
+        """A duration without a value."""
+        return duration(compiled, None, self.name, options.duration)[1]
+
+    def export(self, compiled: Compiled, options: MotorOptions, site: Site) -> Exported:
+        """The texts, each held to its drive's law."""
+        stop, findings = duration(compiled, site.document, self.name, options.duration)
+        if stop is None:
+            return Exported(failures=findings or [Finding("export.no-duration", data={"export": self.name})])
+        t = np.linspace(0.0, stop, options.samples + 1)
+        table, motors, warnings = values(compiled, t), list[Motor](), list[Finding]()
+        for drive in compiled.mechanism.drives:
+            law = law_of(compiled, drive)
+            unfolding = Unfolding(stop, compiled.quantities.parameters, functions(compiled, law, site.folder))
+            try:
+                motors.append(motor(compiled, drive, unfolding.pieces(law), options.dialect, stop))
+            except TooManyError:
+                data = {"drive": drive, "limit": MOST}
+                warnings.append(Finding("export.too-many-pieces", ("drives", drive), data, severity="warning"))
+        if failures := _unproven(compiled, motors, t):
+            return Exported(failures=failures, warnings=warnings)
+        files = {
+            "motors.txt": sheet(compiled, motors, options.dialect, stop),
+            "motors.csv": expressions(motors),
+            "motion.csv": table,
+        }
+        summary = {
+            "dialect": options.dialect,
+            "duration": stop,
+            "motors": {made.drive: _summary(made) for made in motors},
+            "max_error": max((made.error * made.size for made in motors), default=0.0),
+        }
+        told = [
+            say("motors.told", drive=made.drive, count=len(made.rows), error=f"{made.error:.1e}", unit=made.unit)
+            for made in motors
+        ]
+        return Exported(files, summary, told, [], warnings)
+
+
+def _summary(made: Motor) -> dict[str, object]:
+    pieces = [{"domain": domain, "text": row.text} for domain, row in zip(made.domains, made.rows, strict=True)]
+    return {"unit": made.unit, "pieces": pieces, "max_error": made.error}
+
+
+def _unproven(compiled: Compiled, motors: list[Motor], t: np.typing.NDArray[np.float64]) -> list[Finding]:
+    """A failure for each drive whose text isn't its law."""
+    found = []
+    for made in motors:
+        largest = float(np.abs(compiled.laws[made.drive](t).d[0]).max()) / made.size
+        if not made.error <= PROVEN * max(largest, 1.0):
+            data = {"name": made.drive, "error": f"{made.error:.1e}", "unit": made.unit}
+            found.append(Finding("export.unproven", ("drives", made.drive), data))
+    return found

@@ -1,0 +1,25 @@
+"""Numbers among the options of a target."""
+
+from __future__ import annotations
+
+from linkwright.kernels import Compiled
+from linkwright.model.dimensions import DimensionError
+from linkwright.model.fields import Expression
+from linkwright.model.findings import Finding
+from linkwright.model.units import Dimension
+
+
+def positive(
+    compiled: Compiled, to: str, key: str, given: Expression | None, dimension: Dimension, default: float
+) -> tuple[float, list[Finding]]:
+    """The value (SI) of an option that must be positive, and what is wrong with it; else the ``default``."""
+    if given is None:
+        return default, []
+    path = ("exports", to, key)
+    try:
+        value = compiled.quantities.value(given, dimension)
+    except DimensionError as error:
+        return default, [Finding(error.key, path, error.data)]
+    if not 0 < value < 1e12:
+        return default, [Finding("export.options", path, {"export": to, "key": key, "reason": "must be positive"})]
+    return value, []

@@ -1,0 +1,285 @@
+"""The joint functions of a mechanism: made, written with as many decimals as they want, and proven on their text."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import partial
+
+import numpy as np
+
+from linkwright.exports.process_simulate import evaluator
+from linkwright.exports.process_simulate.angles import linkage
+from linkwright.exports.process_simulate.dialects import DIALECTS, Dialect
+from linkwright.exports.process_simulate.fitting import fit
+from linkwright.exports.process_simulate.joints import ToolJoint, driving, joints_of, named
+from linkwright.exports.process_simulate.linkage import MM, Linkage, Refused
+from linkwright.exports.process_simulate.motion import Motion
+from linkwright.exports.process_simulate.printer import text
+from linkwright.exports.process_simulate.reach import reach
+from linkwright.exports.process_simulate.splitting import least, split
+from linkwright.exports.process_simulate.trees import Array, Tree, evaluate
+from linkwright.graph.geometry import Geometry
+from linkwright.kernels import Compiled
+from linkwright.kernels.laws import values_at
+from linkwright.model.findings import Finding
+from linkwright.structure import Cluster
+
+DESIGNED, PROVEN = 720, 2000
+"""Steps over the range when functions are made, and when they are proven."""
+CLOSE = 1e-8
+"""How close a text must come to the solver (rad or mm)."""
+DIGITS = 1e-11
+"""The same of slides over the mechanism's size, where that is more."""
+FINEST = 15
+"""The most decimals."""
+OFFERED = 1e-6
+"""The error (rad or mm) of the polynomials that are offered for a group without a closed form."""
+MOST = 64
+"""The most joints that the tool's functions know."""
+PATH = ("exports", "process-simulate")
+
+
+@dataclass(frozen=True)
+class JointFunction:
+    """A joint as the tool has it: ``joint`` its name in the model, ``name`` in the tool.
+
+    ``kind`` is ``T`` (turns, rad) or ``D`` (slides, mm); its value is the turn or slide of the link ``child`` against
+    ``parent`` since the zero pose, times ``sign``. ``text`` is empty for the driving joint, ``error`` the largest
+    difference from the solver over the range, ``limits`` the least and largest value. A helper has no links.
+    """
+
+    joint: str
+    name: str
+    kind: str
+    text: str
+    limits: tuple[float, float]
+    error: float
+    parent: str
+    child: str
+    sign: float = 1.0
+
+    @property
+    def helper(self) -> bool:
+        """Whether it is no joint of the mechanism but stands for a part of a long function."""
+        return not self.child
+
+
+@dataclass(frozen=True)
+class JointFunctions:
+    """The functions in the order in which they ask for one another. ``range`` is that of the drive, ``zero`` its value
+    at the zero pose (rad or m); ``fitted`` whether polynomials stand for what has no closed form."""
+
+    driving: JointFunction
+    functions: tuple[JointFunction, ...]
+    dialect: str
+    decimals: int
+    range: tuple[float, float]
+    max_error: float
+    zero: float
+    motion: Motion
+    fitted: bool = False
+
+
+@dataclass(frozen=True)
+class Wish:
+    """What is asked for.
+
+    ``zero`` and ``window`` are values of the drive (rad or m); in place of a window, ``stops`` are those of the driving
+    joint since the zero pose, as the tool counts it (rad or m). ``longest`` is the length of a text, ``approximate``
+    the error (rad or mm) of polynomials for groups without a closed form.
+    """
+
+    drive: str
+    dialect: str = "seed"
+    zero: float | None = None
+    window: tuple[float, float] | None = None
+    stops: tuple[float, float] | None = None
+    decimals: int = 9
+    names: Mapping[str, str] = field(default_factory=dict)
+    flipped: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
+    longest: int | None = None
+    approximate: float | None = None
+
+
+def make(compiled: Compiled, wish: Wish) -> JointFunctions:
+    """The joint functions. Raises :class:`Refused` where there are none."""
+    joints = named(joints_of(compiled.structure), wish.names, wish.flipped, wish.left_out)
+    motion = _motion(compiled, wish, joints)
+    links, fitted = _links(compiled, wish, joints, motion)
+    return _Writer(compiled, wish, links, motion, fitted).written()
+
+
+def _motion(compiled: Compiled, wish: Wish, joints: list[ToolJoint]) -> Motion:
+    of, moved, on = driving(compiled.structure, wish.drive)
+    joint = next((j for j in joints if j.of == of and {j.parent, j.child} == {moved, on}), None)
+    if joint is None:
+        raise Refused(Finding("functions.shared-pin", PATH, {"drive": wish.drive, "pin": of}))
+    sign, window = joint.sign * (1.0 if joint.child == moved else -1.0), wish.window
+    if wish.stops is not None:
+        zero = float(values_at(compiled.laws, 0.0)[wish.drive]) if wish.zero is None else wish.zero
+        ends = sorted(zero + sign * stop for stop in wish.stops)
+        window = ends[0], ends[1]
+    found = reach(compiled, wish.drive, wish.zero, window)
+    if isinstance(found, Finding):
+        raise Refused(found)
+    return Motion(compiled, wish.drive, found, joint, sign)
+
+
+def _links(compiled: Compiled, wish: Wish, joints: list[ToolJoint], motion: Motion) -> tuple[Linkage, bool]:
+    """All functions as trees, and whether some are polynomials."""
+    poses, fits = motion.poses(DESIGNED), list[Cluster]()
+
+    def moved(joint: ToolJoint) -> tuple[Array, float]:
+        return motion.values([joint], poses)[0], motion.at_zero(joint)
+
+    def fitted(links: Linkage, cluster: Cluster) -> None:
+        wanted = wish.approximate or OFFERED
+        error, degree = fit(links, cluster, motion.joint, moved, wanted)
+        fits.append(cluster)
+        if wish.approximate is None or error > wanted:
+            raise Refused(_no_closed_form(cluster, error, degree, wish.drive))
+
+    geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
+    links = linkage(
+        compiled.structure, geometry, compiled.assembly.branches, joints,
+        DIALECTS[wish.dialect], wish.drive, motion.reach.zero, poses, fitted,
+    )  # fmt: skip
+    return links, bool(fits)
+
+
+def _no_closed_form(cluster: Cluster, error: float, degree: int, drive: str) -> Finding:
+    data = {"links": ", ".join(cluster.links), "group": cluster.signature, "drive": drive}
+    return Finding(
+        "functions.no-closed-form",
+        ("links", cluster.links[0]),
+        data | {"degree": degree, "error": f"{error:.2g}", "approximate": f"{max(1.1 * error, OFFERED):.2g}"},
+    )
+
+
+class _Writer:
+    """Trees to proven texts."""
+
+    def __init__(self, compiled: Compiled, wish: Wish, links: Linkage, motion: Motion, fitted: bool) -> None:
+        self.compiled, self.wish, self.links, self.motion, self.fitted = compiled, wish, links, motion, fitted
+        self.dialect: Dialect = DIALECTS[wish.dialect]
+        self.names = {j.joint: j.name for j in links.joints}
+        self.by_joint = {j.joint: j for j in links.joints}
+        self.poses = motion.poses(PROVEN)
+        self.told = motion.told = [self.by_joint[name] for name in links.functions]
+        self.expected = motion.values(self.told, self.poses)
+        far = max(CLOSE, DIGITS * MM * compiled.assembly.size())
+        self.close = np.array([CLOSE if j.kind == "T" else far for j in self.told])
+
+    def written(self) -> JointFunctions:
+        """With the fewest decimals that keep the error."""
+        best: tuple[float, int, dict[str, str], Array] | None = None
+        for decimals in range(self.wish.decimals, FINEST + 1):
+            texts = self.texts(decimals)
+            values = self.evaluated(texts)
+            own = [list(texts).index(j.joint) for j in self.told]
+            with np.errstate(invalid="ignore"):
+                off = np.abs(values[own] - self.expected).max(axis=1, initial=0.0)
+            off = np.where(np.isnan(off), np.inf, off)
+            worst = float(np.max(off / self.close, initial=0.0))
+            if best is None or worst < best[0]:
+                best = worst, decimals, texts, values
+            if worst <= 1 or self.fitted:
+                break
+        assert best is not None
+        if best[0] > 1 and not (self.fitted and math.isfinite(best[0])):
+            unit, size = self.compiled.quantities.drive_unit(self.wish.drive)
+            off = np.nan_to_num(np.abs(best[3][own] - self.expected), nan=np.inf)
+            row = int((off / self.close[:, None]).max(axis=0).argmax())
+            at = self.motion.sign * self.poses[row] / self.motion.unit + self.motion.reach.zero
+            data = {
+                "error": f"{float(off[:, row].max()):.2g}",
+                "at": f"{at / size:.6g}",
+                "unit": unit,
+                "drive": self.wish.drive,
+            }
+            raise Refused(Finding("functions.error", (*PATH, "range"), data))
+        return self.gathered(*best[1:])
+
+    def texts(self, decimals: int) -> dict[str, str]:
+        """The texts by joint, split where they have to be."""
+        functions = self.links.functions
+        names = dict(self.names)
+
+        def shown(tree: Tree) -> str:
+            named = names | {t.name: t.name for t in tree.every() if t.name and t.name not in names}
+            return text(tree, self.dialect, named, decimals)
+
+        if self.wish.longest is None:
+            return {joint: shown(tree) for joint, tree in functions.items()}
+        kit = (lambda tree: len(shown(tree)), self.start, self.helper)
+        made = split(functions, self.wish.longest, *kit)
+        if made is None:
+            data = {"longest": self.wish.longest, "least": least(functions, self.wish.longest, *kit)}
+            raise Refused(Finding("functions.length", (*PATH, "longest"), data))
+        return {joint: shown(tree) for joint, tree in made.items()}
+
+    def start(self, tree: Tree) -> float:
+        """The value of a tree at the zero pose, where all joints are 0."""
+        zeros = {t.name: np.zeros(1) for t in tree.every() if t.name}
+        return float(np.broadcast_to(evaluate(tree, zeros), 1)[0])
+
+    def helper(self, of: str, count: int) -> str:
+        """The name of a helper that isn't taken."""
+        name = f"{self.names.get(of, of)}_{count}"
+        while name in self.names.values():
+            name += "_"
+        return name
+
+    def evaluated(self, texts: Mapping[str, str]) -> Array:
+        """The values that the texts give, each with those of the joints before it: (joints, poses)."""
+        kinds = {self.names.get(j, j): self.by_joint[j].kind if j in self.by_joint else "D" for j in texts}
+        kinds[self.motion.joint.name] = self.motion.joint.kind
+        listed = [(self.names.get(joint, joint), shown) for joint, shown in texts.items()]
+        return evaluator.evaluate(listed, self.dialect.name, kinds, self.motion.joint.name, self.poses)
+
+    def gathered(self, decimals: int, texts: Mapping[str, str], values: Array) -> JointFunctions:
+        low, high = self.motion.limits
+        inside = (self.poses >= low) & (self.poses <= high)
+        row, functions = partial(dict.get, dict(zip((j.joint for j in self.told), self.expected, strict=True))), []
+        for (joint, shown), got in zip(texts.items(), values, strict=True):
+            own, expected = self.by_joint.get(joint), row(joint)
+            limits = _ends(got[inside] if expected is None else expected[inside])
+            error = 0.0 if expected is None else float(np.abs(got - expected).max())
+            links = ("", "") if own is None else (own.parent, own.child)
+            kind, sign = ("D", 1.0) if own is None else (own.kind, own.sign)
+            functions.append(
+                JointFunction(joint, self.names.get(joint, joint), kind, shown, limits, error, *links, sign)
+            )
+        if len(functions) >= MOST:
+            raise Refused(Finding("functions.too-many", PATH, {"count": len(functions) + 1, "limit": MOST}))
+        j = self.motion.joint
+        moving = JointFunction(j.joint, j.name, j.kind, "", (low, high), 0.0, j.parent, j.child, j.sign)
+        r, worst = self.motion.reach, max((f.error for f in functions), default=0.0)
+        return JointFunctions(
+            moving,
+            tuple(functions),
+            self.dialect.name,
+            decimals,
+            (r.low, r.high),
+            worst,
+            r.zero,
+            self.motion,
+            self.fitted,
+        )
+
+
+def _ends(values: Array) -> tuple[float, float]:
+    """The least and the largest value; between neighbours of the extreme one, that of the parabola through them."""
+
+    def largest(y: Array) -> float:
+        k = int(y.argmax())
+        if 0 < k < y.size - 1:
+            rise, bend = (y[k + 1] - y[k - 1]) / 2, y[k + 1] - 2 * y[k] + y[k - 1]
+            if bend < 0:
+                return float(y[k] - rise * rise / (2 * bend))
+        return float(y[k])
+
+    return -largest(-values), largest(values)

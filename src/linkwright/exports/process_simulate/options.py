@@ -1,0 +1,139 @@
+"""The options of the export to Process Simulate, and what is wrong with them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Annotated
+
+from pydantic import Field
+
+from linkwright.exports.process_simulate.dialects import DIALECTS
+from linkwright.exports.process_simulate.facts import Facts, check_facts
+from linkwright.exports.process_simulate.functions import MOST, PATH, Wish
+from linkwright.exports.process_simulate.joints import ToolJoint, driving, joints_of, named
+from linkwright.kernels import Compiled
+from linkwright.model.dimensions import DimensionError
+from linkwright.model.fields import Expression, Frozen, FrozenDict
+from linkwright.model.fields import Name as NameField
+from linkwright.model.findings import Finding
+from linkwright.model.parts import Interval, freeze
+from linkwright.model.quantities import LARGEST
+from linkwright.model.unknown import unknown
+from linkwright.studies.asked import one_of
+from linkwright.studies.limits import WIDEST
+
+ALLOWED = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,59}")
+"""Names that every tool takes: what else Process Simulate would take isn't known."""
+
+Which = one_of("exports: process-simulate", "dialect", [*DIALECTS])
+
+
+class ProcessSimulateOptions(Frozen):
+    """In which dialect, over which range, and what the joints are called in the tool."""
+
+    dialect: Which = Field("seed", description="seed (acos, sqrt, sin, cos) or wizard (acos, sin, atan2)")  # type: ignore[valid-type]
+    names: Annotated[dict[NameField, str], freeze] = Field(
+        default_factory=FrozenDict,
+        description="names of joints in the tool; else those of the model",
+        examples=[{"A": "j2", "B": "j3", "C": "j4"}],
+    )
+    zero: Expression | None = Field(
+        None, description="the drive's value in the pose in which all joints are 0; else that at the start"
+    )
+    range: Interval | None = Field(
+        None, description="[low, high] of the drive's value; else all that it reaches from its start, short of toggles"
+    )
+    stops: Interval | None = Field(
+        None,
+        description="[low, high] of the driving joint since the zero pose, as the tool counts it, in place of range",
+    )
+    flipped: tuple[NameField, ...] = Field(
+        (), description="joints that count the other way in the tool: turned axes, parent and child exchanged"
+    )
+    left_out: tuple[NameField, ...] = Field((), description="joints that the tool doesn't have")
+    decimals: int = Field(9, ge=9, le=15, description="the fewest decimals; more are taken where the error wants it")
+    longest: int | None = Field(None, ge=20, description="the longest text; longer ones are split over helping joints")
+    approximate: float | None = Field(
+        None, gt=0, le=1, description="error (rad or mm) of polynomials, where a group has no closed form"
+    )
+
+    sheet: Facts = Field(Facts(), description="what the sheet tells beside the functions")
+
+    def wish(self, compiled: Compiled) -> Wish:
+        """What is asked for, in SI. Raises DimensionError where a value doesn't fit."""
+        (drive,) = compiled.graph.drives
+        quantities, dimension = compiled.quantities, compiled.quantities.drive_dimension(drive)
+        zero = None if self.zero is None else quantities.value(self.zero, dimension)
+
+        def two(ends: tuple[Expression, Expression] | None) -> tuple[float, float] | None:
+            return ends and (quantities.value(ends[0], dimension), quantities.value(ends[1], dimension))
+
+        return Wish(
+            drive, self.dialect, zero, two(self.range), two(self.stops), self.decimals,
+            self.names, self.flipped, self.left_out, self.longest, self.approximate,
+        )  # fmt: skip
+
+
+def check(compiled: Compiled, options: ProcessSimulateOptions) -> Iterator[Finding]:
+    """What is wrong with options that are well-formed, and what of the mechanism functions can't hold."""
+    drives = compiled.graph.drives
+    joints = joints_of(compiled.structure)
+    known = [j.joint for j in joints]
+    for key, names in (("names", options.names), ("flipped", options.flipped), ("left_out", options.left_out)):
+        yield from (unknown("joint", (*PATH, key), name, known) for name in names if name not in known)
+    told = [j for j in named(joints, options.names, (), options.left_out) if not j.left_out]
+    yield from _names(told)
+    if len(told) > MOST:
+        yield Finding("functions.too-many", PATH, {"count": len(told), "limit": MOST})
+    if len(drives) != 1:
+        yield Finding("functions.drives", ("drives",), {"count": len(drives), "names": ", ".join(drives)})
+        return
+    moved = _moved(compiled, drives[0], joints)
+    if moved is not None and moved.joint in options.left_out:
+        yield Finding("functions.left-out", (*PATH, "left_out"), {"joint": moved.joint, "drive": drives[0]})
+    if not any(j != moved for j in joints):
+        yield Finding("functions.no-dependent", ("joints",), {"drive": drives[0]})
+    yield from _values(compiled, options, drives[0])
+    yield from check_facts(compiled, options.sheet, (*PATH, "sheet"))
+
+
+def _moved(compiled: Compiled, drive: str, joints: list[ToolJoint]) -> ToolJoint | None:
+    """The joint that a drive moves."""
+    of, link, on = driving(compiled.structure, drive)
+    return next((j for j in joints if j.of == of and {j.parent, j.child} == {link, on}), None)
+
+
+def _names(joints: list[ToolJoint]) -> Iterator[Finding]:
+    first: dict[str, str] = {}
+    for j in joints:
+        if not ALLOWED.fullmatch(j.name):
+            yield Finding("functions.name", (*PATH, "names"), {"joint": j.joint, "name": j.name[:60]})
+        if (other := first.setdefault(j.name, j.joint)) != j.joint:
+            data = {"name": j.name[:60], "joints": f"{other}, {j.joint}"}
+            yield Finding("functions.same-name", (*PATH, "names"), data)
+
+
+def _values(compiled: Compiled, options: ProcessSimulateOptions, drive: str) -> Iterator[Finding]:
+    quantities, dimension = compiled.quantities, compiled.quantities.drive_dimension(drive)
+    unit, size = quantities.drive_unit(drive)
+    turns = compiled.mechanism.prescribed(drive).turns is not None
+    widest = WIDEST[turns] * (1.0 if turns else compiled.assembly.size())
+    if options.range is not None and options.stops is not None:
+        yield Finding("functions.two-ranges", (*PATH, "stops"), {})
+    alone = None if options.zero is None else (options.zero, options.zero)
+    for key, ends in (("zero", alone), ("range", options.range), ("stops", options.stops)):
+        if ends is None:
+            continue
+        try:
+            low, high = (quantities.value(end, dimension) for end in ends)
+        except DimensionError as error:
+            yield Finding(error.key, (*PATH, key), quantities.spelt(error.data))
+            continue
+        if not max(abs(low), abs(high)) < LARGEST:
+            yield Finding("value.not-finite", (*PATH, key), {"text": f"{ends[0].text}, {ends[1].text}"[:60]})
+        elif key != "zero" and not low < high:
+            yield Finding("value.not-rising", (*PATH, key), {"low": ends[0].text[:40], "high": ends[1].text[:40]})
+        elif high - low > widest or (key != "range" and max(abs(low), abs(high)) > widest):
+            data = {"drive": drive, "limit": f"{widest / size:.4g}", "unit": unit}
+            yield Finding("study.wide-range", (*PATH, key), data)

@@ -1,0 +1,121 @@
+"""The range of the driving joint: what is asked for, or all that is reached from the start pose, short of toggles."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from linkwright.kernels import Compiled
+from linkwright.kernels.laws import values_at
+from linkwright.model.findings import Finding
+from linkwright.studies.extremes import touches
+from linkwright.studies.ranges import Range, ranges
+
+SAMPLES = 360
+SHORT = {"pole": 1e-2}
+SHORTER = 1e-3
+"""How far before a toggle a range ends, over its width; where a slide runs away, more."""
+SAME = 1e-6
+"""Ends closer than this share of the range are one."""
+PATH = ("exports", "process-simulate", "range")
+
+
+@dataclass(frozen=True)
+class Reach:
+    """Values of the drive (rad or m): the least, the largest, that at the zero pose, that at the model's start."""
+
+    low: float
+    high: float
+    zero: float
+    start: float
+    full: bool = False
+
+
+def reach(compiled: Compiled, drive: str, zero: float | None, window: tuple[float, float] | None) -> Reach | Finding:
+    """The range of a drive, or why there is none."""
+    start = float(values_at(compiled.laws, 0.0)[drive])
+    zero = start if zero is None else zero
+    if window is None:
+        found = _home(ranges(compiled, drive, None, SAMPLES), start)
+        if found is None:
+            return _none(compiled, drive, start)
+        if found.full:
+            return Reach(zero, zero + 2 * math.pi, zero, start, full=True)
+        if not found.low < zero < found.high:
+            return _beyond(compiled, drive, (zero, zero), found)
+        low, high = found.allowed
+        return Reach(min(low, zero), max(high, zero), zero, start)
+    low, high = min(*window, zero, start), max(*window, zero, start)
+    found = _home(ranges(compiled, drive, (low, high), SAMPLES), start)
+    if found is None:
+        return _none(compiled, drive, start)
+    tiny = SAME * (high - low)
+    if found.low > low + tiny or found.high < high - tiny or found.dead[0] or found.dead[1]:
+        return _beyond(compiled, drive, window, found)
+    return Reach(*window, zero, start)
+
+
+@dataclass(frozen=True)
+class _Home:
+    """The values of the drive (rad or m) around the start pose in which no group changes its assembly mode.
+
+    ``dead`` is whether each end is a toggle, ``kinds`` of which kind, ``groups`` those that are at one.
+    """
+
+    low: float
+    high: float
+    dead: tuple[bool, bool]
+    kinds: tuple[str, str]
+    groups: tuple[str, ...]
+    full: bool
+
+    @property
+    def allowed(self) -> tuple[float, float]:
+        """The range without what is next to its toggles."""
+        width = self.high - self.low
+        cuts = [width * SHORT.get(k, SHORTER) if dead else 0.0 for dead, k in zip(self.dead, self.kinds, strict=True)]
+        return self.low + cuts[0], self.high - cuts[1]
+
+
+def _home(found: list[Range], start: float) -> _Home | None:
+    """The range that holds the start pose, between its change points."""
+    home = next((r for r in found if r.low.value <= start <= r.high.value), None)
+    if home is None:
+        return None
+    low, high, dead, kinds = (
+        home.low.value,
+        home.high.value,
+        [home.low.dead, home.high.dead],
+        [home.low.kind, home.high.kind],
+    )
+    groups = [end.group for end in (home.low, home.high) if end.dead and end.group]
+    meeting = [(home.sweep.origin + touch.time, touch.group) for touch in touches(home.sweep)]
+    if home.full and meeting:
+        meeting += [(value - 2 * math.pi, group) for value, group in meeting]
+        low -= 2 * math.pi
+    for value, group in meeting:
+        if low <= value <= start:
+            low, dead[0], kinds[0] = value, True, "touch"
+            groups.append(group)
+        elif start < value <= high:
+            high, dead[1], kinds[1] = value, True, "touch"
+            groups.append(group)
+    return _Home(low, high, (dead[0], dead[1]), (kinds[0], kinds[1]), tuple(groups), home.full and not meeting)
+
+
+def _beyond(compiled: Compiled, drive: str, asked: tuple[float, float], found: _Home) -> Finding:
+    allowed = found.allowed
+    unit, size = compiled.quantities.drive_unit(drive)
+    # Rounded inwards, so that what is offered is taken.
+    fine = 10.0 ** (math.floor(math.log10(max(allowed[1] - allowed[0], 1e-12) / size)) - 4)
+    low, high = math.ceil(allowed[0] / size / fine) * fine, math.floor(allowed[1] / size / fine) * fine
+    data = {
+        "drive": drive, "unit": unit, "from": f"{asked[0] / size:.6g}", "to": f"{asked[1] / size:.6g}",
+        "low": f"{low:.8g}", "high": f"{high:.8g}", "groups": ", ".join(dict.fromkeys(found.groups)) or "-",
+    }  # fmt: skip
+    return Finding("functions.toggle", PATH, data)
+
+
+def _none(compiled: Compiled, drive: str, start: float) -> Finding:
+    unit, size = compiled.quantities.drive_unit(drive)
+    return Finding("functions.no-range", PATH, {"drive": drive, "start": f"{start / size:.6g}", "unit": unit})

@@ -1,0 +1,94 @@
+"""What the sections that ask for maps share: how fine these are, which are shown, at what values lines are drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Annotated, Any, ClassVar
+
+from pydantic import Field
+
+from linkwright.kernels import Compiled
+from linkwright.model.dimensions import DimensionError
+from linkwright.model.fields import Expression, Frozen, FrozenDict, Text
+from linkwright.model.findings import Finding
+from linkwright.model.parts import freeze
+from linkwright.model.quantities import LARGEST
+from linkwright.model.units import Dimension
+
+Path = tuple[str | int, ...]
+
+
+class MapsAsked(Frozen):
+    """Maps over the drives' values."""
+
+    section: ClassVar[str]
+
+    steps: int = Field(200, ge=10, le=2000, description="equal steps of each drive's range")
+    show: tuple[Text, ...] | None = Field(None, max_length=20, description="the maps of which there are pictures")
+    levels: Annotated[dict[Text, Annotated[tuple[Expression, ...], Field(min_length=1, max_length=20)]], freeze] = (
+        Field(
+            default_factory=FrozenDict,
+            description="values of a map at which its picture has lines; else round ones",
+            examples=[{"condition": [2, 5, 10]}],
+        )
+    )
+
+    @property
+    def path(self) -> Path:
+        """Where the section stands."""
+        return ("studies", "workspace", self.section)
+
+    def check_drives(self, compiled: Compiled) -> Iterator[Finding]:
+        """Maps need two drives."""
+        if len(compiled.graph.drives) == 1:
+            yield Finding("workspace.two-drives", self.path, {"section": self.section})
+
+    def check_maps(
+        self, compiled: Compiled, kinds: Mapping[str, Dimension], others: Mapping[str, str] | None = None
+    ) -> Iterator[Finding]:
+        """What is wrong with the names of maps and the lines' values; ``others`` are maps that there would be with
+        another key of the section, by that key."""
+        named: list[tuple[Path, str]] = [(("show", i), name) for i, name in enumerate(self.show or ())]
+        named += [(("levels", name), name) for name in self.levels]
+        for place, name in named:
+            if name in (others or {}):
+                data = {"name": name, "key": (others or {})[name]}
+                yield Finding("workspace.map-task", (*self.path, *place), data)
+            elif name not in kinds:
+                yield Finding(
+                    "workspace.map-name", (*self.path, *place), {"name": name[:60], "known": ", ".join(kinds)}
+                )
+        for name, values in self.levels.items():
+            for i, value in enumerate(values if name in kinds else ()):
+                found = number(compiled, value, kinds[name], (*self.path, "levels", name, i))
+                if isinstance(found, Finding):
+                    yield found
+
+    def lines(self, compiled: Compiled, kinds: Mapping[str, Dimension]) -> dict[str, tuple[float, ...]]:
+        """The values (SI) at which maps have lines, rising, where they are given."""
+        value = compiled.quantities.value
+        return {name: tuple(sorted({value(v, kinds[name]) for v in vs})) for name, vs in self.levels.items()}
+
+    def shown(self, usual: Sequence[str]) -> tuple[str, ...]:
+        """The maps that are shown."""
+        return tuple(dict.fromkeys(usual if self.show is None else self.show))
+
+
+def number(compiled: Compiled, expression: Expression, dimension: Dimension, path: Path) -> float | Finding:
+    """The value of an expression, or what is wrong with it."""
+    quantities = compiled.quantities
+    try:
+        value = quantities.value(expression, dimension)
+    except DimensionError as error:
+        return Finding(error.key, path, quantities.spelt(error.data))
+    return value if abs(value) < LARGEST else Finding("value.not-finite", path, {"text": expression.text[:60]})
+
+
+def positive(
+    compiled: Compiled, expression: Expression, dimension: Dimension, path: Path, what: Any
+) -> float | Finding:
+    """The same of a limit, which has to be above zero; ``what`` it is."""
+    found = number(compiled, expression, dimension, path)
+    if isinstance(found, Finding) or found > 0:
+        return found
+    return Finding("workspace.limit-positive", path, {"what": what, "given": expression.text[:60]})
