@@ -45,8 +45,8 @@ def home(m: Mechanism, findings: Iterable[Finding]) -> list[Finding]:
 def spell_out(written: Mechanism) -> Spelled:
     """The mechanism that the solver sees, as far as the short forms are sound."""
     flat = in_plane(written)
-    wrong = tuple(finding for finding in flat.findings if finding.severity == "error")
     plain = with_cylinders(with_sketch(flat.mechanism))
+    wrong = tuple(finding for finding in flat.findings if finding.severity == "error")
     findings = (*sketch_faults(written), *wrong, *cylinder_faults(written), *cam_faults(plain))
     warnings = tuple(finding for finding in flat.findings if finding not in wrong)
     return Spelled(written, with_cams(plain), findings, flat.plane, warnings)

@@ -212,6 +212,14 @@ class WorkspaceData(TypedDict):
     tables: Sequence[Grid]
 
 
+class CamData(TypedDict):
+    """The cam study: what was found in sentences, pictures and charts, tables."""
+
+    sentences: Sequence[str]
+    charts: Sequence[Chart]
+    tables: Sequence[Grid]
+
+
 class Check(TypedDict):
     """One line of the certificate: its figure and what it means, in a sentence."""
 
@@ -257,3 +265,4 @@ class ReportData(TypedDict):
     sweep: NotRequired[SweepData]
     accuracy: NotRequired[AccuracyData]
     workspace: NotRequired[WorkspaceData]
+    cam: NotRequired[CamData]

@@ -175,7 +175,9 @@ def panel_of(compiled: Compiled, options: Facts) -> str:
     on_frame |= {
         link for _, joint in compiled.mechanism.prismatic_joints() if FRAME in joint.links for link in joint.links
     }
-    return next((link for link in topology.moving if link not in on_frame), topology.moving[-1])
+    parts = {link for slide in compiled.mechanism.cylinders for link in compiled.mechanism.joints[slide].links}
+    free = [link for link in topology.moving if link not in parts] or topology.moving
+    return next((link for link in free if link not in on_frame), free[-1])
 
 
 def resting(compiled: Compiled, drive: str) -> Compiled:

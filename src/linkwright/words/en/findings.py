@@ -4,6 +4,8 @@
 don't are in SI, and the text says so.
 """
 
+from linkwright.words.en.cam_findings import CAM_TERMS, CAM_TEXTS
+
 _TEXTS: dict[str, tuple[str, str]] = {
     # The file and its text.
     "file.unreadable": (
@@ -1025,6 +1027,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The option {key} of the export to {export} is wrong: {reason}.",
         "Correct it; docs/file-format.md lists the options of each target.",
     ),
+    "export.choice": (
+        "The option {key} of the export to {study} can't be {given}.",
+        "Write one of these: {known}.",
+    ),
     "export.handle": (
         "The handle {name} is a point of the frame: it doesn't move.",
         "Name a point of the panel, where a hand opens it.",
@@ -1072,7 +1078,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "functions.no-dependent": (
         "No joint depends on {drive}: there is nothing to write a function for.",
-        "Close a loop, or leave the export out; a joint that is driven alone needs no function.",
+        "Close a loop, take a joint out of left_out, or leave the export out; a joint that is driven alone needs no function.",
     ),
     "functions.shared-pin": (
         "The drive {drive} moves two links against each other on the pin {pin}, which holds others that are placed before "
@@ -1085,8 +1091,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "functions.name": (
         "The joint {joint} can't be called '{name}' in the tool.",
-        "Give it a name of letters A to Z, digits and underscores, no digit first, under names; what else the tool takes "
-        "isn't known.",
+        "Give it a name of at most 60 letters A to Z, digits and underscores, no digit first, under names; what else the "
+        "tool takes isn't known.",
     ),
     "functions.same-name": (
         "Several joints are called '{name}': {joints}.",
@@ -1101,9 +1107,18 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Start the drive where the mechanism isn't at a dead centre; `limits` tells its ranges.",
     ),
     "functions.toggle": (
-        "From {from} to {to} {unit} of {drive} the mechanism meets a toggle (group {groups}): there its two assembly modes "
+        "From {from} to {to} {unit} of {of} the mechanism meets a toggle (group {groups}): there its two assembly modes "
         "meet, and one function can't follow both.",
-        "Take a range within [{low} {unit}, {high} {unit}], the largest one on this side of the toggle.",
+        "Take {key} within [{low} {unit}, {high} {unit}], the largest range around the start pose.",
+    ),
+    "functions.zero": (
+        "Between the start and the zero pose, {drive} = {zero} {unit}, the mechanism meets a toggle (group {groups}): one "
+        "function can't follow both of its assembly modes.",
+        "Take zero within [{low} {unit}, {high} {unit}]; or start the drive on the side where the zero pose is.",
+    ),
+    "functions.still": (
+        "These joints stand still over the whole range: {joints}.",
+        "If they shouldn't: see whether two pivots stand in one place, or whether the range is too small.",
     ),
     "functions.sweep": (
         "A direction turns by {spread} deg over the range, seen from any link (joints {joints}); a function in the dialect "
@@ -1756,7 +1771,7 @@ _TERMS: dict[str, str] = {
 }
 
 FINDINGS: dict[str, str] = {
-    **{f"{code}.what": what for code, (what, _) in _TEXTS.items()},
-    **{f"{code}.mend": mend for code, (_, mend) in _TEXTS.items()},
-    **{f"term.{name}": text for name, text in _TERMS.items()},
+    **{f"{code}.what": what for code, (what, _) in {**_TEXTS, **CAM_TEXTS}.items()},
+    **{f"{code}.mend": mend for code, (_, mend) in {**_TEXTS, **CAM_TEXTS}.items()},
+    **{f"term.{name}": text for name, text in {**_TERMS, **CAM_TERMS}.items()},
 }
