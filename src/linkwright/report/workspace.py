@@ -102,7 +102,7 @@ def _drives(outcome: WorkspaceOutcome) -> dict[str, Any]:
 
 def workspace_page(outcome: WorkspaceOutcome) -> dict[str, WorkspaceData]:
     """The report's data of the study."""
-    charts = pictures(outcome, [values_text(outcome, one) for one in outcome.workspaces])
+    charts = pictures(outcome)
     return {
         "workspace": {
             "sentences": workspace_sentences(outcome),

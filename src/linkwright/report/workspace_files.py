@@ -62,8 +62,7 @@ def svg(outcome: WorkspaceOutcome) -> str | None:
     """The pictures of all workspaces, one below the other."""
     if not outcome.workspaces:
         return None
-    texts = [values_text(outcome, one) for one in outcome.workspaces]
-    return stacked(pictures(outcome, texts))
+    return stacked(pictures(outcome))
 
 
 def png(outcome: WorkspaceOutcome, renderer: Any) -> bytes | None:
@@ -158,15 +157,22 @@ def dxf(outcome: WorkspaceOutcome) -> str | None:
             layer = _layer(drawing, f"{number} {reached.mode} {text}", number)
             for polygon in pieces(reached.shape):
                 for ring in (polygon.exterior, *polygon.interiors):
-                    corners = np.array(ring.coords)[:-1] / size
-                    space.add_lwpolyline(corners.tolist(), close=True, dxfattribs={"layer": layer})
+                    _polyline(space, np.array(ring.coords)[:-1] / size, layer, close=True)
         for number, curve in enumerate(one.curves, start=1):
             layer = _layer(drawing, f"{number} {curve.mode} {text}", number)
             for stretch in curve.stretches:
-                space.add_lwpolyline((stretch.at.T / size).tolist(), dxfattribs={"layer": layer})
+                _polyline(space, stretch.at.T / size, layer)
     stream = io.StringIO()
     drawing.write(stream)
     return stream.getvalue()
+
+
+def _polyline(space: Any, corners: Array, layer: str, close: bool = False) -> None:
+    """A polyline through corners (n, 2), set at once: ezdxf copies all that are there for each that it adds."""
+    from ezdxf.entities.lwpolyline import LWPolylinePoints
+
+    drawn = space.add_lwpolyline((), close=close, dxfattribs={"layer": layer})
+    drawn.lwpoints = LWPolylinePoints(np.pad(corners, ((0, 0), (0, 3))).tolist())  # widths and bulge: none
 
 
 def _layer(drawing: Any, text: str, number: int) -> str:

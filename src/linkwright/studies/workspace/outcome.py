@@ -140,7 +140,7 @@ class Workspace:
         )
 
 
-@dataclass
+@dataclass(eq=False)
 class WorkspaceOutcome:
     """The workspaces of a study, one for each combination of parameter values; ``chord`` in m.
 
