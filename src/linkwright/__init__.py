@@ -13,7 +13,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from linkwright.app import Job, accuracy, check, export, modes, run, sweep, workspace
+    from linkwright.app import Job, accuracy, check, export, modes, plate_cam, run, sweep, workspace
     from linkwright.kernels import Compiled
     from linkwright.kernels import compile_mechanism as compile
     from linkwright.model.builder import Builder
@@ -42,6 +42,7 @@ _PLACES = {
     "export": ("linkwright.app", "export"),
     "load": ("linkwright.model.document", "load"),
     "modes": ("linkwright.app", "modes"),
+    "plate_cam": ("linkwright.app", "plate_cam"),
     "run": ("linkwright.app", "run"),
     "save": ("linkwright.model.document", "save"),
     "sweep": ("linkwright.app", "sweep"),
@@ -66,6 +67,7 @@ __all__ = [
     "export",
     "load",
     "modes",
+    "plate_cam",
     "run",
     "save",
     "sweep",

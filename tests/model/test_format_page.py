@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from linkwright.kernels import examine
-from linkwright.model import actions, elements, motions, parts, signals
+from linkwright.model import actions, cams, elements, motions, parts, signals
 from linkwright.model.expressions import FUNCTIONS
 from linkwright.model.mechanism import Document
 from linkwright.model.units import unit_words
@@ -21,7 +21,7 @@ PAGE = (Path(__file__).parents[2] / "docs" / "file-format.md").read_text(encodin
 BLOCKS = re.findall(r"^```yaml\n(.*?)^```", PAGE, re.M | re.S)
 CLASSES = [
     parts.Units, parts.Parameter, parts.Link, parts.Joint, parts.Drive, actions.Table, actions.Load, actions.Measure,
-    motions.MotionLaw, motions.Segment,
+    motions.MotionLaw, motions.Segment, cams.Cam,
     elements.Spring, elements.Counterweight,
 ]  # fmt: skip
 
@@ -68,7 +68,7 @@ def test_every_function_is_listed() -> None:
 
 def test_every_signal_is_listed() -> None:
     tables = [signals.POINT, signals.LINK, signals.SLIDE, signals.SLIDE_FORCE, signals.TURNING_DRIVE]
-    tables += [signals.SLIDING_DRIVE, signals.SHAKING, signals.ENERGY, signals.SPRING]
+    tables += [signals.SLIDING_DRIVE, signals.SWINGING_CAM, signals.SHAKING, signals.ENERGY, signals.SPRING]
     tables += [signals.TORSION_SPRING, {"elastic": None}]
     assert {attribute for table in tables for attribute in table} <= words()
 

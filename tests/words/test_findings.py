@@ -53,6 +53,7 @@ TITLES = {
     "mass": "Masses",
     "joint": "Joints",
     "cylinder": "Cylinders",
+    "cam": "Cams",
     "sketch": "The sketch",
     "drive": "Drives",
     "load": "Loads",
@@ -61,6 +62,7 @@ TITLES = {
     "law": "Motion laws",
     "window": "Windows",
     "measure": "Measures",
+    "nc": "NC code of cams",
     "study": "Studies",
     "export": "Exports",
     "clearance": "Clearances",
@@ -104,7 +106,7 @@ def rendered() -> str:
 
 def in_source() -> set[str]:
     """The codes that the source raises: what looks like one, begins like one, and isn't another text's key."""
-    files = (".csv", ".nc", ".svg", ".dxf", ".geojson", ".png")
+    files = (".csv", ".nc", ".svg", ".dxf", ".geojson", ".png", ".step")
     codes = {text for text in source.texts() if text.split(".")[0] in TITLES and not text.endswith(files)}
     return codes - OTHERS
 

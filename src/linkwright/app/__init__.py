@@ -4,6 +4,7 @@ from linkwright.app.accuracies import accuracy
 from linkwright.app.alone import examine_alone, runner_of
 from linkwright.app.assembly_modes import ModesJob, modes, modes_of_file
 from linkwright.app.bench import Bench, bench_file
+from linkwright.app.cams import examine_cam, plate_cam
 from linkwright.app.exports import ExportJob, examine_export, export, export_of, write_export
 from linkwright.app.job import Examined, Job, check, examine_file, perform, run, write
 from linkwright.app.sweeps import sweep
@@ -19,6 +20,7 @@ __all__ = [
     "bench_file",
     "check",
     "examine_alone",
+    "examine_cam",
     "examine_export",
     "examine_file",
     "export",
@@ -26,6 +28,7 @@ __all__ = [
     "modes",
     "modes_of_file",
     "perform",
+    "plate_cam",
     "run",
     "runner_of",
     "sweep",

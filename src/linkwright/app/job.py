@@ -30,6 +30,7 @@ from linkwright.studies import (
     read_studies,
 )
 from linkwright.studies.accuracy.outcome import AccuracyOutcome
+from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite", "export.cannot-")
@@ -143,6 +144,11 @@ class Job:
     def workspace(self) -> WorkspaceOutcome | None:
         """The outcome of the workspace study, where the file asks for it."""
         return self.outcomes.get("workspace")
+
+    @property
+    def cam(self) -> CamOutcome | None:
+        """The cam's outcome, where the file asks for it."""
+        return self.outcomes.get("cam")
 
     @property
     def found(self) -> list[Finding]:

@@ -53,25 +53,26 @@ def checks(disc: Disc, limits: Limits | None = None, exact: bool = True) -> list
     return list(_checks(disc, limits or Limits(), exact))
 
 
-def _checks(disc: Disc, limits: Limits, exact: bool) -> Iterator[Check]:
+def _checks(disc: Disc, limits: Limits, exact: bool, limited: bool = False) -> Iterator[Check]:
+    """All figures, or those alone that are ``limited``: what isn't asked for costs time where sizes are looked for."""
     for name, rising, most in (
         ("pressure_rise", True, limits.pressure_rise),
         ("pressure_return", False, limits.pressure_return),
     ):
-        if moving := stretches(disc, rising):
+        if not (limited and most is None) and (moving := stretches(disc, rising)):
             found = extremes(disc, pressure, moving, exact)[1]
             yield Check(name, found.value, found.theta, most, None if most is None else most - found.value)
-    yield from (_faced if disc.follower.faced else _rolled)(disc, limits, exact)
+    yield from (_faced if disc.follower.faced else _rolled)(disc, limits, exact, limited)
 
 
-def _faced(disc: Disc, limits: Limits, exact: bool) -> Iterator[Check]:
+def _faced(disc: Disc, limits: Limits, exact: bool, _: bool) -> Iterator[Check]:
     """A flat face touches convex places only."""
     least = extremes(disc, lambda look: 1.0 / look.curvature, exact=exact)[0]
     limit = limits.profile_radius or 0.0
     yield Check("profile_radius", least.value, least.theta, limit, least.value - limit)
 
 
-def _rolled(disc: Disc, limits: Limits, exact: bool) -> Iterator[Check]:
+def _rolled(disc: Disc, limits: Limits, exact: bool, limited: bool) -> Iterator[Check]:
     roller = disc.follower.radius
     hollow, bulge = extremes(disc, curvature(), exact=exact)
     if bulge.value > 0:
@@ -79,15 +80,20 @@ def _rolled(disc: Disc, limits: Limits, exact: bool) -> Iterator[Check]:
         yield Check("pitch_radius", radius, bulge.theta, least, radius - least)
     if roller * bulge.value >= 1:
         return  # undercut: there is no profile
-    deepest, sharpest = extremes(disc, curvature(-roller), exact=exact)
+    if not limited or limits.profile_radius is not None or limits.cutter is not None:
+        yield from _profile(disc, limits, exact)
+    if limits.groove and hollow.value < 0:
+        yield Check("groove_radius", -1.0 / hollow.value, hollow.theta, roller, -1.0 / hollow.value - roller)
+
+
+def _profile(disc: Disc, limits: Limits, exact: bool) -> Iterator[Check]:
+    deepest, sharpest = extremes(disc, curvature(-disc.follower.radius), exact=exact)
     if sharpest.value > 0:
         value, wanted = 1.0 / sharpest.value, limits.profile_radius
         yield Check("profile_radius", value, sharpest.theta, wanted, None if wanted is None else value - wanted)
     if deepest.value < 0:
         value, wanted = -1.0 / deepest.value, limits.cutter
         yield Check("hollow_radius", value, deepest.theta, wanted, None if wanted is None else value - wanted)
-    if limits.groove and hollow.value < 0:
-        yield Check("groove_radius", -1.0 / hollow.value, hollow.theta, roller, -1.0 / hollow.value - roller)
 
 
 def undercut(disc: Disc) -> Check | None:
@@ -101,7 +107,7 @@ def worst(disc: Disc, limits: Limits, exact: bool = True) -> float:
     """The least margin of all limits, as shares: of a right angle, of the base circle's radius."""
     shares = [
         check.margin / (math.pi / 2 if check.name.startswith("pressure") else disc.follower.base)
-        for check in checks(disc, limits, exact)
+        for check in _checks(disc, limits, exact, limited=True)
         if check.margin is not None
     ]
     return min(shares, default=math.inf)

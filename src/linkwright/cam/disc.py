@@ -83,6 +83,19 @@ class Disc:
         starts = sorted({float(join) % TURN for join in self.joins} | {0.0})
         return list(zip(starts, [*starts[1:], TURN], strict=True))
 
+    @cached_property
+    def _grids(self) -> dict[tuple[float, float, int], tuple[Array, Look]]:
+        return {}
+
+    def grid(self, start: float, stop: float, steps: int) -> tuple[Array, Look]:
+        """Equal steps over a stretch within a piece, and the cam there, at its end from the left; kept, as many figures
+        are looked for on the same stretches."""
+        key = start, stop, steps
+        if key not in self._grids:
+            theta = np.linspace(start, stop, steps + 1)
+            self._grids[key] = theta, self.look(np.minimum(theta, np.nextafter(stop, start)))
+        return self._grids[key]
+
     def look(self, theta: Array) -> Look:
         """The cam at angles (n,)."""
         theta = np.asarray(theta, dtype=float)

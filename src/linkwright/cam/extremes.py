@@ -46,9 +46,12 @@ def extremes(
             rows = [np.broadcast_to(d, theta.shape) for d in jet.d[:2]]
             return rows[0][None], rows[1][None]
 
-        inside = stationary(rates, start, stop, STEPS)[0] if exact else np.linspace(start, stop, 2 * STEPS + 1)
-        at = np.concatenate([[start, stop], inside])
-        found.append((at, rates(at)[0][0]))
+        if exact:
+            at = np.concatenate([[start, stop], stationary(rates, start, stop, STEPS)[0]])
+            found.append((at, rates(at)[0][0]))
+        else:
+            at, look = disc.grid(start, stop, 2 * STEPS)
+            found.append((at, np.broadcast_to(figure(look).d[0], at.shape)))
     if not found:
         raise ValueError("no stretch")
     theta, values = (np.concatenate(rows) for rows in zip(*found, strict=True))
@@ -84,7 +87,12 @@ def moving(lift: Lift, pieces: tuple[tuple[float, float], ...]) -> list[tuple[fl
 
 def curvature(by: float = 0.0) -> Figure:
     """The curvature (1/m) of the curve ``by`` (m) outward of the pitch curve; negative beyond a cusp."""
-    return lambda look: look.curvature / (1.0 + by * look.curvature)
+
+    def figure(look: Look) -> Jet:
+        with np.errstate(divide="ignore", invalid="ignore"):  # at a cusp
+            return look.curvature / (1.0 + by * look.curvature)
+
+    return figure
 
 
 def pressure(look: Look) -> Jet:

@@ -58,6 +58,11 @@ class Follower:
         """Of the roller (m); 0 where there is none."""
         return 0.0
 
+    @property
+    def start(self) -> float:
+        """On the base circle: the height (m) over the cam's centre, or the angle (rad) from the line of centres."""
+        raise NotImplementedError
+
     def touch(self, lift: Jet) -> Touch:
         """The contact at a lift (m or rad)."""
         raise NotImplementedError
@@ -182,6 +187,10 @@ class TranslatingFlat(Translating):
     name = "translating_flat"
     faced = True
     base: float
+
+    @property
+    def start(self) -> float:
+        return self.base
 
     def touch(self, lift: Jet) -> Touch:
         return Touch(facing=Jet.constant(math.pi / 2, lift.order), height=lift + self.base)

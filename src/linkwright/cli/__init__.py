@@ -235,6 +235,26 @@ def export(
     _end(file, examined, as_json, lambda: job.summary, lambda: show.export(job, file), job.exit_code)
 
 
+@cli.command(help=say("cli.cam"))
+@_file
+@click.option("--out", type=click.Path(path_type=Path), help=say("cli.out"))
+@click.option("--post", metavar="NAME", multiple=True, help=say("cli.post"))
+@_json
+def cam(file: Path, out: Path | None, post: tuple[str, ...], as_json: bool) -> None:
+    """Perform the cam study alone."""
+    from linkwright import app
+    from linkwright.cli import show
+    from linkwright.studies import Site
+
+    examined = app.examine_cam(file, post)
+    folder = out or _beside(file)
+    with show.working(file, "cam", quiet=as_json) as progress:
+        job = app.perform(examined, Site(out=folder, progress=progress))
+        if job.outcomes:
+            _writing(folder, job, False)
+    _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
+
+
 @cli.command(help=say("cli.bench"))
 @_file
 @click.option("--poses", type=click.IntRange(1, 10**9), default=1_000_000, show_default=True, help=say("cli.poses"))

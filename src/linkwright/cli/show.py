@@ -21,6 +21,7 @@ from linkwright.model.findings import Finding
 from linkwright.model.units import TIME
 from linkwright.report.accuracy_page import sentences as accuracy_sentences
 from linkwright.report.accuracy_tables import further, overview
+from linkwright.report.cam import cam_sentences, cam_tables
 from linkwright.report.data import Grid, MeasureValue
 from linkwright.report.facts import checks, facts
 from linkwright.report.limits import limits_entry, limits_tables
@@ -125,6 +126,10 @@ def job(done: Job, file: Path) -> None:
         for text in workspace_sentences(done.workspace):
             out.print(escape(text))
         _grids(workspace_tables(done.workspace))
+    if done.cam is not None:
+        for text in cam_sentences(done.cam):
+            out.print(escape(text))
+        _grids(cam_tables(done.cam))
     for item in done.examined.located(done.found):
         finding(item, file)
     if done.folder is not None:

@@ -1,6 +1,7 @@
 """What acts on the links besides gravity and inertia: loads and springs, and the inputs of each pose that they need.
 
-Tables can't be expressions of the graph, so a table's value at an argument enters as an input, with its rate; so do
+How fast a follower moves over its cam is such an input too: the direction of the contact's force depends on it. Tables
+can't be expressions of the graph, so a table's value at an argument enters as an input, with its rate; so do
 the time and the whole turns of an angle that the graph knows from its axis alone.
 """
 
@@ -13,8 +14,10 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from linkwright.graph.cams import followings
 from linkwright.graph.springs import spring_wrenches
 from linkwright.model import units as u
+from linkwright.model.cams import Following
 from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, is_signal, nodes, parse, signal_text
 from linkwright.model.mechanism import Load
 from linkwright.model.signals import Signal
@@ -110,13 +113,21 @@ class Actions:
 
     @cached_property
     def inputs(self) -> tuple[str, ...]:
-        """The input rows: the time, the whole turns of each such angle, value and rate of each table's answer."""
+        """The input rows: the time, the whole turns of each such angle, value and rate of each table's answer, and of
+        each cam the follower's rate over the cam's, with its rate in time."""
         tables = (f"table/{i}/{k}" for i in range(len(self.lookups)) for k in (0, 1))
-        return (*(["t"] if self.timed else []), *(f"turns/{name}" for name in self.turning), *tables)
+        ratios = (f"ratio/{name}/{k}" for name in self.cams for k in (0, 1))
+        return (*(["t"] if self.timed else []), *(f"turns/{name}" for name in self.turning), *tables, *ratios)
+
+    @cached_property
+    def cams(self) -> dict[str, Following]:
+        """The drives that stand for cams."""
+        return followings(self.graph.quantities)
 
     def flow(self, given: dict[str, Any]) -> list[Any]:
         """The rates of these inputs in time."""
         known = {"t": ca.SX(1)} | {f"table/{i}/0": given[f"table/{i}/1"] for i in range(len(self.lookups))}
+        known |= {f"ratio/{name}/0": given[f"ratio/{name}/1"] for name in self.cams}
         return [known.get(name, ca.SX(0)) for name in self.inputs]
 
     @cached_property

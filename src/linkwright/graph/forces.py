@@ -31,17 +31,18 @@ class Forces:
     shaking: Wrench = field(default_factory=lambda: Wrench.zero(ZERO))
 
 
-def solve_forces(motion: Motion, applied: Iterable[tuple[str, Wrench]] = ()) -> Forces:
+def solve_forces(motion: Motion, applied: Iterable[tuple[str, Wrench]] = (), pushes: Efforts | None = None) -> Forces:
     """All reactions, drive efforts and the shaking wrench, from motion of order 2 and what is applied to links.
 
-    A drive with an output acts at its own joint, not where the motion is prescribed: its effort is the one that leaves
-    none to be exerted at the output. All forces are linear in it.
+    A drive with an output acts at its own joint, not where the motion is prescribed, and a cam in its contact
+    (``pushes``: the wrenches of 1 N there, by cam): the effort is the one that leaves none to be exerted where the
+    motion is prescribed. All forces are linear in it.
     """
     own = {link: own_wrench(motion, link, body) for link, body in motion.bodies.items() if link != FRAME}
     own[FRAME] = Wrench.zero(ZERO)
     for link, wrench in applied:
         own[link] = own[link].plus(wrench)
-    units = unit_efforts(motion)
+    units = unit_efforts(motion) | (pushes or {})
     if not units:
         return _Solver(motion, own).run()
     lacking = _Solver(motion, own).run().efforts

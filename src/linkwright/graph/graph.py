@@ -39,6 +39,11 @@ class Graph:
         return tuple(self.structure.topology.mechanism.drives)
 
     @cached_property
+    def motors(self) -> tuple[str, ...]:
+        """The drives but those that stand for cams."""
+        return tuple(name for name in self.drives if name not in self.actions.cams)
+
+    @cached_property
     def branched(self) -> tuple[Any, ...]:
         """The groups with two assembly modes, in the order of their branch inputs."""
         return tuple(group for group in self.structure.groups if group.modes > 1)
@@ -189,6 +194,8 @@ class Graph:
         signal = self.signal(name)
         if signal.kind in ("force", "shaking") or signal.attribute in ("torque", "force", "power"):
             return max(2, self.actions.order) if signal.kind != "spring" else 1
+        if signal.attribute == "pressure":
+            return 0
         if signal.kind in ("energy", "pole"):
             return 1
         if signal.kind == "spring":

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from linkwright.graph.actions import active, load_values, wrenches
+from linkwright.graph.cams import Contact, contact
 from linkwright.graph.forces import Forces, lever, solve_forces, unit_efforts
 from linkwright.graph.geometry import ZERO, Geometry
 from linkwright.graph.motion import Motion, solve_motion
@@ -64,7 +65,14 @@ class View:
 
     @cached_property
     def forces(self) -> Forces:
-        return solve_forces(self.motion, wrenches(self))
+        pushes = {name: at.pushes(self.graph.actions.cams[name]) for name, at in self.contacts.items()}
+        return solve_forces(self.motion, wrenches(self), pushes)
+
+    @cached_property
+    def contacts(self) -> dict[str, Contact]:
+        """Where the followers of cams touch."""
+        cams = self.graph.actions.cams.items()
+        return {name: contact(self.motion, drive, self.given[f"ratio/{name}/0"]) for name, drive in cams}
 
     def row(self, name: str) -> Scalar:
         """The expression of one output row."""
@@ -185,6 +193,8 @@ class View:
             return self.forces.efforts[name]
         if signal.attribute == "power":
             return self.forces.efforts[name] * self.own(name, 1)
+        if signal.attribute == "pressure":
+            return self.contacts[name].pressure
         return self.own(name, {**LINK_ORDERS, **SLIDE_ORDERS}[signal.attribute])
 
     def own(self, name: str, order: int, whole: bool = True) -> Scalar:

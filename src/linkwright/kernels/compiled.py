@@ -14,8 +14,10 @@ from numpy.typing import NDArray
 from linkwright.graph.assembly import Assembly, assemble
 from linkwright.graph.graph import Graph
 from linkwright.graph.redundant import redundant
+from linkwright.kernels.cams import cam_faults
 from linkwright.kernels.follow import Follower
-from linkwright.kernels.laws import Law, action_tables, drive_laws, values_at
+from linkwright.kernels.law import Law
+from linkwright.kernels.laws import action_tables, drive_laws, values_at
 from linkwright.kernels.motions import motion_laws
 from linkwright.kernels.passages import Passage, Passages, unwrapped
 from linkwright.kernels.registry import KERNELS, Kernel
@@ -58,7 +60,7 @@ class Compiled:
         """What follows the motion to give inputs of the program, at the start of it."""
         starts, size = self.assembly.starts, self.assembly.size()
         self.followers = [Follower(self.graph, c, starts[c], size, self.kernel) for c in self.structure.clusters]
-        self.supply = Supply(self.graph, self.tables, self.kernel)
+        self.supply = Supply(self.graph, self.tables, self.kernel, self.laws)
 
     def inputs(self, t: Array, clusters: int | None = None, actions: bool = True, starts: bool = False) -> Array:
         """The per-pose inputs at times ``t`` (s): (inputs, poses), in SI; only the first ``clusters`` in place, those
@@ -188,6 +190,7 @@ def prepare(mechanism: Mechanism, folder: Path | None = None) -> Prepared:
         motions, unmade = motion_laws(quantities)
         laws, wrong = drive_laws(quantities, folder, motions)
         tables, unread = action_tables(quantities, folder)
+        wrong += cam_faults(quantities, motions)
         findings += [*check_values(quantities), *unmade, *wrong, *(fault for fault in unread if fault not in wrong)]
     structure = decompose(spelled.mechanism) if not names else Structure(Topology(spelled.mechanism), ())
     if not findings:

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from linkwright.kernels.cams import follower_law
+from linkwright.kernels.law import Array, Law, Parameters
 from linkwright.kernels.motions import rate_unit
 from linkwright.laws import DEGREES, Motion, OutsideTable, TableLaw
 from linkwright.model import units as u
+from linkwright.model.cams import Following
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, nodes
 from linkwright.model.findings import Finding, ModelError, Term
@@ -21,30 +22,8 @@ from linkwright.model.mechanism import Table
 from linkwright.model.quantities import Quantities, column_unit
 from linkwright.notation import MAX_ORDER, Jet
 
-Array = NDArray[np.float64]
-Parameters = Mapping[str, Any]
-"""Values (SI) by name: numbers, or arrays that broadcast with the times."""
-
 ORDER = MAX_ORDER + 1
 MAX_ROWS = 100_000
-
-
-@dataclass(frozen=True)
-class Law:
-    """A drive's value and rates (SI): ``of(times (s), parameters, strict)``; where it has none, NaN, or if ``strict``
-    :class:`ModelError`. ``names`` are the parameters on which it depends."""
-
-    of: Callable[[Array, Parameters, bool], Jet]
-    parameters: Parameters
-    names: frozenset[str] = frozenset()
-
-    def __call__(self, t: Array) -> Jet:
-        """At the nominal parameters."""
-        return self.of(t, self.parameters, True)
-
-    def at(self, t: Array, parameters: Parameters) -> Jet:
-        """At other parameters; NaN where it has no value."""
-        return self.of(t, parameters, False)
 
 
 def drive_laws(
@@ -53,8 +32,8 @@ def drive_laws(
     """The law of each drive (value and rates, SI) over times (s), and what is wrong with them."""
     reader = _Reader(quantities, folder, motions)
     laws: dict[str, Law] = {}
-    for name in quantities.mechanism.drives:
-        law = reader.law(name)
+    for name, drive in quantities.mechanism.drives.items():
+        law = reader.follower(name, laws) if isinstance(drive, Following) else reader.law(name)
         if law is not None:
             laws[name] = law
     return laws, reader.findings
@@ -112,6 +91,15 @@ class _Reader:
             self.findings += error.findings
             return None
         return law
+
+    def follower(self, name: str, laws: Mapping[str, Law]) -> Law | None:
+        """The law of a cam's follower, behind that of its motor."""
+        drive = self.quantities.mechanism.drives[name]
+        assert isinstance(drive, Following)
+        law, motor = drive.cam.law, laws.get(drive.motor)
+        if motor is None or not self._called(law, ("cams", name, "law")):
+            return None
+        return follower_law(self.quantities, name, self.motions[law], motor)
 
     def _law(self, of: Callable[[Array, Parameters, bool], Jet], *parts: Node) -> Law:
         names = {n.text for part in parts for n in nodes(part) if isinstance(n, Name)}

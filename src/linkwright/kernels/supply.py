@@ -1,4 +1,5 @@
-"""What loads and springs need as inputs of each pose: the time, whole turns of angles, the answers of tables."""
+"""What loads, springs and cams need as inputs of each pose: the time, whole turns of angles, the answers of tables, how
+fast followers move over their cams."""
 
 from __future__ import annotations
 
@@ -9,6 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.graph import Graph
+from linkwright.kernels.cams import CamLaw
+from linkwright.kernels.law import Law, Parameters
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.laws import TableLaw
 from linkwright.model import units as u
@@ -24,8 +27,11 @@ MAX_STEPS = 1 << 15
 class Supply:
     """Fills the input rows of loads and springs, from inputs in which the motion stands already."""
 
-    def __init__(self, graph: Graph, tables: Mapping[str, TableLaw], kernel: str) -> None:
+    def __init__(
+        self, graph: Graph, tables: Mapping[str, TableLaw], kernel: str, laws: Mapping[str, Law] | None = None
+    ) -> None:
         self.graph, self.tables = graph, tables
+        self.cams = {name: law for name, law in (laws or {}).items() if isinstance(law, CamLaw)}
         self.first = len(graph.motion_inputs)
         self.rows = {name: row for row, name in enumerate(graph.inputs)}
         actions = graph.actions
@@ -56,6 +62,7 @@ class Supply:
         for name, turns in self.turns.items():
             x[self.rows[f"turns/{name}"]] = turns(x, t, p, at)
         self.look_up(x, lambda kernel: kernel.run(x, p))
+        self.ride(x, dict(zip(self.graph.parameters, p, strict=True)))
 
     def look_up(self, x: Array, ask: Callable[[Kernel], Array]) -> None:
         """Put the answers of tables into ``x`` (inputs, ...); ``ask`` runs the kernel of the arguments."""
@@ -66,6 +73,17 @@ class Supply:
                 table = self.tables[lookup.table]
                 value = (table.integral if lookup.integral else table.or_nan)(Jet([*argument]))
                 x[self.rows[f"table/{i}/0"]], x[self.rows[f"table/{i}/1"]] = value.d
+
+    def ride(self, x: Array, parameters: Parameters) -> None:
+        """Put the ratios of cams into ``x`` (inputs, ...)."""
+        for name, law in self.cams.items():
+            motor = self.motor(law)
+            for k, row in enumerate(law.ratio(x[motor], x[motor + 1], parameters)):
+                x[self.rows[f"ratio/{name}/{k}"]] = row
+
+    def motor(self, law: CamLaw) -> int:
+        """The input row of the angle of a cam's motor."""
+        return self.graph.drives.index(law.motor) * self.graph.width
 
 
 class Turns:

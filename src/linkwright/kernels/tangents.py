@@ -98,6 +98,12 @@ class Tangents:
                 for k, row in enumerate(law.at(t, own).d, start=size + i * graph.width):
                     x[k] = slope_of(row)
         self._look_up(x)
+        supply = self.compiled.supply
+        for name, cam in supply.cams.items():
+            motor = supply.motor(cam)
+            angle, speed = (Dual(x[row], x[size + row]) for row in (motor, motor + 1))
+            for k, row in enumerate(cam.ratio(angle, speed, given)):
+                x[size + supply.rows[f"ratio/{name}/{k}"]] = slope_of(row)
         return x
 
     def _own_inputs(self, t: Array) -> Array:

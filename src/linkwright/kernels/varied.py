@@ -210,7 +210,8 @@ class Varied:
 
     def _supply(self, x: Array, p: Array, t: Array, kernel: str) -> None:
         """Put the inputs of loads and springs into those of the motion."""
-        supply = _kept(self._supplies, kernel, lambda: Supply(self.graph, self.compiled.tables, kernel))
+        tables = self.compiled.tables
+        supply = _kept(self._supplies, kernel, lambda: Supply(self.graph, tables, kernel, self.compiled.laws))
         quantities = self.compiled.quantities
         x[supply.first :] = 0.0
         if "t" in supply.rows:
@@ -222,6 +223,7 @@ class Varied:
                 turns.kernel, home, x, t, p, lambda p, t: self.inputs(p, t, motion, kernel)
             )
         supply.look_up(x, lambda of: of.over(x, p))
+        supply.ride(x, dict(zip(self.row, p[:, :, None], strict=True)))
 
 
 def _kept(made: dict[Key, Made], key: Key, make: Callable[[], Made]) -> Made:

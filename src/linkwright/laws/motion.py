@@ -64,9 +64,9 @@ class Motion:
         """The value at plain numbers, or on a jet with its derivatives; the jet's entries may be duals."""
         return self.on(x) if isinstance(x, Jet) else self.at(x)
 
-    def on(self, x: Jet) -> Jet:
-        """The value on a jet."""
-        return composed(x, self.at)
+    def on(self, x: Jet, order: int = 0) -> Jet:
+        """The value, or a derivative by the axis, on a jet."""
+        return composed(x, self.at, order)
 
     def pieces(self, x: str = "x") -> tuple[tuple[float, float, str], ...]:
         """Start, stop and formula of each piece, in the units of the axis and the value."""

@@ -125,6 +125,12 @@ class Builder:
         law |= _given(start=start, position=position, output=output)
         return self._put("drives", name, law)
 
+    def cam(self, name: str, *, cam: str, follower: str, base: Any, law: str, on: str = "frame", **more: Any) -> Self:
+        """A plate cam on the link ``cam`` and the ``follower`` that rides on it; ``more`` says by what it touches
+        (``roller`` and ``at``, ``knife`` or ``face``), ``side``, ``phase``, ``sense``, ``closed``, as in the file."""
+        data = {"cam": cam, "follower": follower, "on": on, "base": base, "law": law}
+        return self._put("cams", name, data | _given(**more))
+
     def table(
         self,
         name: str,

@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BeforeValidator, Field
 
 from linkwright.model.actions import REDUCTIONS, Load, Measure, Table, Window
+from linkwright.model.cams import Cam
 from linkwright.model.elements import Counterweight, Spring
 from linkwright.model.fields import (
     AssemblyRule,
@@ -28,6 +29,7 @@ from linkwright.model.written import unexpected
 __all__ = [
     "FRAME",
     "REDUCTIONS",
+    "Cam",
     "Counterweight",
     "Cylinder",
     "Document",
@@ -114,6 +116,9 @@ class Mechanism(Frozen):
     )
     laws: Annotated[dict[Name, MotionLaw], _bound, freeze] = Field(
         default_factory=FrozenDict, description="motion laws by segments, called by name in a drive's position"
+    )
+    cams: Annotated[dict[Name, Cam], _bound, freeze] = Field(
+        default_factory=FrozenDict, description="plate cams with their followers, as joints between moving links"
     )
     loads: Annotated[dict[Name, Load], _bound, freeze] = Field(
         default_factory=FrozenDict, description="forces and torques on links"

@@ -136,6 +136,14 @@ def _actions(m: Mechanism) -> Iterator[Place]:
             yield Place((*at, "acceleration"), drive.acceleration, u.ALPHA if span == u.ANGLE else u.ACCELERATION)
         if drive.position is not None:
             yield Place((*at, "position"), drive.position, span, Scope.TIME)
+    for name, cam in m.cams.items():
+        at = ("cams", name)
+        yield Place((*at, "base"), cam.base, u.LENGTH)
+        yield Place((*at, "phase"), cam.phase, u.ANGLE)
+        if cam.roller is not None:
+            yield Place((*at, "roller"), cam.roller, u.LENGTH)
+        if cam.face is not None:
+            yield Place((*at, "face"), cam.face.angle, u.ANGLE)
     for name, load in m.loads.items():
         at = ("loads", name)
         if isinstance(load.at, Position):

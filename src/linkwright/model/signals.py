@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from linkwright.model import units as u
+from linkwright.model.cams import Following
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import Call, Name, signal_text
 from linkwright.model.findings import Term
@@ -25,12 +26,14 @@ FORCE = {"x": u.FORCE, "y": u.FORCE}
 SLIDE_FORCE = {**FORCE, "normal": u.FORCE, "moment": u.TORQUE, "arm": u.LENGTH}
 TURNING_DRIVE = {**LINK, "torque": u.TORQUE, "power": u.POWER}
 SLIDING_DRIVE = {**SLIDE, "force": u.FORCE, "power": u.POWER}
+SWINGING_CAM = {**LINK, "force": u.FORCE, "pressure": u.ANGLE}
+SLIDING_CAM = {**SLIDE, "force": u.FORCE, "pressure": u.ANGLE}
 SHAKING = {"x": u.FORCE, "y": u.FORCE, "moment": u.TORQUE}
 ENERGY = {"kinetic": u.ENERGY, "potential": u.ENERGY}
 POLE = dict.fromkeys(("x", "y", "u", "v"), u.LENGTH)
 SPRING = {"length": u.LENGTH, "v": u.SPEED, "force": u.FORCE, "power": u.POWER, "energy": u.ENERGY}
 TORSION_SPRING = {"angle": u.ANGLE, "omega": u.OMEGA, "torque": u.TORQUE, "power": u.POWER, "energy": u.ENERGY}
-_OF_FORCES = frozenset({"torque", "force", "power", "energy"})
+_OF_FORCES = frozenset({"torque", "force", "pressure", "power", "energy"})
 
 
 @dataclass(frozen=True)
@@ -112,8 +115,10 @@ class Signals:
             return "point", POINT
         if owner in m.joints and m.joints[owner].prismatic:
             return "slide", SLIDE
-        if owner in m.drives:
-            return "drive", TURNING_DRIVE if m.drives[owner].turns else SLIDING_DRIVE
+        if isinstance(drive := m.drives.get(owner), Following):
+            return "drive", SWINGING_CAM if drive.turns else SLIDING_CAM
+        if drive is not None:
+            return "drive", TURNING_DRIVE if drive.turns else SLIDING_DRIVE
         if owner in m.springs:
             return "spring", TORSION_SPRING if m.springs[owner].torsional else SPRING
         if owner == "shaking":

@@ -71,6 +71,10 @@ def _bodies(q: Quantities) -> Iterator[Finding]:
     for name, table in q.mechanism.tables.items():
         if table.period is not None:
             yield from least(("tables", name, "period"), "period", table.period, u.PURE, True)
+    for name, cam in q.mechanism.cams.items():
+        for key, radius in (("base", cam.base), ("roller", cam.roller)):
+            if radius is not None:
+                yield from least(("cams", name, key), "radius", radius, u.LENGTH, True)
     for name, measure in q.mechanism.measures.items():
         if measure.within is not None:
             dimension = q.dimensions.dimension(measure.signal.node)

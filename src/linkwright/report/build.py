@@ -14,6 +14,7 @@ from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.model.pins import spring_ends
 from linkwright.model.units import LENGTH, TIME
+from linkwright.report.cam_shapes import cam_shapes
 from linkwright.report.centrodes import centrodes
 from linkwright.report.data import (
     Failure,
@@ -100,13 +101,17 @@ def scene(result: Result) -> Scene:
         zip(moving, compiled.evaluate(compiled.graph.pose_rows, result.t).reshape(-1, 4, result.t.size), strict=True)
     )
     links: list[Link] = []
+    outlines = cam_shapes(compiled, size)
     for name, entry in compiled.mechanism.links.items():
         points = {p: [c / size for c in geometry.point(name, p)] for p in entry.points}
         pose: Pose = {"x": [0.0], "y": [0.0], "c": [1.0], "s": [0.0]}
         if name != FRAME:
             x, y, c, s = poses[name]
             pose = {"x": listed(x / size), "y": listed(y / size), "c": listed(c), "s": listed(s)}
-        links.append({"name": name, "fixed": name == FRAME, "points": points, "pose": pose})
+        link: Link = {"name": name, "fixed": name == FRAME, "points": points, "pose": pose}
+        if name in outlines:
+            link["outlines"] = outlines[name]
+        links.append(link)
     return {
         "length_unit": unit,
         "time": axis(result)["values"],
@@ -203,16 +208,19 @@ def _force_plots(result: Result) -> list[Plot | None]:
         if contact.sliding:
             title = say("plot.moment", a=contact.link, b=contact.on)
             found.append(_plot(result, title, "force", [f"{name}.moment"]))
-    turning = [name for name, drive in m.drives.items() if drive.turns]
-    sliding = [name for name in m.drives if name not in turning]
+    motors = result.run.compiled.graph.motors
+    turning = [name for name in motors if m.drives[name].turns]
+    sliding = [name for name in motors if name not in turning]
     found.append(_plot(result, say("plot.torque"), "force", [f"{n}.torque" for n in turning]))
     found.append(_plot(result, say("plot.effort"), "force", [f"{n}.force" for n in sliding]))
+    found.append(_plot(result, say("plot.contact"), "force", [f"{n}.force" for n in m.cams]))
+    found.append(_plot(result, say("plot.pressure"), "force", [f"{n}.pressure" for n in m.cams]))
     between = [name for name, spring in m.springs.items() if not spring.torsional]
     torsional = [name for name in m.springs if name not in between]
     found.append(_plot(result, say("plot.spring_length"), "motion", [f"{n}.length" for n in between]))
     found.append(_plot(result, say("plot.spring_force"), "force", [f"{n}.force" for n in between]))
     found.append(_plot(result, say("plot.spring_torque"), "force", [f"{n}.torque" for n in torsional]))
-    found.append(_plot(result, say("plot.power"), "force", [f"{n}.power" for n in m.drives]))
+    found.append(_plot(result, say("plot.power"), "force", [f"{n}.power" for n in motors]))
     found.append(_plot(result, say("plot.shaking"), "force", ["shaking.x", "shaking.y"]))
     found.append(_plot(result, say("plot.shaking_moment"), "force", ["shaking.moment"]))
     return found

@@ -50,12 +50,14 @@ class Pose(TypedDict):
 
 
 class Link(TypedDict):
-    """A body with its named points in its own axes (length unit, x right, y up)."""
+    """A body with its named points in its own axes (length unit, x right, y up); ``outlines`` are closed lines there,
+    of a cam or a roller."""
 
     name: str
     fixed: bool
     points: Mapping[str, Sequence[float]]
     pose: Pose
+    outlines: NotRequired[Sequence[Sequence[Sequence[float]]]]
 
 
 class Joint(TypedDict):
@@ -210,6 +212,14 @@ class WorkspaceData(TypedDict):
     tables: Sequence[Grid]
 
 
+class CamData(TypedDict):
+    """The cam study: what was found in sentences, pictures and charts, tables."""
+
+    sentences: Sequence[str]
+    charts: Sequence[Chart]
+    tables: Sequence[Grid]
+
+
 class Check(TypedDict):
     """One line of the certificate: its figure and what it means, in a sentence."""
 
@@ -255,3 +265,4 @@ class ReportData(TypedDict):
     sweep: NotRequired[SweepData]
     accuracy: NotRequired[AccuracyData]
     workspace: NotRequired[WorkspaceData]
+    cam: NotRequired[CamData]

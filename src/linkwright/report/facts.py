@@ -47,12 +47,13 @@ def facts(compiled: Compiled) -> list[Fact]:
         lines.append(_fact("plane", _plane(compiled, compiled.plane)))
     if m.sketch:
         lines.append(_fact("parameters", ", ".join(_parameters(compiled))))
+    motors = len(compiled.graph.motors)
     mobility = say(
         "fact.mobility.text",
         mobility=topology.gruebler,
         moving=len(topology.moving),
         joints=topology.joint_count,
-        drives=len(m.drives),
+        drives=say("fact.mobility.cams", drives=motors, cams=len(m.cams)) if m.cams else motors,
         loops=topology.loops,
     )
     lines += [_fact("mobility", mobility), _fact("order", "; ".join(_order(compiled)))]
@@ -126,6 +127,7 @@ def _order(compiled: Compiled) -> list[str]:
     for step in compiled.structure.steps:
         if isinstance(step, Driven):
             key = "output" if compiled.mechanism.drives[step.drive].output else "driven"
+            key = "cam" if step.drive in compiled.mechanism.cams else key
             lines.append(say(f"fact.order.{key}", link=step.link, drive=step.drive, base=step.base))
             continue
         links = ", ".join(step.links)

@@ -54,6 +54,7 @@ def page(data: ReportData) -> str:
             sections.sweep(data),
             sections.accuracy(data),
             sections.workspace(data),
+            sections.cam(data),
             sections.plots(data),
             sections.modes(data),
             sections.structure(data),

@@ -15,6 +15,8 @@ from linkwright.report.accuracy_files import bands_csv as accuracy_bands_csv
 from linkwright.report.accuracy_files import contributors_csv
 from linkwright.report.accuracy_files import netcdf_bytes as accuracy_netcdf
 from linkwright.report.accuracy_page import accuracy_page
+from linkwright.report.cam import cam_entry, cam_page
+from linkwright.report.cam_files import FILES as CAM_FILES
 from linkwright.report.data import Measure
 from linkwright.report.facts import checks
 from linkwright.report.limits import limits_entry, limits_tables
@@ -142,6 +144,7 @@ PARTS: dict[str, Part] = {
             **WORKSPACE_FILES,
         },
     ),
+    "cam": Part(summary=cam_entry, page=cam_page, result=lambda outcome: outcome.result, files=CAM_FILES),
 }
 """By study, in the order in which they stand in summary and report."""
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from html import escape
 
 from linkwright.report.accuracy_page import section as accuracy_section
+from linkwright.report.cam import section as cam_section
 from linkwright.report.data import Check, Grid, Measure, Plot, ReportData
 from linkwright.report.modes import section
 from linkwright.report.sweep import section as sweep_section
@@ -41,6 +42,7 @@ def _contents(data: ReportData) -> str:
     parts = [("mechanism", True), ("measures", bool(data["measures"]))]
     parts += [("certificate", bool(data["certificate"])), ("limits", bool(data.get("limits")))]
     parts += [("sweep", "sweep" in data), ("accuracy", "accuracy" in data), ("workspace", "workspace" in data)]
+    parts += [("cam", "cam" in data)]
     parts += [(group, any(plot["group"] == group for plot in data["plots"])) for group in GROUPS]
     parts += [("modes", "modes" in data), ("structure", bool(data["structure"])), ("model", bool(data["model_text"]))]
     words = data["words"]
@@ -146,6 +148,13 @@ def accuracy(data: ReportData) -> str:
     if "accuracy" not in data:
         return ""
     return accuracy_section(data["accuracy"], data["words"]["report.accuracy"], _grid)
+
+
+def cam(data: ReportData) -> str:
+    """The pictures, charts and tables of a cam."""
+    if "cam" not in data:
+        return ""
+    return cam_section(data["cam"], data["words"]["report.cam"], "".join(map(_grid, data["cam"]["tables"])))
 
 
 def workspace(data: ReportData) -> str:

@@ -14,12 +14,14 @@ from linkwright.graph.actions import spread
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
+from linkwright.model.cams import Following
 from linkwright.model.expressions import parse
 from linkwright.model.fields import Expression
 from linkwright.model.mechanism import Load
 from linkwright.model.pins import spring_ends
 from linkwright.model.units import Dimension
 from linkwright.notation import Pair
+from linkwright.results.contacts import contact
 from linkwright.results.run import combined
 from linkwright.results.springs import damping_force, elastic_force
 from linkwright.structure import FRAME
@@ -48,6 +50,7 @@ class Reports:
         names += [f"{self.home(link)}.v{axis}" for link in moving for axis in "xy"]
         names += [self.force_name(c, a) for c in self.contacts for a in (("x", "y", "moment") if c.sliding else "xy")]
         names += [f"{n}.{a}" for n, d in drives.items() for a in (d.effort, d.rate)]
+        names += [f"{d.motor}.angle" for d in drives.values() if isinstance(d, Following)]
         names += [s.text for s in self.compiled.graph.actions.signals]
         names += [f"window/{name}" for name in self.compiled.graph.actions.windows]
         names += [f"{n}.{a}" for n, s in self.mechanism.springs.items() for a in (s.measure, s.effort)]
@@ -222,10 +225,14 @@ class Reports:
         return found
 
     def efforts(self) -> list[Applied]:
-        """What drives do to both their links."""
+        """What drives and cams do to both their links."""
         found: list[Applied] = []
         for name, drive in self.mechanism.drives.items():
-            if drive.turns:
+            if isinstance(drive, Following):
+                place, normal = contact(self, drive)
+                force = self.rows[f"{name}.force"] * normal
+                found += [(drive.link, force, place, 0.0), (drive.cam.cam, -force, place, 0.0)]
+            elif drive.turns:
                 torque, nowhere = self.rows[f"{name}.torque"], np.zeros((2, self.count))
                 found += [(drive.link, nowhere, nowhere, torque), (drive.on, nowhere, nowhere, -torque)]
             else:
@@ -237,8 +244,8 @@ class Reports:
     # Power.
 
     def drive_powers(self) -> list[Array]:
-        """Effort times rate of each drive (W)."""
-        drives = self.mechanism.drives.items()
+        """Effort times rate of each drive (W). A cam passes power on; it gives none of its own."""
+        drives = [(n, drive) for n, drive in self.mechanism.drives.items() if not isinstance(drive, Following)]
         return [self.rows[f"{name}.{drive.effort}"] * self.rows[f"{name}.{drive.rate}"] for name, drive in drives]
 
     def powers_of(self, applied: list[Applied]) -> list[Array]:

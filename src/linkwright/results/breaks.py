@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.graph.cams import argument, followings
 from linkwright.laws import TableLaw
 from linkwright.model.expressions import Binary, Call, Node, Number, nodes
 from linkwright.results.stationary import crossings
@@ -55,12 +56,13 @@ def breaks(run: Run) -> Array:
 
 
 def kinks(compiled: Compiled) -> list[Node]:
-    """What changes its sign where the law of a load or drive has a kink."""
+    """What changes its sign where the law of a load, drive or cam has a kink."""
     quantities, m = compiled.quantities, compiled.mechanism
     laws = [*compiled.graph.actions.laws]
     for name, drive in m.drives.items():
         if drive.position is not None:
             laws.append(quantities.bind(drive.position, quantities.drive_dimension(name)))
+    laws += [Call(drive.cam.law, (argument(quantities, drive),)) for drive in followings(quantities).values()]
     found = dict.fromkeys(switch for law in laws for node in nodes(law) for switch in switches(node))
     found |= dict.fromkeys(switch for law in laws for node in nodes(law) for switch in _joins(compiled, node))
     functions = {*m.tables, *m.laws}

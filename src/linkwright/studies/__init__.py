@@ -2,6 +2,8 @@
 
 from linkwright.studies import cycle, limits, modes, sweeping  # noqa: F401  (each registers itself)
 from linkwright.studies.accuracy.study import AccuracyStudy  # noqa: F401
+from linkwright.studies.cam.outcome import CamOutcome
+from linkwright.studies.cam.study import CamStudy  # noqa: F401
 from linkwright.studies.cycle import CycleOptions, CycleOutcome
 from linkwright.studies.limits import LimitsOptions, LimitsOutcome
 from linkwright.studies.measures import MeasureResult
@@ -18,6 +20,7 @@ from linkwright.studies.workspace.study import WorkspaceStudy  # noqa: F401
 __all__ = [
     "NOWHERE",
     "STUDIES",
+    "CamOutcome",
     "CycleOptions",
     "CycleOutcome",
     "Interrupted",

@@ -21,12 +21,12 @@ from linkwright.studies.cycle import TURNS, CycleOptions, beside, span
 from linkwright.studies.plans import Draws
 
 
-def one_of(study: str, key: str, known: Sequence[str]) -> Any:
-    """The type of an option that is one of some words."""
+def one_of(study: str, key: str, known: Sequence[str], code: str = "study.choice") -> Any:
+    """The type of an option, of a study or what else ``code`` speaks of, that is one of some words."""
 
     def check(raw: Any) -> str:
         if raw not in known:
-            raise fault("study.choice", study=study, key=key, given=str(raw)[:40], known=", ".join(known))
+            raise fault(code, study=study, key=key, given=str(raw)[:40], known=", ".join(known))
         return str(raw)
 
     return Annotated[str, BeforeValidator(check), WithJsonSchema({"type": "string", "enum": [*known]})]
@@ -71,6 +71,10 @@ class Sampling(Frozen):
     def steps(self) -> int:
         """The number of equal steps."""
         return self.cycle.samples if self.poses is None else self.poses
+
+    def made(self, compiled: Compiled) -> Compiled:
+        """The mechanism of which the samples are taken."""
+        return compiled
 
     def measures(self, compiled: Compiled) -> list[str]:
         """The measures wanted, by name."""

@@ -122,7 +122,7 @@ class Limits:
         """Move each drive alone, then follow the file's motion."""
         outcome = LimitsOutcome(compiled, options.samples, loops=four_links(compiled))
         signals = _wanted(compiled, options)
-        for drive in options.drives if options.drives is not None else compiled.graph.drives:
+        for drive in options.drives if options.drives is not None else compiled.graph.motors:
             window = options.ranges.get(drive)
             edges = None if window is None else (_value(compiled, drive, window[0]), _value(compiled, drive, window[1]))
             found = ranges(compiled, drive, edges, options.samples)
@@ -203,7 +203,7 @@ def _forward(compiled: Compiled, drive: str) -> bool:
 
 
 def _drives(compiled: Compiled, options: LimitsOptions) -> Iterator[Finding]:
-    known = compiled.mechanism.drives
+    known = compiled.graph.motors
     for key, names in (("drives", options.drives or ()), ("ranges", options.ranges)):
         yield from (unknown("drive", ("studies", "limits", key), name, known) for name in names if name not in known)
 
@@ -211,7 +211,7 @@ def _drives(compiled: Compiled, options: LimitsOptions) -> Iterator[Finding]:
 def _ranges(compiled: Compiled, options: LimitsOptions) -> Iterator[Finding]:
     for name, edges in options.ranges.items():
         path = ("studies", "limits", "ranges", name)
-        if name not in compiled.mechanism.drives:
+        if name not in compiled.graph.motors:
             continue
         drive = compiled.mechanism.prescribed(name)
         try:

@@ -17,6 +17,7 @@ from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Frozen, Name
 from linkwright.model.findings import Finding, ModelError
+from linkwright.model.followers import no_cams
 from linkwright.model.quantities import Quantities
 from linkwright.studies.registry import register
 from linkwright.studies.site import NOWHERE, Site
@@ -84,6 +85,8 @@ def check_options(made: Prepared | Compiled, options: ModesOptions) -> list[Find
     if options.drive is not None and options.drive not in drives:
         reason = f"'{options.drive}' isn't one of the drives: {', '.join(drives)}"
         return [Finding("study.options", (*PATH, "drive"), {"study": "modes", "key": "drive", "reason": reason})]
+    if options.drive is not None and made.mechanism.cams:
+        return [no_cams(made.mechanism, "modes")]
     try:
         time = _time(made.quantities, options)
         if not abs(time) < 1e12:

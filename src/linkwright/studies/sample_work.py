@@ -78,7 +78,7 @@ class SampleWork:
         tasks, findings = read_studies(studies)
         raise_errors(findings)
         options = next(task.options for task in tasks if task.study.name == self.study)
-        return SampleTask(compiled, options, self.kernel, self.reach)
+        return SampleTask(options.made(compiled), options, self.kernel, self.reach)
 
 
 def table_files(mechanism: Mechanism, folder: Path | None) -> tuple[tuple[str, bytes], ...]:

@@ -10,8 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.kernels import Compiled
+from linkwright.kernels.cams import recomposed
 from linkwright.kernels.follow import Follower
-from linkwright.kernels.laws import Law, constant_acceleration, values_at
+from linkwright.kernels.law import Law
+from linkwright.kernels.laws import constant_acceleration, values_at
 from linkwright.notation.angles import whole_turns
 from linkwright.results import Run
 from linkwright.structure import Group
@@ -61,7 +63,8 @@ def sweeping(compiled: Compiled, drive: str) -> Compiled:
     values = values_at(compiled.laws, 0.0)
 
     def laws(speed: float) -> dict[str, Law]:
-        return {name: constant_acceleration(value, speed * (name == drive)) for name, value in values.items()}
+        alone = {name: constant_acceleration(value, speed * (name == drive)) for name, value in values.items()}
+        return recomposed(compiled.laws, alone)
 
     up = replace(compiled, laws=laws(1.0))
     if up.followers:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import shapely
 
-from linkwright.exports.process_simulate.facts import Facts, HingeFacts, check_facts, facts, hand_force
+from linkwright.exports.process_simulate.facts import Facts, HingeFacts, check_facts, facts, hand_force, panel_of
 from linkwright.kernels import Compiled, compile_mechanism, examine
 from linkwright.kernels.laws import values_at
 from linkwright.model.document import load, plain
@@ -158,6 +158,10 @@ def test_facts_as_plain_data(told: HingeFacts) -> None:
     corners = 1000 * np.array([bar.panel(name) for name in OUTLINE])
     bounds = [corners.real.min(), corners.imag.min(), corners.real.max(), corners.imag.max()]
     assert data["swept"]["bounds"] == pytest.approx(bounds, abs=0.02)  # the sagitta of a step
+
+
+def test_no_part_of_a_cylinder_is_the_panel() -> None:
+    assert panel_of(compile_mechanism(load(EXAMPLES / "boom_cylinder.yaml")), Facts()) == "boom"
 
 
 def changed(name: str = "bonnet_hinge", **sections: Any) -> Compiled:

@@ -101,7 +101,7 @@ def test_everything_wrong_with_the_options_is_told_at_once() -> None:
 @pytest.mark.parametrize(
     ("options", "code"),
     [
-        ({"dialect": "latin"}, "study.choice"),
+        ({"dialect": "latin"}, "export.choice"),
         ({"decimals": 3}, "export.options"),
         ({"range": ["0 mm", "20 mm"]}, "expression.units-conflict"),
         ({"range": [0, 1e9]}, "study.wide-range"),
@@ -132,6 +132,7 @@ def test_two_drives_and_none_that_depend() -> None:
     assert codes(document(links=links, drives=drives, assembly={"C": "left of B-E"})) == ["functions.drives"]
     alone = {name: FOUR_BAR["links"][name] for name in ("frame", "crank")}
     assert codes(document(links=alone, assembly={})) == ["functions.no-dependent"]
+    assert codes(left_out=["B", "C", "D"]) == ["functions.no-dependent"]
 
 
 def test_more_joints_than_the_tool_takes() -> None:
@@ -148,12 +149,44 @@ def test_more_joints_than_the_tool_takes() -> None:
     assert "functions.too-many" in codes(model)
 
 
-def test_a_range_over_a_toggle_offers_the_largest() -> None:
+@pytest.mark.parametrize(
+    ("key", "asked", "flipped", "ends"),
+    [
+        ("range", [0, 170], [], (-1, 1)),
+        ("stops", [-30, 170], [], (-1, 1)),
+        ("stops", [-30, 170], ["O"], (1, -1)),
+    ],
+)
+def test_what_crosses_a_toggle_is_told_the_largest(key: str, asked: Any, flipped: Any, ends: tuple[int, int]) -> None:
+    """Coupler and rocker in line at +-end, cos = (a2 + d2 - (b + c)2)/(2 a d); short of it by 0.1 % of the range."""
+    end = 0.998 * math.degrees(math.acos((160**2 + 100**2 - 200**2) / (2 * 160 * 100)))
     model = document(parameters={"a": 160})
-    (failure,) = exported(model, range=[0, 170]).failures
-    assert failure.code == "functions.toggle"
+    (failure,) = exported(model, **{key: asked}, flipped=flipped).failures
+    assert (failure.code, failure.path[-1]) == ("functions.toggle", key)
     offered = [float(failure.data["low"]), float(failure.data["high"])]
-    assert exported(model, range=offered).done
+    start = 0 if key == "range" else 40
+    sign = -1 if flipped else 1
+    assert offered == pytest.approx([sign * (side * end - start) for side in ends], abs=0.02)
+    assert exported(model, **{key: offered}, flipped=flipped).done
+
+
+@pytest.mark.parametrize("options", [{}, {"range": [20, 60]}])
+def test_a_zero_pose_beyond_a_toggle_is_told_where_it_may_be(options: dict[str, Any]) -> None:
+    model = document(parameters={"a": 160})
+    (failure,) = exported(model, zero=150, **options).failures
+    assert (failure.code, failure.path[-1]) == ("functions.zero", "zero")
+    assert exported(model, zero=failure.data["high"], **options).done
+
+
+def test_pivots_in_one_place_are_pointed_out() -> None:
+    """A four-bar without a base turns as one piece."""
+    links = {**FOUR_BAR["links"], "frame": {"points": {"O": [0, 0], "D": [0, 0]}}}
+    done = exported(document(links=links, parameters={"a": 60}))
+    assert done.done
+    (warning,) = done.warnings
+    assert warning.code == "functions.still"
+    assert warning.data["joints"] == "C, B"
+    assert not exported().warnings
 
 
 def test_a_mechanism_that_starts_at_a_toggle_is_refused() -> None:

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from linkwright.kernels import Compiled
-from linkwright.kernels.laws import Law, uniform, values_at
+from linkwright.kernels.law import Law
+from linkwright.kernels.laws import uniform, values_at
 from linkwright.model import units as u
 from linkwright.model.fields import Frozen, Name
 from linkwright.model.findings import Finding, Term
@@ -174,7 +175,9 @@ def panel_of(compiled: Compiled, options: Facts) -> str:
     on_frame |= {
         link for _, joint in compiled.mechanism.prismatic_joints() if FRAME in joint.links for link in joint.links
     }
-    return next((link for link in topology.moving if link not in on_frame), topology.moving[-1])
+    parts = {link for slide in compiled.mechanism.cylinders for link in compiled.mechanism.joints[slide].links}
+    free = [link for link in topology.moving if link not in parts] or topology.moving
+    return next((link for link in free if link not in on_frame), free[-1])
 
 
 def resting(compiled: Compiled, drive: str) -> Compiled:

@@ -42,9 +42,9 @@ def horner(coefficients: Array, variable: Tree) -> Tree:
     return total
 
 
-def fit(links: Linkage, cluster: Cluster, drive: ToolJoint, moved: Moved, tolerance: float) -> tuple[float, int]:
-    """Give the joints of a cluster polynomials: the largest error of them (rad or mm), and the highest degree."""
-    x, worst, degree = links.poses, 0.0, 0
+def fit(links: Linkage, cluster: Cluster, drive: ToolJoint, moved: Moved, tolerance: float) -> int:
+    """Give the joints of a cluster polynomials, within a tolerance (rad or mm) if that can be: the highest degree."""
+    x, degree = links.poses, 0
     low, high = float(x.min()), float(x.max())
     variable = add(joint(drive.kind, drive.joint), number(-(low + high) / 2))
     variable = multiply(number(2 / (high - low)), variable)
@@ -53,12 +53,12 @@ def fit(links: Linkage, cluster: Cluster, drive: ToolJoint, moved: Moved, tolera
         if found.joint in links.at_zero or not {found.parent, found.child} <= around:
             continue
         values, at_zero = moved(found)
-        coefficients, error = polynomial(x, found.sign * values, tolerance)
-        worst, degree = max(worst, error), max(degree, len(coefficients) - 1)
+        coefficients, _ = polynomial(x, found.sign * values, tolerance)
+        degree = max(degree, len(coefficients) - 1)
         links.settle(found, horner(coefficients, variable))
         links.at_zero[found.joint] = at_zero
     _place(links, cluster)
-    return worst, degree
+    return degree
 
 
 def _place(links: Linkage, cluster: Cluster) -> None:

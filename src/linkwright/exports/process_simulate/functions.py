@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 
 import numpy as np
@@ -36,6 +36,8 @@ FINEST = 15
 """The most decimals."""
 OFFERED = 1e-6
 """The error (rad or mm) of the polynomials that are offered for a group without a closed form."""
+TIGHTER = 6
+"""How often polynomials are made tighter until what is made of them comes as close as is wanted."""
 MOST = 64
 """The most joints that the tool's functions know."""
 PATH = ("exports", "process-simulate")
@@ -108,8 +110,18 @@ def make(compiled: Compiled, wish: Wish) -> JointFunctions:
     """The joint functions. Raises :class:`Refused` where there are none."""
     joints = named(joints_of(compiled.structure), wish.names, wish.flipped, wish.left_out)
     motion = _motion(compiled, wish, joints)
-    links, fitted = _links(compiled, wish, joints, motion)
-    return _Writer(compiled, wish, links, motion, fitted).written()
+    if wish.approximate is None:
+        links, fits = _links(compiled, wish, joints, motion, OFFERED)
+        if not fits:
+            return _Writer(compiled, wish, links, motion, fitted=False).written()
+        found = _Writer(compiled, replace(wish, longest=None), links, motion, fitted=True).written()
+        raise Refused(_no_closed_form(fits, found.max_error, wish.drive))
+    for tighter in range(TIGHTER):  # joints that follow as sums of others add up their errors
+        links, fits = _links(compiled, wish, joints, motion, wish.approximate / 8**tighter)
+        found = _Writer(compiled, wish, links, motion, bool(fits)).written()
+        if not fits or found.max_error <= wish.approximate:
+            return found
+    raise Refused(_no_closed_form(fits, found.max_error, wish.drive))
 
 
 def _motion(compiled: Compiled, wish: Wish, joints: list[ToolJoint]) -> Motion:
@@ -122,35 +134,36 @@ def _motion(compiled: Compiled, wish: Wish, joints: list[ToolJoint]) -> Motion:
         zero = float(values_at(compiled.laws, 0.0)[wish.drive]) if wish.zero is None else wish.zero
         ends = sorted(zero + sign * stop for stop in wish.stops)
         window = ends[0], ends[1]
-    found = reach(compiled, wish.drive, wish.zero, window)
+    found = reach(compiled, wish.drive, wish.zero, window, None if wish.stops is None else (joint.name, sign))
     if isinstance(found, Finding):
         raise Refused(found)
     return Motion(compiled, wish.drive, found, joint, sign)
 
 
-def _links(compiled: Compiled, wish: Wish, joints: list[ToolJoint], motion: Motion) -> tuple[Linkage, bool]:
-    """All functions as trees, and whether some are polynomials."""
-    poses, fits = motion.poses(DESIGNED), list[Cluster]()
+def _links(
+    compiled: Compiled, wish: Wish, joints: list[ToolJoint], motion: Motion, close: float
+) -> tuple[Linkage, list[tuple[Cluster, int]]]:
+    """All functions as trees, and the clusters with the degrees of the polynomials that come ``close`` (rad or mm), if
+    that can be, to their joints."""
+    poses, fits = motion.poses(DESIGNED), list[tuple[Cluster, int]]()
 
     def moved(joint: ToolJoint) -> tuple[Array, float]:
         return motion.values([joint], poses)[0], motion.at_zero(joint)
 
     def fitted(links: Linkage, cluster: Cluster) -> None:
-        wanted = wish.approximate or OFFERED
-        error, degree = fit(links, cluster, motion.joint, moved, wanted)
-        fits.append(cluster)
-        if wish.approximate is None or error > wanted:
-            raise Refused(_no_closed_form(cluster, error, degree, wish.drive))
+        fits.append((cluster, fit(links, cluster, motion.joint, moved, close)))
 
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
     links = linkage(
         compiled.structure, geometry, compiled.assembly.branches, joints,
         DIALECTS[wish.dialect], wish.drive, motion.reach.zero, poses, fitted,
     )  # fmt: skip
-    return links, bool(fits)
+    return links, fits
 
 
-def _no_closed_form(cluster: Cluster, error: float, degree: int, drive: str) -> Finding:
+def _no_closed_form(fits: list[tuple[Cluster, int]], error: float, drive: str) -> Finding:
+    """The finding on the first cluster, with the largest error of all functions."""
+    cluster, degree = fits[0][0], max(degree for _, degree in fits)
     data = {"links": ", ".join(cluster.links), "group": cluster.signature, "drive": drive}
     return Finding(
         "functions.no-closed-form",

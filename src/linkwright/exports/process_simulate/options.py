@@ -26,7 +26,7 @@ from linkwright.studies.limits import WIDEST
 ALLOWED = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,59}")
 """Names that every tool takes: what else Process Simulate would take isn't known."""
 
-Which = one_of("exports: process-simulate", "dialect", [*DIALECTS])
+Which = one_of("process-simulate", "dialect", [*DIALECTS], "export.choice")
 
 
 class ProcessSimulateOptions(Frozen):
@@ -92,7 +92,7 @@ def check(compiled: Compiled, options: ProcessSimulateOptions) -> Iterator[Findi
     moved = _moved(compiled, drives[0], joints)
     if moved is not None and moved.joint in options.left_out:
         yield Finding("functions.left-out", (*PATH, "left_out"), {"joint": moved.joint, "drive": drives[0]})
-    if not any(j != moved for j in joints):
+    if not any(j != moved and j.joint not in options.left_out for j in joints):
         yield Finding("functions.no-dependent", ("joints",), {"drive": drives[0]})
     yield from _values(compiled, options, drives[0])
     yield from check_facts(compiled, options.sheet, (*PATH, "sheet"))

@@ -31,8 +31,15 @@ class Reach:
     full: bool = False
 
 
-def reach(compiled: Compiled, drive: str, zero: float | None, window: tuple[float, float] | None) -> Reach | Finding:
-    """The range of a drive, or why there is none."""
+def reach(
+    compiled: Compiled,
+    drive: str,
+    zero: float | None,
+    window: tuple[float, float] | None,
+    stops: tuple[str, float] | None = None,
+) -> Reach | Finding:
+    """The range of a drive, or why there is none. ``stops`` has the joint that the window's ends are stops of, with -1
+    where it counts against the drive."""
     start = float(values_at(compiled.laws, 0.0)[drive])
     zero = start if zero is None else zero
     if window is None:
@@ -42,7 +49,7 @@ def reach(compiled: Compiled, drive: str, zero: float | None, window: tuple[floa
         if found.full:
             return Reach(zero, zero + 2 * math.pi, zero, start, full=True)
         if not found.low < zero < found.high:
-            return _beyond(compiled, drive, (zero, zero), found)
+            return _zero_beyond(compiled, drive, zero, found)
         low, high = found.allowed
         return Reach(min(low, zero), max(high, zero), zero, start)
     low, high = min(*window, zero, start), max(*window, zero, start)
@@ -51,7 +58,11 @@ def reach(compiled: Compiled, drive: str, zero: float | None, window: tuple[floa
         return _none(compiled, drive, start)
     tiny = SAME * (high - low)
     if found.low > low + tiny or found.high < high - tiny or found.dead[0] or found.dead[1]:
-        return _beyond(compiled, drive, window, found)
+        whole = _home(ranges(compiled, drive, None, SAMPLES), start) or found
+        if not whole.full and not whole.low < zero < whole.high:
+            return _zero_beyond(compiled, drive, zero, whole)
+        met = found.groups or whole.groups
+        return _beyond(compiled, drive, window, found if whole.full else whole, met, zero, stops)
     return Reach(*window, zero, start)
 
 
@@ -103,17 +114,44 @@ def _home(found: list[Range], start: float) -> _Home | None:
     return _Home(low, high, (dead[0], dead[1]), (kinds[0], kinds[1]), tuple(groups), home.full and not meeting)
 
 
-def _beyond(compiled: Compiled, drive: str, asked: tuple[float, float], found: _Home) -> Finding:
-    allowed = found.allowed
+def _zero_beyond(compiled: Compiled, drive: str, zero: float, found: _Home) -> Finding:
     unit, size = compiled.quantities.drive_unit(drive)
-    # Rounded inwards, so that what is offered is taken.
+    data = {"drive": drive, "unit": unit, "zero": f"{zero / size:.6g}", "groups": _named(found.groups)}
+    return Finding("functions.zero", (*PATH[:-1], "zero"), data | _offered(found.allowed, size))
+
+
+def _beyond(
+    compiled: Compiled,
+    drive: str,
+    asked: tuple[float, float],
+    found: _Home,
+    groups: tuple[str, ...],
+    zero: float,
+    stops: tuple[str, float] | None,
+) -> Finding:
+    unit, size = compiled.quantities.drive_unit(drive)
+    of, key, allowed = drive, "range", found.allowed
+    if stops is not None:
+        of, key, sign = stops[0], "stops", stops[1]
+        asked, allowed = (
+            (min(ends), max(ends)) for ends in ([sign * (end - zero) for end in pair] for pair in (asked, allowed))
+        )
+    data = {
+        "of": of, "unit": unit, "from": f"{asked[0] / size:.6g}", "to": f"{asked[1] / size:.6g}",
+        "key": key, "groups": _named(groups),
+    }  # fmt: skip
+    return Finding("functions.toggle", (*PATH[:-1], key), data | _offered(allowed, size))
+
+
+def _named(groups: tuple[str, ...]) -> str:
+    return ", ".join(dict.fromkeys(groups)) or "-"
+
+
+def _offered(allowed: tuple[float, float], size: float) -> dict[str, str]:
+    """A range in a unit, rounded inwards, so that what is offered is taken."""
     fine = 10.0 ** (math.floor(math.log10(max(allowed[1] - allowed[0], 1e-12) / size)) - 4)
     low, high = math.ceil(allowed[0] / size / fine) * fine, math.floor(allowed[1] / size / fine) * fine
-    data = {
-        "drive": drive, "unit": unit, "from": f"{asked[0] / size:.6g}", "to": f"{asked[1] / size:.6g}",
-        "low": f"{low:.8g}", "high": f"{high:.8g}", "groups": ", ".join(dict.fromkeys(found.groups)) or "-",
-    }  # fmt: skip
-    return Finding("functions.toggle", PATH, data)
+    return {"low": f"{low:.8g}", "high": f"{high:.8g}"}
 
 
 def _none(compiled: Compiled, drive: str, start: float) -> Finding:

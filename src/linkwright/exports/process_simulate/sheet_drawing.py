@@ -24,12 +24,13 @@ ROUND = np.array([[np.cos(a), np.sin(a)] for a in np.linspace(0.0, 2 * np.pi, 16
 
 
 def anchors(compiled: Compiled) -> dict[str, str]:
-    """The point of each joint, by the joint's name: of a slide that of its second line."""
-    found = {pin.name: pin.members[0][1] for pin in compiled.structure.topology.pins.values()}
+    """The point of each joint, by the joint's name: of a slide that of its second line. Slides first: drawn over their
+    blocks, pins stay seen."""
+    found = {}
     for name, joint in compiled.mechanism.prismatic_joints():
         assert joint.line is not None
         found[name] = joint.line[1].point
-    return found
+    return found | {pin.name: pin.members[0][1] for pin in compiled.structure.topology.pins.values()}
 
 
 def skeleton(compiled: Compiled) -> dict[str, list[str]]:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 from linkwright.exports.process_simulate.carriers import check_table, pasteable, snippet
 from linkwright.exports.process_simulate.facts import facts
-from linkwright.exports.process_simulate.functions import JointFunction, JointFunctions, make
+from linkwright.exports.process_simulate.functions import PATH, JointFunction, JointFunctions, make
 from linkwright.exports.process_simulate.linkage import Refused
 from linkwright.exports.process_simulate.options import ProcessSimulateOptions, check
 from linkwright.exports.process_simulate.sheet import sheet
@@ -15,6 +16,9 @@ from linkwright.kernels import Compiled
 from linkwright.model.findings import Finding
 from linkwright.studies import Site
 from linkwright.words import say
+
+STILL = 1e-7
+"""A joint that moves by less (rad or mm) stands still."""
 
 
 @register
@@ -44,7 +48,14 @@ class ProcessSimulate:
         summed = {**summary(made, compiled), "facts": told.as_dict()}
         if compiled.plane is not None:
             summed["plane"] = compiled.plane.as_dict(told.units["length"][1])
-        return Exported(files, summed, sentences(made))
+        return Exported(files, summed, sentences(made), [], [*_still(made)])
+
+
+def _still(made: JointFunctions) -> Iterator[Finding]:
+    """A warning where joints stay as they are: pivots may stand in one place by mistake."""
+    still = [f.joint for f in made.functions if not f.helper and max(map(abs, f.limits)) < STILL]
+    if still:
+        yield Finding("functions.still", PATH, {"joints": ", ".join(still)}, severity="warning")
 
 
 def summary(made: JointFunctions, compiled: Compiled) -> dict[str, Any]:

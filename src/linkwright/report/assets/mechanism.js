@@ -177,7 +177,7 @@ function survey(scene) {
     for (const link of scene.links) {
       const pose = poseOf(link, times, k);
       if (!pose) gaps[k] = true;
-      else for (const local of Object.values(link.points)) include(place(pose, local));
+      else for (const local of [...Object.values(link.points), ...(link.outlines ?? []).flat()]) include(place(pose, local));
     }
     for (const { guide, low, high } of guides) {
       const pose = poseOf(guide.link, times, k);
@@ -300,6 +300,10 @@ function bodies(facts, k, r, parent) {
             make("rect", { class: "lw-block", ...size, rx: 2, transform }, blocks);
           }
         }
+      }
+      for (const line of link.outlines ?? []) {
+        const d = line.map(([x, y]) => `${round(k * x)} ${round(-k * y)}`).join("L");
+        make("path", { class: "lw-slot lw-outline", d: `M${d}Z` }, slots);
       }
       if (hull(points).length > 1 || !sliding)
         make("path", { class: "lw-body", d: outline(points, r) }, body);

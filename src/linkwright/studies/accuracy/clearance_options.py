@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from pydantic import Field
 
+from linkwright.graph.cams import followings
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.model.dimensions import DimensionError
@@ -41,17 +42,32 @@ class Clearance(Shortened):
 def check_clearances(compiled: Compiled, clearances: Mapping[str, Clearance], at: Path) -> Iterator[Finding]:
     """What is wrong with clearances that are well-formed; ``at`` is their place in the file."""
     signals, guides = compiled.quantities.signals, dict(compiled.mechanism.prismatic_joints())
+    guarded = _of_cams(compiled)
     for name, entry in clearances.items():
         path = (*at, name)
         lengths = dict(_lengths(compiled, entry))
         yield from (Finding(f.code, (*path, *f.path), f.data) for f in lengths.values() if isinstance(f, Finding))
         sound = {key: value for key, value in lengths.items() if isinstance(value, float)}
-        if name in guides:
+        if name in guarded:
+            yield Finding("clearance.cam", path, {"name": name, "cam": guarded[name]})
+        elif name in guides:
             yield from _of_guide(compiled, name, entry, sound, path)
         elif name in signals.pins:
             yield from _of_pin(compiled, signals.pins[name], entry, sound, path)
         else:
             yield _no_joint(compiled, name, path)
+
+
+def _of_cams(compiled: Compiled) -> dict[str, str]:
+    """The joints that guide cams and their followers, with the cam: a clearance there moves the contact too."""
+    found = {}
+    for cam, drive in followings(compiled.quantities).items():
+        if drive.joint is not None:
+            found[drive.joint] = cam
+        for pin in compiled.quantities.signals.pins.values():
+            if drive.on in pin.links and {drive.cam.cam, drive.link} & {*pin.links}:
+                found[pin.name] = cam
+    return found
 
 
 def _lengths(compiled: Compiled, entry: Clearance) -> Iterator[tuple[str, float | Finding]]:

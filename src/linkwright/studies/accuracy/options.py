@@ -7,6 +7,7 @@ from typing import Annotated
 from pydantic import Field, FiniteFloat
 
 from linkwright.kernels import Compiled
+from linkwright.kernels.cut import cut
 from linkwright.kernels.registry import KERNELS
 from linkwright.model.fields import FrozenDict, Text
 from linkwright.model.fields import Name as NameField
@@ -73,6 +74,10 @@ class AccuracyOptions(Sampling):
     nonlinear: float = Field(
         0.05, ge=0, le=1, description="the worst case is searched where the linear one is off by more of its width"
     )
+
+    def made(self, compiled: Compiled) -> Compiled:
+        """The mechanism with its cams cut to the nominal dimensions, which deviations don't alter."""
+        return cut(compiled)
 
     def drawn(self, compiled: Compiled) -> Deviations:
         """The random samples of the deviations that the file states."""

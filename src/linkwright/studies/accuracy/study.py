@@ -44,6 +44,7 @@ class AccuracyStudy:
     def run(self, compiled: Compiled, options: AccuracyOptions, site: Site) -> AccuracyOutcome:
         """Transfer coefficients, worst case, root sum square, random samples, and what is asked of these."""
         assert site.document is not None, "accuracy needs the file's document"
+        compiled = options.made(compiled)
         nominal = Run(compiled, 0.0, span(compiled, options.cycle)[0], options.steps)
         deviations = contributors(compiled, options)
         outcome = AccuracyOutcome(compiled, options, nominal, deviations)
@@ -108,7 +109,7 @@ def _opened(document: Document, site: Site) -> tuple[Compiled, AccuracyOptions]:
     raise_errors(findings)
     options = next(task.options for task in tasks if isinstance(task.options, AccuracyOptions))
     assert compiled is not None
-    return compiled, options
+    return options.made(compiled), options
 
 
 def _valueless(

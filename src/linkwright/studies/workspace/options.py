@@ -15,6 +15,7 @@ from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Frozen, FrozenDict
 from linkwright.model.fields import Name as NameField
 from linkwright.model.findings import Finding, ModelError
+from linkwright.model.followers import no_cams
 from linkwright.model.parts import Interval, freeze
 from linkwright.model.quantities import LARGEST
 from linkwright.model.unknown import near, unknown
@@ -96,6 +97,9 @@ class WorkspaceOptions(Frozen):
 def check(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
     """What is wrong with options that are well-formed."""
     drives = compiled.graph.drives
+    if len(compiled.graph.motors) < len(drives):
+        yield no_cams(compiled.mechanism, "workspace")
+        return
     if not 1 <= len(drives) <= 2:
         yield Finding("workspace.drives", ("drives",), {"count": len(drives), "names": ", ".join(drives) or "-"})
     if compiled.structure.clusters:

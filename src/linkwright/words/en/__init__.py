@@ -1,6 +1,7 @@
 """English words, by key. Chinese and others follow as packages beside this one."""
 
 from linkwright.words.en.accuracy import ACCURACY
+from linkwright.words.en.cams import CAMS
 from linkwright.words.en.export import EXPORT
 from linkwright.words.en.findings import FINDINGS
 from linkwright.words.en.limits import LIMITS
@@ -15,6 +16,7 @@ from linkwright.words.en.workspace_paths import WORKSPACE_PATHS
 
 PARTS = (
     ACCURACY,
+    CAMS,
     EXPORT,
     FINDINGS,
     LIMITS,

@@ -4,6 +4,8 @@
 don't are in SI, and the text says so.
 """
 
+from linkwright.words.en.cam_findings import CAM_TERMS, CAM_TEXTS
+
 _TEXTS: dict[str, tuple[str, str]] = {
     # The file and its text.
     "file.unreadable": (
@@ -397,6 +399,71 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "cylinder.same-point": (
         "Both ends of the cylinder are at {point}.",
         "Name two different points, such as one on the frame and one on the link that it moves.",
+    ),
+    # Cams.
+    "cam.contact": (
+        "What touches the cam isn't clear; given: {given}.",
+        "Give roller with at (its centre), or knife with a point of the follower, or face with a line of it.",
+    ),
+    "cam.same-link": (
+        "Cam, follower and carrier must be three links: {cam}, {follower}, {on}.",
+        "Name the link that carries the cam, the link that rides on it, and the one on which both are guided.",
+    ),
+    "cam.no-shaft": (
+        "The cam's link {cam} isn't pinned to {on}.",
+        "Give both a point of the same name on the camshaft's axis, or name another link under on.",
+    ),
+    "cam.no-motor": (
+        "No drive turns {cam} on {on} by a law of its own.",
+        "Add a drive that turns {cam} on {on}, without output; the cam's law is asked at its angle.",
+    ),
+    "cam.no-guide": (
+        "The follower {follower} is neither pinned to {on} nor does it slide on it.",
+        "Give both a point of the same name, or list a prismatic joint between them.",
+    ),
+    "cam.law": (
+        "The law {law} doesn't fit the follower ({given}).",
+        "Take a law with over: angle, of: {of} and beyond: repeat.",
+    ),
+    "cam.period": (
+        "The law {law} goes over {period} {unit}; a cam needs a whole turn, or a whole part of one.",
+        "Let the segments add up to a turn, for example with a dwell.",
+    ),
+    "cam.side": (
+        "On which side the follower lies isn't clear: {given}.",
+        "Write for example 'side: {meant}'.",
+    ),
+    "cam.askew": (
+        "The face is {angle} {unit} out of square with the slide.",
+        "Turn the face's line; only a face square to the slide is known.",
+    ),
+    "cam.offset": (
+        "The follower {follower} passes the shaft at {offset} {unit}; base circle and roller reach out to {limit} {unit} "
+        "only.",
+        "Take a larger base circle, or lead the follower nearer to the shaft.",
+    ),
+    "cam.reach": (
+        "The arm of {follower} misses the base circle by {by} {unit}: arm {arm} {unit} and centre distance {distance} "
+        "{unit} allow a roller's centre from {low} {unit} to {high} {unit} off the shaft; base circle and roller ask for "
+        "{pitch} {unit}.",
+        "Change the base circle, the arm or the centre distance until the asked distance lies between.",
+    ),
+    "cam.face": (
+        "The face of {follower} can't lie on the base circle: its radius {base} {unit} less the face's offset {face} "
+        "{unit} isn't within the centre distance {distance} {unit}.",
+        "Change the base circle, the face's place or the centre distance.",
+    ),
+    "cam.no-distance": (
+        "The follower {follower} is pinned where the cam's shaft is.",
+        "Set the two pins apart.",
+    ),
+    "cam.no-arm": (
+        "The point {point} lies on the follower's own pin.",
+        "Name a point of the follower away from its pin.",
+    ),
+    "study.cams": (
+        "The study {study} moves drives singly, and can't with cams ({names}): their followers move with the motor.",
+        "Leave the study out, or put a drive in the place of each cam.",
     ),
     "motion.cylinder-length": (
         "The cylinder {name} would have to be {by} {length_unit} {end} than it can be: {length} {length_unit} "
@@ -955,6 +1022,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The option {key} of the export to {export} is wrong: {reason}.",
         "Correct it; docs/file-format.md lists the options of each target.",
     ),
+    "export.choice": (
+        "The option {key} of the export to {study} can't be {given}.",
+        "Write one of these: {known}.",
+    ),
     "export.handle": (
         "The handle {name} is a point of the frame: it doesn't move.",
         "Name a point of the panel, where a hand opens it.",
@@ -1002,7 +1073,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "functions.no-dependent": (
         "No joint depends on {drive}: there is nothing to write a function for.",
-        "Close a loop, or leave the export out; a joint that is driven alone needs no function.",
+        "Close a loop, take a joint out of left_out, or leave the export out; a joint that is driven alone needs no function.",
     ),
     "functions.shared-pin": (
         "The drive {drive} moves two links against each other on the pin {pin}, which holds others that are placed before "
@@ -1015,8 +1086,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "functions.name": (
         "The joint {joint} can't be called '{name}' in the tool.",
-        "Give it a name of letters A to Z, digits and underscores, no digit first, under names; what else the tool takes "
-        "isn't known.",
+        "Give it a name of at most 60 letters A to Z, digits and underscores, no digit first, under names; what else the "
+        "tool takes isn't known.",
     ),
     "functions.same-name": (
         "Several joints are called '{name}': {joints}.",
@@ -1031,9 +1102,18 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Start the drive where the mechanism isn't at a dead centre; `limits` tells its ranges.",
     ),
     "functions.toggle": (
-        "From {from} to {to} {unit} of {drive} the mechanism meets a toggle (group {groups}): there its two assembly modes "
+        "From {from} to {to} {unit} of {of} the mechanism meets a toggle (group {groups}): there its two assembly modes "
         "meet, and one function can't follow both.",
-        "Take a range within [{low} {unit}, {high} {unit}], the largest one on this side of the toggle.",
+        "Take {key} within [{low} {unit}, {high} {unit}], the largest range around the start pose.",
+    ),
+    "functions.zero": (
+        "Between the start and the zero pose, {drive} = {zero} {unit}, the mechanism meets a toggle (group {groups}): one "
+        "function can't follow both of its assembly modes.",
+        "Take zero within [{low} {unit}, {high} {unit}]; or start the drive on the side where the zero pose is.",
+    ),
+    "functions.still": (
+        "These joints stand still over the whole range: {joints}.",
+        "If they shouldn't: see whether two pivots stand in one place, or whether the range is too small.",
     ),
     "functions.sweep": (
         "A direction turns by {spread} deg over the range, seen from any link (joints {joints}); a function in the dialect "
@@ -1126,6 +1206,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Give a positive value, or leave it out.",
     ),
     # Of clearances.
+    "clearance.cam": (
+        "The joint {name} guides the cam {cam} or its follower: a clearance there would move the contact too, which isn't "
+        "followed.",
+        "Leave this joint out; state the play as a tolerance of the centre distance instead.",
+    ),
     "clearance.no-joint": (
         "{name} is neither a pin nor a prismatic joint, so it has no clearance.",
         "Name one of the joints: {near}; a pin made by a revolute joint is called after that.",
@@ -1626,6 +1711,7 @@ _TERMS: dict[str, str] = {
     "a-joint": "a joint",
     "a-slide": "a prismatic joint",
     "a-cylinder": "a cylinder",
+    "a-cam": "a cam",
     "closure": "the closure of the joints",
     "equilibrium": "the equilibrium of the links",
     "power": "the balance of power",
@@ -1680,7 +1766,7 @@ _TERMS: dict[str, str] = {
 }
 
 FINDINGS: dict[str, str] = {
-    **{f"{code}.what": what for code, (what, _) in _TEXTS.items()},
-    **{f"{code}.mend": mend for code, (_, mend) in _TEXTS.items()},
-    **{f"term.{name}": text for name, text in _TERMS.items()},
+    **{f"{code}.what": what for code, (what, _) in {**_TEXTS, **CAM_TEXTS}.items()},
+    **{f"{code}.mend": mend for code, (_, mend) in {**_TEXTS, **CAM_TEXTS}.items()},
+    **{f"term.{name}": text for name, text in {**_TERMS, **CAM_TERMS}.items()},
 }

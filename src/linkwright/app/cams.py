@@ -1,0 +1,48 @@
+"""The cam study by itself: that of a file, or one stated in Python."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from linkwright.app.alone import examine_alone, perform_alone
+from linkwright.app.job import Examined, read_file
+from linkwright.model.mechanism import Document
+from linkwright.studies.cam.outcome import CamOutcome
+
+
+def plate_cam(
+    model: str | Path | Document,
+    name: str | None = None,
+    *,
+    post: str | Sequence[str] | None = None,
+    options: Mapping[str, Any] | None = None,
+    out: str | Path | None = None,
+    folder: str | Path | None = None,
+) -> CamOutcome:
+    """A plate cam from its law to its NC code.
+
+    What isn't given is that of the file's study ``cam``: ``name`` of the cam (its key ``cam``), ``post``, the controls
+    that NC code is written for (``nc: post``); ``options`` are further keys of it, written as there. With ``out``, a
+    folder, files are written there. Raises :class:`ModelError` with all findings.
+    """
+    given = {**(options or {}), **({"cam": name} if name is not None else {})}
+    document = model if isinstance(model, Document) else read_file(Path(model)).document
+    outcome = perform_alone(model, "cam", given | _posts(document, given, post), out=out, folder=folder)
+    assert isinstance(outcome, CamOutcome)
+    return outcome
+
+
+def examine_cam(file: Path, post: Sequence[str] = ()) -> Examined:
+    """Read and compile a model file for its cam study alone; ``post`` are other controls to write NC code for."""
+    return examine_alone(file, "cam", _posts(read_file(file).document, {}, post or None))
+
+
+def _posts(document: Document | None, given: Mapping[str, Any], post: str | Sequence[str] | None) -> dict[str, Any]:
+    """The section ``nc`` with other controls."""
+    if post is None:
+        return {}
+    stated = (document.studies.get("cam") or {}) if document is not None else {}
+    section = given.get("nc", stated.get("nc"))
+    return {"nc": {**(section or {}), "post": [post] if isinstance(post, str) else [*post]}}

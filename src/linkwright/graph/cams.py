@@ -1,0 +1,208 @@
+"""Cam pairs: where a follower stands at a lift, and where and how it touches the cam.
+
+A follower's value (angle or travel on the link that carries it) is ``offset + sign * (start + lift)``. On the base
+circle a swinging follower makes the angle ``start`` with the line from its pivot to the cam's shaft: by the law of
+cosines with a roller or edge, from the face's distance with a flat face. A sliding one stands ``start`` over the shaft.
+
+The pitch curve moves past the roller's centre C along dC/dq - J (C - O), with q the cam's angle on the carrier, O its
+shaft and J a quarter turn; the common normal is square to that: C - O + J dC/dq, outward. A flat face carries its
+normal with it, and touches where its distance H from O is the cam's support function: at O + H n + dH/dphi J n, phi
+being the normal's direction in the cam. (Rothbart, Cam Design Handbook, 2004, ch. 7.) All of it works on numbers,
+arrays, duals and symbols alike.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import atan2, pi
+from typing import TYPE_CHECKING
+
+from linkwright.graph.geometry import Geometry, unit_vector
+from linkwright.model import units as u
+from linkwright.model.cams import Following
+from linkwright.model.expressions import Binary, Name, Node, Number
+from linkwright.model.quantities import Quantities
+from linkwright.notation import Pair, Scalar, Wrench
+from linkwright.notation.jets import call
+
+if TYPE_CHECKING:
+    from linkwright.graph.motion import Motion
+
+
+def followings(quantities: Quantities) -> dict[str, Following]:
+    """The drives that stand for cams, by name."""
+    drives = quantities.mechanism.drives.items()
+    return {name: drive for name, drive in drives if isinstance(drive, Following)}
+
+
+def sense(quantities: Quantities, drive: Following) -> int:
+    """The sense of turn (+1: counter-clockwise) on the carrier in which the cam runs through its law."""
+    if drive.cam.sense is not None:
+        return 1 if drive.cam.sense == "counter-clockwise" else -1
+    speed = quantities.mechanism.drives[drive.motor].speed
+    forward = speed is None or quantities.value(speed, u.OMEGA) >= 0
+    return drive.turned if forward else -drive.turned
+
+
+def argument(quantities: Quantities, drive: Following) -> Node:
+    """The angle at which the cam's law is asked (rad), as a tree in SI of the motor's angle."""
+    factor = Number(float(sense(quantities, drive) * drive.turned))
+    turned = Binary("*", factor, Name(f"{drive.motor}.angle"))
+    return Binary("+", turned, quantities.bind(drive.cam.phase, u.ANGLE))
+
+
+@dataclass(frozen=True)
+class Seat:
+    """The numbers of a cam pair (SI) at some parameters.
+
+    ``shaft`` and ``pivot`` are points of the carrier; of a sliding follower ``pivot`` is the slide's point there and
+    ``way`` the direction in which it rises. ``reach`` is the distance from pivot to contact, of a face its distance
+    from the pivot on the side away from the cam.
+    """
+
+    shaft: Pair
+    pivot: Pair
+    way: Pair
+    base: Scalar
+    roller: Scalar
+    reach: Scalar
+    aside: Scalar  # of a sliding follower: how far right of the shaft it slides, looking the way that it rises
+    home: Scalar  # of a swinging follower: the direction from its pivot to the shaft
+    offset: Scalar
+    sign: int
+    faced: bool
+    turns: bool
+
+    @property
+    def distance(self) -> Scalar:
+        """From the shaft to the pivot."""
+        away = self.pivot.minus(self.shaft)
+        return call("sqrt", away.dot(away))
+
+    @property
+    def level(self) -> Scalar:
+        """What the start is the arc cosine, arc sine or root of; it has none where this is out of range."""
+        pitch = self.base + self.roller
+        if not self.turns:
+            return self.base if self.faced else pitch * pitch - self.aside * self.aside
+        if self.faced:
+            return (self.base - self.reach) / self.distance
+        away, arm = self.distance, self.reach
+        return (away * away + arm * arm - pitch * pitch) / (2 * (away * arm))
+
+    @property
+    def start(self) -> Scalar:
+        """The angle between arm or face and the line from pivot to shaft, or the height, on the base circle."""
+        if self.turns:
+            return call("arcsin" if self.faced else "arccos", self.level)
+        return self.level if self.faced else call("sqrt", self.level)
+
+
+def seat(geometry: Geometry, drive: Following) -> Seat:
+    """The numbers of a cam pair."""
+    cam, on = drive.cam, drive.on
+    shaft = geometry.point(on, drive.shaft[1])
+    base = geometry.number(cam.base, u.LENGTH)
+    roller = geometry.number(cam.roller, u.LENGTH) if cam.roller is not None else 0.0
+    touching = geometry.point(drive.link, cam.touches)
+    plain = Geometry(geometry.quantities, geometry.quantities.parameters)
+    faced = cam.face is not None
+    if drive.pivot is not None:
+        own, pivot = geometry.point(drive.link, drive.pivot[0]), geometry.point(on, drive.pivot[1])
+        arm, home = touching.minus(own), shaft.minus(pivot)
+        far = plain.point(on, drive.shaft[1]).minus(plain.point(on, drive.pivot[1]))
+        if cam.face is not None:
+            heading = geometry.number(cam.face.angle, u.ANGLE)
+            reach, turn = -drive.side * arm.dot(unit_vector(heading).perp), heading
+        else:
+            about = plain.point(drive.link, cam.touches).minus(plain.point(drive.link, drive.pivot[0]))
+            reach, turn = call("sqrt", arm.dot(arm)), _angle(arm, about)
+        back, none = _angle(home, far), Pair(0.0, 0.0)
+        return Seat(shaft, pivot, none, base, roller, reach, 0.0, back, back - turn, -drive.side, faced, True)
+    assert drive.joint is not None
+    (at, heading_on), (foot, heading_of) = (geometry.line(drive.joint, link) for link in (on, drive.link))
+    ahead, own = at.minus(shaft), touching.minus(foot)
+    offset = -(ahead.dot(heading_on) + own.dot(heading_of))
+    aside = -drive.side * (ahead.dot(heading_on.perp) + own.dot(heading_of.perp))
+    way = Pair(drive.side * heading_on.x, drive.side * heading_on.y)
+    return Seat(shaft, at, way, base, roller, 0.0, aside, 0.0, offset, drive.side, faced, False)
+
+
+def _angle(vector: Pair, near: Pair) -> Scalar:
+    """The angle of a vector, without a jump about that of its nominal value ``near``."""
+    return atan2(near.y, near.x) + call("arctan2", near.cross(vector), near.dot(vector))
+
+
+def slant(geometry: Geometry, drive: Following) -> Scalar:
+    """The angle (rad, within a quarter turn) by which a sliding follower's face isn't square to its slide."""
+    assert drive.cam.face is not None
+    assert drive.joint is not None
+    turn = geometry.number(drive.cam.face.angle, u.ANGLE) - geometry.heading_angle(drive.joint, drive.link)
+    return call("arctan", call("cos", turn) / call("sin", turn))
+
+
+@dataclass(frozen=True)
+class Contact:
+    """Where a follower touches, in the frame: a place on the common normal, the unit ``normal`` from the cam to the
+    follower, and the pressure angle (rad, signed) from it to the follower's way as the lift grows."""
+
+    at: Pair
+    normal: Pair
+    pressure: Scalar
+
+    def pushes(self, drive: Following) -> dict[str, Wrench]:
+        """A contact force of 1 N, on each of the two links."""
+        push = Wrench(self.normal, 0.0, self.at)
+        return {drive.link: push, drive.cam.cam: push.opposite}
+
+
+def contact(motion: Motion, drive: Following, rate: Scalar) -> Contact:
+    """Where a follower touches, from the poses and the derivative of its value by the cam's angle (m or 1)."""
+    geometry, bodies = motion.geometry, motion.bodies
+    here, on = seat(geometry, drive), bodies[drive.on]
+    forward = sense(geometry.quantities, drive)
+    shaft = on.point(here.shaft).now
+    way = on.direction(here.way).now if not here.turns else Pair(0.0, 0.0)
+    pivot = on.point(here.pivot).now
+
+    def moved(point: Pair) -> Pair:
+        """What a unit of the follower's value moves its point by."""
+        return point.minus(pivot).perp if here.turns else Pair(here.sign * way.x, here.sign * way.y)
+
+    at = bodies[drive.link].point(geometry.point(drive.link, drive.cam.touches)).now
+    if here.faced:
+        normal = way
+        if here.turns:
+            heading = bodies[drive.link].direction(_heading(geometry, drive)).now
+            normal = Pair(-drive.side * heading.perp.x, -drive.side * heading.perp.y)
+        height = at.minus(shaft).dot(normal)
+        facing = pivot.minus(shaft).dot(normal.perp)
+        along = facing * rate / (rate - 1.0) if here.turns else -(here.sign * rate)
+        at = Pair(
+            shaft.x + height * normal.x - along * normal.y,
+            shaft.y + height * normal.y + along * normal.x,
+        )
+    else:
+        moving, arm = moved(at).perp, at.minus(shaft)
+        across = Pair(arm.x + rate * moving.x, arm.y + rate * moving.y)
+        size = call("sqrt", across.dot(across))
+        normal = Pair(across.x / size, across.y / size)
+    rising = moved(at)
+    rising = Pair(here.sign * rising.x, here.sign * rising.y)
+    return Contact(at, normal, call("arctan2", -forward * normal.cross(rising), normal.dot(rising)))
+
+
+def _heading(geometry: Geometry, drive: Following) -> Pair:
+    """The direction of the face in the follower."""
+    assert drive.cam.face is not None
+    return unit_vector(geometry.number(drive.cam.face.angle, u.ANGLE))
+
+
+def whole(quantities: Quantities, parameters: Mapping[str, float], drive: Following) -> float:
+    """Whole turns (rad) by which a swinging follower's value on the base circle lies outside of -pi .. pi."""
+    if drive.pivot is None:
+        return 0.0
+    here = seat(Geometry(quantities, parameters), drive)
+    value = float(here.offset + here.sign * here.start)
+    return 2 * pi * round(value / (2 * pi)) if abs(value) < 1e9 else 0.0

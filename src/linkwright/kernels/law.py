@@ -1,0 +1,34 @@
+"""A drive's law: its value and rates at times, at the nominal parameters or at others."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.notation import Jet
+
+Array = NDArray[np.float64]
+Parameters = Mapping[str, Any]
+"""Values (SI) by name: numbers, or arrays that broadcast with the times."""
+
+
+@dataclass(frozen=True)
+class Law:
+    """A drive's value and rates (SI): ``of(times (s), parameters, strict)``; where it has none, NaN, or if ``strict``
+    :class:`ModelError`. ``names`` are the parameters on which it depends."""
+
+    of: Callable[[Array, Parameters, bool], Jet]
+    parameters: Parameters
+    names: frozenset[str] = frozenset()
+
+    def __call__(self, t: Array) -> Jet:
+        """At the nominal parameters."""
+        return self.of(t, self.parameters, True)
+
+    def at(self, t: Array, parameters: Parameters) -> Jet:
+        """At other parameters; NaN where it has no value."""
+        return self.of(t, parameters, False)

@@ -1,0 +1,87 @@
+"""Cams of a model: the entry of a file, and the drive that the solver sees in its place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any, Literal
+
+from pydantic import Field
+
+from linkwright.model.fields import AssemblyRule, Expression, Frozen, LineOn, Name
+from linkwright.model.parts import Drive
+from linkwright.model.written import Fault
+
+
+class Cam(Frozen):
+    """A plate cam on a link that a drive turns, and the follower that rides on it by a law over the cam's angle."""
+
+    cam: Name = Field(description="the link that carries the cam; a drive turns it on the link named by on")
+    follower: Name = Field(description="the link that rides on the cam, pinned to or sliding on the same link")
+    on_: Name = Field(alias="on", description="the link on which both the cam and the follower are carried")
+    base: Expression = Field(description="radius of the cam's base circle, on which the law's lift is 0")
+    law: Name = Field(
+        description="the motion law, over an angle; its value is an angle for a follower on a pin, a length on a slide"
+    )
+    phase: Expression = Field(Expression(0), description="where in the law the cam stands at the motor's value 0")
+    sense: Literal["counter-clockwise", "clockwise"] | None = Field(
+        None,
+        description="the sense of turn in which the cam runs through the law; that of the motor's speed unless given",
+    )
+    roller: Expression | None = Field(None, description="radius of the follower's roller; with at")
+    at: Name | None = Field(None, description="the roller's centre, a point of the follower")
+    knife: Name | None = Field(None, description="the point of the follower that slides on the cam as a knife edge")
+    face: LineOn | None = Field(
+        None, description="the follower's flat face, e.g. F at 0 deg; on a pin the direction points to its free end"
+    )
+    side: AssemblyRule | None = Field(
+        None,
+        description="where the follower lies: 'left of O-A' (shaft-pivot), or 'ahead of O along SLIDE' (unless given)",
+    )
+    closed: Literal["force", "form"] = Field(
+        "force", description="what keeps the follower on the cam: a force such as a spring's, or a groove or second cam"
+    )
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+        contacts = [key for key in ("roller", "knife", "face") if key in given]
+        if len(contacts) != 1 or ("at" in given) != ("roller" in given):
+            yield "cam.contact", {"given": ", ".join([*contacts, *(["at"] if "at" in given else [])]) or "-"}
+
+    @property
+    def on(self) -> str:
+        """The link on which both are carried."""
+        return self.on_
+
+    @property
+    def touches(self) -> str:
+        """The follower's point that says where it touches: the roller's centre, the edge, a point of the face."""
+        name = self.at or self.knife or (self.face.point if self.face else None)
+        assert name is not None
+        return name
+
+
+class Following(Drive):
+    """A follower as a drive holds it; its law is that of the cam, and its effort acts in the contact with the cam.
+
+    ``shaft`` are the points of cam and carrier on the cam's pin, ``pivot`` those of follower and carrier on the
+    follower's; of a sliding follower the ``joint`` is the slide. ``turned`` is +1 where the motor's value is the cam's
+    angle on the carrier, -1 where it is the carrier's on the cam. ``side`` is +1 where the follower's contact lies left
+    of the line from shaft to pivot, or where it rises along the slide; else -1.
+    """
+
+    cam: Cam
+    motor: str
+    shaft: tuple[str, str]
+    pivot: tuple[str, str] | None = None
+    joint: str | None = None
+    turned: int = 1
+    side: int = 1
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+        yield from ()
+
+    @property
+    def effort(self) -> str:
+        """The signal of what it exerts: the force in the contact, not at the follower's joint."""
+        return "force"

@@ -1,0 +1,148 @@
+"""Cams spelled out: each becomes a drive that holds its follower, named like the cam."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from linkwright.model.cams import Following
+from linkwright.model.fields import AssemblyRule, FrozenDict
+from linkwright.model.findings import Finding, Term
+from linkwright.model.mechanism import Mechanism
+from linkwright.model.pins import Pin, pins
+from linkwright.model.unknown import near, unknown
+
+Path = tuple[str | int, ...]
+
+
+def with_cams(m: Mechanism) -> Mechanism:
+    """The mechanism with a drive for each cam, behind the motors; what has a fault is left out."""
+    if not m.cams:
+        return m
+    found = {name: entry for name in m.cams if isinstance(entry := _Reader(m, name).read(), Following)}
+    return m.model_copy(update={"drives": FrozenDict({**m.drives, **found})})
+
+
+def cam_faults(m: Mechanism) -> Iterator[Finding]:
+    """Faults of cams, in a mechanism whose other short forms are spelled out."""
+    for name in m.cams:
+        entry = _Reader(m, name).read()
+        if not isinstance(entry, Following):
+            yield from entry
+
+
+def no_cams(m: Mechanism, study: str) -> Finding:
+    """That a study moves drives singly, which a mechanism with cams doesn't let it."""
+    return Finding("study.cams", ("cams", next(iter(m.cams))), {"study": study, "names": ", ".join(m.cams)})
+
+
+def cam_home(m: Mechanism, path: Path) -> Path | None:
+    """Where a place of a cam's drive stands in the file."""
+    if len(path) > 1 and path[0] == "drives" and path[1] in m.cams and path[1] not in m.drives:
+        return ("cams", path[1])
+    return None
+
+
+class _Reader:
+    def __init__(self, m: Mechanism, name: str) -> None:
+        self.m, self.name, self.cam = m, name, m.cams[name]
+        self.path: Path = ("cams", name)
+        self.pins = pins(m)
+        self.findings: list[Finding] = []
+
+    def note(self, code: str, *key: str, **data: Any) -> None:
+        self.findings.append(Finding(code, (*self.path, *key), data))
+
+    def read(self) -> Following | list[Finding]:
+        """The drive, or what is wrong."""
+        cam, m = self.cam, self.m
+        if self.name in m.drives:
+            self.note("name.taken", name=self.name, first=Term("a-drive"), second=Term("a-cam"))
+        if cam.law not in m.laws:
+            self.findings.append(unknown("law", (*self.path, "law"), cam.law, m.laws))
+        named = {"cam": cam.cam, "follower": cam.follower, "on": cam.on}
+        unknowns = [unknown("link", (*self.path, key), link, m.links) for key, link in named.items()]
+        unknowns = [f for f, link in zip(unknowns, named.values(), strict=True) if link not in m.links]
+        if unknowns:
+            return [*self.findings, *unknowns]
+        if len({*named.values()}) < 3:
+            self.note("cam.same-link", cam=cam.cam, follower=cam.follower, on=cam.on)
+            return self.findings
+        self.touching()
+        shaft, motor = self.pin(cam.cam), self.motor()
+        pivot, slide = self.pin(cam.follower), self.slide()
+        if shaft is None:
+            self.note("cam.no-shaft", cam=cam.cam, on=cam.on)
+        elif motor is None:
+            self.note("cam.no-motor", cam=cam.cam, on=cam.on)
+        if pivot is None and slide is None:
+            self.note("cam.no-guide", follower=cam.follower, on=cam.on)
+        self.lawful("angle" if pivot is not None else "length")
+        side = self.side(shaft, pivot, slide) if shaft is not None else 1
+        if self.findings or shaft is None or motor is None:
+            return self.findings
+        data: dict[str, Any] = {"on": cam.on, "cam": cam, "motor": motor, "side": side}
+        data |= {"turned": 1 if m.drives[motor].link == cam.cam else -1}
+        data |= {"shaft": (shaft.point(cam.cam), shaft.point(cam.on))}
+        if pivot is not None:
+            return Following(turns=cam.follower, pivot=(pivot.point(cam.follower), pivot.point(cam.on)), **data)
+        return Following(slides=cam.follower, joint=slide, **data)
+
+    def touching(self) -> None:
+        """The follower's point at which it touches."""
+        points = self.m.links[self.cam.follower].points
+        if self.cam.touches not in points:
+            data = {"link": self.cam.follower, "name": self.cam.touches, "near": near(self.cam.touches, [*points])}
+            key = next(key for key in ("at", "knife", "face") if getattr(self.cam, key) is not None)
+            self.note("name.unknown-point", key, **data)
+
+    def pin(self, link: str) -> Pin | None:
+        """The pin that a link shares with the one that carries both."""
+        return next((pin for pin in self.pins.values() if {link, self.cam.on} <= {*pin.links}), None)
+
+    def slide(self) -> str | None:
+        wanted = {self.cam.follower, self.cam.on}
+        return next((name for name, joint in self.m.prismatic_joints() if {*joint.links} == wanted), None)
+
+    def motor(self) -> str | None:
+        """The drive that turns the cam; one whose law is an output's can't be asked for the cam's angle."""
+        wanted = {self.cam.cam, self.cam.on}
+        turning = ((n, d) for n, d in self.m.drives.items() if d.turns and d.output is None)
+        return next((name for name, drive in turning if {drive.link, drive.on} == wanted), None)
+
+    def lawful(self, value: str) -> None:
+        """The law's kind."""
+        law = self.m.laws.get(self.cam.law)
+        if law is not None and (law.over, law.of, law.beyond) != ("angle", value, "repeat"):
+            given = {"over": law.over, "of": law.of, "beyond": law.beyond}
+            self.note(
+                "cam.law", "law", law=self.cam.law, of=value, given=", ".join(f"{k}: {v}" for k, v in given.items())
+            )
+
+    def side(self, shaft: Pin, pivot: Pin | None, slide: str | None) -> int:
+        """+1 or -1, as :class:`Following` has it."""
+        rule, words = self.cam.side, {}
+        if pivot is not None:
+            words = {"left": 1, "right": -1}
+            meant = f"left of {shaft.name}-{pivot.name}"
+        else:
+            words = {"ahead": 1, "behind": -1}
+            meant = f"ahead of {shaft.name} along {slide}"
+            if rule is None:
+                return 1
+        if rule is None or rule.word not in words or not (signs := self.order(rule, shaft, pivot, slide)):
+            if pivot is not None or slide is not None:
+                self.note("cam.side", "side", given=rule.text if rule else "-", meant=meant)
+            return 1
+        return words[rule.word] * signs
+
+    def order(self, rule: AssemblyRule, shaft: Pin, pivot: Pin | None, slide: str | None) -> int:
+        """+1 where a rule names shaft and pivot in this order (or shaft and slide), -1 in the other; 0 if neither."""
+
+        def is_at(name: str, pin: Pin) -> bool:
+            return name == pin.name or name in {point for _, point in pin.members}
+
+        if pivot is None:
+            return int(is_at(rule.reference[0], shaft) and rule.along == slide)
+        first, second = rule.reference
+        return int(is_at(first, shaft) and is_at(second, pivot)) - int(is_at(first, pivot) and is_at(second, shaft))

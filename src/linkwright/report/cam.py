@@ -1,0 +1,181 @@
+"""The cam study as entries of the summary, sentences and tables, in the file's units (NC code in mm)."""
+
+from __future__ import annotations
+
+import math
+from html import escape
+from typing import Any
+
+import numpy as np
+
+from linkwright.cam.checks import Check
+from linkwright.model import units as u
+from linkwright.report.cam_charts import charts
+from linkwright.report.charts import figures as charts_html
+from linkwright.report.data import CamData, Grid
+from linkwright.studies.cam.milled import Milled
+from linkwright.studies.cam.outcome import CamOutcome
+from linkwright.words import say
+
+DIGITS = 7
+
+
+def cam_entry(outcome: CamOutcome) -> dict[str, Any]:
+    """Entries of the summary."""
+    quantities = outcome.compiled.quantities
+    length, size = quantities.unit_of(u.LENGTH)
+    angle, deg = quantities.unit_of(u.ANGLE)
+    entry: dict[str, Any] = {"cam": outcome.name, "follower": outcome.disc.follower.name, "figures": {}}
+    for figure in outcome.figures:
+        unit, one = quantities.unit_of(figure.dimension)
+        told = {"value": figure.value / one, "unit": unit, "at": figure.theta / deg, "angle_unit": angle}
+        if figure.wanted is not None:
+            told |= {"required": str(outcome.options.require[figure.name].raw), "kept": figure.kept}
+        entry["figures"][figure.name] = told
+    entry["checks"] = [_check(outcome, check) for check in outcome.checks]
+    if outcome.stated.base is not None:
+        least = outcome.smallest
+        entry["size"] = {"base": None if least is None else least / size, "unit": length}
+    if outcome.map is not None:
+        found = outcome.map
+        entry["size"]["map"] = {
+            "base": (found.first / size).tolist(),
+            found.names[1]: (found.second / size).tolist(),
+            "margins": [[m if math.isfinite(m) else None for m in row] for row in found.margins.tolist()],
+        }
+    if outcome.made:
+        entry["contour"] = {
+            "elements": len(outcome.elements),
+            "tolerance": outcome.stated.tolerance / size,
+            "area": outcome.area / size**2,
+            "unit": length,
+        }
+    if outcome.volume is not None:
+        entry["volume"] = {"value": outcome.volume / size**3, "unit": f"{length}^3"}
+    entry["nc"] = {one.post.name: _milled(outcome, one) for one in outcome.milled}
+    return {"cam": entry}
+
+
+def _check(outcome: CamOutcome, check: Check) -> dict[str, Any]:
+    unit, size = outcome.compiled.quantities.unit_of(u.ANGLE if check.name.startswith("pressure") else u.LENGTH)
+    angle, deg = outcome.compiled.quantities.unit_of(u.ANGLE)
+    return {
+        "name": check.name,
+        "value": check.value / size,
+        "at": check.theta / deg,
+        "limit": None if check.limit is None else check.limit / size,
+        "margin": None if check.margin is None else check.margin / size,
+        "unit": unit,
+        "angle_unit": angle,
+        "kept": check.kept,
+    }
+
+
+def _milled(outcome: CamOutcome, one: Milled) -> dict[str, Any]:
+    """A file and its proof: lift in the file's unit, per ``angle_unit`` of the cam; mm, s."""
+    unit, size = outcome.compiled.quantities.unit_of(outcome.lift_dimension)
+    angle, deg = outcome.compiled.quantities.unit_of(u.ANGLE)
+    proof = one.proof
+    told: dict[str, Any] = {"written": one.proven, "lines": one.lines, "tolerance": one.job.tolerance / size}
+    told |= {"unit": unit, "angle_unit": angle}
+    if proof.faults:
+        return told
+    return told | {
+        "lift_error": proof.worst / size,
+        "velocity_error": float(np.abs(proof.rate).max()) / size * deg,
+        "gouge_mm": 1e3 * proof.gouge,
+        "rest_mm": 1e3 * proof.rest,
+        "time_s": proof.time,
+        "length_m": proof.length,
+    }
+
+
+def cam_page(outcome: CamOutcome) -> dict[str, CamData]:
+    """The report's data of the study."""
+    return {"cam": {"sentences": cam_sentences(outcome), "charts": charts(outcome), "tables": cam_tables(outcome)}}
+
+
+def section(data: CamData, title: str, tables: str) -> str:
+    """The report's section."""
+    head = "".join(f"<p>{escape(text)}</p>" for text in data["sentences"])
+    drawn = f'<div class="plots">{charts_html(data["charts"])}</div>'
+    return f'<section id="cam"><h2>{escape(title)}</h2>{head}{drawn}{tables}</section>'
+
+
+def cam_sentences(outcome: CamOutcome) -> list[str]:
+    """What was found, in words."""
+    length, size = outcome.compiled.quantities.unit_of(u.LENGTH)
+    told = [
+        say("cam.sentence", name=outcome.name, elements=len(outcome.elements), tolerance=outcome.options.tolerance.text)
+    ]
+    if not outcome.made:
+        told = [say("cam.sentence.none", name=outcome.name)]
+    if outcome.stated.base is not None and outcome.smallest is not None:
+        told.append(say("cam.sentence.base", base=f"{outcome.smallest / size:.6g}", unit=length))
+    by = {check.name: check for check in outcome.checks}
+    roller = outcome.disc.follower.radius
+    if "profile_radius" in by and "pitch_radius" in by:
+        data = {"profile": by["profile_radius"].value, "roller": roller, "pitch": by["pitch_radius"].value}
+        told.append(say("cam.sentence.paper", unit=length, **{k: f"{v / size:.6g}" for k, v in data.items()}))
+    return told
+
+
+def cam_tables(outcome: CamOutcome) -> list[Grid]:
+    """Tables of text; those with nothing in them are left out."""
+    entry = cam_entry(outcome)["cam"]
+    figures = [
+        [say(f"cam.figure.{name}"), _n(one["value"]), one["unit"], _place(one), one.get("required", "–"), _mark(one)]
+        for name, one in entry["figures"].items()
+    ]
+    checks = [
+        [say(f"cam.check.{c['name']}"), _n(c["value"]), c["unit"], _place(c), _n(c["limit"]), _n(c["margin"]), _mark(c)]
+        for c in entry["checks"]
+    ]
+    made = [_nc_row(post, m) for post, m in entry["nc"].items() if "lift_error" in m]
+    grids = [
+        _grid("figures", ("figure", "value", "unit", "at", "required", "verdict"), figures),
+        _grid("checks", ("check", "value", "unit", "at", "limit", "margin", "verdict"), checks),
+        _grid(
+            "nc", ("post", "error", "tolerance", "unit", "velocity", "gouge", "rest", "time", "lines", "written"), made
+        ),
+        _grid("parts", ("part", "value", "unit"), _parts(entry)),
+    ]
+    return [grid for grid in grids if grid["rows"]]
+
+
+def _nc_row(post: str, m: dict[str, Any]) -> list[str]:
+    error = [_n(m["lift_error"]), _n(m["tolerance"]), m["unit"]]
+    speed = f"{m['velocity_error']:.3g} {m['unit']}/{m['angle_unit']}"
+    off = [f"{m['gouge_mm']:.3g}", f"{m['rest_mm']:.3g}"]
+    return [post, *error, speed, *off, f"{m['time_s']:.0f}", str(m["lines"]), _word(m["written"])]
+
+
+def _parts(entry: dict[str, Any]) -> list[list[str]]:
+    rows = []
+    if "contour" in entry:
+        rows.append([say("cam.part.area"), f"{entry['contour']['area']:.9g}", f"{entry['contour']['unit']}^2"])
+    if "volume" in entry:
+        rows.append([say("cam.part.volume"), f"{entry['volume']['value']:.9g}", entry["volume"]["unit"]])
+    return rows
+
+
+def _grid(name: str, columns: tuple[str, ...], rows: list[list[str]]) -> Grid:
+    heads = [say(f"cam.column.{column}") for column in columns]
+    return {"name": f"cam-{name}", "title": say(f"cam.table.{name}"), "heads": heads, "rows": rows}
+
+
+def _n(value: float | None) -> str:
+    return "–" if value is None else f"{value:.{DIGITS}g}"
+
+
+def _place(entry: dict[str, Any]) -> str:
+    return f"{entry['at']:.6g} {entry['angle_unit']}"
+
+
+def _mark(entry: dict[str, Any]) -> str:
+    asked = entry.get("required") is not None or entry.get("limit") is not None
+    return _word(entry["kept"]) if asked else "–"
+
+
+def _word(kept: bool) -> str:
+    return say("cam.kept" if kept else "cam.not-kept")

@@ -1,0 +1,109 @@
+"""Charts of a cam over its angle: the law with its derivatives, pressure angle, curvature, error of the lift as milled;
+where over two lengths the limits are kept."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.kernels.motions import rate_unit
+from linkwright.model import units as u
+from linkwright.report.cam_picture import picture, tool_path
+from linkwright.report.charts import Axes, named
+from linkwright.report.data import Chart
+from linkwright.studies.cam.outcome import CamOutcome
+from linkwright.words import say
+
+Array = NDArray[np.float64]
+
+RATES = ("lift", "velocity", "acceleration", "jerk")
+CLIPPED = 20.0
+"""Curves are shown up to so many times the size of their median."""
+
+
+def charts(outcome: CamOutcome) -> list[Chart]:
+    """The picture of the cam, and all charts that there are."""
+    title = say("cam.picture.turning", name=outcome.name)
+    made: list[Chart] = [{"title": title, "drawing": picture(outcome)}]
+    made += [*_rates(outcome), _pressure(outcome), *_curvatures(outcome)]
+    if outcome.map is not None:
+        made.append(_map(outcome))
+    if any(not one.proof.faults for one in outcome.milled):
+        made += [{"title": say("cam.chart.tool"), "drawing": tool_path(outcome)}, _error(outcome)]
+    return made
+
+
+def _rates(outcome: CamOutcome) -> Iterator[Chart]:
+    law = outcome.compiled.mechanism.laws[outcome.compiled.mechanism.cams[outcome.name].law]
+    for order, name in enumerate(RATES):
+        unit, size = rate_unit(outcome.compiled.quantities, law, order)
+        values = np.broadcast_to(outcome.look.lift.d[order], outcome.theta.shape) / size
+        yield _over(outcome, say(f"cam.chart.{name}"), unit, [values])
+
+
+def _over(
+    outcome: CamOutcome,
+    name: str,
+    unit: str,
+    lines: Sequence[Array],
+    limits: Sequence[float] = (),
+    theta: Array | None = None,
+) -> Chart:
+    """Lines over the cam angle, limits across."""
+    angle, deg = outcome.compiled.quantities.unit_of(u.ANGLE)
+    x = (outcome.theta if theta is None else theta) / deg
+    known = np.concatenate([*(line[np.isfinite(line)] for line in lines), np.array([*limits, 0.0])])
+    axes = Axes((0.0, 2 * math.pi / deg), (float(known.min()), float(known.max())), named(say("cam.angle"), angle))
+    ends = np.array([0.0, 2 * math.pi / deg])
+    shapes = [axes.line(ends, np.full(2, limit), "limit") for limit in limits]
+    shapes += [axes.line(x, line, kind) for line, kind in zip(lines, ("mean", "line"), strict=False)]
+    title = named(name, unit)
+    return {"title": title, "drawing": axes.drawing(shapes, title)}
+
+
+def _pressure(outcome: CamOutcome) -> Chart:
+    angle, deg = outcome.compiled.quantities.unit_of(u.ANGLE)
+    signs = {"pressure_rise": 1, "pressure_return": -1}
+    checks = [check for check in outcome.checks if check.name in signs]
+    limits = [signs[c.name] * c.limit / deg for c in checks if c.limit is not None]
+    values = np.broadcast_to(outcome.look.pressure.d[0], outcome.theta.shape) / deg
+    return _over(outcome, say("cam.chart.pressure"), angle, [values], limits)
+
+
+def _curvatures(outcome: CamOutcome) -> Iterator[Chart]:
+    """Of the pitch curve and of the profile, with the limits of their radii."""
+    unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
+    per = f"1/{unit}"
+    radius = outcome.disc.follower.radius
+    for name, by, check in (("pitch", 0.0, "pitch_radius"), ("profile", -radius, "profile_radius")):
+        if (by == 0.0 and not radius) or (name == "profile" and not outcome.made):
+            continue
+        limits = [size / c.limit for c in outcome.checks if c.name == check and c.limit]
+        values = size / outcome.look.radius(by)
+        yield _over(outcome, say(f"cam.chart.{name}"), per, [values], limits)
+
+
+def _error(outcome: CamOutcome) -> Chart:
+    """Made less wanted, of the file that is farthest off: at the cam's bottom and top."""
+    one = max((m for m in outcome.milled if not m.proof.faults), key=lambda m: m.proof.worst)
+    unit, size = outcome.compiled.quantities.unit_of(outcome.lift_dimension)
+    limit = one.job.tolerance / size
+    lines = [row / size for row in one.proof.error]
+    name = say("cam.chart.error", post=one.post.name)
+    return _over(outcome, name, unit, lines, (-limit, limit), one.proof.theta)
+
+
+def _map(outcome: CamOutcome) -> Chart:
+    """Where the limits are kept: a dot for each pair of lengths."""
+    found = outcome.map
+    assert found is not None
+    unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
+    x, y = np.meshgrid(found.first / size, found.second / size)
+    axes = Axes((float(x.min()), float(x.max())), (float(y.min()), float(y.max())), named(say("cam.base"), unit))
+    kept = found.margins >= 0
+    shapes = [*axes.dots(x[kept], y[kept], 5.0), *axes.dots(x[~kept], y[~kept], 1.5, "limit")]
+    title = say("cam.chart.map", name=found.names[1], unit=unit)
+    return {"title": title, "drawing": axes.drawing(shapes, title)}

@@ -1,0 +1,106 @@
+"""The files of a cam study: the profile as CSV, DXF, SVG and STEP, NC code, the follower's motion as formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from importlib.util import find_spec
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.cam.disc import TURN
+from linkwright.cam.drawing import Circle, dxf
+from linkwright.cam.nc.posts import POSTS
+from linkwright.cam.solid import solid, step
+from linkwright.model import units as u
+from linkwright.report.cam_picture import still
+from linkwright.report.csv_text import cell, head, written
+from linkwright.studies.cam.outcome import CamOutcome
+from linkwright.words import say
+
+Array = NDArray[np.float64]
+
+
+def profile_csv(outcome: CamOutcome) -> str:
+    """The cam over a turn: lift, pitch curve and profile about the cam's centre in directions of its link's axes,
+    their normal, radii of curvature (negative where hollow), pressure angle."""
+    header, columns = zip(*_columns(outcome), strict=True)
+    rows = ([cell(value) for value in row] for row in np.array(columns).T.tolist())
+    return written(list(header), rows)
+
+
+def _columns(outcome: CamOutcome) -> Iterator[tuple[str, Array]]:
+    quantities, look, count = outcome.compiled.quantities, outcome.look, outcome.theta.size
+    length, mm = quantities.unit_of(u.LENGTH)
+    angle, deg = quantities.unit_of(u.ANGLE)
+    lift, size = quantities.unit_of(outcome.lift_dimension)
+    radius = outcome.disc.follower.radius
+    yield head("theta", angle), outcome.theta / deg
+    yield head("lift", lift), np.broadcast_to(look.lift.d[0], count) / size
+    if radius:
+        x, y = outcome.placed(look.offset(0.0)) / mm
+        yield head("pitch x", length), x
+        yield head("pitch y", length), y
+    if outcome.made:
+        x, y = outcome.placed(look.offset(-radius)) / mm
+        yield head("profile x", length), x
+        yield head("profile y", length), y
+    x, y = outcome.placed(look.offset(1.0) - look.offset(0.0))
+    yield "normal x", x
+    yield "normal y", y
+    if radius:
+        yield head("pitch radius", length), look.radius() / mm
+    if outcome.made:
+        yield head("profile radius", length), look.radius(-radius) / mm
+    yield head("pressure angle", angle), np.broadcast_to(look.pressure.d[0], count) / deg
+
+
+def cam_dxf(outcome: CamOutcome) -> str | None:
+    """The drawing in mm; nothing where ezdxf isn't installed."""
+    if not outcome.made or find_spec("ezdxf") is None:
+        return None
+    blank = outcome.stated.blank
+    circles: dict[str, list[Circle]] = {}
+    if blank is not None and blank.bore:
+        circles["BORE"] = [(0.0, 0.0, blank.bore)]
+    if blank is not None and blank.hub:
+        circles["HUB"] = [(0.0, 0.0, blank.hub)]
+    return dxf({"PROFILE": outcome.contour}, circles)
+
+
+def cam_step(outcome: CamOutcome) -> bytes | None:
+    """The solid in mm; nothing where build123d isn't installed, or no blank is stated."""
+    blank = outcome.stated.blank
+    fits = not any(finding.code == "cam.blank" for finding in outcome.failures)
+    if blank is None or not outcome.made or not fits or find_spec("build123d") is None:
+        return None
+    return step(solid(outcome.contour, blank))
+
+
+def motion_text(outcome: CamOutcome) -> str:
+    """The follower's motion over a turn as formulas in t, for a CAD simulator's motor: from, to, formula."""
+    unit, size = outcome.compiled.quantities.unit_of(outcome.lift_dimension)
+    period = outcome.stated.period
+    motion = outcome.law.restated(TURN / period, size)
+    times = round(TURN / outcome.law.period)  # a law may go through several periods in a turn
+    lines = ["# " + say("cam.motion", name=outcome.name, unit=unit, period=f"{period:.10g}")]
+    for k in range(times):
+        for start, stop, text in motion.pieces("t" if k == 0 else f"(t - {k * motion.period!r})"):
+            lines.append(f"{start + k * motion.period!r}\t{stop + k * motion.period!r}\t{text}")
+    return "\n".join(lines) + "\n"
+
+
+def nc(post: str) -> Callable[[CamOutcome], str | None]:
+    """The file for a control: only one that is proven."""
+    return lambda outcome: next((one.text for one in outcome.milled if one.post.name == post and one.proven), None)
+
+
+FILES: dict[str, Callable[[CamOutcome], str | bytes | None]] = {
+    "cam_profile.csv": profile_csv,
+    "cam.svg": still,
+    "cam.dxf": cam_dxf,
+    "cam.step": cam_step,
+    "cam_motion.txt": motion_text,
+    **{f"cam_{name}.{post.suffix}": nc(name) for name, post in POSTS.items()},
+}
+"""By name."""

@@ -1,0 +1,123 @@
+"""The options of the cam study. All expressions, in the file's units unless they state their own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator, Field
+
+from linkwright.cam.nc.posts import POSTS
+from linkwright.model.fields import Expression, Frozen, FrozenDict, Requirement
+from linkwright.model.fields import Name as NameField
+from linkwright.model.parts import Interval, freeze
+from linkwright.model.written import Fault, fault
+
+PATH = ("studies", "cam")
+Path_ = tuple[str | int, ...]
+
+
+def _posts(raw: Any) -> Any:
+    names = [raw] if isinstance(raw, str) else raw
+    if isinstance(names, list | tuple):
+        for name in names:
+            if name not in POSTS:
+                raise fault("study.choice", study="cam", key="post", given=str(name)[:40], known=", ".join(POSTS))
+        return tuple(dict.fromkeys(names))
+    return raw
+
+
+class CamLimits(Frozen):
+    """What must hold; each that isn't kept makes the study fail, with the place."""
+
+    pressure_rise: Expression | None = Field(None, description="largest pressure angle while the follower rises")
+    pressure_return: Expression | None = Field(None, description="largest pressure angle while it returns")
+    pitch_over_roller: Expression | None = Field(
+        None, description="least convex radius of the pitch curve over the roller's; 1 (no undercut) unless given"
+    )
+    profile_radius: Expression | None = Field(None, description="least convex radius of the profile")
+    cutter: Expression | None = Field(
+        None, description="radius of the cutter, which the concave radii must exceed; that of nc unless given"
+    )
+
+
+class CamSize(Frozen):
+    """The smallest base circle that keeps the limits; with one further length of the follower a map of both."""
+
+    base: Interval = Field(description="[low, high] of the base circle's radius")
+    against: Annotated[dict[NameField, Interval], freeze] = Field(
+        default_factory=FrozenDict,
+        max_length=1,
+        description="[low, high] of one other length of the follower: roller, distance, arm, offset or face",
+    )
+    steps: int = Field(10, ge=2, le=60, description="steps of the map along each length")
+
+
+class CamBlank(Frozen):
+    """The solid around the profile. All round parts by their radii."""
+
+    thickness: Expression = Field(description="of the plate")
+    bore: Expression | None = Field(None, description="radius of the bore")
+    hub: Expression | None = Field(None, description="radius of the hub; with height")
+    height: Expression | None = Field(None, description="of the hub above the plate")
+    key_width: Expression | None = Field(None, description="width of the keyway; with key_depth and bore")
+    key_depth: Expression | None = Field(None, description="how far the keyway reaches beyond the bore")
+    key_angle: Expression = Field(Expression(0), description="direction of the keyway in the cam's own frame")
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+        for some in (("hub", "height"), ("key_width", "key_depth")):
+            if sum(key in given for key in some) == 1:
+                yield "cam.together", {"keys": ", ".join(some)}
+        if "key_width" in given and "bore" not in given:
+            yield "cam.together", {"keys": "key_width, bore"}
+
+
+class CamNc(Frozen):
+    """How the cam is milled, and for which controls."""
+
+    post: Annotated[tuple[str, ...], BeforeValidator(_posts)] = Field(
+        description=f"the control or a list of them: {', '.join(POSTS)}"
+    )
+    cutter: Expression = Field(description="radius of the cutter")
+    depth: Expression = Field(description="thickness of the cam, with what the cutter goes beyond it")
+    tolerance: Expression = Field(description="how far the follower's lift may be off: an angle or a length")
+    feed: Expression = Field(description="at the contour, e.g. 400 mm/min")
+    speed: Expression = Field(description="of the spindle, e.g. 6000 rpm")
+    plunge: Expression | None = Field(None, description="feed while going down; a quarter of feed unless given")
+    step: Expression | None = Field(None, description="the deepest pass; all in one unless given")
+    start: Expression | None = Field(
+        None, description="cam angle at which the path is entered; the middle of the longest dwell unless given"
+    )
+    allowance: Expression = Field(Expression(0), description="left by the passes for a last one at full depth")
+    lead: Expression = Field(Expression("5 mm"), description="radius of the quarter circles of entry and exit")
+    overlap: Expression = Field(Expression("2 mm"), description="how far the path goes on beyond its start")
+    clear: Expression = Field(Expression("5 mm"), description="height at which the cutter moves over the blank")
+    blend: Expression = Field(Expression("1 um"), description="how far the control may round corners")
+    spring: bool = Field(True, description="whether the last pass is repeated")
+    climb: bool = Field(True, description="climb milling; else conventional")
+    compensation: bool = Field(False, description="program the profile, and let the control offset the cutter")
+    arcs: bool = Field(True, description="arcs; else chords alone")
+    decimals: int = Field(4, ge=2, le=6, description="digits after the point, in mm")
+    tool: int = Field(1, ge=1, le=9999, description="number of the tool")
+    number: int = Field(1000, ge=1, le=9999, description="number of the program, where a control wants one")
+
+
+class CamOptions(Frozen):
+    """Which cam, what it is held against, and what is made of it."""
+
+    cam: NameField | None = Field(None, description="the entry of cams; may be left out where there is one")
+    limits: CamLimits = Field(default_factory=CamLimits, description="limits of the checks")
+    require: Annotated[dict[str, Requirement], freeze] = Field(
+        default_factory=FrozenDict, description="requirements on the study's figures by name, e.g. '>= 22 mm'"
+    )
+    size: CamSize | None = Field(None, description="look for the smallest base circle that keeps the limits")
+    tolerance: Expression = Field(
+        Expression("1e-4 mm"), description="how far drawing and solid may lie off the exact profile"
+    )
+    blank: CamBlank | None = Field(None, description="the solid: written as cam.step where build123d is installed")
+    nc: CamNc | None = Field(None, description="NC code, read back and proven before it is written")
+    period: Expression = Field(
+        Expression("1 s"), description="of a turn of the cam, in cam_motion.txt, for a CAD simulator's motor"
+    )
+    steps: int = Field(720, ge=36, le=36_000, description="equal steps of the cam's turn in tables and the read-back")

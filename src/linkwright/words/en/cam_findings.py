@@ -1,0 +1,189 @@
+"""The findings of the cam study and of NC code."""
+
+CAM_TEXTS: dict[str, tuple[str, str]] = {
+    "cam.which": (
+        "Which cam the study looks at isn't clear; there are {count}: {names}.",
+        "Name one under cam; a file without cams needs an entry of cams.",
+    ),
+    "cam.together": (
+        "These belong together: {keys}.",
+        "Give them all, or none of them.",
+    ),
+    "cam.not-positive": (
+        "{key} is {text}; it must be more than nothing.",
+        "Give a positive value.",
+    ),
+    "cam.keyway": (
+        "The keyway is wider than the bore.",
+        "Give a narrower keyway or a larger bore; both bore and hub are stated by their radii.",
+    ),
+    "cam.hub": (
+        "The hub has no wall around bore and keyway.",
+        "Give a larger hub or a smaller bore; both are stated by their radii.",
+    ),
+    "cam.blank": (
+        "Hub, bore or keyway reach {reach} {unit} from the centre, and the profile comes as near as {least} {unit}.",
+        "Make them smaller (they are stated by their radii), or the base circle larger.",
+    ),
+    "cam.no-base": (
+        "No base circle from {low} {unit} to {high} {unit} keeps the limits.",
+        "Widen the range, or loosen the limits.",
+    ),
+    "cam.undercut": (
+        "The cam is undercut: at the cam angle {theta} the {name} is {value} {unit}, and it must exceed {limit} {unit}. "
+        "There is no profile that moves the follower so.",
+        "Take a larger base circle: from {base} on there is a profile. Or a smaller roller, or a longer way for the lift.",
+    ),
+    "cam.hollow": (
+        "The profile is hollow at the cam angle {theta} with a radius of {value} {unit}; a cutter of {limit} {unit} doesn't "
+        "get in.",
+        "Take a smaller cutter, or a larger base circle: {base}.",
+    ),
+    "cam.limit": (
+        "The {name} is {value} {unit} at the cam angle {theta}; the limit is {limit} {unit}.",
+        "Change base circle, arm, offset or law, or the limit; size: looks for the smallest base circle that keeps it.",
+    ),
+    "cam.required": (
+        "{name} is {value} {unit}; required is {wanted}.",
+        "Change the cam, or the requirement.",
+    ),
+    "cam.sharp": (
+        "At the cam angle {theta} the contour can't be followed within {tolerance}: it bends too sharply.",
+        "Take a larger base circle or a smoother law, or a wider tolerance.",
+    ),
+    "cam.knife": (
+        "An edge has no radius, and no contact pressure that could be told.",
+        "Give the follower a roller.",
+    ),
+    "cam.no-roller": (
+        "This follower has no roller that could turn.",
+        "Give the follower a roller.",
+    ),
+    "cam.shock": (
+        "The follower's velocity jumps: the force there would be infinite.",
+        "Take a law whose velocity joins.",
+    ),
+    "cam.locked": (
+        "The follower locks: the common normal is square to its way.",
+        "Take a larger base circle, or lead the follower otherwise.",
+    ),
+    "cam.groove": (
+        "Only a roller runs in a groove.",
+        "Give the follower a roller.",
+    ),
+    "cam.conjugate": (
+        "The second disc's follower doesn't reach its base circle.",
+        "Change the base circle of the second disc, or the place of its contact.",
+    ),
+    "cam.yoke": (
+        "Only a sliding follower has a yoke.",
+        "Close a swinging one by a groove or a second disc.",
+    ),
+    "nc.undercut": (
+        "The cam is undercut at {theta} deg: the pitch curve's radius is {radius} mm, the roller's {roller} mm.",
+        "Take a larger base circle, or a smaller roller.",
+    ),
+    "nc.concave": (
+        "The profile is hollow at {theta} deg with a radius of {radius} mm; a cutter of {cutter} mm doesn't get in.",
+        "Take a smaller cutter, or a larger base circle.",
+    ),
+    "nc.no-compensation": (
+        "The control {post} has no cutter compensation.",
+        "Leave compensation out: then the path of the cutter's centre is programmed.",
+    ),
+    "nc.short-lead": (
+        "With cutter compensation the lead's radius, {lead} mm, must exceed the cutter's, {cutter} mm.",
+        "Give a larger lead.",
+    ),
+    "nc.decimals": (
+        "The control {post} takes no more than {most} digits after the point.",
+        "Give fewer decimals.",
+    ),
+    "nc.fine": (
+        "The tolerance of the lift leaves the path {allowed} mm, and rounding alone takes {rounding} mm.",
+        "Give more decimals, or a wider tolerance.",
+    ),
+    "nc.no-dwell": (
+        "The cutter enters at {theta} deg, while the follower moves: a mark there would be felt.",
+        "Give a start within a dwell; a cam without one keeps the mark.",
+    ),
+    "nc.sharp": (
+        "At the cam angle {theta} deg the cutter's path can't be followed within the tolerance.",
+        "Give more decimals or a wider tolerance; at sharp places a larger base circle.",
+    ),
+    "nc.off": (
+        "Read back, the file for {post} makes a lift that is off by {share} of the tolerance, and cuts {gouge} mm into the "
+        "profile. It isn't written.",
+        "Give more decimals or more steps; a file that says something else than it should is a bug to be reported.",
+    ),
+    "nc.long-line": (
+        "A line of the file for {post} has {length} letters; the control takes {most}. It isn't written.",
+        "Give fewer decimals or a shorter name.",
+    ),
+    "nc.nothing-left": (
+        "Read back, the file for {post} leaves nothing of the cam, or doesn't go around it.",
+        "Check lead and cutter against the base circle.",
+    ),
+    "nc.tight": (
+        "Line {line} of the file for {post}: the compensated arc is smaller than the cutter.",
+        "Take a smaller cutter, or leave compensation out.",
+    ),
+    "nc.after-end": (
+        "Line {line} of the file for {post} comes after its end: {text}.",
+        "Remove what comes after M2 or M30.",
+    ),
+    "nc.unreadable": (
+        "Line {line} of the file for {post} can't be read: {text}.",
+        "Write words of a letter and a number each.",
+    ),
+    "nc.no-end": (
+        "The file for {post} has no end.",
+        "End it with M2 or M30.",
+    ),
+    "nc.unknown": (
+        "Line {line} of the file for {post} has a word that isn't known: {word}.",
+        "Leave it out; what isn't understood can't be proven.",
+    ),
+    "nc.twice": (
+        "Line {line} of the file for {post} has the letter {word} twice.",
+        "Leave one out.",
+    ),
+    "nc.no-motion": (
+        "Line {line} of the file for {post} has places before any of G0 to G3.",
+        "Say first how to move there.",
+    ),
+    "nc.no-unit": (
+        "Line {line} of the file for {post} moves before a unit is set.",
+        "Set G21 (mm) or G20 (inches) first.",
+    ),
+    "nc.no-feed": (
+        "Line {line} of the file for {post} cuts without a feed.",
+        "Set F first.",
+    ),
+    "nc.no-spindle": (
+        "Line {line} of the file for {post} cuts while the spindle stands.",
+        "Start it with M3 first.",
+    ),
+    "nc.no-centre": (
+        "Line {line} of the file for {post} has an arc without I and J.",
+        "Give the centre; arcs by their radius aren't exact enough.",
+    ),
+    "nc.centre-on-line": (
+        "Line {line} of the file for {post} has a centre on a straight motion.",
+        "Leave I, J and R out, or make it an arc.",
+    ),
+    "nc.radius": (
+        "Line {line} of the file for {post}: the arc starts {start} mm from its centre and ends {end} mm from it.",
+        "Mend the place or the centre; a control would stop here.",
+    ),
+}
+CAM_TERMS = {
+    "a-length": "a length of the follower",
+    "no-base": "none of up to twenty times as large",
+    "check-pressure_rise": "pressure angle on the rise",
+    "check-pressure_return": "pressure angle on the return",
+    "check-pitch_radius": "radius of the pitch curve",
+    "check-profile_radius": "convex radius of the profile",
+    "check-hollow_radius": "concave radius of the profile",
+    "check-groove_radius": "concave radius of the pitch curve",
+}

@@ -1,0 +1,86 @@
+"""The disc of a cam pair against the mechanism as it is solved: the follower's contact, seen from the cam's link."""
+
+from __future__ import annotations
+
+from itertools import product
+from typing import Any
+
+import numpy as np
+import pytest
+
+from helpers.cams import FOLLOWERS, GUIDES, pair
+from helpers.compiled import compiled_from
+from linkwright.cam.followers import NoFollower
+from linkwright.cam.pairs import disc, frame
+
+EVERY = [*product(GUIDES, FOLLOWERS, (1, -1), (1, -1))]
+
+
+def seen(c: Any, t: Any) -> tuple[Any, Any]:
+    """The follower's point in the cam's link, and the direction of its x axis there, as complex numbers."""
+    rows = ("disc:x", "disc:y", "disc:cos", "disc:sin", "arm:x", "arm:y", "arm:cos", "arm:sin", "B.x", "B.y")
+    v = c.evaluate(rows, t)
+    own = v[2] - 1j * v[3]
+    return (v[8] - v[0] + 1j * (v[9] - v[1])) * own, (v[6] + 1j * v[7]) * own
+
+
+@pytest.mark.parametrize(("guide", "touch", "side", "sense"), EVERY)
+def test_the_follower_is_on_the_disc_all_round(guide: str, touch: str, side: int, sense: int) -> None:
+    c = compiled_from(pair(guide, touch, side, sense))
+    made, axes = disc(c, "rider"), frame(c, "rider")
+    t = np.linspace(0.0, 2 * np.pi / 7, 97)
+    theta = sense * c.evaluate(["motor.angle"], t)[0] + 0.4
+    look = made.look(theta % (2 * np.pi))
+    curve = axes.placed(np.array([np.broadcast_to(part.d[0], t.shape) for part in look.pitch]))
+    here, turned = seen(c, t)
+    size = np.abs(here).max()
+    if touch != "face":
+        assert np.abs(here - (curve[0] + 1j * curve[1])).max() < 1e-12 * size
+        return
+    # The face is a line through B that touches the disc's profile.
+    heading = turned * np.exp(1j * (0.2 if guide == "swinging" else 0.7 + np.pi / 2))
+    away = (curve[0] + 1j * curve[1] - here) / heading
+    assert np.abs(away.imag).max() < 1e-12 * size
+    normal = np.array([np.broadcast_to(part.d[0], t.shape) for part in look.normal])
+    square = axes.placed(normal) - axes.placed(np.zeros((2, 1)))
+    assert np.abs(((square[0] + 1j * square[1]) / heading).real).max() < 1e-12
+    assert abs(away.real).max() > 1e-3  # it wanders along the face
+
+
+@pytest.mark.parametrize("touch", FOLLOWERS)
+@pytest.mark.parametrize("guide", GUIDES)
+def test_pressure_angle_and_lift_are_the_discs(guide: str, touch: str) -> None:
+    for side, sense in product((1, -1), (1, -1)):
+        c = compiled_from(pair(guide, touch, side, sense))
+        t = np.linspace(0.0, 0.9, 41)
+        value = "angle" if guide == "swinging" else "s"
+        pressure, motor, own = c.evaluate(["rider.pressure", "motor.angle", f"rider.{value}"], t)
+        look = disc(c, "rider").look(sense * motor + 0.4)
+        assert pressure == pytest.approx(np.broadcast_to(look.pressure.d[0], t.shape), abs=1e-12)
+        sign = -side if guide == "swinging" else side
+        assert np.ptp(own - sign * look.lift.d[0]) < 1e-14
+
+
+def test_a_motor_that_turns_the_carrier_on_the_cam_is_the_same() -> None:
+    t = np.linspace(0.0, 0.9, 7)
+    one, other = (compiled_from(pair("swinging", "roller", sense=-1, inverted=inverted)) for inverted in (False, True))
+    names = ["rider.angle", "rider.force", "rider.pressure", "T.ax"]
+    assert other.evaluate(names, t) == pytest.approx(one.evaluate(names, t), rel=1e-12)
+    assert other.evaluate(["motor.torque"], t) == pytest.approx(-one.evaluate(["motor.torque"], t), rel=1e-11)
+    assert disc(other, "rider").sense == disc(one, "rider").sense == -1
+
+
+def test_a_stated_sense_goes_before_that_of_the_motor() -> None:
+    data = pair("swinging", "roller")
+    data["cams"]["rider"]["sense"] = "clockwise"
+    c = compiled_from(data)
+    assert disc(c, "rider").sense == -1
+
+
+def test_other_parameters_and_those_that_make_no_cam() -> None:
+    data = pair("swinging", "roller") | {"parameters": {"rb": 0.04}}
+    data["cams"]["rider"]["base"] = "rb"
+    c = compiled_from(data)
+    assert disc(c, "rider", {"rb": 0.05}).follower.base == 0.05
+    with pytest.raises(NoFollower):
+        disc(c, "rider", {"rb": 0.5})

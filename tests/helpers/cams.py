@@ -1,0 +1,77 @@
+"""Cam pairs for tests: every follower, both sides, both senses, as model files in SI."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+LAW: dict[str, Any] = {
+    "over": "angle",
+    "segments": [
+        {"rise": 1, "over": 1.7, "law": "poly_4567"},
+        {"dwell": 0.9},
+        {"fall": 0.6, "over": 1.3, "law": "modified_sine"},
+        {"fall": 0.4, "over": 1.4, "law": "cycloidal"},
+        {"dwell": f"{2 * math.pi - 5.3!r}"},
+    ],
+}
+FOLLOWERS = ("roller", "knife", "face")
+GUIDES = ("swinging", "sliding")
+
+
+def law(of: str, height: float) -> dict[str, Any]:
+    """A law without mirror symmetry, of some height (rad or m)."""
+    segments = [dict(segment) for segment in LAW["segments"]]
+    for segment in segments:
+        for key in ("rise", "fall"):
+            if key in segment:
+                segment[key] *= height
+    return {"over": "angle", "of": of, "segments": segments}
+
+
+def pair(
+    guide: str, touch: str, side: int = 1, sense: int = 1, inverted: bool = False, speed: float = 7.0, **more: Any
+) -> dict[str, Any]:
+    """A cam on the shaft O and a follower, with masses and a load; ``inverted``: the motor turns the carrier on the
+    cam's link, which is the same."""
+    links: dict[str, Any] = {
+        "frame": {"points": {"O": [0.01, -0.02], "A": [0.09, 0.01], "S": [-0.02, -0.05]}},
+        "disc": {"points": {"Q": [0.004, 0.003]}, "mass": 1.6, "com": [0.012, 0.02], "inertia": 4e-3},
+        "arm": {
+            "points": {"A": [0.005, 0.002], "B": [0.085, 0.03], "T": [0.1, 0.05]},
+            "mass": 1.1,
+            "com": [0.04, -0.01],
+            "inertia": 2e-3,
+        },
+    }
+    joints: dict[str, Any] = {"shaft": {"revolute": ["frame", "disc"], "at": ["O", "Q"]}}
+    cam: dict[str, Any] = {"cam": "disc", "follower": "arm", "on": "frame", "base": 0.04, "law": "lift", "phase": 0.4}
+    if guide == "swinging":
+        cam["side"] = "left of shaft-A" if side > 0 else "right of O-A"
+        height = 0.14
+    else:
+        del links["frame"]["points"]["A"]
+        joints["guide"] = {"prismatic": ["arm", "frame"], "line": ["A at 0.7", "S at 2.0"]}
+        cam["side"] = f"{'ahead of' if side > 0 else 'behind'} O along guide"
+        height = 0.008
+    if touch == "roller":
+        cam |= {"roller": 0.012, "at": "B"}
+    elif touch == "knife":
+        cam |= {"knife": "B"}
+    else:
+        cam["face"] = f"B at {0.2 if guide == 'swinging' else 0.7 + math.pi / 2}"
+    speed *= sense
+    motor = {"turns": "disc", "on": "frame", "speed": speed, "start": 0.3}
+    if inverted:
+        motor = {"turns": "frame", "on": "disc", "speed": -speed, "start": -0.3}
+    return {
+        "linkwright": 1,
+        "units": {"length": "m", "angle": "rad", "mass": "kg", "time": "s", "force": "N", "torque": "N*m"},
+        "gravity": [0.4, -9.81],
+        "links": links,
+        "joints": joints,
+        "laws": {"lift": law("angle" if guide == "swinging" else "length", height)},
+        "cams": {"rider": {**cam, **more}},
+        "drives": {"motor": motor},
+        "loads": {"push": {"on": "arm", "at": "T", "force": [3.0, -20.0], "torque": 0.3}},
+    }

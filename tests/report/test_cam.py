@@ -1,0 +1,115 @@
+"""What is written of a cam: the profile as CSV and DXF, the follower's motion as formulas, the page, the command."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import linkwright as lw
+from helpers.heat_seal import NC, heat_seal, performed
+from linkwright.app.job import Job
+from linkwright.cli import cli
+from linkwright.model.document import parse_document
+from linkwright.report.build import report_data
+from linkwright.report.cam_files import FILES
+from linkwright.report.page import page
+from linkwright.studies.cam.outcome import CamOutcome
+
+
+@pytest.fixture(scope="module")
+def job() -> Job:
+    blank = {"thickness": 12, "bore": 10}
+    return performed(
+        heat_seal(blank=blank, nc=NC, size={"base": [30, 50], "against": {"distance": [80, 90]}, "steps": 2})
+    )
+
+
+@pytest.fixture(scope="module")
+def outcome(job: Job) -> CamOutcome:
+    assert job.cam is not None
+    return job.cam
+
+
+def test_the_profile_as_a_table(outcome: CamOutcome) -> None:
+    """Points a roller's radius apart along the normal, tangent to the normal, on the circles of the two dwells."""
+    rows = list(csv.DictReader(io.StringIO(str(FILES["cam_profile.csv"](outcome)))))
+    table = {key.split(" [")[0]: np.array([float(row[key]) for row in rows]) for key in rows[0]}
+    assert table["theta"][[0, -1]].tolist() == [0, 360] and len(rows) == 721
+    pitch, profile, normal = (np.stack([table[f"{n} x"], table[f"{n} y"]]) for n in ("pitch", "profile", "normal"))
+    assert np.abs(pitch - profile - 20 * normal).max() < 1e-12
+    way = np.diff(profile)
+    middle = (normal[:, 1:] + normal[:, :-1]) / 2
+    assert np.abs((way * middle).sum(axis=0)).max() < 2e-5  # of the steps' 0.4 mm
+    dwell = (table["theta"] > 90) & (table["theta"] < 270)
+    assert np.hypot(*profile[:, dwell]) == pytest.approx(table["profile radius"][dwell])
+    assert np.ptp(table["lift"][dwell]) < 1e-12
+    assert table["profile radius"].min() == pytest.approx(22.2145, abs=5e-3)  # between two steps
+
+
+def test_the_motion_as_formulas(outcome: CamOutcome) -> None:
+    """Evaluated by Python, over a turn of 1 s."""
+    lines = [line.split("\t") for line in str(FILES["cam_motion.txt"](outcome)).splitlines()[1:]]
+    assert [float(line[0]) for line in lines] == pytest.approx([0, 0.25, 0.75, 345 / 360])
+    for start, stop, text in lines:
+        for t in np.linspace(float(start), float(stop), 7)[:-1]:
+            value = eval(text.replace("^", "**"), {"t": t, "sin": math.sin, "pi": math.pi})
+            look = outcome.disc.look(np.array([2 * np.pi * t]))
+            assert math.radians(value) == pytest.approx(np.broadcast_to(look.lift.d[0], 1)[0], abs=1e-12)
+
+
+def test_the_drawing(outcome: CamOutcome) -> None:
+    ezdxf = pytest.importorskip("ezdxf")
+    drawing = ezdxf.read(io.StringIO(str(FILES["cam.dxf"](outcome))))
+    (line,) = drawing.modelspace().query("LWPOLYLINE")
+    assert line.closed and len(line) == len(outcome.elements)
+    (bore,) = drawing.modelspace().query("CIRCLE")
+    assert bore.dxf.radius == 10
+
+
+def test_summary_and_page(job: Job, outcome: CamOutcome) -> None:
+    entry = json.loads(json.dumps(job.summary["cam"], allow_nan=False))
+    assert entry["contour"]["area"] == pytest.approx(outcome.area * 1e6)
+    assert entry["volume"]["value"] == pytest.approx((outcome.area * 1e6 - math.pi * 100) * 12)
+    assert np.shape(entry["size"]["map"]["margins"]) == (3, 3)
+    assert entry["nc"]["grbl"]["written"] and entry["checks"][0]["limit"] is None
+    ElementTree.fromstring(str(FILES["cam.svg"](outcome)))
+    assert job.examined.document is not None
+    data = report_data(job.examined.document, job.outcomes)
+    assert len(data["cam"]["charts"]) == 11
+    for chart in data["cam"]["charts"]:
+        ElementTree.fromstring(chart["drawing"])
+    text = page(data)
+    assert '<section id="cam">' in text and "animateTransform" in text
+
+
+def test_an_undercut_cam_is_reported(tmp_path: Path) -> None:
+    job = performed(heat_seal({"base": 20, "roller": 30, "sense": "counter-clockwise"}, blank={"thickness": 12}, nc=NC))
+    assert job.cam is not None and job.examined.document is not None
+    assert "no profile" in page(report_data(job.examined.document, job.outcomes))
+    written = {name for name, content in FILES.items() if content(job.cam) is not None}
+    assert written == {"cam_profile.csv", "cam.svg", "cam_motion.txt"}
+
+
+def test_the_command_and_python(tmp_path: Path) -> None:
+    document = parse_document(heat_seal(nc=NC, steps=72))
+    assert document is not None
+    lw.save(document, tmp_path / "cam.yaml")
+    result = CliRunner().invoke(
+        cli, ["cam", str(tmp_path / "cam.yaml"), "--out", str(tmp_path / "out"), "--post", "siemens"]
+    )
+    assert result.exit_code == 0, result.output
+    assert "siemens" in result.stdout and "22.21454" in result.stdout
+    names = {path.name for path in (tmp_path / "out").iterdir()}
+    assert names - {"cam.dxf"} == {
+        "cam.svg", "cam_motion.txt", "cam_profile.csv", "cam_siemens.mpf", "report.html", "summary.json"
+    }  # fmt: skip
+    found = lw.plate_cam(document, post="fanuc", options={"steps": 36})
+    assert found.done and [one.post.name for one in found.milled] == ["fanuc"]

@@ -1,0 +1,160 @@
+"""The cam study: what is refused and with what help, what is never written, and all that can be asked wrongly."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from helpers.cams import pair
+from helpers.heat_seal import NC, findings, heat_seal, performed
+from helpers.workspaces import arm
+from linkwright.cam.checks import undercut
+from linkwright.cam.disc import TURN
+from linkwright.cam.nc.posts import POSTS, Grbl, Post
+from linkwright.cam.sizing import resized
+from linkwright.report.cam_files import FILES
+from linkwright.results import Run
+from linkwright.studies.cam.outcome import CamOutcome
+
+SMALL = {"base": 20, "roller": 30, "sense": "counter-clockwise"}
+
+
+def study(data: dict[str, Any]) -> CamOutcome:
+    outcome = performed(data).cam
+    assert outcome is not None
+    return outcome
+
+
+def test_an_undercut_cam_is_refused_with_what_mends_it() -> None:
+    blank = {"thickness": 12}
+    outcome = study(heat_seal(SMALL, blank=blank, nc=NC))
+    (finding,) = outcome.failures
+    assert finding.code == "cam.undercut" and not outcome.done
+    assert not outcome.made and not outcome.milled and not outcome.elements and outcome.volume is None
+    base = float(str(finding.data["base"]).split()[0])
+    assert undercut(resized(outcome.disc, {"base": base / 1e3})) is None
+    assert undercut(resized(outcome.disc, {"base": base / 1e3 * (1 - 1e-5)})) is not None
+
+
+def test_a_hollow_narrower_than_the_cutter_is_refused_with_what_mends_it() -> None:
+    """That of the cam that turns against the arm's swing has a radius of 243.4 mm."""
+    against = {"sense": "counter-clockwise"}
+    nc = NC | {"cutter": 260}
+    outcome = study(heat_seal(against, nc=nc))
+    assert [finding.code for finding in outcome.failures] == ["cam.hollow"]
+    assert not outcome.milled and outcome.made  # there is a profile, but not for this cutter
+    base = float(str(outcome.failures[0].data["base"]).split()[0])
+    kept = study(heat_seal(against | {"base": base}, limits={"cutter": 260}))
+    assert kept.done and base > 39
+
+
+def test_limits_and_requirements_that_are_not_kept() -> None:
+    limits = {"pressure_rise": 29, "pressure_return": 45, "pitch_over_roller": 2.2}
+    require = {"profile_radius_min": ">= 25 mm", "radius_max": "50 mm .. 56 mm"}
+    job = performed(heat_seal(limits=limits, require=require, size={"base": [20, 30]}))
+    assert job.exit_code == 1
+    assert [f.code for f in job.found] == ["cam.limit", "cam.limit", "cam.required", "cam.no-base"]
+    assert job.cam is not None and job.cam.smallest is None
+    assert [c.kept for c in job.cam.checks] == [False, True, False, True]
+    assert "29.0444 deg" in job.found[0].what and "90 deg" in job.found[0].what
+
+
+def shifted(text: str) -> str:
+    """By a tenth of a millimetre along x."""
+    return re.sub(r"X(-?[0-9.]+)", lambda found: f"X{float(found[1]) + 0.1:.4f}", text)
+
+
+@pytest.mark.parametrize(
+    ("change", "code"),
+    [
+        (shifted, "nc.off"),
+        (lambda text: text.replace("M30", f"({'x' * 99})\nM30"), "nc.long-line"),
+        (lambda text: text.replace("M30", ""), "nc.no-end"),
+    ],
+    ids=["shifted", "long", "endless"],
+)
+def test_a_wrong_file_is_never_written(monkeypatch: pytest.MonkeyPatch, change: Any, code: str) -> None:
+    monkeypatch.setattr(Grbl, "text", lambda *given: change(Post.text(*given)))
+    outcome = study(heat_seal(nc=NC, steps=180))
+    assert [finding.code for finding in outcome.failures] == [code]
+    assert [one.proven for one in outcome.milled] == [False]
+    assert FILES["cam_grbl.nc"](outcome) is None
+
+
+def test_the_cam_in_its_link_is_what_the_mechanism_moves() -> None:
+    """The follower's roller seen from the cam's link, as the solved mechanism has it, lies on the pitch curve: for a
+    mirrored cam with a phase, whose shaft isn't the link's origin."""
+    data = pair("swinging", "roller", side=-1, sense=-1)
+    data["studies"] = {"cam": {"steps": 36}}
+    outcome = study(data)
+    run = Run(outcome.compiled, 0.0, TURN / 7.0, 36)
+    x, y, turn = outcome.compiled.evaluate(["B.x", "B.y", "disc.angle"], run.t)
+    shaft = np.array([[0.01], [-0.02]])
+    c, s = np.cos(turn), np.sin(turn)
+    away = np.stack([x, y]) - shaft
+    seen = np.stack([c * away[0] + s * away[1], c * away[1] - s * away[0]])
+    pitch = outcome.placed(outcome.disc.look(np.linspace(0, TURN, 20_001)).offset(0.0))
+    nearest = np.hypot(*(seen[:, :, None] - pitch[:, None, :])).min(axis=1)
+    assert nearest.max() < 1e-5
+    corners = np.array([element.start for element in outcome.contour])
+    area = np.sum(corners[:, 0] * np.roll(corners[:, 1], -1) - corners[:, 1] * np.roll(corners[:, 0], -1)) / 2
+    assert area * 1e-6 == pytest.approx(outcome.area, rel=2e-2)  # counter-clockwise though mirrored
+
+
+def codes(**options: Any) -> dict[str, str]:
+    return {".".join(map(str, f.path[2:])): f.code for f in findings(heat_seal(**options))}
+
+
+def test_what_is_wrong_is_said_at_once() -> None:
+    nc = NC | {"feed": "0 mm/min", "tolerance": "1 mm", "lead": -1}
+    blank = {"thickness": 12, "bore": 10, "hub": 9, "height": 3}
+    found = codes(
+        tolerance=0, nc=nc, blank=blank, limits={"pressure_rise": "3 mm"}, require={"weight": ">= 1"},
+        size={"base": [40, 20], "against": {"face": [1, 2]}},
+    )  # fmt: skip
+    assert found == {
+        "tolerance": "cam.not-positive",
+        "nc.feed": "cam.not-positive",
+        "nc.lead": "cam.not-positive",
+        "nc.tolerance": "expression.units-conflict",
+        "blank.hub": "cam.hub",
+        "limits.pressure_rise": "expression.units-conflict",
+        "require.weight": "name.unknown",
+        "size.base": "value.not-rising",
+        "size.against.face": "name.unknown",
+    }
+    keyway = {"thickness": 12, "bore": 10, "key_width": 20, "key_depth": 3}
+    assert codes(blank=keyway) == {"blank.key_width": "cam.keyway"}
+    assert codes(blank={"thickness": 12, "key_width": 3}) == {"blank": "cam.together"}
+    assert codes(nc=NC | {"post": ["grbl", "heidenhain"]}) == {"nc.post": "study.choice"}
+    other, bare = heat_seal(), arm()
+    other["studies"]["cam"]["cam"] = "other"
+    assert [f.code for f in findings(other)] == ["name.unknown"]
+    bare["studies"] = {"cam": {}}
+    assert [f.code for f in findings(bare)] == ["cam.which"]
+
+
+@pytest.mark.parametrize(
+    ("options", "codes"),
+    [
+        ({"blank": {"thickness": 12, "hub": 40, "height": 8}}, ["cam.blank"]),
+        ({"tolerance": "1e-14 mm"}, ["cam.sharp"]),
+        ({"nc": NC | {"compensation": True}}, ["nc.no-compensation", "nc.short-lead"]),
+        ({"nc": NC | {"post": ["fanuc", "grbl"], "decimals": 2, "tolerance": "1e-4 deg"}}, ["nc.fine"]),
+        ({"nc": NC | {"start": "45 deg"}, "steps": 36}, ["nc.no-dwell"]),
+    ],
+)
+def test_what_turns_out_only_in_the_work(options: dict[str, Any], codes: list[str]) -> None:
+    outcome = study(heat_seal(**options))
+    assert [finding.code for finding in outcome.failures + outcome.warnings] == codes
+
+
+def test_a_proof_is_taken_over_by_the_same_motions_only() -> None:
+    outcome = study(heat_seal(nc=NC | {"post": [*POSTS]}, steps=180))
+    first, *others = outcome.milled
+    assert all(one.proof.error is first.proof.error and one.proven for one in others)
+    assert replace(first, job=replace(first.job, tolerance=first.proof.worst * 0.99)).proven is False
