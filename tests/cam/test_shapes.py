@@ -15,6 +15,7 @@ from linkwright.cam.disc import Disc
 from linkwright.cam.drawing import dxf
 from linkwright.cam.followers import SwingingRoller, TranslatingFlat
 from linkwright.cam.solid import Blank, solid, step
+from linkwright.cam.splines import splines
 
 DISC = Disc(SwingingRoller(0.039, 0.020, 0.085, 0.090), heat_seal, -1, HEAT_SEAL)
 
@@ -58,6 +59,38 @@ def test_the_drawing_is_within_its_tolerance(tolerance: float) -> None:
     assert off(places) < 1e3 * tolerance * 1.01
     (circle,) = drawing.modelspace().query("CIRCLE")
     assert circle.dxf.radius == 10.0
+
+
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-8])
+def test_the_drawing_by_splines(tolerance: float) -> None:
+    """One spline from join to join, evaluated by SciPy from what the drawing holds."""
+    from scipy.interpolate import BSpline
+
+    ezdxf = pytest.importorskip("ezdxf")
+    drawing = ezdxf.read(io.StringIO(dxf({}, {}, {"PROFILE": splines(DISC, tolerance)})))
+    assert not drawing.audit().errors
+    found = [
+        BSpline(np.array(one.knots), np.array(one.control_points)[:, :2], one.dxf.degree)
+        for one in drawing.modelspace().query("SPLINE")
+    ]
+    assert len(found) == len(HEAT_SEAL)
+    places = [made(np.linspace(made.t[0], made.t[-1], 500)) for made in found]
+    assert off(np.concatenate(places)) < 1e3 * tolerance * 1.01
+    for before, after in zip(places, [*places[1:], places[0]], strict=True):
+        assert np.hypot(*(before[-1] - after[0])) < 1e-9
+
+
+@pytest.mark.parametrize("by", [-0.02, 0.02])
+def test_both_flanks_are_offsets_of_the_pitch_curve(by: float) -> None:
+    """By Shapely's offset of the pitch curve as a polygon; GEOS smooths what it offsets by some 1e-5 of the offset."""
+    import shapely
+
+    corners = DISC.look(np.linspace(0, 2 * np.pi, 20_000, endpoint=False)).offset(0.0).T
+    drawn = shapely.buffer(shapely.Polygon(corners), by, quad_segs=5000)
+    flank = shapely.Polygon([e.start for e in contour(DISC, 1e-8, by)])
+    assert drawn.area == pytest.approx(area(DISC, by), rel=1e-5)
+    places = shapely.points(shapely.get_coordinates(flank) / 1e3)
+    assert shapely.distance(drawn.exterior, places).max() < 1e-6
 
 
 def test_the_solid_read_back() -> None:

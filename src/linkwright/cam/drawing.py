@@ -7,6 +7,7 @@ import math
 from collections.abc import Mapping, Sequence
 
 from linkwright.cam.nc.path import Element
+from linkwright.cam.splines import Spline
 from linkwright.model.machine import needed
 
 Circle = tuple[float, float, float]
@@ -22,17 +23,26 @@ def bulge(element: Element) -> float:
     return element.turn * math.tan(swept / 4)
 
 
-def dxf(contours: Mapping[str, Sequence[Element]], circles: Mapping[str, Sequence[Circle]]) -> str:
-    """A drawing in mm: contours, closed, and circles by the name of their layer."""
+def dxf(
+    contours: Mapping[str, Sequence[Element]],
+    circles: Mapping[str, Sequence[Circle]],
+    splines: Mapping[str, Sequence[Spline]] | None = None,
+) -> str:
+    """A drawing in mm: contours, closed, circles, and splines (these in m) by the name of their layer."""
+    splines = splines or {}
     ezdxf = needed("ezdxf", "cad")
     drawing = ezdxf.new("R2010", setup=False)
     drawing.units = 4
     space = drawing.modelspace()
-    for layer in {**contours, **circles}:
+    for layer in {**contours, **circles, **splines}:
         drawing.layers.add(layer)
     for layer, elements in contours.items():
         rows = [(*element.start, bulge(element)) for element in elements]
         space.add_lwpolyline(rows, format="xyb", close=True, dxfattribs={"layer": layer})
+    for layer, pieces in splines.items():
+        for piece in pieces:
+            places = [(x, y, 0.0) for x, y in (1e3 * piece.points).T.tolist()]
+            space.add_open_spline(places, degree=3, knots=piece.knots.tolist(), dxfattribs={"layer": layer})
     for layer, some in circles.items():
         for x, y, radius in some:
             space.add_circle((x, y), radius, dxfattribs={"layer": layer})

@@ -65,7 +65,10 @@ def cam_dxf(outcome: CamOutcome) -> str | None:
         circles["BORE"] = [(0.0, 0.0, blank.bore)]
     if blank is not None and blank.hub:
         circles["HUB"] = [(0.0, 0.0, blank.hub)]
-    return dxf({"PROFILE": outcome.contour}, circles)
+    layers = {"PROFILE": outcome.contour} | ({"FLANK": outcome.flank} if outcome.flank else {})
+    if outcome.options.drawing == "arcs":
+        return dxf(layers, circles)
+    return dxf({}, circles, {layer: outcome.splines(outer=layer == "FLANK") for layer in layers})
 
 
 def cam_step(outcome: CamOutcome) -> bytes | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import re
 from dataclasses import replace
 from typing import Any
@@ -89,6 +90,20 @@ def test_an_edge_is_proven_too(guide: str) -> None:
 def shifted(text: str) -> str:
     """By a tenth of a millimetre along x."""
     return re.sub(r"X(-?[0-9.]+)", lambda found: f"X{float(found[1]) + 0.1:.4f}", text)
+
+
+@pytest.mark.parametrize(("drawing", "kind"), [("arcs", "LWPOLYLINE"), ("splines", "SPLINE")])
+def test_the_drawing_of_a_groove_has_both_flanks(drawing: str, kind: str) -> None:
+    ezdxf = pytest.importorskip("ezdxf")
+    job = performed(heat_seal({"closed": "form"}, drawing=drawing))
+    assert job.cam is not None
+    space = ezdxf.read(io.StringIO(FILES["cam.dxf"](job.cam))).modelspace()
+    reach = {}
+    for layer in ("PROFILE", "FLANK"):
+        some = space.query(f'{kind}[layer=="{layer}"]')
+        corners = [p for one in some for p in (one.get_points("xy") if kind == "LWPOLYLINE" else one.control_points)]
+        reach[layer] = max(np.hypot(p[0], p[1]) for p in corners)
+    assert reach["FLANK"] - reach["PROFILE"] == pytest.approx(40.0, abs=0.2)  # a roller's width apart
 
 
 @pytest.mark.parametrize(

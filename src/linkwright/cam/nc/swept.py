@@ -1,4 +1,7 @@
-"""What a cutter leaves of a blank after the motions of a file, by Shapely: independent of how the path was made."""
+"""What a cutter leaves of a blank after the motions of a file, by Shapely: independent of how the path was made.
+
+GEOS smooths what it offsets: the contour is good to some 1e-5 of the cutter's radius.
+"""
 
 from __future__ import annotations
 

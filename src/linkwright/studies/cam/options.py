@@ -12,8 +12,10 @@ from linkwright.model.fields import Expression, Frozen, FrozenDict, Requirement
 from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import Interval, freeze
 from linkwright.model.written import Fault, fault
+from linkwright.studies.asked import one_of
 
 PATH = ("studies", "cam")
+Drawing = one_of("cam", "drawing", ["arcs", "splines"])
 Path_ = tuple[str | int, ...]
 
 
@@ -118,6 +120,7 @@ class CamOptions(Frozen):
     tolerance: Expression = Field(
         Expression("1e-4 mm"), description="how far drawing and solid may lie off the exact profile"
     )
+    drawing: Drawing = Field("arcs", description="the profile in the drawing: arcs and lines, or splines")  # type: ignore[valid-type]
     blank: CamBlank | None = Field(None, description="the solid: written as cam.step where build123d is installed")
     nc: CamNc | None = Field(None, description="NC code, read back and proven before it is written")
     period: Expression = Field(

@@ -16,6 +16,7 @@ from linkwright.cam.extremes import Extreme, extremes
 from linkwright.cam.nc.path import Element
 from linkwright.cam.pairs import Frame
 from linkwright.cam.sizing import Feasible
+from linkwright.cam.splines import Spline, splines
 from linkwright.kernels import Compiled
 from linkwright.laws import Motion
 from linkwright.model import units as u
@@ -54,8 +55,8 @@ class Figure:
 class CamOutcome:
     """A plate cam: figures and checks, sizes, and what is made of it; SI, but for what the machine tool gets (mm).
 
-    ``elements`` is the contour in the disc's axes, which ``frame`` puts into the link's, ``area`` (m2) that within the
-    profile; both are missing where there is no profile.
+    ``elements`` is the contour in the disc's axes, which ``frame`` puts into the link's, ``outer`` the other flank of a
+    groove, ``area`` (m2) that within the profile; all are missing where there is no profile.
     ``smallest`` is the base circle (m) that ``size`` asks for, ``None`` where none keeps the limits.
     """
 
@@ -70,6 +71,7 @@ class CamOutcome:
     smallest: float | None = None
     map: Feasible | None = None
     elements: list[Element] = field(default_factory=list)
+    outer: list[Element] = field(default_factory=list)
     area: float = math.nan
     milled: list[Milled] = field(default_factory=list)
     failures: list[Finding] = field(default_factory=list)
@@ -108,14 +110,27 @@ class CamOutcome:
     @cached_property
     def contour(self) -> list[Element]:
         """The contour about the centre in directions of the link's axes, counter-clockwise; mm."""
+        return self._put(self.elements)
 
+    @cached_property
+    def flank(self) -> list[Element]:
+        """Likewise the outer flank of a groove; empty where the roller doesn't run in one."""
+        return self._put(self.outer)
+
+    def splines(self, outer: bool = False) -> list[Spline]:
+        """The profile, or the outer flank of a groove, as splines about the centre in directions of the link's axes."""
+        by = self.disc.follower.radius * (1 if outer else -1)
+        made = splines(self.disc, self.stated.tolerance, by)
+        return [replace(one, points=self.placed(one.points)) for one in made]
+
+    def _put(self, elements: list[Element]) -> list[Element]:
         def put(place: tuple[float, float]) -> tuple[float, float]:
             x, y = self.placed(np.array(place)).tolist()
             return x, y
 
         made = [
             replace(e, start=put(e.start), end=put(e.end), centre=None if e.centre is None else put(e.centre))
-            for e in self.elements
+            for e in elements
         ]
         if self.frame.mirror > 0:
             return made

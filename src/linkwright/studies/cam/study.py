@@ -118,6 +118,9 @@ def _shape(outcome: CamOutcome) -> None:
     disc, stated = outcome.disc, outcome.stated
     try:
         outcome.elements = contour(disc, stated.tolerance)
+        cut = any(check.name == "groove_radius" and not check.kept for check in outcome.checks)
+        if stated.limits.groove and not cut:
+            outcome.outer = contour(disc, stated.tolerance, disc.follower.radius)
     except Sharp as sharp:
         data = {"theta": _angle(outcome, sharp.theta), "tolerance": outcome.options.tolerance.text[:60]}
         outcome.failures.append(Finding("cam.sharp", (*PATH, "tolerance"), data))
