@@ -41,10 +41,10 @@ def _rates(outcome: CamOutcome) -> Iterator[Chart]:
     for order, name in enumerate(RATES):
         unit, size = rate_unit(outcome.compiled.quantities, law, order)
         values = np.broadcast_to(outcome.look.lift.d[order], outcome.theta.shape) / size
-        yield _over(outcome, say(f"cam.chart.{name}"), unit, [values])
+        yield over(outcome, say(f"cam.chart.{name}"), unit, [values])
 
 
-def _over(
+def over(
     outcome: CamOutcome,
     name: str,
     unit: str,
@@ -70,7 +70,7 @@ def _pressure(outcome: CamOutcome) -> Chart:
     checks = [check for check in outcome.checks if check.name in signs]
     limits = [signs[c.name] * c.limit / deg for c in checks if c.limit is not None]
     values = np.broadcast_to(outcome.look.pressure.d[0], outcome.theta.shape) / deg
-    return _over(outcome, say("cam.chart.pressure"), angle, [values], limits)
+    return over(outcome, say("cam.chart.pressure"), angle, [values], limits)
 
 
 def _curvatures(outcome: CamOutcome) -> Iterator[Chart]:
@@ -83,7 +83,7 @@ def _curvatures(outcome: CamOutcome) -> Iterator[Chart]:
             continue
         limits = [size / c.limit for c in outcome.checks if c.name == check and c.limit]
         values = size / outcome.look.radius(by)
-        yield _over(outcome, say(f"cam.chart.{name}"), per, [values], limits)
+        yield over(outcome, say(f"cam.chart.{name}"), per, [values], limits)
 
 
 def _error(outcome: CamOutcome) -> Chart:
@@ -93,7 +93,7 @@ def _error(outcome: CamOutcome) -> Chart:
     limit = one.job.tolerance / size
     lines = [row / size for row in one.proof.error]
     name = say("cam.chart.error", post=one.post.name)
-    return _over(outcome, name, unit, lines, (-limit, limit), one.proof.theta)
+    return over(outcome, name, unit, lines, (-limit, limit), one.proof.theta)
 
 
 def _map(outcome: CamOutcome) -> Chart:
