@@ -64,6 +64,27 @@ def test_interrupted_it_writes_what_is_done(
     assert (tmp_path / "python" / "summary.json").exists()
 
 
+def test_interrupted_after_its_regions_it_keeps_them_and_the_maps(
+    file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The interrupt comes while the figures are fitted in."""
+    study = {"point": "E", "chord": 1e-3, "quality": {"steps": 20}, "fits": {"table": {"circle": 5}}}
+    lw.save(lw.load(file).model_copy(update={"studies": {"workspace": study}}), file)
+
+    def interrupted(*given: Any) -> Any:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("linkwright.studies.workspace.required.RequiredFits.perform", interrupted)
+    monkeypatch.setattr("sys.argv", ["linkwright", "workspace", str(file), "--out", str(tmp_path / "out")])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code == 130
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
+    assert [f["code"] for f in summary["findings"]] == ["workspace.stopped"]
+    assert len(summary["workspace"]["regions"]) == len(summary["workspace"]["quality"]) == 1
+    assert "fits" not in summary["workspace"] and (tmp_path / "out" / "workspace_maps.csv").exists()
+
+
 def test_json(file: Path) -> None:
     result = call("workspace", file, "--json")
     assert result.exit_code == 0

@@ -8,10 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+import linkwright as lw
 from helpers.cams import FOLLOWERS, GUIDES, pair
 from helpers.compiled import compiled_from
 from helpers.differences import derivative
 from linkwright.cam.pairs import disc, frame
+from linkwright.model.mechanism import Document
 from linkwright.results import Run, certify
 
 TURN = 2 * np.pi / 7
@@ -195,3 +197,18 @@ def test_a_cam_in_a_linkage_is_a_drive_in_its_place_but_for_where_the_effort_act
     change = c.evaluate(held, t) - d.evaluate(held, t)
     assert change == pytest.approx(-force * np.array([normal.real, normal.imag]), abs=1e-6)
     assert max(certify(Run(c, 0.0, TURN, 60)).residuals.values()) < 1e-12
+
+
+def test_a_follower_that_would_have_to_be_pulled_is_told() -> None:
+    """Without the load that presses it on, and held by a groove where the file says so."""
+    data = linkage(True) | {"studies": {"cycle": {"period": TURN}}}
+    assert not lw.run(Document.model_validate(data)).cycle.warnings
+    data["loads"]["push"]["force"] = [0, 60]
+    (warning,) = lw.run(Document.model_validate(data)).cycle.warnings
+    assert (warning.code, warning.path) == ("cam.lifts-off", ("cams", "rider"))
+    c = compiled_from(data)
+    assert float(warning.data["force"]) == pytest.approx(
+        -c.evaluate(["rider.force"], np.linspace(0, TURN, 721)).min(), rel=1e-3
+    )
+    data["cams"]["rider"]["closed"] = "form"
+    assert not lw.run(Document.model_validate(data)).cycle.warnings

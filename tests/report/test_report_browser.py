@@ -369,13 +369,14 @@ def test_drawing_works_alone_as_a_notebook_widget(browser: Any, report: ReportDa
     assert counts == [5, 1, 0, 0]
 
 
-@pytest.mark.parametrize("width", [390, 1400])
+@pytest.mark.parametrize("width", [390, 1100, 1200])
 def test_one_pose_of_a_workspace_stands_still_before_its_regions(show: Any, width: int) -> None:
     job = performed(five_bar(drives={"motor": [80, 120], "servo": [40, 100]}))
     document = job.examined.document
     assert document is not None
     view = show(report_data(document, job.outcomes), viewport={"width": width, "height": 900})
     assert view.complaints == []
+    assert view.page.evaluate("document.documentElement.scrollWidth") == width
     drawing = view.page.locator("#drawing")
     assert not drawing.locator(".lw-bar").is_visible() and not drawing.locator("select").is_visible()
     frame = drawing.locator("svg.lw-drawing").bounding_box()

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING
 from linkwright.graph.geometry import Geometry, unit_vector
 from linkwright.model import units as u
 from linkwright.model.cams import Following
-from linkwright.model.expressions import Binary, Name, Node, Number
+from linkwright.model.expressions import Binary, Call, Name, Node, Number
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Pair, Scalar, Wrench
 from linkwright.notation.jets import call
@@ -45,11 +45,19 @@ def sense(quantities: Quantities, drive: Following) -> int:
     return drive.turned if forward else -drive.turned
 
 
-def argument(quantities: Quantities, drive: Following) -> Node:
-    """The angle at which the cam's law is asked (rad), as a tree in SI of the motor's angle."""
+def argument(quantities: Quantities, drive: Following, motor: Node | None = None) -> Node:
+    """The angle at which the cam's law is asked (rad), as a tree in SI of the motor's angle or of what this is."""
     factor = Number(float(sense(quantities, drive) * drive.turned))
-    turned = Binary("*", factor, Name(f"{drive.motor}.angle"))
+    turned = Binary("*", factor, motor or Name(f"{drive.motor}.angle"))
     return Binary("+", turned, quantities.bind(drive.cam.phase, u.ANGLE))
+
+
+def value(quantities: Quantities, drive: Following, motor: Node) -> Node:
+    """A follower's value at the nominal lengths (rad or m), as a tree in SI of what its motor's angle is."""
+    here = seat(Geometry(quantities, quantities.parameters), drive)
+    start = here.offset + here.sign * here.start - whole(quantities, quantities.parameters, drive)
+    lift = Call(drive.cam.law, (argument(quantities, drive, motor),))
+    return Binary("+", Number(float(start)), Binary("*", Number(float(here.sign)), lift))
 
 
 @dataclass(frozen=True)

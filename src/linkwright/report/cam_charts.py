@@ -66,10 +66,8 @@ def over(
 
 def _pressure(outcome: CamOutcome) -> Chart:
     angle, deg = outcome.compiled.quantities.unit_of(u.ANGLE)
-    signs = {"pressure_rise": 1, "pressure_return": -1}
-    checks = [check for check in outcome.checks if check.name in signs]
-    limits = [signs[c.name] * c.limit / deg for c in checks if c.limit is not None]
-    values = np.broadcast_to(outcome.look.pressure.d[0], outcome.theta.shape) / deg
+    limits = [c.limit / deg for c in outcome.checks if c.name.startswith("pressure") and c.limit is not None]
+    values = np.abs(np.broadcast_to(outcome.look.pressure.d[0], outcome.theta.shape)) / deg
     return over(outcome, say("cam.chart.pressure"), angle, [values], limits)
 
 

@@ -13,6 +13,8 @@ from linkwright.report.sweep import section as sweep_section
 from linkwright.report.workspace import section as workspace_section
 
 GROUPS = ("motion", "force")
+WIDE = 7
+"""Tables of more columns are set narrower."""
 
 
 def header(data: ReportData) -> str:
@@ -130,7 +132,8 @@ def _grid(grid: Grid) -> str:
         for row in grid["rows"]
     )
     title = f"<h3>{escape(grid['title'])}</h3>"
-    return f'{title}<table class="limits"><thead><tr>{heads}</tr></thead><tbody>{rows}</tbody></table>'
+    wide = " wide" if len(grid["heads"]) > WIDE else ""
+    return f'{title}<table class="limits{wide}"><thead><tr>{heads}</tr></thead><tbody>{rows}</tbody></table>'
 
 
 def sweep(data: ReportData) -> str:

@@ -20,7 +20,7 @@ def workspace_entry(outcome: WorkspaceOutcome) -> dict[str, Any]:
     unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
     regions, unions, overlaps, curves, turning = [], [], [], [], []
     for one in outcome.workspaces:
-        values = shown_values(outcome, one)
+        values = outcome.shown(one)
         for reached in one.regions:
             region = reached.region
             more = {"unit": unit, "steps": region.steps, "change": known(region.change), "rough": reached.rough / size}
@@ -61,16 +61,6 @@ def sum_of_overlaps(one: Workspace) -> float:
     return float(shapely.union_all([overlap.shape for overlap in one.overlaps]).area) if one.overlaps else 0.0
 
 
-def shown_values(outcome: WorkspaceOutcome, one: Workspace) -> dict[str, float]:
-    """The varied parameters of a workspace by name, in their units; angles in the file's."""
-    return outcome.shown(one)
-
-
-def values_text(outcome: WorkspaceOutcome, one: Workspace) -> str:
-    """The same in a line."""
-    return outcome.told(one)
-
-
 def known(value: float) -> float | None:
     """A number, or nothing."""
     return value if math.isfinite(value) else None
@@ -102,7 +92,7 @@ def _drives(outcome: WorkspaceOutcome) -> dict[str, Any]:
 
 def workspace_page(outcome: WorkspaceOutcome) -> dict[str, WorkspaceData]:
     """The report's data of the study."""
-    charts = pictures(outcome, [values_text(outcome, one) for one in outcome.workspaces])
+    charts = pictures(outcome)
     return {
         "workspace": {
             "sentences": workspace_sentences(outcome),

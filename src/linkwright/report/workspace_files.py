@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 from linkwright.model import units as u
 from linkwright.report.csv_text import cell, head, written
 from linkwright.report.plane import stacked
-from linkwright.report.workspace import shown_values, values_text
 from linkwright.report.workspace_parts import written as parts
 from linkwright.report.workspace_picture import pictures
 from linkwright.studies.workspace.mesh import Box
@@ -34,7 +33,7 @@ def geojson(outcome: WorkspaceOutcome) -> str | None:
     unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
     features = []
     for one in outcome.workspaces:
-        told = {"point": outcome.point, "values": shown_values(outcome, one), "unit": unit}
+        told = {"point": outcome.point, "values": outcome.shown(one), "unit": unit}
         for reached in one.regions:
             told_region = {"kind": "region", "mode": reached.mode, **told, "area": reached.figures.area / size**2}
             features.append(_feature(reached.shape, told_region, size))
@@ -62,8 +61,7 @@ def svg(outcome: WorkspaceOutcome) -> str | None:
     """The pictures of all workspaces, one below the other."""
     if not outcome.workspaces:
         return None
-    texts = [values_text(outcome, one) for one in outcome.workspaces]
-    return stacked(pictures(outcome, texts))
+    return stacked(pictures(outcome))
 
 
 def png(outcome: WorkspaceOutcome, renderer: Any) -> bytes | None:
@@ -88,7 +86,7 @@ def boundary_csv(outcome: WorkspaceOutcome) -> str | None:
 
 def _rows(outcome: WorkspaceOutcome, names: list[str], size: float, sizes: list[float]) -> Iterator[list[str]]:
     for one in outcome.workspaces:
-        values = shown_values(outcome, one)
+        values = outcome.shown(one)
         front = [cell(values[name]) for name in names]
         for mode, part, ring, at, q, kinds in _rings(one, outcome.box):
             for place, drive, kind in zip((at / size).T.tolist(), q.T.tolist(), kinds, strict=True):
@@ -136,9 +134,7 @@ class Reaching:
         along = ((places - start) * way).sum(axis=0) / np.where(square > 0, square, 1.0)
         share = np.clip(along, 0.0, 1.0)
         a, b = self.a[:, nearest], self.b[:, nearest]
-        q, low = a + share * (b - a), np.array(self.box.low)[:, None]
-        q = np.where(np.array(self.box.turns)[:, None], low + (q - low) % (2 * np.pi), q)
-        return q, [self.kinds[i] for i in nearest.tolist()]
+        return self.box.wrapped(a + share * (b - a)), [self.kinds[i] for i in nearest.tolist()]
 
 
 def dxf(outcome: WorkspaceOutcome) -> str | None:
@@ -153,20 +149,27 @@ def dxf(outcome: WorkspaceOutcome) -> str | None:
     drawing.units = {"mm": units.MM, "cm": units.CM, "m": units.M, "in": units.IN, "ft": units.FT}.get(unit, 0)
     space = drawing.modelspace()
     for one in outcome.workspaces:
-        text = values_text(outcome, one)
+        text = outcome.told(one)
         for number, reached in enumerate(one.regions, start=1):
             layer = _layer(drawing, f"{number} {reached.mode} {text}", number)
             for polygon in pieces(reached.shape):
                 for ring in (polygon.exterior, *polygon.interiors):
-                    corners = np.array(ring.coords)[:-1] / size
-                    space.add_lwpolyline(corners.tolist(), close=True, dxfattribs={"layer": layer})
+                    _polyline(space, np.array(ring.coords)[:-1] / size, layer, close=True)
         for number, curve in enumerate(one.curves, start=1):
             layer = _layer(drawing, f"{number} {curve.mode} {text}", number)
             for stretch in curve.stretches:
-                space.add_lwpolyline((stretch.at.T / size).tolist(), dxfattribs={"layer": layer})
+                _polyline(space, stretch.at.T / size, layer)
     stream = io.StringIO()
     drawing.write(stream)
     return stream.getvalue()
+
+
+def _polyline(space: Any, corners: Array, layer: str, close: bool = False) -> None:
+    """A polyline through corners (n, 2), set at once: ezdxf copies all that are there for each that it adds."""
+    from ezdxf.entities.lwpolyline import LWPolylinePoints
+
+    drawn = space.add_lwpolyline((), close=close, dxfattribs={"layer": layer})
+    drawn.lwpoints = LWPolylinePoints(np.pad(corners, ((0, 0), (0, 3))).tolist())  # widths and bulge: none
 
 
 def _layer(drawing: Any, text: str, number: int) -> str:

@@ -11,8 +11,8 @@ import numpy as np
 from linkwright.model import units as u
 from linkwright.model.yaml_write import write_text
 from linkwright.report.csv_text import cell, head, written
-from linkwright.studies.workspace.followed import Attempt, Followed, shown, values_text
-from linkwright.studies.workspace.outcome import WorkspaceOutcome
+from linkwright.studies.workspace.followed import Attempt, Followed
+from linkwright.studies.workspace.outcome import WorkspaceOutcome, shown, values_text
 from linkwright.studies.workspace.pasted import pasted
 from linkwright.studies.workspace.wayback import ServoLaw
 from linkwright.words import say

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,15 +22,17 @@ Array = NDArray[np.float64]
 KINDS = ("singular", "modes", "pins", "limit")
 
 
-def pictures(outcome: WorkspaceOutcome, values: Sequence[str]) -> list[Chart]:
-    """A picture of each workspace; ``values`` are those of its parameters, as text."""
+@lru_cache(maxsize=1)
+def pictures(outcome: WorkspaceOutcome) -> Sequence[Chart]:
+    """A picture of each workspace; they are wanted for the report and as files."""
     charts: list[Chart] = []
-    for index, (one, text) in enumerate(zip(outcome.workspaces, values, strict=True)):
+    for index, one in enumerate(outcome.workspaces):
+        text = outcome.told(one)
         told = say("workspace.for", values=text) if text else ""
         title = say("workspace.picture", point=outcome.point, values=told)
         over = [overlay for part in written(outcome) for overlay in part.overlays(outcome, index)]
         charts.append({"title": title, "drawing": picture(outcome, one, title, over)})
-    return charts
+    return tuple(charts)
 
 
 def picture(outcome: WorkspaceOutcome, one: Workspace, title: str, over: Sequence[Overlay] = ()) -> str:

@@ -1,4 +1,4 @@
-"""Whether loads and springs have a value all along a run, and springs stay within their lengths."""
+"""Whether loads and springs have a value all along a run, springs stay within their lengths, followers on cams."""
 
 from __future__ import annotations
 
@@ -56,6 +56,22 @@ def outside(run: Run) -> list[Finding]:
             data = {"length": length[worst], "low": low, "high": high}
             shown = {key: f"{value / size:.6g}" for key, value in data.items()}
             findings.append(_at(run, "spring.outside-length", name, float(t[worst]), "warning", of=unit, **shown))
+    return findings
+
+
+def lifted(run: Run) -> list[Finding]:
+    """A warning for each cam closed by force whose follower would have to be pulled, where it is pulled hardest."""
+    unit, size = run.compiled.quantities.unit_of(u.FORCE)
+    findings = []
+    for name, cam in run.compiled.mechanism.cams.items():
+        if cam.closed != "force":
+            continue
+        t = _times(run, [f"{name}.force"])
+        force = run.compiled.evaluate([f"{name}.force"], t)[0]
+        worst = int(np.argmin(force))
+        if force[worst] < -NEAR * np.abs(force).max():
+            data = {"cam": name, "force": f"{-force[worst] / size:.6g}", "of": unit}
+            findings.append(_at(run, "cam.lifts-off", name, float(t[worst]), "warning", "cams", **data))
     return findings
 
 

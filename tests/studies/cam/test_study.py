@@ -26,6 +26,7 @@ SMALL = {"base": 20, "roller": 30, "sense": "counter-clockwise"}
 def study(data: dict[str, Any]) -> CamOutcome:
     outcome = performed(data).cam
     assert outcome is not None
+    assert all(finding.what and finding.mend for finding in outcome.failures + outcome.warnings)
     return outcome
 
 
@@ -61,6 +62,28 @@ def test_limits_and_requirements_that_are_not_kept() -> None:
     assert job.cam is not None and job.cam.smallest is None
     assert [c.kept for c in job.cam.checks] == [False, True, False, True]
     assert "29.0444 deg" in job.found[0].what and "90 deg" in job.found[0].what
+
+
+def test_laws_that_jump() -> None:
+    """A constant velocity has no cam; a parabola's acceleration and a cycloid's jerk jump, which a limit refuses."""
+    data = heat_seal(limits={"continuity": 2}, require={"profile_radius_min": ">= 0 mm"})
+    assert study(data).done
+    data["laws"]["swing"]["segments"][0]["law"] = "parabolic"
+    assert [finding.code for finding in study(data).failures] == ["cam.rough"] * 3
+    data["laws"]["swing"]["segments"][0] = {"rise": 12, "over": 90, "formula": "u"}
+    assert {finding.code for finding in findings(data)} == {"drive.law-jumps"}
+    assert len(study(heat_seal(limits={"continuity": 3})).failures) == 4
+
+
+@pytest.mark.parametrize("guide", ["swinging", "sliding"])
+def test_an_edge_is_proven_too(guide: str) -> None:
+    """A follower without a radius rests between the contour's points."""
+    data = pair(guide, "knife", side=-1)
+    sizes = {"cutter": 0.006, "depth": 0.011, "feed": 0.01, "speed": 600, "spring": False}
+    tolerance = 1e-4 if guide == "swinging" else 1e-5
+    data["studies"] = {"cam": {"steps": 90, "nc": {"post": "fanuc", "tolerance": tolerance, **sizes}}}
+    outcome = study(data)
+    assert outcome.done and 0 < outcome.milled[0].proof.worst < tolerance
 
 
 def shifted(text: str) -> str:

@@ -118,15 +118,19 @@ def test_the_boundary_is_singular_and_what_lies_beyond_is_not_reached(paper: Reg
 
 
 def test_assemblies_mirror_each_other_with_the_assembly_angle() -> None:
-    """The region of one assembly at alpha is that of the other at -alpha, upside down."""
+    """The region of one assembly at alpha is that of the other at -alpha, upside down; so at 0, and only there, the two
+    of one angle are mirror images."""
     compiled = compile_mechanism(load(EXAMPLES / "five_bar_workspace.yaml"))
-    p = Varied(compiled, ["alpha"]).parameters(np.radians([[60.0, -60.0]]))
-    one, other = (
+    p = Varied(compiled, ["alpha"]).parameters(np.radians([[60.0, -60.0, 0.0]]))
+    one, other, apart, left, right = (
         region(Sheet(compiled, "P", ("motor", "servo"), (sign,), p[:, k]), TURNS, 1e-5, most=96).shape
-        for k, sign in ((0, 1.0), (1, -1.0))
+        for k, sign in ((0, 1.0), (1, -1.0), (0, -1.0), (2, 1.0), (2, -1.0))
     )
-    upside_down = shapely.transform(other, lambda at: at * [1.0, -1.0])
-    assert one.symmetric_difference(upside_down).area < 1e-6 * one.area + 2e-5 * one.length
+    for first, second in ((one, other), (left, right)):
+        upside_down = shapely.transform(second, lambda at: at * [1.0, -1.0])
+        assert first.symmetric_difference(upside_down).area < 1e-6 * first.area + 2e-5 * first.length
+        assert first.geom_type == second.geom_type == "Polygon"
+    assert apart.area < 0.8 * one.area
 
 
 @pytest.mark.parametrize(

@@ -63,7 +63,8 @@ def prove(disc: Disc, text: str, cutter: float, angles: int = ANGLES) -> Proof:
         return Proof(theta, none, none, math.nan, math.nan, math.nan, math.nan, tuple(found.moves), (), tuple(faults))
     wanted = np.broadcast_to(disc.look(theta).lift.d[0], theta.shape)
     error = np.array([rolled(disc, contour, theta) for contour in contours]) - wanted
-    rate = (np.roll(error, -1, axis=1) - np.roll(error, 1, axis=1)) / (2 * TURN / angles)
+    with np.errstate(invalid="ignore"):  # where the follower falls off
+        rate = (np.roll(error, -1, axis=1) - np.roll(error, 1, axis=1)) / (2 * TURN / angles)
     gouge, rest = _off(disc, contours)
     time = sum(60 * move.length / (move.feed or RAPID) for move in found.moves)
     length = sum(move.length for move in found.moves if move.feed) / 1e3

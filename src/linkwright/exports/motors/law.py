@@ -5,9 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from linkwright.exports.motors.functions import Function, OfMotion, OfTable
+from linkwright.graph.cams import value
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import read_table
 from linkwright.model import units as u
+from linkwright.model.cams import Following
 from linkwright.model.expressions import Binary, Call, Name, Node, Number, nodes
 
 
@@ -15,6 +17,8 @@ def law_of(compiled: Compiled, drive: str) -> Node:
     """The tree of a drive's value in t, parameters, and called functions; bound to SI."""
     entry, quantities = compiled.mechanism.drives[drive], compiled.quantities
     dimension = quantities.drive_dimension(drive)
+    if isinstance(entry, Following):
+        return value(quantities, entry, law_of(compiled, entry.motor))
     if entry.position is not None:
         return quantities.bind(entry.position, dimension)
     rate, change = (u.OMEGA, u.ALPHA) if dimension == u.ANGLE else (u.SPEED, u.ACCELERATION)

@@ -37,6 +37,9 @@ class CamLimits(Frozen):
         None, description="least convex radius of the pitch curve over the roller's; 1 (no undercut) unless given"
     )
     profile_radius: Expression | None = Field(None, description="least convex radius of the profile")
+    continuity: int | None = Field(
+        None, ge=2, le=3, description="of the law: 2 refuses jumps of the acceleration, 3 of the jerk too"
+    )
     cutter: Expression | None = Field(
         None, description="radius of the cutter, which the concave radii must exceed; that of nc unless given"
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import replace
 
 from linkwright.cam.checks import Check, Limits, checks, undercut
@@ -34,6 +35,8 @@ NAMED = {
     "hollow_radius": Term("check-hollow_radius"),
     "groove_radius": Term("check-groove_radius"),
 }
+JUMPS = (Term("law-velocity"), Term("jump-acceleration"), Term("jump-jerk"))
+"""What jumps first, by the class of the law."""
 UP = 1 + 1e-6
 """A radius that is to suffice is told so much larger."""
 
@@ -64,6 +67,7 @@ class CamStudy:
         outcome.checks = checks(disc, stated.limits)
         if stated.base is not None:
             _sizes(outcome, *stated.base)
+        outcome.failures += _rough(outcome)
         if (cut := undercut(disc)) is not None:
             outcome.failures.append(_undercut(outcome, cut))
             return outcome
@@ -79,6 +83,14 @@ class CamStudy:
             outcome.failures += [finding for finding in told if finding.severity == "error"]
             outcome.warnings += [finding for finding in told if finding.severity != "error"]
         return outcome
+
+
+def _rough(outcome: CamOutcome) -> Iterator[Finding]:
+    """Jumps of the law that the limits refuse; those of the velocity no cam may have."""
+    for join in outcome.law.joins:
+        if join.continuity < (outcome.options.limits.continuity or 0):
+            data = {"rate": JUMPS[join.continuity], "theta": _angle(outcome, join.at)}
+            yield Finding("cam.rough", ("cams", outcome.name, "law"), data)
 
 
 def chosen(compiled: Compiled, options: CamOptions) -> tuple[str | None, list[Finding]]:

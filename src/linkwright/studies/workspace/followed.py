@@ -16,7 +16,7 @@ from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.units import Dimension
-from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome
+from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, shown
 from linkwright.studies.workspace.path_options import WantedPath, rate_of, wanted
 from linkwright.studies.workspace.wanted import PATH, Wanted
 from linkwright.studies.workspace.wayback import ServoLaw, Way, free, timed
@@ -164,20 +164,6 @@ def known(value: float) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def shown(compiled: Compiled, values: Mapping[str, float]) -> dict[str, float]:
-    """Values of parameters in their units."""
-    quantities = compiled.quantities
-    sizes = {name: quantities.unit_of(quantities.dimensions.of(name))[1] for name in values}
-    return {name: float(f"{value / sizes[name]:.12g}") for name, value in values.items()}
-
-
-def values_text(compiled: Compiled, values: Mapping[str, float]) -> str:
-    """The same in a line."""
-    quantities = compiled.quantities
-    units = {name: quantities.unit_of(quantities.dimensions.of(name))[0] for name in values}
-    return ", ".join(f"{name} = {v:.6g} {units[name]}".strip() for name, v in shown(compiled, values).items())
-
-
 def follow(paths: Mapping[str, WantedPath], outcome: WorkspaceOutcome, folder: Path | None) -> Followed:
     """Try each path in each region. A path that none of them lets follow as it is asked is a failure."""
     compiled = outcome.compiled
@@ -244,6 +230,6 @@ def from_rest(time: float) -> Any:
 
 
 def _nowhere(outcome: WorkspaceOutcome, best: Attempt, tried: int) -> Finding:
-    values = values_text(outcome.compiled, best.workspace.values)
+    values = outcome.told(best.workspace)
     data = {"name": best.name, "count": tried, "mode": best.reached.mode or "-", "values": values or "-"}
     return Finding("workspace.path-none", (*PATH, best.name), data)

@@ -48,23 +48,15 @@ def _extreme(outcome: WorkspaceOutcome, one: Map, found: Extreme | None) -> dict
     """A value and where it is; ``None`` as value where it grows without bound."""
     if found is None:
         return None
+    assert outcome.box is not None
     size = outcome.compiled.quantities.unit_of(u.LENGTH)[1]
     value = found.value / one.size
     drives = {
         drive: float(q / outcome.compiled.quantities.drive_unit(drive)[1])
-        for drive, q in zip(outcome.compiled.graph.drives, within(outcome, found.drives), strict=True)
+        for drive, q in zip(outcome.compiled.graph.drives, outcome.box.wrapped(found.drives), strict=True)
     }
     told = {"value": value if isfinite(value) else None, "at": [float(x) / size for x in found.at], "drives": drives}
     return told | ({"unbounded": True} if isinf(value) else {})
-
-
-def within(outcome: WorkspaceOutcome, q: Array) -> Array:
-    """Drive values, (2,) or (2, n), whole turns within the ranges of the study."""
-    box = outcome.box
-    assert box is not None
-    shape = (2,) + (1,) * (q.ndim - 1)
-    low, turns = np.reshape(box.low, shape), np.reshape(box.turns, shape)
-    return np.where(turns, low + (q - low) % (2 * np.pi), q)
 
 
 def part_of(shape: Any, region: Any, size: float) -> dict[str, Any]:

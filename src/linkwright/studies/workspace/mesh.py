@@ -44,6 +44,12 @@ class Box:
         """Their widths: (2,)."""
         return np.subtract(self.high, self.low)
 
+    def wrapped(self, q: Array) -> Array:
+        """Drive values, (2,) or (2, n), whole turns within the ranges."""
+        shape = (2,) + (1,) * (q.ndim - 1)
+        low, turns = np.reshape(self.low, shape), np.reshape(self.turns, shape)
+        return np.where(turns, low + (q - low) % (2 * np.pi), q)
+
     def askew(self) -> Box:
         """The same ranges, whole turns begun elsewhere: a curve along a round angle is on no line of a mesh."""
         start = [low + SKEW[k] * self.turns[k] for k, low in enumerate(self.low)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import combinations
@@ -69,6 +70,20 @@ def without_slivers(shape: Any, chord: float) -> Any:
         if wide(part.exterior)
     ]
     return shapely.MultiPolygon(kept) if len(kept) != 1 else kept[0]
+
+
+def shown(compiled: Compiled, values: Mapping[str, float]) -> dict[str, float]:
+    """Values of parameters in their units; angles in the file's."""
+    quantities = compiled.quantities
+    sizes = {name: quantities.unit_of(quantities.dimensions.of(name))[1] for name in values}
+    return {name: float(f"{value / sizes[name]:.12g}") for name, value in values.items()}
+
+
+def values_text(compiled: Compiled, values: Mapping[str, float]) -> str:
+    """The same in a line."""
+    quantities = compiled.quantities
+    units = {name: quantities.unit_of(quantities.dimensions.of(name))[0] for name in values}
+    return ", ".join(f"{name} = {v:.6g} {units[name]}".strip() for name, v in shown(compiled, values).items())
 
 
 @dataclass(frozen=True)
@@ -140,7 +155,7 @@ class Workspace:
         )
 
 
-@dataclass
+@dataclass(eq=False)
 class WorkspaceOutcome:
     """The workspaces of a study, one for each combination of parameter values; ``chord`` in m.
 
@@ -173,15 +188,11 @@ class WorkspaceOutcome:
 
     def shown(self, one: Workspace) -> dict[str, float]:
         """The varied parameters of a workspace by name, in their units; angles in the file's."""
-        quantities = self.compiled.quantities
-        sizes = {name: quantities.unit_of(quantities.dimensions.of(name))[1] for name in one.values}
-        return {name: float(f"{value / sizes[name]:.12g}") for name, value in one.values.items()}
+        return shown(self.compiled, one.values)
 
     def told(self, one: Workspace) -> str:
         """The same in a line."""
-        quantities = self.compiled.quantities
-        units = {name: quantities.unit_of(quantities.dimensions.of(name))[0] for name in one.values}
-        return ", ".join(f"{name} = {v:.6g} {units[name]}".strip() for name, v in self.shown(one).items())
+        return values_text(self.compiled, one.values)
 
     @property
     def regions(self) -> list[Reached]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,6 +53,13 @@ class Raster:
 
 def raster(region: Region, maps: Maps, cells: int) -> Raster:
     """Over the bounds of a region, so many cells along the longer side."""
+    x, y, rows, q = _poses(region, cells)
+    return Raster(x, y, rows, q, together(maps.figures, q))
+
+
+@lru_cache(maxsize=16)  # maps of quality and of errors want the same
+def _poses(region: Region, cells: int) -> tuple[Array, Array, Rows, Array]:
+    """Axes of the grid, the places that are covered and the drive values, as a :class:`Raster` has them."""
     sheet, box, bounds = region.sheet, region.box, region.shape.bounds
     step = max(bounds[2] - bounds[0], bounds[3] - bounds[1]) / cells
     axes = [
@@ -66,7 +74,7 @@ def raster(region: Region, maps: Maps, cells: int) -> Raster:
     places = np.stack([x[rows % x.size], y[rows // x.size]])
     q, off = _nearer(sheet, q, places, NEAR * step, np.divide(box.size, STEPS))
     found = off < FAR * step
-    return Raster(x, y, rows[found], q[:, found], together(maps.figures, q[:, found]))
+    return x, y, rows[found], q[:, found]
 
 
 def _held(at: Array, x: Array, y: Array) -> tuple[Rows, Rows, Array]:

@@ -37,7 +37,7 @@ CLOSED = 1e-9
 """A place is reached when the working point comes within this share of the extent."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Region:
     """What one sheet reaches: ``shape`` is a Shapely polygon or several (m). ``segments`` are the curves that may bound
     it, ``steps`` those of the mesh, ``change`` of the area (share) when they were last doubled: at most so much where

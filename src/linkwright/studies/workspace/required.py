@@ -29,8 +29,8 @@ from linkwright.studies.workspace.fits import (
     largest_rectangle,
     rectangle_fits,
 )
-from linkwright.studies.workspace.followed import parameters_of, shown, values_text
-from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome
+from linkwright.studies.workspace.followed import parameters_of
+from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, shown, values_text
 from linkwright.studies.workspace.path_options import constant, positive, valued
 from linkwright.studies.workspace.wanted import Path_
 

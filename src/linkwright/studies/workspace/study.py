@@ -18,7 +18,7 @@ from linkwright.studies.stopped import Stopped
 from linkwright.studies.workspace.never import never
 from linkwright.studies.workspace.one import Curve, curve
 from linkwright.studies.workspace.options import PATH, WorkspaceOptions, check
-from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome
+from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, values_text
 from linkwright.studies.workspace.parts import sections
 from linkwright.studies.workspace.regions import Region, region
 from linkwright.studies.workspace.sheet import Sheet
@@ -178,11 +178,7 @@ def _keep(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Array
 
 def _nothing(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Array) -> Iterator[Finding]:
     compiled, options = outcome.compiled, outcome.options
-    shown = []
-    for name, value in values.items():
-        unit, size = compiled.quantities.unit_of(compiled.quantities.dimensions.of(name))
-        shown.append(f"{name} = {value / size:.6g} {unit}".strip())
-    where = say("workspace.for", values=", ".join(shown)) if shown else ""
+    where = say("workspace.for", values=values_text(compiled, values)) if values else ""
     ranges = [options.range(compiled, drive) for drive in compiled.graph.drives]
     data = never(
         compiled, [r for r in ranges if r is not None], dict(zip(compiled.graph.parameters, parameters, strict=True))

@@ -34,6 +34,10 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "There is no profile that moves the follower so.",
         "Take a larger base circle: from {base} on there is a profile. Or a smaller roller, or a longer way for the lift.",
     ),
+    "cam.rough": (
+        "At the cam angle {theta} the follower's {rate} jumps.",
+        "Take a law that joins smoothly there, or loosen the limit continuity.",
+    ),
     "cam.hollow": (
         "The profile is hollow at the cam angle {theta} with a radius of {value} {unit}; a cutter of {limit} {unit} doesn't "
         "get in.",
@@ -212,6 +216,8 @@ CAM_TERMS = {
     "no-rate": "; with the present one no rate does",
     "a-length": "a length of the follower",
     "no-base": "none of up to twenty times as large",
+    "jump-acceleration": "acceleration",
+    "jump-jerk": "jerk",
     "check-pressure_rise": "pressure angle on the rise",
     "check-pressure_return": "pressure angle on the return",
     "check-pitch_radius": "radius of the pitch curve",

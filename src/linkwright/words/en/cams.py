@@ -25,7 +25,7 @@ CAMS: dict[str, str] = {
     "cam.chart.velocity": "Velocity by the cam angle",
     "cam.chart.acceleration": "Acceleration by the cam angle",
     "cam.chart.jerk": "Jerk by the cam angle",
-    "cam.chart.pressure": "Pressure angle",
+    "cam.chart.pressure": "Size of the pressure angle, with the limits on rise and return",
     "cam.chart.pitch": "Curvature of the pitch curve",
     "cam.chart.profile": "Curvature of the profile",
     "cam.chart.contact": "Contact force",

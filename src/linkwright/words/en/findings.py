@@ -442,6 +442,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "only.",
         "Take a larger base circle, or lead the follower nearer to the shaft.",
     ),
+    "cam.lifts-off": (
+        "The follower of the cam {cam} lifts off: it would have to be pulled with {force} {of} t = {time} s ({drive} = "
+        "{value} {unit}).",
+        "Add a spring or a stronger one, turn slower, or say closed: form where a groove or second cam holds it.",
+    ),
     "cam.reach": (
         "The arm of {follower} misses the base circle by {by} {unit}: arm {arm} {unit} and centre distance {distance} "
         "{unit} allow a roller's centre from {low} {unit} to {high} {unit} off the shaft; base circle and roller ask for "
