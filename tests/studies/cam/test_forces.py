@@ -65,7 +65,7 @@ def test_a_spring_is_sized_and_does() -> None:
     highest = highest_speed(disc, loads, 5.0)
     assert highest is not None and sized.done
     assert found["spring_preload_min"] == pytest.approx(preload, rel=1e-12)
-    assert found["contact_force_min"] == pytest.approx(5.0, rel=1e-9)
+    assert found["contact_force_min"] == pytest.approx(5.0, rel=1e-7)
     assert found["contact_force_max"] == pytest.approx(wanted.contact_range[1].value)
     assert found["lift_off_speed"] == pytest.approx(highest.value) == pytest.approx(omega)
     hertz = pressure(wanted, 10e-3, Material(70e9, 0.33)).highest.value
@@ -73,7 +73,7 @@ def test_a_spring_is_sized_and_does() -> None:
     page = cam_page(sized)["cam"]
     assert any("is sized" in text for text in page["sentences"]) and len(page["charts"]) == 11
     by_rate = figures(study(FAST | {"spring": {"preload": "1.1 N*m"}}))
-    assert by_rate["contact_force_min"] == pytest.approx(5.0, rel=1e-9) and by_rate["spring_rate_min"] > 0
+    assert by_rate["contact_force_min"] == pytest.approx(5.0, rel=1e-7) and by_rate["spring_rate_min"] > 0
 
 
 def test_lift_off_is_told_with_what_mends_it() -> None:

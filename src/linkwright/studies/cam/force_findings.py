@@ -63,12 +63,13 @@ def _over(outcome: CamOutcome, check: Check) -> Finding:
     assert check.limit is not None
     dimension = MEASURES[check.name]
     value, limit = (_told(outcome, one, dimension) for one in (check.value, check.limit))
-    data = {"value": value, "limit": limit, "theta": _told(outcome, check.theta, u.ANGLE)}
+    theta = _told(outcome, check.theta, u.ANGLE)
     asked = outcome.stated.forces
     if check.name == "hertz_pressure" and asked is not None and asked.width is not None:
-        data["width"] = _told(outcome, UP * asked.width * (check.value / check.limit) ** 2, u.LENGTH)
+        width = _told(outcome, UP * asked.width * (check.value / check.limit) ** 2, u.LENGTH)
+        data = {"value": value, "limit": limit, "theta": theta, "width": width}
         return Finding("cam.hertz", (*AT, "limits", "hertz"), data)
-    return Finding("cam.torque", (*AT, "limits", "torque"), data)
+    return Finding("cam.torque", (*AT, "limits", "torque"), {"value": value, "limit": limit, "theta": theta})
 
 
 def _told(outcome: CamOutcome, value: float, dimension: u.Dimension) -> str:

@@ -18,6 +18,9 @@ from linkwright.studies.cam.force_numbers import Asked
 SHORT = 1e-6
 """A preload may be short by this share: what is told to seven digits does."""
 
+MORE = 1 + 1e-9
+"""A sized spring is so much stronger, so that round-off doesn't count against what it was sized for."""
+
 
 @dataclass(frozen=True)
 class Pressed:
@@ -120,9 +123,9 @@ def pressed(disc: Disc, asked: Asked) -> Pressed:
     if not asked.sprung:
         return Pressed(asked, disc, loads)
     if asked.preload is None:
-        loads = replace(loads, preload=least_preload(disc, loads, speeds, contact).value)
+        loads = replace(loads, preload=MORE * least_preload(disc, loads, speeds, contact).value)
     rate = least_rate(disc, loads, speeds, contact)
     if asked.rate is None and asked.preload is not None and rate is not None:
-        loads = replace(loads, rate=rate.value)
+        loads = replace(loads, rate=MORE * rate.value)
     preload = least_preload(disc, loads, speeds, contact)
     return Pressed(asked, disc, loads, preload, rate, highest_speed(disc, loads, contact))
