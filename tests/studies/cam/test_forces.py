@@ -78,12 +78,12 @@ def test_a_spring_is_sized_and_does() -> None:
 
 def test_lift_off_is_told_with_what_mends_it() -> None:
     (finding,) = study(FAST).failures
-    assert finding.code == "cam.lifts-off"
+    assert finding.code == "cam.spring"
     preload, rate = finding.data["preload"], finding.mend.split("rate of ")[1].rstrip(".")
     for spring in ({"rate": "2 N*m/rad", "preload": preload}, {"rate": rate, "preload": "0.6 N*m"}):
         assert study(FAST | {"spring": spring}).done
     (finding,) = study(FAST | {"spring": {"preload": "0.1 N*m"}}).failures  # on the base circle a rate does nothing
-    assert finding.code == "cam.lifts-off" and "no rate does" in finding.mend
+    assert finding.code == "cam.spring" and "no rate does" in finding.mend
 
 
 def test_limits_and_requirements() -> None:

@@ -65,12 +65,11 @@ class Pressed:
         if not self.disc.follower.radius > 0:
             return None
         f = self.forces
-        sides = (
-            [f.first]
-            if f.second is None
-            else [{1: f.first, -1: f.second}[k] for k in {b.side for b in f.bearing} - {0}]
-        )
-        found = [one for side in sides or [f.first] for one in rolling(side, f.omega, f.theta).spin_range]
+        sides = [f.first]
+        if f.second is not None:
+            bear = {part.side for part in f.bearing}
+            sides = [side for side, sign in ((f.first, 1), (f.second, -1)) if sign in bear] or sides
+        found = [one for side in sides for one in rolling(side, f.omega, f.theta).spin_range]
         return max((Extreme(abs(one.value), one.theta) for one in found), key=lambda one: one.value)
 
     @property

@@ -80,7 +80,7 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "Add forces, with width for the Hertz pressure and spring where the follower is closed by form; only a roller "
         "has a speed.",
     ),
-    "cam.lifts-off": (
+    "cam.spring": (
         "The follower lifts off: at {speed} the contact force gets down to {force}, at the cam angle {theta}; it must be "
         "{least} or more.",
         "Give the spring a preload of {preload} at the lift 0{rate}.",
