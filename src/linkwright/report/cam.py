@@ -11,8 +11,10 @@ import numpy as np
 from linkwright.cam.checks import Check
 from linkwright.model import units as u
 from linkwright.report.cam_charts import charts
+from linkwright.report.cam_forces import force_charts, force_entry, force_sentences
 from linkwright.report.charts import figures as charts_html
 from linkwright.report.data import CamData, Grid
+from linkwright.studies.cam.force_findings import MEASURES
 from linkwright.studies.cam.milled import Milled
 from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.words import say
@@ -28,11 +30,17 @@ def cam_entry(outcome: CamOutcome) -> dict[str, Any]:
     entry: dict[str, Any] = {"cam": outcome.name, "follower": outcome.disc.follower.name, "figures": {}}
     for figure in outcome.figures:
         unit, one = quantities.unit_of(figure.dimension)
-        told = {"value": figure.value / one, "unit": unit, "at": figure.theta / deg, "angle_unit": angle}
+        told = {
+            "value": figure.value / one if math.isfinite(figure.value) else None,
+            "unit": unit,
+            "at": figure.theta / deg,
+            "angle_unit": angle,
+        }
         if figure.wanted is not None:
             told |= {"required": str(outcome.options.require[figure.name].raw), "kept": figure.kept}
         entry["figures"][figure.name] = told
-    entry["checks"] = [_check(outcome, check) for check in outcome.checks]
+    entry["checks"] = [_check(outcome, check) for check in (*outcome.checks, *outcome.force_checks)]
+    entry |= force_entry(outcome)
     if outcome.stated.base is not None:
         least = outcome.smallest
         entry["size"] = {"base": None if least is None else least / size, "unit": length}
@@ -57,7 +65,8 @@ def cam_entry(outcome: CamOutcome) -> dict[str, Any]:
 
 
 def _check(outcome: CamOutcome, check: Check) -> dict[str, Any]:
-    unit, size = outcome.compiled.quantities.unit_of(u.ANGLE if check.name.startswith("pressure") else u.LENGTH)
+    dimension = MEASURES.get(check.name, u.ANGLE if check.name.startswith("pressure") else u.LENGTH)
+    unit, size = outcome.compiled.quantities.unit_of(dimension)
     angle, deg = outcome.compiled.quantities.unit_of(u.ANGLE)
     return {
         "name": check.name,
@@ -92,7 +101,13 @@ def _milled(outcome: CamOutcome, one: Milled) -> dict[str, Any]:
 
 def cam_page(outcome: CamOutcome) -> dict[str, CamData]:
     """The report's data of the study."""
-    return {"cam": {"sentences": cam_sentences(outcome), "charts": charts(outcome), "tables": cam_tables(outcome)}}
+    return {
+        "cam": {
+            "sentences": cam_sentences(outcome),
+            "charts": [*charts(outcome), *force_charts(outcome)],
+            "tables": cam_tables(outcome),
+        }
+    }
 
 
 def section(data: CamData, title: str, tables: str) -> str:
@@ -117,7 +132,7 @@ def cam_sentences(outcome: CamOutcome) -> list[str]:
     if "profile_radius" in by and "pitch_radius" in by:
         data = {"profile": by["profile_radius"].value, "roller": roller, "pitch": by["pitch_radius"].value}
         told.append(say("cam.sentence.paper", unit=length, **{k: f"{v / size:.6g}" for k, v in data.items()}))
-    return told
+    return [*told, *force_sentences(outcome)]
 
 
 def cam_tables(outcome: CamOutcome) -> list[Grid]:

@@ -41,10 +41,10 @@ def _rates(outcome: CamOutcome) -> Iterator[Chart]:
     for order, name in enumerate(RATES):
         unit, size = rate_unit(outcome.compiled.quantities, law, order)
         values = np.broadcast_to(outcome.look.lift.d[order], outcome.theta.shape) / size
-        yield _over(outcome, say(f"cam.chart.{name}"), unit, [values])
+        yield over(outcome, say(f"cam.chart.{name}"), unit, [values])
 
 
-def _over(
+def over(
     outcome: CamOutcome,
     name: str,
     unit: str,
@@ -68,7 +68,7 @@ def _pressure(outcome: CamOutcome) -> Chart:
     angle, deg = outcome.compiled.quantities.unit_of(u.ANGLE)
     limits = [c.limit / deg for c in outcome.checks if c.name.startswith("pressure") and c.limit is not None]
     values = np.abs(np.broadcast_to(outcome.look.pressure.d[0], outcome.theta.shape)) / deg
-    return _over(outcome, say("cam.chart.pressure"), angle, [values], limits)
+    return over(outcome, say("cam.chart.pressure"), angle, [values], limits)
 
 
 def _curvatures(outcome: CamOutcome) -> Iterator[Chart]:
@@ -81,7 +81,7 @@ def _curvatures(outcome: CamOutcome) -> Iterator[Chart]:
             continue
         limits = [size / c.limit for c in outcome.checks if c.name == check and c.limit]
         values = size / outcome.look.radius(by)
-        yield _over(outcome, say(f"cam.chart.{name}"), per, [values], limits)
+        yield over(outcome, say(f"cam.chart.{name}"), per, [values], limits)
 
 
 def _error(outcome: CamOutcome) -> Chart:
@@ -91,7 +91,7 @@ def _error(outcome: CamOutcome) -> Chart:
     limit = one.job.tolerance / size
     lines = [row / size for row in one.proof.error]
     name = say("cam.chart.error", post=one.post.name)
-    return _over(outcome, name, unit, lines, (-limit, limit), one.proof.theta)
+    return over(outcome, name, unit, lines, (-limit, limit), one.proof.theta)
 
 
 def _map(outcome: CamOutcome) -> Chart:

@@ -13,6 +13,7 @@ from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import Interval, freeze
 from linkwright.model.written import Fault, fault
 from linkwright.studies.asked import one_of
+from linkwright.studies.cam.force_options import CamForces
 
 PATH = ("studies", "cam")
 Drawing = one_of("cam", "drawing", ["arcs", "splines"])
@@ -117,6 +118,7 @@ class CamOptions(Frozen):
         default_factory=FrozenDict, description="requirements on the study's figures by name, e.g. '>= 22 mm'"
     )
     size: CamSize | None = Field(None, description="look for the smallest base circle that keeps the limits")
+    forces: CamForces | None = Field(None, description="forces between cam and follower at a speed, and its spring")
     tolerance: Expression = Field(
         Expression("1e-4 mm"), description="how far drawing and solid may lie off the exact profile"
     )

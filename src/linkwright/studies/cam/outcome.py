@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -23,6 +23,7 @@ from linkwright.model import units as u
 from linkwright.model.findings import Finding
 from linkwright.notation import Jet
 from linkwright.results import Result, Run
+from linkwright.studies.cam.forces import Pressed
 from linkwright.studies.cam.milled import Milled
 from linkwright.studies.cam.options import CamOptions
 from linkwright.studies.cam.stated import FIGURES, Range, Stated
@@ -39,6 +40,7 @@ class Figure:
     value: float
     theta: float
     wanted: Range | None = None
+    of: u.Dimension | None = None
 
     @property
     def kept(self) -> bool:
@@ -48,7 +50,7 @@ class Figure:
     @property
     def dimension(self) -> u.Dimension:
         """What it is."""
-        return FIGURES[self.name]
+        return FIGURES[self.name] if self.of is None else self.of
 
 
 @dataclass
@@ -68,6 +70,8 @@ class CamOutcome:
     stated: Stated
     figures: list[Figure] = field(default_factory=list)
     checks: list[Check] = field(default_factory=list)
+    pressed: Pressed | None = None
+    force_checks: list[Check] = field(default_factory=list)
     smallest: float | None = None
     map: Feasible | None = None
     elements: list[Element] = field(default_factory=list)
@@ -81,6 +85,11 @@ class CamOutcome:
     def done(self) -> bool:
         """Whether all is as asked."""
         return not self.failures
+
+    def add(self, found: Iterable[tuple[str, Extreme]], dimensions: Mapping[str, u.Dimension]) -> None:
+        """Further figures by name."""
+        for name, one in found:
+            self.figures.append(Figure(name, one.value, one.theta, self.stated.required.get(name), dimensions[name]))
 
     @property
     def made(self) -> bool:

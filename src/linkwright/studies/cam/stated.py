@@ -17,6 +17,7 @@ from linkwright.model.fields import Expression
 from linkwright.model.findings import Finding
 from linkwright.model.quantities import LARGEST
 from linkwright.model.unknown import unknown
+from linkwright.studies.cam.force_numbers import Asked, given, known, read
 from linkwright.studies.cam.options import PATH, CamNc, CamOptions
 
 FIGURES = {
@@ -48,6 +49,7 @@ class Stated:
     blank: Blank | None = None
     job: Job | None = None
     required: dict[str, Range] = field(default_factory=dict)
+    forces: Asked | None = None
 
 
 @dataclass
@@ -72,7 +74,15 @@ class Reader:
             self._blank(),
             job,
             dict(self._required()),
+            self._forces(),
         )
+
+    def _forces(self) -> Asked | None:
+        if self.options.forces is None:
+            return None
+        asked, found = read(self.compiled, self.name, self.disc, self.options.forces, self._number)
+        self.findings += found
+        return asked
 
     def _number(
         self, of: Expression, dimension: u.Dimension, *path: str | int, least: float | None = 0.0, zero: bool = False
@@ -186,12 +196,17 @@ class Reader:
 
     def _required(self) -> list[tuple[str, Range]]:
         made = []
+        loaded = known(self.disc)
+        figures, there = FIGURES | loaded, given(self.compiled, self.name, self.disc, self.options.forces)
         for name, requirement in self.options.require.items():
-            if name not in FIGURES:
-                self.findings.append(unknown("measure", (*PATH, "require", name), name, FIGURES))
+            if name not in figures:
+                self.findings.append(unknown("measure", (*PATH, "require", name), name, figures))
+                continue
+            if name in loaded and name not in there:
+                self.findings.append(Finding("cam.no-figure", (*PATH, "require", name), {"name": name}))
                 continue
             low, high = (
-                end if bound is None else self._number(bound, FIGURES[name], "require", name, least=None)
+                end if bound is None else self._number(bound, figures[name], "require", name, least=None)
                 for bound, end in ((requirement.low, -math.inf), (requirement.high, math.inf))
             )
             made.append((name, (low, high)))

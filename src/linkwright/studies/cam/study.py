@@ -17,6 +17,7 @@ from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.findings import Finding, Term
 from linkwright.model.unknown import unknown
+from linkwright.studies.cam.force_findings import press
 from linkwright.studies.cam.milled import milled, seen
 from linkwright.studies.cam.options import PATH, CamOptions
 from linkwright.studies.cam.outcome import CamOutcome, Figure, figures
@@ -71,6 +72,7 @@ class CamStudy:
             outcome.failures.append(_undercut(outcome, cut))
             return outcome
         outcome.figures = list(figures(disc, outcome.checks, stated.required))
+        press(outcome)
         outcome.failures += [_failed(outcome, check) for check in outcome.checks if not check.kept]
         outcome.failures += [_unmet(outcome, figure) for figure in outcome.figures if not figure.kept]
         _shape(outcome)

@@ -63,6 +63,36 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "This follower has no roller that could turn.",
         "Give the follower a roller.",
     ),
+    "cam.no-speed": (
+        "The cam's speed isn't known: {motor} has none.",
+        "Give speed under forces, or to the drive.",
+    ),
+    "cam.poisson": (
+        "Poisson's ratio is {text}; no material that is the same in all directions has more than 0.5.",
+        "Give a value from 0 to 0.5, e.g. 0.3 for steel.",
+    ),
+    "cam.other-form": (
+        "The follower is closed by form without a roller: by a second disc or a yoke, which the study doesn't know.",
+        "Leave forces out, and ask linkwright.cam.closing from Python; a roller would run in a groove.",
+    ),
+    "cam.no-figure": (
+        "{name} isn't among this study's figures.",
+        "Add forces, with width for the Hertz pressure and spring where the follower is closed by form; only a roller "
+        "has a speed.",
+    ),
+    "cam.spring": (
+        "The follower lifts off: at {speed} the contact force gets down to {force}, at the cam angle {theta}; it must be "
+        "{least} or more.",
+        "Give the spring a preload of {preload} at the lift 0{rate}.",
+    ),
+    "cam.hertz": (
+        "The Hertz pressure is {value} at the cam angle {theta}; the limit is {limit}.",
+        "Make the contact {width} wide, or take a larger base circle, a larger roller or a weaker spring.",
+    ),
+    "cam.torque": (
+        "The torque on the shaft is {value} at the cam angle {theta}; the limit is {limit}.",
+        "Take a weaker spring, a lighter follower, or a longer way for the lift.",
+    ),
     "cam.shock": (
         "The follower's velocity jumps: the force there would be infinite.",
         "Take a law whose velocity joins.",
@@ -182,6 +212,8 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
     ),
 }
 CAM_TERMS = {
+    "or-rate": ", or with the present one a rate of {rate}",
+    "no-rate": "; with the present one no rate does",
     "a-length": "a length of the follower",
     "no-base": "none of up to twenty times as large",
     "jump-acceleration": "acceleration",

@@ -1,0 +1,158 @@
+"""The numbers of a cam's forces, in SI, what is wrong with them, and which figures they give."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from linkwright.cam.closing import groove
+from linkwright.cam.contact import Side
+from linkwright.cam.disc import Disc
+from linkwright.cam.hertz import STEEL, Material
+from linkwright.cam.loads import Loads
+from linkwright.graph.cams import followings
+from linkwright.kernels import Compiled
+from linkwright.model import units as u
+from linkwright.model.findings import Finding
+from linkwright.studies.cam.force_options import CamForces, CamMaterial
+
+AT = ("studies", "cam", "forces")
+Number = Callable[..., float]
+"""Reads a constant: its expression, dimension and path; ``least`` and ``zero`` say what is let be."""
+HARDEST = 0.5
+"""Poisson's ratio of what keeps its volume."""
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What acts on a follower, SI. Of the spring's ``rate`` and ``preload`` ``None`` is sized; ``loads`` has 0 there.
+
+    ``second`` is the outer flank of a groove. ``speeds`` (rad/s) hold ``omega`` too.
+    """
+
+    loads: Loads
+    omega: float
+    speeds: tuple[float, float]
+    rate: float | None = 0.0
+    preload: float | None = 0.0
+    contact: float = 0.0
+    width: float | None = None
+    cam: Material = STEEL
+    follower: Material = STEEL
+    hertz: float | None = None
+    torque: float | None = None
+    second: Side | None = None
+    sprung: bool = True
+    """Whether springs are looked at: not with a groove that has none."""
+
+
+def read(compiled: Compiled, name: str, disc: Disc, o: CamForces, number: Number) -> tuple[Asked, list[Finding]]:
+    """All numbers, with NaN for those that are wrong; what ``number`` has no findings for."""
+    found: list[Finding] = []
+    inertia, rate, load = along(disc)
+    omega = _speed(compiled, name, o, number, found)
+    low, high = 0.0, omega
+    if o.speeds is not None:
+        low, high = (number(end, u.OMEGA, "forces", "speeds", i, zero=True) for i, end in enumerate(o.speeds))
+        if low > high:
+            data = {"low": o.speeds[0].text[:60], "high": o.speeds[1].text[:60]}
+            found.append(Finding("value.not-rising", (*AT, "speeds"), data))
+    spring = o.spring
+    stated: dict[str, float | None] = dict.fromkeys(("rate", "preload"), 0.0 if spring is None else None)
+    for key, dimension in (("rate", rate), ("preload", load)):
+        if spring is not None and (of := getattr(spring, key)) is not None:
+            stated[key] = number(of, dimension, "forces", "spring", key, zero=True)
+    loads = Loads(
+        number(o.inertia, inertia, "forces", "inertia", zero=True),
+        stated["rate"] or 0.0,
+        stated["preload"] or 0.0,
+        number(o.load, load, "forces", "load", least=None),
+    )
+    materials = [_material(getattr(o, key), key, number, found) for key in ("cam_material", "follower_material")]
+    limits = o.limits
+    if limits.hertz is not None and o.width is None:
+        found.append(Finding("cam.together", AT, {"keys": "limits: hertz, width"}))
+    if o.width is not None and not (disc.follower.faced or disc.follower.radius > 0):
+        found.append(Finding("cam.knife", (*AT, "width")))
+    asked = Asked(
+        loads,
+        omega,
+        (min(low, omega), max(high, omega)),
+        stated["rate"],
+        stated["preload"],
+        number(o.contact, u.FORCE, "forces", "contact", zero=True),
+        None if o.width is None else number(o.width, u.LENGTH, "forces", "width"),
+        materials[0],
+        materials[1],
+        None if limits.hertz is None else number(limits.hertz, u.PRESSURE, "forces", "limits", "hertz"),
+        None if limits.torque is None else number(limits.torque, u.TORQUE, "forces", "limits", "torque"),
+        _second(compiled, name, disc, found),
+        "spring_preload_min" in given(compiled, name, disc, o),
+    )
+    return asked, found
+
+
+def along(disc: Disc) -> tuple[u.Dimension, u.Dimension, u.Dimension]:
+    """What inertia, rate and load along the lift are."""
+    turning = (u.INERTIA, u.TORSIONAL_STIFFNESS, u.TORQUE)
+    return turning if disc.follower.turns else (u.MASS, u.STIFFNESS, u.FORCE)
+
+
+def known(disc: Disc) -> dict[str, u.Dimension]:
+    """The figures of forces by name, with their dimensions."""
+    _, rate, load = along(disc)
+    return {
+        "contact_force_min": u.FORCE,
+        "contact_force_max": u.FORCE,
+        "shaft_torque_max": u.TORQUE,
+        "hertz_pressure_max": u.PRESSURE,
+        "roller_speed_max": u.OMEGA,
+        "lift_off_speed": u.OMEGA,
+        "spring_preload_min": load,
+        "spring_rate_min": rate,
+    }
+
+
+def given(compiled: Compiled, name: str, disc: Disc, o: CamForces | None) -> set[str]:
+    """Those that the options give."""
+    if o is None:
+        return set()
+    missing = {"hertz_pressure_max"} if o.width is None else set()
+    if not disc.follower.radius > 0:
+        missing.add("roller_speed_max")
+    if compiled.mechanism.cams[name].closed == "form" and o.spring is None:
+        missing |= {"lift_off_speed", "spring_preload_min", "spring_rate_min"}
+    return known(disc).keys() - missing
+
+
+def _speed(compiled: Compiled, name: str, o: CamForces, number: Number, found: list[Finding]) -> float:
+    """That of the cam, rad/s, without its sign."""
+    if o.speed is not None:
+        return abs(number(o.speed, u.OMEGA, "forces", "speed"))
+    motor = followings(compiled.quantities)[name].motor
+    stated = compiled.mechanism.drives[motor].speed
+    speed = 0.0 if stated is None else abs(compiled.quantities.value(stated, u.OMEGA))
+    if speed > 0:
+        return speed
+    found.append(Finding("cam.no-speed", AT, {"motor": motor}))
+    return math.nan
+
+
+def _material(o: CamMaterial | None, key: str, number: Number, found: list[Finding]) -> Material:
+    if o is None:
+        return STEEL
+    modulus = number(o.modulus, u.PRESSURE, "forces", key, "modulus")
+    poisson = number(o.poisson, u.PURE, "forces", key, "poisson", zero=True)
+    if poisson > HARDEST:
+        found.append(Finding("cam.poisson", (*AT, key, "poisson"), {"text": o.poisson.text[:60]}))
+    return Material(modulus, poisson)
+
+
+def _second(compiled: Compiled, name: str, disc: Disc, found: list[Finding]) -> Side | None:
+    if compiled.mechanism.cams[name].closed != "form":
+        return None
+    if disc.follower.radius > 0:
+        return groove(disc).second
+    found.append(Finding("cam.other-form", AT))
+    return None
