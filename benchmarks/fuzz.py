@@ -37,7 +37,7 @@ from linkwright.words import catalogue
 PATIENCE = 10
 """Seconds of processor time for one file."""
 SAMPLES = 6
-LONG = ("workspace",)
+LONG = ("workspace", "cam")
 """Studies that take seconds: their options are examined, and that is all."""
 EXAMPLES = Path(__file__).resolve().parent.parent / "examples"
 RUN, UNPROVEN = "run", "run, its certificate not sound"

@@ -22,6 +22,8 @@ from linkwright.studies.registry import register
 from linkwright.studies.site import NOWHERE, Site
 from linkwright.studies.through import carried, warnings
 
+LONGEST = 1e12
+"""No run is longer (s)."""
 TURNS = re.compile(r"^\s*(\d+(?:\.\d+)?)\s+(\w+)\s*$")
 
 
@@ -152,7 +154,7 @@ def span(compiled: Compiled, options: CycleOptions) -> tuple[float, list[Finding
     except KeyError:
         data = {"study": "cycle", "key": key, "reason": "it must be made of numbers and parameters"}
         return 0.0, [Finding("study.options", path, data)]
-    if not 0 < seconds < 1e12:
+    if not 0 < seconds < LONGEST:
         return 0.0, [Finding("study.options", path, {"study": "cycle", "key": key, "reason": "must be positive"})]
     return seconds, []
 
@@ -171,7 +173,8 @@ def _turns(compiled: Compiled, text: str) -> tuple[float, list[Finding]]:
     speed = compiled.quantities.value(drive.speed, u.OMEGA)
     if speed == 0 or float(match[1]) == 0:
         return wrong(f"{match[2]} doesn't turn")
-    return 2 * np.pi * float(match[1]) / abs(speed), []
+    seconds = 2 * np.pi * float(match[1]) / abs(speed)
+    return (seconds, []) if seconds < LONGEST else wrong(f"{match[2]} turns too slowly: that takes {seconds:.3g} s")
 
 
 def not_periodic(run: Run) -> list[Finding]:
