@@ -25,7 +25,7 @@ def test_the_example_and_its_nc_code() -> None:
     job = perform(examine_file(EXAMPLE))
     assert job.exit_code == 0
     entry = job.summary["cam"]
-    found = {name: figure["value"] for name, figure in entry["figures"].items()}
+    found = {name: figure["value"] for name, figure in job.summary["measures"].items()}
     assert found["profile_curvature_max"] == pytest.approx(0.045, abs=5e-5)  # as printed
     assert found["profile_radius_min"] == pytest.approx(22.25, abs=0.04)  # printed; 1/0.045 = 22.22
     assert found["profile_curvature_max"] == pytest.approx(0.0450156, abs=5e-8)

@@ -23,7 +23,7 @@ DIGITS = 7
 
 
 def cam_entry(outcome: CamOutcome) -> dict[str, Any]:
-    """Entries of the summary."""
+    """Entries of the summary: the figures are among the file's measures too."""
     quantities = outcome.compiled.quantities
     length, size = quantities.unit_of(u.LENGTH)
     angle, deg = quantities.unit_of(u.ANGLE)
@@ -34,10 +34,10 @@ def cam_entry(outcome: CamOutcome) -> dict[str, Any]:
             "value": figure.value / one if math.isfinite(figure.value) else None,
             "unit": unit,
             "at": figure.theta / deg,
-            "angle_unit": angle,
+            "at_unit": angle,
         }
         if figure.wanted is not None:
-            told |= {"required": str(outcome.options.require[figure.name].raw), "kept": figure.kept}
+            told |= {"require": str(outcome.options.require[figure.name].raw), "met": figure.kept}
         entry["figures"][figure.name] = told
     entry["checks"] = [_check(outcome, check) for check in (*outcome.checks, *outcome.force_checks)]
     entry |= force_entry(outcome)
@@ -61,7 +61,7 @@ def cam_entry(outcome: CamOutcome) -> dict[str, Any]:
     if outcome.volume is not None:
         entry["volume"] = {"value": outcome.volume / size**3, "unit": f"{length}^3"}
     entry["nc"] = {one.post.name: _milled(outcome, one) for one in outcome.milled}
-    return {"cam": entry}
+    return {"measures": entry["figures"], "cam": entry}
 
 
 def _check(outcome: CamOutcome, check: Check) -> dict[str, Any]:
@@ -139,7 +139,7 @@ def cam_tables(outcome: CamOutcome) -> list[Grid]:
     """Tables of text; those with nothing in them are left out."""
     entry = cam_entry(outcome)["cam"]
     figures = [
-        [say(f"cam.figure.{name}"), _n(one["value"]), one["unit"], _place(one), one.get("required", "–"), _mark(one)]
+        [say(f"cam.figure.{name}"), _n(one["value"]), one["unit"], _place(one), one.get("require", "–"), _mark(one)]
         for name, one in entry["figures"].items()
     ]
     checks = [
@@ -184,12 +184,13 @@ def _n(value: float | None) -> str:
 
 
 def _place(entry: dict[str, Any]) -> str:
-    return f"{entry['at']:.6g} {entry['angle_unit']}"
+    return f"{entry['at']:.6g} {entry.get('at_unit') or entry['angle_unit']}"
 
 
 def _mark(entry: dict[str, Any]) -> str:
-    asked = entry.get("required") is not None or entry.get("limit") is not None
-    return _word(entry["kept"]) if asked else "–"
+    if "require" in entry:
+        return _word(entry["met"])
+    return _word(entry["kept"]) if entry.get("limit") is not None else "–"
 
 
 def _word(kept: bool) -> str:

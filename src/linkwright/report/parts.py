@@ -169,5 +169,8 @@ def summary(document: Document, outcomes: Mapping[str, Any], findings: list[Find
     data: dict[str, Any] = {"linkwright": linkwright.__version__, "name": document.name, "done": done}
     for name, part in PARTS.items():
         if name in outcomes:
-            data |= part.summary(outcomes[name])
+            entry = part.summary(outcomes[name])
+            if "measures" in entry:  # the file's own stay what they are
+                entry |= {"measures": entry["measures"] | data.get("measures", {})}
+            data |= entry
     return data | {"findings": [finding.as_dict() for finding in findings]}
