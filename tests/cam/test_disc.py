@@ -94,15 +94,26 @@ def test_the_profile_touches_the_follower_and_nothing_is_inside_it(name: str, ca
     assert away.min() > -1e-15
 
 
-@given(st.floats(0.02, 0.2), st.floats(-0.8, 0.8), st.sampled_from([1, -1]))
-@settings(max_examples=25, deadline=None)
-def test_curvature_and_normal_against_the_curve_itself(size: float, offset: float, sense: int) -> None:
-    """Along the curve, by a Fourier series: derivatives that know of no formula here."""
-    base = 0.05
-    follower = TranslatingRoller(base, 0.01, offset * base)
+MADE: dict[str, Any] = {
+    "translating_roller": lambda u: (TranslatingRoller(0.05, 0.01, 0.04 * u), 0.002),
+    "translating_knife": lambda u: (TranslatingKnife(0.05, offset=0.04 * u), 0.002),
+    "translating_flat": lambda u: (TranslatingFlat(0.05 + 0.01 * u), 0.002),
+    "swinging_roller": lambda u: (SwingingRoller(0.04, 0.012, 0.09 + 0.01 * u, 0.085), 0.02),
+    "swinging_flat": lambda u: (SwingingFlat(0.04, 0.09, 0.01 * u), 0.02),
+}
+
+
+@pytest.mark.parametrize("name", FOLLOWERS)
+@given(st.floats(0.5, 4.0), st.floats(-0.8, 0.8), st.floats(0.0, 6.0), st.sampled_from([1, -1]))
+@settings(max_examples=12, deadline=None)
+def test_tangent_and_curvature_against_the_curve_itself(
+    name: str, size: float, length: float, phase: float, sense: int
+) -> None:
+    """Along the curve of random cams, by a Fourier series: derivatives that know of no formula here."""
+    follower, lift = MADE[name](length)
     n = 512
     theta = np.arange(n) * 2 * np.pi / n
-    look = Disc(follower, harmonic(size * base, 0.1 * size * base, 1.0), sense).look(theta)
+    look = Disc(follower, harmonic(size * lift, 0.1 * size * lift, phase), sense).look(theta)
     curve = look.offset(0.0)
     waves = 1j * np.fft.fftfreq(n, 1 / n)
     first, second = (np.fft.ifft(waves**k * np.fft.fft(curve[0] + 1j * curve[1])) for k in (1, 2))
