@@ -32,6 +32,13 @@ def test_the_example_has_none() -> None:
     assert not faults()
 
 
+def test_a_misspelled_key_of_a_cam_is_told_the_known_ones() -> None:
+    cam = {"cam": "crank", "folower": "rocker", "on": "frame", "base": 30, "law": "lift", "knife": "B"}
+    found = {finding.code: finding for finding in faults(cams={"seal": cam})}
+    assert "follower" in found["file.unknown-key"].mend
+    assert "follower, on, base" in found["file.missing"].mend
+
+
 @pytest.mark.parametrize(
     ("section", "entry", "code", "element"),
     [

@@ -9,6 +9,7 @@ from linkwright.model import actions as a
 from linkwright.model import elements as e
 from linkwright.model import motions as m
 from linkwright.model import parts as p
+from linkwright.model.cams import Cam
 from linkwright.model.findings import Finding, Term
 from linkwright.model.mechanism import Document
 from linkwright.model.tolerances import Stated
@@ -26,6 +27,7 @@ _CLASSES: dict[str, type[Frozen]] = {
     "drives": p.Drive,
     "tables": a.Table,
     "laws": m.MotionLaw,
+    "cams": Cam,
     "loads": a.Load,
     "springs": e.Spring,
     "counterweights": e.Counterweight,

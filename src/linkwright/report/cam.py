@@ -129,7 +129,7 @@ def cam_sentences(outcome: CamOutcome) -> list[str]:
         told.append(say("cam.sentence.base", base=f"{outcome.smallest / size:.6g}", unit=length))
     by = {check.name: check for check in outcome.checks}
     roller = outcome.disc.follower.radius
-    if "profile_radius" in by and "pitch_radius" in by:
+    if roller > 0 and "profile_radius" in by and "pitch_radius" in by:
         data = {"profile": by["profile_radius"].value, "roller": roller, "pitch": by["pitch_radius"].value}
         told.append(say("cam.sentence.paper", unit=length, **{k: f"{v / size:.6g}" for k, v in data.items()}))
     return [*told, *force_sentences(outcome)]

@@ -102,6 +102,6 @@ def _map(outcome: CamOutcome) -> Chart:
     x, y = np.meshgrid(found.first / size, found.second / size)
     axes = Axes((float(x.min()), float(x.max())), (float(y.min()), float(y.max())), named(say("cam.base"), unit))
     kept = found.margins >= 0
-    shapes = [*axes.dots(x[kept], y[kept], 5.0), *axes.dots(x[~kept], y[~kept], 1.5, "limit")]
+    shapes = [*axes.dots(x[kept], y[kept], 5.0), *axes.dots(x[~kept], y[~kept], 2.0, "limit")]
     title = say("cam.chart.map", name=found.names[1], unit=unit)
     return {"title": title, "drawing": axes.drawing(shapes, title)}

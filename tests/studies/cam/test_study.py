@@ -165,10 +165,17 @@ def test_what_is_wrong_is_said_at_once() -> None:
         "size.base": "value.not-rising",
         "size.against.face": "name.unknown",
     }
+    signs = findings(heat_seal(size={"base": [-1, 20]}, forces={"inertia": "-1 kg*m^2"}))
+    assert [one.what for one in signs] == [
+        "base is -1; it must be more than 0.",
+        "inertia is -1 kg*m^2; it must be 0 or more.",
+    ]
     keyway = {"thickness": 12, "bore": 10, "key_width": 20, "key_depth": 3}
     assert codes(blank=keyway) == {"blank.key_width": "cam.keyway"}
     assert codes(blank={"thickness": 12, "key_width": 3}) == {"blank": "cam.together"}
-    assert codes(nc=NC | {"post": ["grbl", "heidenhain"]}) == {"nc.post": "study.choice"}
+    (posts,) = findings(heat_seal(nc=NC | {"post": ["grbl", "heidenhain", "fanuk"]}))
+    assert posts.code == "study.choice" and "heidenhain, fanuk" in posts.what
+    assert codes(nc=NC | {"depth": "1 m", "step": "1 um"}) == {"nc.step": "cam.passes"}
     other, bare = heat_seal(), arm()
     other["studies"]["cam"]["cam"] = "other"
     assert [f.code for f in findings(other)] == ["name.unknown"]

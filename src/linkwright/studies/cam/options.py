@@ -23,9 +23,8 @@ Path_ = tuple[str | int, ...]
 def _posts(raw: Any) -> Any:
     names = [raw] if isinstance(raw, str) else raw
     if isinstance(names, list | tuple):
-        for name in names:
-            if name not in POSTS:
-                raise fault("study.choice", study="cam", key="post", given=str(name)[:40], known=", ".join(POSTS))
+        if wrong := [str(name)[:40] for name in names if name not in POSTS]:
+            raise fault("study.choice", study="cam", key="post", given=", ".join(wrong[:9]), known=", ".join(POSTS))
         return tuple(dict.fromkeys(names))
     return raw
 

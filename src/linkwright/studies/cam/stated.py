@@ -14,7 +14,7 @@ from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression
-from linkwright.model.findings import Finding
+from linkwright.model.findings import Finding, Term
 from linkwright.model.quantities import LARGEST
 from linkwright.model.unknown import unknown
 from linkwright.studies.cam.force_numbers import Asked, given, known, read
@@ -33,6 +33,9 @@ FIGURES = {
 MM, MINUTE = 1e3, 60.0
 QUARTER = 0.25
 """Of the feed: what the cutter goes down with where it isn't stated."""
+
+MOST_PASSES = 200
+"""More than a thick cam takes in fine steps; a file of many more would take hours to prove."""
 
 Range = tuple[float, float]
 
@@ -97,7 +100,9 @@ class Reader:
         if not abs(value) < LARGEST:
             self.findings.append(Finding("value.not-finite", at, {"text": of.text[:60]}))
         elif least is not None and not (value >= 0 if zero else value > 0):
-            self.findings.append(Finding("cam.not-positive", at, {"key": str(path[-1]), "text": of.text[:60]}))
+            key = next(name for name in reversed(path) if isinstance(name, str))
+            data = {"key": key, "text": of.text[:60], "least": Term("cam-zero" if zero else "cam-positive")}
+            self.findings.append(Finding("cam.not-positive", at, data))
         else:
             return value
         return math.nan
@@ -161,6 +166,10 @@ class Reader:
             return MM * self._number(getattr(o, key), u.LENGTH, "nc", key, zero=zero)
 
         depth, feed = length("depth"), self._feed(o, "feed")
+        step = depth if o.step is None else length("step")
+        if depth > MOST_PASSES * step:
+            data = {"count": f"{math.ceil(depth / step):.6g}", "most": MOST_PASSES}
+            self.findings.append(Finding("cam.passes", (*PATH, "nc", "step"), data))
         lift = u.ANGLE if self.disc.follower.turns else u.LENGTH
         start = (
             middle_of_dwell(self.disc)
@@ -171,7 +180,7 @@ class Reader:
             cutter=length("cutter"),
             depth=depth,
             tolerance=self._number(o.tolerance, lift, "nc", "tolerance"),
-            step=depth if o.step is None else length("step"),
+            step=step,
             feed=feed,
             plunge=QUARTER * feed if o.plunge is None else self._feed(o, "plunge"),
             speed=30 / math.pi * self._number(o.speed, u.OMEGA, "nc", "speed"),

@@ -10,8 +10,8 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "Give them all, or none of them.",
     ),
     "cam.not-positive": (
-        "{key} is {text}; it must be more than nothing.",
-        "Give a positive value.",
+        "{key} is {text}; it must be {least}.",
+        "Give such a value.",
     ),
     "cam.keyway": (
         "The keyway is wider than the bore.",
@@ -29,10 +29,14 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "No base circle from {low} {unit} to {high} {unit} keeps the limits.",
         "Widen the range, or loosen the limits.",
     ),
+    "cam.passes": (
+        "Going down so takes {count} passes; {most} are the most.",
+        "Give a larger step, or mill a thinner cam.",
+    ),
     "cam.undercut": (
         "The cam is undercut: at the cam angle {theta} the {name} is {value} {unit}, and it must exceed {limit} {unit}. "
         "There is no profile that moves the follower so.",
-        "Take a larger base circle: from {base} on there is a profile. Or a smaller roller, or a longer way for the lift.",
+        "Take a larger base circle (the least that will do: {base}), a longer way for the lift, or a smaller roller.",
     ),
     "cam.rough": (
         "At the cam angle {theta} the follower's {rate} jumps.",
@@ -41,7 +45,7 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
     "cam.hollow": (
         "The profile is hollow at the cam angle {theta} with a radius of {value} {unit}; a cutter of {limit} {unit} doesn't "
         "get in.",
-        "Take a smaller cutter, or a larger base circle: {base}.",
+        "Take a smaller cutter, or a larger base circle (the least that will do: {base}).",
     ),
     "cam.limit": (
         "The {name} is {value} {unit} at the cam angle {theta}; the limit is {limit} {unit}.",
@@ -216,6 +220,8 @@ CAM_TERMS = {
     "no-rate": "; with the present one no rate does",
     "a-length": "a length of the follower",
     "no-base": "none of up to twenty times as large",
+    "cam-positive": "more than 0",
+    "cam-zero": "0 or more",
     "jump-acceleration": "acceleration",
     "jump-jerk": "jerk",
     "check-pressure_rise": "pressure angle on the rise",
