@@ -16,11 +16,7 @@ Circle = tuple[float, float, float]
 
 def bulge(element: Element) -> float:
     """The tangent of a quarter of the angle of an arc, positive counter-clockwise; 0 of a line."""
-    if element.centre is None:
-        return 0.0
-    (sx, sy), (ex, ey), (cx, cy) = element.start, element.end, element.centre
-    swept = element.turn * (math.atan2(ey - cy, ex - cx) - math.atan2(sy - cy, sx - cx)) % (2 * math.pi)
-    return element.turn * math.tan(swept / 4)
+    return 0.0 if element.centre is None else element.turn * math.tan(element.swept / 4)
 
 
 def dxf(

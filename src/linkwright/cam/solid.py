@@ -68,10 +68,8 @@ def _edge(b: Any, element: Element) -> Any:
     start, end = ((float(x), float(y), 0.0) for x, y in (element.start, element.end))
     if element.centre is None:
         return b.Edge.make_line(start, end)
-    (sx, sy), (ex, ey), (cx, cy) = element.start, element.end, element.centre
-    first = math.atan2(sy - cy, sx - cx)
-    swept = element.turn * (math.atan2(ey - cy, ex - cx) - first) % (2 * math.pi)
-    middle, radius = first + element.turn * swept / 2, math.hypot(sx - cx, sy - cy)
+    (sx, sy), (cx, cy) = element.start, element.centre
+    middle, radius = math.atan2(sy - cy, sx - cx) + element.turn * element.swept / 2, math.hypot(sx - cx, sy - cy)
     through = (cx + radius * math.cos(middle), cy + radius * math.sin(middle), 0.0)
     return b.Edge.make_three_point_arc(start, through, end)
 

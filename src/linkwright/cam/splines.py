@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.cam.disc import Disc
+from linkwright.cam.nc.path import Sharp
 
 Array = NDArray[np.float64]
 
@@ -27,7 +28,7 @@ class Spline:
 
 def splines(disc: Disc, tolerance: float, offset: float | None = None) -> list[Spline]:
     """The profile, or the curve ``offset`` (m) outward of the pitch curve, end to end, within ``tolerance`` (m); with
-    growing cam angle. Directions at the ends of each are exact."""
+    growing cam angle. Directions at the ends of each are exact. Raises Sharp where no spline comes so near."""
     by = -disc.follower.radius if offset is None else offset
     return [_spline(disc, start, stop, tolerance, by) for start, stop in disc.pieces]
 
@@ -44,6 +45,8 @@ def _spline(disc: Disc, start: float, stop: float, tolerance: float, by: float) 
         ends = ([(1, rates[:, 0])], [(1, rates[:, -1])])
         made = make_interp_spline(theta[::BETWEEN], places[:, ::BETWEEN].T, k=3, bc_type=ends)
         off = np.abs(((made(theta).T - places) * normal).sum(axis=0)).max()
-        if off <= tolerance or spans >= MOST:
+        if off <= tolerance:
             return Spline(made.t, made.c.T)
+        if spans >= MOST:
+            raise Sharp(start)
         spans *= 2

@@ -68,7 +68,7 @@ def cam_dxf(outcome: CamOutcome) -> str | None:
     layers = {"PROFILE": outcome.contour} | ({"FLANK": outcome.flank} if outcome.flank else {})
     if outcome.options.drawing == "arcs":
         return dxf(layers, circles)
-    return dxf({}, circles, {layer: outcome.splines(outer=layer == "FLANK") for layer in layers})
+    return dxf({}, circles, dict(zip(layers, outcome.splines, strict=True)))
 
 
 def cam_step(outcome: CamOutcome) -> bytes | None:

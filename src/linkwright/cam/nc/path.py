@@ -7,6 +7,7 @@ pairs that are tangent to each other and to the path (biarcs: Bolton, Computer-A
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -38,6 +39,13 @@ class Element:
     centre: tuple[float, float] | None = None
     turn: int = 0
     ratio: float = 1.0
+
+    @property
+    def swept(self) -> float:
+        """The angle of an arc (rad, positive)."""
+        assert self.centre is not None
+        (sx, sy), (ex, ey), (cx, cy) = self.start, self.end, self.centre
+        return self.turn * (math.atan2(ey - cy, ex - cx) - math.atan2(sy - cy, sx - cx)) % (2 * math.pi)
 
 
 class Sharp(ValueError):

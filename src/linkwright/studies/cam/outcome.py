@@ -16,7 +16,7 @@ from linkwright.cam.extremes import Extreme, extremes
 from linkwright.cam.nc.path import Element
 from linkwright.cam.pairs import Frame
 from linkwright.cam.sizing import Feasible
-from linkwright.cam.splines import Spline, splines
+from linkwright.cam.splines import Spline
 from linkwright.kernels import Compiled
 from linkwright.laws import Motion
 from linkwright.model import units as u
@@ -58,7 +58,8 @@ class CamOutcome:
     """A plate cam: figures and checks, sizes, and what is made of it; SI, but for what the machine tool gets (mm).
 
     ``elements`` is the contour in the disc's axes, which ``frame`` puts into the link's, ``outer`` the other flank of a
-    groove, ``area`` (m2) that within the profile; all are missing where there is no profile.
+    groove, ``curves`` both as splines where these are asked for, ``area`` (m2) that within the profile; all are missing
+    where there is no profile.
     ``smallest`` is the base circle (m) that ``size`` asks for, ``None`` where none keeps the limits.
     """
 
@@ -76,6 +77,7 @@ class CamOutcome:
     map: Feasible | None = None
     elements: list[Element] = field(default_factory=list)
     outer: list[Element] = field(default_factory=list)
+    curves: list[list[Spline]] = field(default_factory=list)
     area: float = math.nan
     milled: list[Milled] = field(default_factory=list)
     failures: list[Finding] = field(default_factory=list)
@@ -126,11 +128,11 @@ class CamOutcome:
         """Likewise the outer flank of a groove; empty where the roller doesn't run in one."""
         return self._put(self.outer)
 
-    def splines(self, outer: bool = False) -> list[Spline]:
-        """The profile, or the outer flank of a groove, as splines about the centre in directions of the link's axes."""
-        by = self.disc.follower.radius * (1 if outer else -1)
-        made = splines(self.disc, self.stated.tolerance, by)
-        return [replace(one, points=self.placed(one.points)) for one in made]
+    @property
+    def splines(self) -> list[list[Spline]]:
+        """The profile, then the outer flank of a groove, as splines about the centre in directions of the link's axes;
+        empty unless asked for."""
+        return [[replace(one, points=self.placed(one.points)) for one in curve] for curve in self.curves]
 
     def _put(self, elements: list[Element]) -> list[Element]:
         def put(place: tuple[float, float]) -> tuple[float, float]:

@@ -13,6 +13,7 @@ from linkwright.cam.nc.path import Sharp
 from linkwright.cam.pairs import disc as disc_of
 from linkwright.cam.pairs import frame
 from linkwright.cam.sizing import feasible, smallest
+from linkwright.cam.splines import splines
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.findings import Finding, Term
@@ -123,6 +124,9 @@ def _shape(outcome: CamOutcome) -> None:
         cut = any(check.name == "groove_radius" and not check.kept for check in outcome.checks)
         if stated.limits.groove and not cut:
             outcome.outer = contour(disc, stated.tolerance, disc.follower.radius)
+        if outcome.options.drawing == "splines":
+            sides = (-1, 1) if outcome.outer else (-1,)
+            outcome.curves = [splines(disc, stated.tolerance, side * disc.follower.radius) for side in sides]
     except Sharp as sharp:
         data = {"theta": _angle(outcome, sharp.theta), "tolerance": outcome.options.tolerance.text[:60]}
         outcome.failures.append(Finding("cam.sharp", (*PATH, "tolerance"), data))
