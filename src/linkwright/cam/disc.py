@@ -65,6 +65,11 @@ class Look:
             return np.asarray(1.0 / np.broadcast_to(self.curvature.d[0], self.theta.shape) + by)
 
 
+def inside(theta: Array, start: float, stop: float) -> Array:
+    """Angles kept within a piece of the law: at its end, where the next one begins, those from the left."""
+    return np.clip(theta, start, np.nextafter(stop, start))
+
+
 @dataclass(frozen=True)
 class Disc:
     """A follower on a cam that turns in the sense ``sense`` (+1: counter-clockwise), with its lift over a turn.
@@ -93,7 +98,7 @@ class Disc:
         key = start, stop, steps
         if key not in self._grids:
             theta = np.linspace(start, stop, steps + 1)
-            self._grids[key] = theta, self.look(np.minimum(theta, np.nextafter(stop, start)))
+            self._grids[key] = theta, self.look(inside(theta, start, stop))
         return self._grids[key]
 
     def look(self, theta: Array) -> Look:

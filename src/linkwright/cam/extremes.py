@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.disc import Disc, Lift, Look
+from linkwright.cam.disc import Disc, Lift, Look, inside
 from linkwright.notation import Jet
 from linkwright.results.stationary import crossings, stationary
 
@@ -42,7 +42,7 @@ def extremes(
     for start, stop in disc.pieces if over is None else over:
 
         def rates(theta: Array, start: float = start, stop: float = stop) -> tuple[Array, Array]:
-            jet = figure(disc.look(np.clip(theta, start, np.nextafter(stop, start))))
+            jet = figure(disc.look(inside(theta, start, stop)))
             rows = [np.broadcast_to(d, theta.shape) for d in jet.d[:2]]
             return rows[0][None], rows[1][None]
 
@@ -74,7 +74,7 @@ def moving(lift: Lift, pieces: tuple[tuple[float, float], ...]) -> list[tuple[fl
     for start, stop in pieces:
 
         def rate(theta: Array, start: float = start, stop: float = stop) -> Array:
-            at = np.clip(theta, start, np.nextafter(stop, start))
+            at = inside(theta, start, stop)
             return np.broadcast_to(lift(Jet([at, np.ones_like(at)])).d[1], theta.shape)
 
         turns = [start, *crossings(rate, start, stop, STEPS), stop]

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from linkwright.cam.contact import Side, drivable, reach, rows
 from linkwright.cam.disc import Disc, Look
+from linkwright.cam.disc import inside as within
 from linkwright.cam.extremes import STEPS, Extreme, Figure, extremes
 from linkwright.notation import Jet
 from linkwright.results.stationary import crossings
@@ -177,7 +178,7 @@ class Forces:
         for start, stop in self.disc.pieces:
 
             def along(theta: Array, start: float = start, stop: float = stop) -> Array:
-                look = self.disc.look(np.clip(theta, start, np.nextafter(stop, start)))
+                look = self.disc.look(within(theta, start, stop))
                 return rows(self.loads.along(look, self.omega).d[0], theta.size)
 
             for a, b in pairwise([start, *map(float, crossings(along, start, stop, STEPS)), stop]):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.disc import Disc
+from linkwright.cam.disc import Disc, inside
 from linkwright.cam.nc.path import Sharp
 
 Array = NDArray[np.float64]
@@ -39,7 +39,7 @@ def _spline(disc: Disc, start: float, stop: float, tolerance: float, by: float) 
     spans = FIRST
     while True:
         theta = np.linspace(start, stop, spans * BETWEEN + 1)
-        look = disc.look(np.clip(theta, start, np.nextafter(stop, start)))
+        look = disc.look(inside(theta, start, stop))
         places, normal = look.offset(by), look.offset(by + 1.0) - look.offset(by)
         rates = np.array([p.d[1] + by * n.d[1] for p, n in zip(look.pitch, look.normal, strict=True)])
         ends = ([(1, rates[:, 0])], [(1, rates[:, -1])])

@@ -164,9 +164,10 @@ class _Writer:
         self.word: int | None = None
         self.feed: str | None = None
 
-    def number(self, value: float) -> str:
+    def number(self, value: float, more: int = 0) -> str:
         """Fixed decimals; controls may take a number without a point as one of the smallest unit."""
-        return f"{round(value, self.decimals) + 0.0:.{self.decimals}f}"
+        decimals = self.decimals + more
+        return f"{round(value, decimals) + 0.0:.{decimals}f}"
 
     def _start(self, word: int, feed: float | None) -> tuple[str, str]:
         """The G word and the feed, where they change."""
@@ -189,10 +190,7 @@ class _Writer:
             return self.straight(1, x, y, feed)
         front, back = self._start(3 if element.turn > 0 else 2, feed)
         i, j = element.centre[0] - sx, element.centre[1] - sy
-        return f"{front}X{self.number(x)} Y{self.number(y)} I{self._fine(i)} J{self._fine(j)}{back}"
-
-    def _fine(self, value: float) -> str:
-        return f"{round(value, self.decimals + 1) + 0.0:.{self.decimals + 1}f}"
+        return f"{front}X{self.number(x)} Y{self.number(y)} I{self.number(i, 1)} J{self.number(j, 1)}{back}"
 
 
 def _aside(lead: Element, far: float, last: bool = False) -> tuple[float, float]:
