@@ -210,5 +210,5 @@ def test_a_follower_that_would_have_to_be_pulled_is_told() -> None:
     assert float(warning.data["force"]) == pytest.approx(
         -c.evaluate(["rider.force"], np.linspace(0, TURN, 721)).min(), rel=1e-3
     )
-    data["cams"]["rider"]["closed"] = "form"
+    data["cams"]["rider"]["closed"] = "groove"
     assert not lw.run(Document.model_validate(data)).cycle.warnings

@@ -99,6 +99,7 @@ def test_its_lengths_stay_live() -> None:
     assert here.evaluate(names, t) == pytest.approx(compiled_from(other).evaluate(names, t), rel=1e-13)
 
 
+CONJUGATE = {"cams__rider__closed": "conjugate"}
 REFUSED: list[tuple[dict[str, Any], list[tuple[str, str]]]] = [
     ({"cams__rider__knife": "B"}, [("cam.contact", "cams.rider")]),
     ({"cams__rider__at": None}, [("cam.contact", "cams.rider")]),
@@ -124,6 +125,14 @@ REFUSED: list[tuple[dict[str, Any], list[tuple[str, str]]]] = [
     ({"cams__rider__base": 0.2}, [("cam.reach", "cams.rider")]),
     ({"links__frame__points__A": [0.01, -0.02]}, [("cam.no-distance", "cams.rider")]),
     ({"cams__rider__at": "A"}, [("cam.no-arm", "cams.rider")]),
+    ({"cams__rider__closed": "form"}, [("file.expected", "cams.rider.closed")]),
+    ({"cams__rider__closed": "yoke"}, [("cam.yoke", "cams.rider.closed")]),
+    ({"cams__rider__second": {}}, [("cam.second", "cams.rider")]),
+    (CONJUGATE | {"cams__rider__second": {"at": "X", "roller": 0}},
+     [("name.unknown-point", "cams.rider.second.at"), ("value.too-small", "cams.rider.second.roller")]),
+    (CONJUGATE | {"cams__rider__second": {"base": 0}}, [("value.too-small", "cams.rider.second.base")]),
+    (CONJUGATE | {"cams__rider__second": {"at": "T", "base": 0.04}}, [("cam.second-twice", "cams.rider.second")]),
+    (CONJUGATE | {"cams__rider__second": {"face": "T at 1"}}, [("cam.second-other", "cams.rider")]),
     ({"cams__rider__base": "40 N"}, [("expression.units-conflict", "cams.rider.base")]),
 ]  # fmt: skip
 
@@ -138,6 +147,7 @@ def test_refusals_of_other_followers() -> None:
     assert codes("sliding", "roller", cams__rider__base=0.001, cams__rider__roller=0.001) == [
         ("cam.offset", "cams.rider")
     ]
+    assert codes("sliding", "knife", cams__rider__closed="groove") == [("cam.groove", "cams.rider")]
     assert codes("swinging", "face", cams__rider__base=0.2) == [("cam.face", "cams.rider")]
     assert codes("sliding", "knife", joints__guide=None)[0] == ("cam.no-guide", "cams.rider")
     assert codes(joints__shaft=None)[0] == ("cam.no-shaft", "cams.rider")

@@ -127,7 +127,8 @@ class Builder:
 
     def cam(self, name: str, *, cam: str, follower: str, base: Any, law: str, on: str = "frame", **more: Any) -> Self:
         """A plate cam on the link ``cam`` and the ``follower`` that rides on it; ``more`` says by what it touches
-        (``roller`` and ``at``, ``knife`` or ``face``), ``side``, ``phase``, ``sense``, ``closed``, as in the file."""
+        (``roller`` and ``at``, ``knife`` or ``face``), ``side``, ``phase``, ``sense``, ``closed``, ``second``, as in a
+        file."""
         data = {"cam": cam, "follower": follower, "on": on, "base": base, "law": law}
         return self._put("cams", name, data | _given(**more))
 

@@ -12,6 +12,27 @@ from linkwright.model.parts import Drive
 from linkwright.model.written import Fault
 
 
+class Second(Frozen):
+    """What rides on the second disc of a conjugate pair, on the same follower and shaft; what is left out is as on the
+    first. Its place gives the disc's base circle, or the other way round."""
+
+    base: Expression | None = Field(None, description="radius of its base circle; the first one's unless at is given")
+    roller: Expression | None = Field(None, description="radius of its roller; the first one's unless given")
+    at: Name | None = Field(None, description="the second roller's centre, or the second edge: a point of the follower")
+    face: LineOn | None = Field(None, description="the follower's second face, on the other side of the cam")
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+        places = [key for key in ("base", "at", "face") if key in given]
+        if len(places) > 1:
+            yield "cam.second-twice", {"given": ", ".join(places)}
+
+    @property
+    def touches(self) -> str | None:
+        """The follower's point that says where it touches, if one does."""
+        return self.at or (self.face.point if self.face else None)
+
+
 class Cam(Frozen):
     """A plate cam on a link that a drive turns, and the follower that rides on it by a law over the cam's angle."""
 
@@ -37,8 +58,13 @@ class Cam(Frozen):
         None,
         description="where the follower lies: 'left of O-A' (shaft-pivot), or 'ahead of O along SLIDE' (unless given)",
     )
-    closed: Literal["force", "form"] = Field(
-        "force", description="what keeps the follower on the cam: a force such as a spring's, or a groove or second cam"
+    closed: Literal["force", "groove", "conjugate", "yoke"] = Field(
+        "force",
+        description="what keeps the follower on the cam: a force such as a spring's, a groove for the roller, a second "
+        "disc on the shaft, or a yoke around the disc (sliding followers)",
+    )
+    second: Second | None = Field(
+        None, description="with closed: conjugate, what rides on the second disc; as the first unless given"
     )
 
     @classmethod
@@ -46,6 +72,21 @@ class Cam(Frozen):
         contacts = [key for key in ("roller", "knife", "face") if key in given]
         if len(contacts) != 1 or ("at" in given) != ("roller" in given):
             yield "cam.contact", {"given": ", ".join([*contacts, *(["at"] if "at" in given else [])]) or "-"}
+        closed, second = given.get("closed"), given.get("second")
+        if closed == "groove" and "roller" not in given:
+            yield "cam.groove", {}
+        if second is not None and closed != "conjugate":
+            yield "cam.second", {"closed": str(closed or "force")[:40]}
+        others = {"roller": {"face"}, "face": {"at", "roller"}, "knife": {"face", "roller"}}
+        wrong = {*second} & others[contacts[0]] if isinstance(second, Mapping) and len(contacts) == 1 else ()
+        if wrong:
+            yield "cam.second-other", {"given": ", ".join(sorted(wrong)), "first": contacts[0]}
+
+    def contacts(self, path: tuple[str | int, ...]) -> Iterator[tuple[tuple[str | int, ...], Cam | Second]]:
+        """What states a contact, with its path: the cam itself, and what is stated of the second disc."""
+        yield path, self
+        if self.second is not None:
+            yield (*path, "second"), self.second
 
     @property
     def on(self) -> str:

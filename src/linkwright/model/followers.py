@@ -50,7 +50,7 @@ class _Reader:
         self.pins = pins(m)
         self.findings: list[Finding] = []
 
-    def note(self, code: str, *key: str, **data: Any) -> None:
+    def note(self, code: str, *key: str | int, **data: Any) -> None:
         self.findings.append(Finding(code, (*self.path, *key), data))
 
     def read(self) -> Following | list[Finding]:
@@ -77,6 +77,8 @@ class _Reader:
             self.note("cam.no-motor", cam=cam.cam, on=cam.on)
         if pivot is None and slide is None:
             self.note("cam.no-guide", follower=cam.follower, on=cam.on)
+        if pivot is not None and cam.closed == "yoke":
+            self.note("cam.yoke", "closed")
         self.lawful("angle" if pivot is not None else "length")
         side = self.side(shaft, pivot, slide) if shaft is not None else 1
         if self.findings or shaft is None or motor is None:
@@ -89,12 +91,16 @@ class _Reader:
         return Following(slides=cam.follower, joint=slide, **data)
 
     def touching(self) -> None:
-        """The follower's point at which it touches."""
+        """The follower's points at which it touches."""
+        key = next(key for key in ("at", "knife", "face") if getattr(self.cam, key) is not None)
+        places: dict[Path, str] = {(key,): self.cam.touches}
+        if (second := self.cam.second) is not None and (other := second.touches) is not None:
+            places["second", "at" if second.at else "face"] = other
         points = self.m.links[self.cam.follower].points
-        if self.cam.touches not in points:
-            data = {"link": self.cam.follower, "name": self.cam.touches, "near": near(self.cam.touches, [*points])}
-            key = next(key for key in ("at", "knife", "face") if getattr(self.cam, key) is not None)
-            self.note("name.unknown-point", key, **data)
+        for path, name in places.items():
+            if name not in points:
+                data = {"link": self.cam.follower, "name": name, "near": near(name, [*points])}
+                self.note("name.unknown-point", *path, **data)
 
     def pin(self, link: str) -> Pin | None:
         """The pin that a link shares with the one that carries both."""

@@ -138,12 +138,13 @@ def _actions(m: Mechanism) -> Iterator[Place]:
             yield Place((*at, "position"), drive.position, span, Scope.TIME)
     for name, cam in m.cams.items():
         at = ("cams", name)
-        yield Place((*at, "base"), cam.base, u.LENGTH)
         yield Place((*at, "phase"), cam.phase, u.ANGLE)
-        if cam.roller is not None:
-            yield Place((*at, "roller"), cam.roller, u.LENGTH)
-        if cam.face is not None:
-            yield Place((*at, "face"), cam.face.angle, u.ANGLE)
+        for path, contact in cam.contacts(at):
+            for key in ("base", "roller"):
+                if (radius := getattr(contact, key)) is not None:
+                    yield Place((*path, key), radius, u.LENGTH)
+            if contact.face is not None:
+                yield Place((*path, "face"), contact.face.angle, u.ANGLE)
     for name, load in m.loads.items():
         at = ("loads", name)
         if isinstance(load.at, Position):

@@ -72,9 +72,10 @@ def _bodies(q: Quantities) -> Iterator[Finding]:
         if table.period is not None:
             yield from least(("tables", name, "period"), "period", table.period, u.PURE, True)
     for name, cam in q.mechanism.cams.items():
-        for key, radius in (("base", cam.base), ("roller", cam.roller)):
-            if radius is not None:
-                yield from least(("cams", name, key), "radius", radius, u.LENGTH, True)
+        for path, contact in cam.contacts(("cams", name)):
+            for key in ("base", "roller"):
+                if (radius := getattr(contact, key)) is not None:
+                    yield from least((*path, key), "radius", radius, u.LENGTH, True)
     for name, measure in q.mechanism.measures.items():
         if measure.within is not None:
             dimension = q.dimensions.dimension(measure.signal.node)

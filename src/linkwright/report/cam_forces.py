@@ -25,7 +25,7 @@ def force_entry(outcome: CamOutcome) -> dict[str, Any]:
         return {}
     _, rate, load = along(outcome.disc)
     angle, deg = quantities.unit_of(u.ANGLE)
-    told: dict[str, Any] = {"closed": "force" if done.asked.second is None else "form"}
+    told: dict[str, Any] = {"closed": outcome.compiled.mechanism.cams[outcome.name].closed}
     stated = {
         "speed": (done.asked.omega, u.OMEGA),
         "rate": (done.loads.rate, rate),

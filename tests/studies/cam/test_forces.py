@@ -97,7 +97,7 @@ def test_limits_and_requirements() -> None:
 
 
 def test_a_groove_bears_on_both_flanks() -> None:
-    outcome = study({"inertia": "0.0012 kg*m^2", "speed": "300 rpm", "width": 10}, {"closed": "form"})
+    outcome = study({"inertia": "0.0012 kg*m^2", "speed": "300 rpm", "width": 10}, {"closed": "groove"})
     wanted = forces(outcome.disc, Loads(INERTIA), 300 * RPM, second=groove(outcome.disc).second)
     assert outcome.done and outcome.pressed is not None
     found = figures(outcome)
@@ -130,7 +130,7 @@ def test_what_is_wrong_is_said_at_once() -> None:
 
 
 def test_no_speed_no_roller_no_forces() -> None:
-    still = heat_seal({"closed": "form"}, forces={"inertia": "1 kg*m^2", "width": 5})
+    still = heat_seal({"closed": "conjugate"}, forces={"inertia": "1 kg*m^2", "width": 5})
     still["drives"]["shaft"] = {"turns": "cam", "on": "frame", "position": "1 rad/s*t"}
     del still["cams"]["heat_seal"]["roller"], still["cams"]["heat_seal"]["at"]
     still["cams"]["heat_seal"]["knife"] = "B"

@@ -95,7 +95,7 @@ def shifted(text: str) -> str:
 @pytest.mark.parametrize(("drawing", "kind"), [("arcs", "LWPOLYLINE"), ("splines", "SPLINE")])
 def test_the_drawing_of_a_groove_has_both_flanks(drawing: str, kind: str) -> None:
     ezdxf = pytest.importorskip("ezdxf")
-    job = performed(heat_seal({"closed": "form"}, drawing=drawing))
+    job = performed(heat_seal({"closed": "groove"}, drawing=drawing))
     assert job.cam is not None
     space = ezdxf.read(io.StringIO(FILES["cam.dxf"](job.cam))).modelspace()
     reach = {}

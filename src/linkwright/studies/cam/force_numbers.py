@@ -121,7 +121,7 @@ def given(compiled: Compiled, name: str, disc: Disc, o: CamForces | None) -> set
     missing = {"hertz_pressure_max"} if o.width is None else set()
     if not disc.follower.radius > 0:
         missing.add("roller_speed_max")
-    if compiled.mechanism.cams[name].closed == "form" and o.spring is None:
+    if compiled.mechanism.cams[name].closed != "force" and o.spring is None:
         missing |= {"lift_off_speed", "spring_preload_min", "spring_rate_min"}
     return known(disc).keys() - missing
 
@@ -150,7 +150,7 @@ def _material(o: CamMaterial | None, key: str, number: Number, found: list[Findi
 
 
 def _second(compiled: Compiled, name: str, disc: Disc, found: list[Finding]) -> Side | None:
-    if compiled.mechanism.cams[name].closed != "form":
+    if compiled.mechanism.cams[name].closed == "force":
         return None
     if disc.follower.radius > 0:
         return groove(disc).second

@@ -120,7 +120,7 @@ class Reader:
             self._maybe(o.pitch_over_roller, u.PURE, "limits", "pitch_over_roller"),
             self._maybe(o.profile_radius, u.LENGTH, "limits", "profile_radius"),
             cutter if stated is None else stated,
-            groove=cam.closed == "form" and cam.roller is not None,
+            groove=cam.closed == "groove",
         )
 
     def _range(self, of: tuple[Expression, Expression], *path: str, least: float | None = 0.0) -> Range:

@@ -405,6 +405,18 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "What touches the cam isn't clear; given: {given}.",
         "Give roller with at (its centre), or knife with a point of the follower, or face with a line of it.",
     ),
+    "cam.second": (
+        "What rides on a second disc is stated, and the follower is closed by {closed}.",
+        "Say closed: conjugate, or leave second out.",
+    ),
+    "cam.second-twice": (
+        "The second disc is stated by more than one of base, at and face: {given}.",
+        "Give one: where the follower's second contact is, or the disc's base circle.",
+    ),
+    "cam.second-other": (
+        "Both discs of a pair have contacts of one kind; the first has {first}, the second {given}.",
+        "Give the second the same kind: a roller with at, an edge by at alone, or a face.",
+    ),
     "cam.same-link": (
         "Cam, follower and carrier must be three links: {cam}, {follower}, {on}.",
         "Name the link that carries the cam, the link that rides on it, and the one on which both are guided.",
@@ -445,7 +457,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "cam.lifts-off": (
         "The follower of the cam {cam} lifts off: it would have to be pulled with {force} {of} t = {time} s ({drive} = "
         "{value} {unit}).",
-        "Add a spring or a stronger one, turn slower, or say closed: form where a groove or second cam holds it.",
+        "Add a spring or a stronger one, turn slower, or say closed: groove (conjugate, yoke) where form holds it.",
     ),
     "cam.reach": (
         "The arm of {follower} misses the base circle by {by} {unit}: arm {arm} {unit} and centre distance {distance} "
