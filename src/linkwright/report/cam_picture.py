@@ -9,7 +9,8 @@ from html import escape
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.cam.nc.swept import chains
+from linkwright.cam.nc.swept import ROUGH
+from linkwright.cam.nc.track import chains, pieces
 from linkwright.model import units as u
 from linkwright.report.charts import points, thinned
 from linkwright.report.plane import LEFT, TOP, Plane
@@ -137,7 +138,7 @@ def tool_path(outcome: CamOutcome) -> str:
     one = outcome.milled[0]
     deepest = min(move.end[2] for move in one.proof.moves)
     cutting = [m for m in one.proof.moves if m.feed is not None and max(m.start[2], m.end[2]) <= deepest + 1e-6]
-    lines = [line[thinned(len(line), MOST)].T / 1e3 for line in chains(cutting, one.job.cutter)]
+    lines = [line[thinned(len(line), MOST)].T / 1e3 for line in chains(pieces(cutting, one.job.cutter), ROUGH)]
     profile = outcome.look.offset(-outcome.disc.follower.radius)
     every = np.concatenate([*lines, profile], axis=1)
     low, high = every.min(axis=1) / size, every.max(axis=1) / size

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from linkwright.cam.disc import TURN, Disc
 from linkwright.cam.nc.reader import Fault, Move, read
-from linkwright.cam.nc.swept import NothingLeft, Tight, left, levels
+from linkwright.cam.nc.swept import NothingLeft, swept
+from linkwright.cam.nc.track import Tight
 from linkwright.cam.rolling import rolled
 
 Array = NDArray[np.float64]
@@ -53,7 +54,7 @@ def prove(disc: Disc, text: str, cutter: float, angles: int = ANGLES) -> Proof:
     theta = np.arange(angles) * TURN / angles
     if not faults:
         try:
-            contours = tuple(left(moves, 1e3 * cutter) / 1e3 for moves in levels(found.moves))
+            contours = tuple(one.inner / 1e3 for one in swept(found.moves, 1e3 * cutter))
         except NothingLeft:
             faults = [Fault("nc.nothing-left", 0)]
         except Tight as tight:
