@@ -198,6 +198,7 @@ class Reader:
             tool=o.tool,
             number=o.number,
             name="".join(c for c in self.name.upper() if c.isascii() and (c.isalnum() or c in "_-"))[:24] or "CAM",
+            groove=self.compiled.mechanism.cams[self.name].closed == "groove",
         )
 
     def _feed(self, o: CamNc, key: str) -> float:
