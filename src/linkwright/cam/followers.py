@@ -76,8 +76,8 @@ class Follower:
         raise NotImplementedError
 
     def hanging(self, x: Array, y: Array) -> Array:
-        """The lift (m or rad) at which a roller lies against a point of the fixed frame from below, as against the outer
-        flank of a groove; NaN where it never does."""
+        """The lift (m or rad) at which a roller lies against a point of the fixed frame from below, as in a groove
+        against the outer flank; NaN where it never does."""
         raise NotImplementedError
 
     def edge(self, x: Array, y: Array) -> tuple[Array, Array]:

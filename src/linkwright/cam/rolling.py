@@ -18,7 +18,7 @@ Held = Callable[[Array, Rows], Array]
 COARSE = 32
 """First every so manieth point is looked at, then all beside the one that holds the follower highest."""
 ABOUT = 1.5
-"""How far about the roller's centre (roller radii) the outer flank is looked for: not as far as the other side of it."""
+"""How far about the roller's centre (roller radii) the outer flank is looked for: not as far as its other side."""
 TOGETHER = 1 << 21
 """Pairs of cam angle and point that are looked at together."""
 

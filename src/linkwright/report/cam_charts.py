@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from itertools import cycle
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,7 +60,7 @@ def over(
     axes = Axes((0.0, 2 * math.pi / deg), (float(known.min()), float(known.max())), named(say("cam.angle"), angle))
     ends = np.array([0.0, 2 * math.pi / deg])
     shapes = [axes.line(ends, np.full(2, limit), "limit") for limit in limits]
-    shapes += [axes.line(x, line, kind) for line, kind in zip(lines, ("mean", "line"), strict=False)]
+    shapes += [axes.line(x, line, kind) for line, kind in zip(lines, cycle(("mean", "line")), strict=False)]
     title = named(name, unit)
     return {"title": title, "drawing": axes.drawing(shapes, title)}
 
@@ -85,12 +86,12 @@ def _curvatures(outcome: CamOutcome) -> Iterator[Chart]:
 
 
 def _error(outcome: CamOutcome) -> Chart:
-    """Made less wanted, of the file that is farthest off: at the cam's bottom and top."""
+    """Made less wanted, of the file that is farthest off: at the cam's bottom and top, on both flanks of a groove."""
     one = max((m for m in outcome.milled if not m.proof.faults), key=lambda m: m.proof.worst)
     unit, size = outcome.compiled.quantities.unit_of(outcome.lift_dimension)
     limit = one.job.tolerance / size
     lines = [row / size for row in one.proof.error]
-    name = say("cam.chart.error", post=one.post.name)
+    name = say("cam.chart.error-groove" if one.job.groove else "cam.chart.error", post=one.post.name)
     return over(outcome, name, unit, lines, (-limit, limit), one.proof.theta)
 
 

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from linkwright.cam.disc import TURN, Disc
 from linkwright.cam.nc.job import Job, Pass, side, way
-from linkwright.cam.nc.leads import around, beyond, leads, share
+from linkwright.cam.nc.leads import around, beyond, ends, leads, share
 from linkwright.cam.nc.path import Element, Path
 
 Array = NDArray[np.float64]
@@ -29,11 +29,11 @@ SPOTS = 7200
 """Places of the pitch curve by which it is told how far beside it something lies."""
 NEAR = 1e-3
 """How well that is told (mm)."""
-SHORTER = 0.9
-"""A lead that doesn't fit is tried again by this share."""
+MORE = 1.25
+"""Leads bring the cutter so many times as far in as it must be, if that fits."""
 LEAST = 10
 """The shortest lead in units of the last digit; a path with less room is entered and left without."""
-SPARE, COARSE = 0.05, 0.1
+SPARE, COARSE = 0.1, 0.01
 """A path that leaves more than so much (mm) to later passes may be off by this share of it."""
 ASIDE = 1.01
 """Compensation is switched on over a straight way so many times the cutter's radius."""
@@ -94,7 +94,7 @@ class Groove:
             for flank, name in FLANKS.items():
                 far = self.cleared * k / count
                 route = self.route(far, flank)
-                lead = self.lead(route, flank, far, 0.0) or 0.0
+                lead = self.lead(route, flank, far, 0.0, self.cleared / count) or 0.0
                 note = f"{name} flank {k}/{count}"
                 made.append(Pass(0.0, around(route, self.job.overlap, lead, -flank), note))
         return made
@@ -108,8 +108,9 @@ class Groove:
 
     def finishing_lead(self, flank: int) -> float | None:
         """The radius of its leads; with compensation they exceed the cutter, ``None`` where such don't fit."""
-        route = self.route(self.room + (self.job.cutter if self.job.compensation else 0.0), flank)
-        return self.lead(route, flank, self.room, -self.cleared, self.job.cutter if self.job.compensation else 0.0)
+        aside = self.job.cutter if self.job.compensation else 0.0
+        route = self.route(self.room + aside, flank)
+        return self.lead(route, flank, self.room, -self.cleared, self.room - self.cleared, aside)
 
     @property
     def _roughed(self) -> bool:
@@ -117,8 +118,8 @@ class Groove:
         return self.job.allowance > 0 or self.job.compensation
 
     def route(self, far: float, flank: int, slot: bool = False) -> Path:
-        """The path so far beside the pitch curve towards a flank, which lies on the right of a climbing cutter. Where it
-        leaves enough to later passes it may be coarse."""
+        """The path so far beside the pitch curve towards a flank, which lies on the right of a climbing cutter. It may be
+        coarse where it leaves enough to later passes."""
         job, offset, spare = self.job, flank * far / 1e3, min(self.room - far, self.job.cutter)
         cuts = offset if slot else flank * self.disc.follower.radius
         coarse = spare > SPARE
@@ -126,23 +127,33 @@ class Groove:
         sense = -flank * way(self.disc, job)
         return Path(self.disc, offset, job.start, sense, allowed, job.decimals, job.arcs, coarse, cuts)
 
-    def lead(self, route: Path, flank: int, far: float, least: float, aside: float = 0.0) -> float | None:
-        """The largest radius up to the job's for which both leads, those of a cutter ``aside`` of them, stay between
-        ``least`` and ``far`` beside the pitch curve, towards the flank; ``None`` where there is none."""
-        more, radius = share(route, self.job.overlap), min(self.job.lead, far - least + 2 * aside)
-        while radius > max(aside * (1 + NEAR), LEAST * self.unit):
-            places = np.concatenate([_gone(lead, aside, k > 0) for k, lead in enumerate(leads(route, more, radius, -flank))])
+    def lead(self, route: Path, flank: int, far: float, least: float, uncut: float, aside: float = 0.0) -> float | None:
+        """The radius of both leads: the job's, or what brings the cutter in from where nothing is left ``uncut`` (mm),
+        or the largest for which it, ``aside`` of them, stays between ``least`` and ``far`` beside the pitch curve,
+        towards the flank; ``None`` where there is none."""
+        both = ends(route, share(route, self.job.overlap))
+
+        def fits(radius: float) -> bool:
+            made = leads(both, radius, -flank, self.job.decimals)
+            places = np.concatenate([_gone(lead, aside, k > 0) for k, lead in enumerate(made)])
             beside = flank * self.offset(places)
-            if beside.max() <= far + NEAR and beside.min() >= least - NEAR:
-                return radius
-            radius *= SHORTER
-        return None
+            return bool(beside.max() <= far + NEAR and beside.min() >= least - NEAR)
+
+        low, high = max(aside * (1 + NEAR), LEAST * self.unit), max(self.job.lead, MORE * uncut)
+        if high <= low or not fits(low):
+            return None
+        if fits(high):
+            return high
+        while high - low > NEAR:
+            middle = (low + high) / 2
+            low, high = (middle, high) if fits(middle) else (low, middle)
+        return low
 
     def offset(self, places: Array) -> Array:
         """How far places (n, 2) lie outward of the pitch curve."""
         pitch, normal, tree = self._pitch
         which = tree.query(places)[1]
-        return ((places - pitch[which]) * normal[which]).sum(axis=1)
+        return np.asarray(((places - pitch[which]) * normal[which]).sum(axis=1))
 
     @cached_property
     def _pitch(self) -> tuple[Array, Array, Any]:
@@ -155,8 +166,8 @@ class Groove:
 
 
 def _gone(lead: Element, cutter: float, last: bool) -> Array:
-    """Where a cutter's centre goes on a lead (n, 2); one of the radius ``cutter`` with compensation, which is switched on
-    before the first lead or off after the last."""
+    """Where a cutter's centre goes on a lead (n, 2); one of the radius ``cutter`` with compensation, which is switched
+    on before the first lead or off after the last."""
     assert lead.centre is not None
     outer, centre = np.array(lead.end if last else lead.start), np.array(lead.centre)
     out = np.array(lead.start) - centre

@@ -59,8 +59,8 @@ class Pass:
     """Around the cam: the elements at the depth ``z``, those of entry and exit among them; ``entry`` is where the
     cutter goes down. With ``heights`` it goes down on its way from the top: the depths at the elements' ends.
 
-    ``side`` is +1 where the control runs the cutter left of the path (G41), -1 right (G42), 0 on it; that is switched on
-    and off on straight ways of the length ``aside`` (mm), on the side away from what is cut.
+    ``side`` is +1 where the control runs the cutter left of the path (G41), -1 right (G42), 0 on it; that is switched
+    on and off on straight ways of the length ``aside`` (mm), on the side away from what is cut.
     """
 
     z: float

@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 from linkwright.cam.nc.path import Element, Path
 
 Array = NDArray[np.float64]
+Ends = tuple[Array, Array, Array]
+"""Places (mm), tangents and outward normals of a path's start and end, (2, 2) each, first the start's."""
 
 QUARTER = math.pi / 2
 
@@ -22,16 +24,23 @@ def around(route: Path, overlap: float, radius: float, away: int = 1) -> tuple[E
     again = route.elements(more)
     if not radius:
         return (*turn, *again)
-    first, last = leads(route, more, radius, away)
+    first, last = leads(ends(route, more), radius, away, route.decimals)
     return (first, *turn, *again, last)
 
 
-def leads(route: Path, more: float, radius: float, away: int) -> tuple[Element, Element]:
-    """The quarter circles of entry and exit, the latter at the share ``more`` of the second turn."""
+def ends(route: Path, more: float) -> Ends:
+    """Where a path begins and where it ends, at the share ``more`` of the second turn."""
     at, tangents, normals, _ = route.at(np.array([0.0, more]))
-    ends = np.round(at, route.decimals)
-    first = quarter(ends[:, 0], tangents[:, 0], away * normals[:, 0], radius, route.decimals, True)
-    return first, quarter(ends[:, 1], tangents[:, 1], away * normals[:, 1], radius, route.decimals, False)
+    return np.round(at, route.decimals).T, tangents.T, normals.T
+
+
+def leads(ends: Ends, radius: float, away: int, decimals: int) -> tuple[Element, Element]:
+    """The quarter circles of entry and exit."""
+    first, last = zip(*ends, strict=True)
+    return (
+        quarter(first[0], first[1], away * first[2], radius, decimals, True),
+        quarter(last[0], last[1], away * last[2], radius, decimals, False),
+    )
 
 
 def share(route: Path, length: float) -> float:

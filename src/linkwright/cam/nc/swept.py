@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -51,22 +52,20 @@ class Swept:
     cutter: float
 
     @cached_property
-    def _parts(self) -> tuple[Any, list[Any], list[Any]]:
-        """The region that goes around the origin, the hole with the origin in it, and all its other holes; the regions
-        that don't go around it."""
+    def _parts(self) -> tuple[list[tuple[Any, Any]], list[Any]]:
+        """The regions that go around the origin, each with the hole in which it is, from the inside out; the others."""
         import shapely
 
         lines = [shapely.LineString(line) for line in chains(self.way, ROUGH)]
         gone = shapely.union_all(shapely.buffer(lines, self.cutter, quad_segs=QUARTER))
-        centre = shapely.Point(0.0, 0.0)
-        parts = list(shapely.get_parts(gone))
-        for part in parts:
-            rings = list(part.interiors)
-            for ring in rings:
-                if shapely.Polygon(ring).contains(centre):
-                    holes = [ring, *(other for other in rings if other is not ring)]
-                    return part, holes, [other for other in parts if other is not part]
-        raise NothingLeft
+        around, others = [], []
+        for part in shapely.get_parts(gone):
+            holes = [ring for ring in part.interiors if shapely.Polygon(ring).contains(shapely.Point(0.0, 0.0))]
+            around += [(part, hole) for hole in holes]
+            others += [] if holes else [part]
+        if not around:
+            raise NothingLeft
+        return sorted(around, key=lambda one: one[1].length), others
 
     @cached_property
     def _track(self) -> Track:
@@ -75,17 +74,17 @@ class Swept:
     @cached_property
     def inner(self) -> Array:
         """The contour (2, n), mm, of what is left around the origin. Raises NothingLeft."""
-        return self._exact(self._parts[1][0])
+        return self._exact(self._parts[0][0][1])
 
     @cached_property
     def outer(self) -> Array:
         """The contour (2, n), mm, of what is left around all that is swept. Raises NothingLeft."""
-        return self._exact(self._parts[0].exterior)
+        return self._exact(self._parts[0][-1][0].exterior)
 
     @property
     def strays(self) -> Iterator[Array]:
         """Contours (2, n), mm, of what has been cut elsewhere."""
-        for part in self._parts[2]:
+        for part in self._parts[1]:
             yield self._exact(part.exterior)
 
     @property
@@ -93,10 +92,12 @@ class Swept:
         """Places (2,), mm, at which something is left standing between both contours."""
         import shapely
 
-        for ring in self._parts[1][1:]:
-            island = shapely.Polygon(ring)
-            if island.area > SPECK:
+        around = self._parts[0]
+        for island in (shapely.Polygon(ring) for part, _ in around for ring in part.interiors):
+            if island.area > SPECK and not island.contains(shapely.Point(0.0, 0.0)):
                 yield np.array(island.representative_point().coords[0])
+        for (within, _), (_, hole) in pairwise(around):
+            yield shapely.get_coordinates(shapely.shortest_line(within, hole)).mean(axis=0)
 
     def _exact(self, ring: Any) -> Array:
         import shapely

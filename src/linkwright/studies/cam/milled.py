@@ -41,18 +41,17 @@ class Milled:
         return max(map(len, self.text.splitlines()))
 
     @property
-    def shallow(self) -> float:
-        """How far it stays above its depth, or gets below it (mm), more than by its last digit."""
-        off = abs(self.job.depth - 1e3 * self.proof.depth)
-        return off if off > 10.0**-self.job.decimals else 0.0
+    def deep(self) -> bool:
+        """Whether it is as deep as asked, but for the last digit."""
+        return abs(self.job.depth - 1e3 * self.proof.depth) <= 10.0**-self.job.decimals
 
     @property
     def proven(self) -> bool:
-        """Whether the follower's lift on the milled cam is within the tolerance, the depth as asked, and no control would
-        stop."""
+        """Whether the follower's lift on the milled cam is within the tolerance, the depth as asked, and no control
+        would stop."""
         proof = self.proof
-        sound = not proof.faults and self.longest <= self.post.longest and not self.shallow
-        return sound and proof.worst <= self.job.tolerance
+        sound = not proof.faults and self.longest <= self.post.longest
+        return sound and self.deep and proof.worst <= self.job.tolerance
 
 
 def milled(
@@ -116,7 +115,7 @@ def wrongs(one: Milled) -> Iterator[Finding]:
     if one.longest > one.post.longest:
         data = {"post": post, "length": one.longest, "most": one.post.longest}
         yield Finding("nc.long-line", AT, data)
-    if one.shallow:
+    if not one.proof.faults and not one.deep:
         data = {"post": post, "depth": f"{1e3 * one.proof.depth:.6g}", "wanted": f"{one.job.depth:.6g}"}
         yield Finding("nc.depth", AT, data)
     if not one.proof.faults and one.proof.worst > one.job.tolerance:
