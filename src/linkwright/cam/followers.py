@@ -35,12 +35,13 @@ class Touch:
     """What the follower holds against the cam, in the fixed frame, as jets of the cam angle.
 
     ``at`` is the centre of a roller or the edge of a knife, ``None`` for a flat face; this has its outward normal (away
-    from the cam) at the angle ``facing`` and lies ``height`` from the cam's centre.
+    from the cam) ``along``, at the angle ``facing``, and lies ``height`` from the cam's centre.
     """
 
     at: Vector | None = None
     facing: Jet | None = None
     height: Jet | None = None
+    along: Vector | None = None
 
 
 class Follower:
@@ -204,7 +205,8 @@ class TranslatingFlat(Translating):
         return self.base
 
     def touch(self, lift: Jet) -> Touch:
-        return Touch(facing=Jet.constant(math.pi / 2, lift.order), height=lift + self.base)
+        up, none = (Jet.constant(value, lift.order) for value in (1.0, 0.0))
+        return Touch(facing=Jet.constant(math.pi / 2, lift.order), height=lift + self.base, along=(none, up))
 
     def resting(self, x: Array, y: Array) -> Array:
         return y - self.base
@@ -230,7 +232,8 @@ class SwingingFlat(Swinging):
 
     def touch(self, lift: Jet) -> Touch:
         angle = lift + self.start
-        return Touch(facing=math.pi / 2 - angle, height=self.distance * angle.sin() + self.face)
+        height = self.distance * angle.sin() + self.face
+        return Touch(facing=math.pi / 2 - angle, height=height, along=(angle.sin(), angle.cos()))
 
     def resting(self, x: Array, y: Array) -> Array:
         away = np.hypot(x - self.distance, y)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import re
+import warnings
 from dataclasses import replace
 from typing import Any
 
@@ -40,6 +41,22 @@ def test_an_undercut_cam_is_refused_with_what_mends_it() -> None:
     base = float(str(finding.data["base"]).split()[0])
     assert undercut(resized(outcome.disc, {"base": base / 1e3})) is None
     assert undercut(resized(outcome.disc, {"base": base / 1e3 * (1 - 1e-5)})) is not None
+
+
+@pytest.mark.parametrize("base", [0.02, 0.048])
+def test_a_tappet_whose_curvature_passes_through_infinity(base: float) -> None:
+    """Undercut or not: no stray warning, and no round-off for a pressure angle that is zero."""
+    data = pair("sliding", "face")
+    data["cams"]["rider"]["base"] = base
+    data["laws"]["lift"]["segments"] = [
+        {"rise": 0.009, "over": 1.1, "law": "poly_4567"},
+        {"fall": 0.009, "over": 1.1, "law": "poly_4567"},
+        {"dwell": TURN - 2.2},
+    ]
+    with warnings.catch_warnings(action="error"):
+        outcome = study(data | {"studies": {"cam": {}}})
+    assert outcome.done == (base > 0.04)
+    assert {check.value for check in outcome.checks if check.name.startswith("pressure")} == {0.0}
 
 
 def test_a_hollow_narrower_than_the_cutter_is_refused_with_what_mends_it() -> None:
