@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from typing import Any
 
@@ -75,3 +76,23 @@ def pair(
         "drives": {"motor": motor},
         "loads": {"push": {"on": "arm", "at": "T", "force": [3.0, -20.0], "torque": 0.3}},
     }
+
+
+def closed_pair(guide: str, touch: str, side: int = 1, sense: int = 1, **more: Any) -> dict[str, Any]:
+    """The same closed by a second disc: the follower's second contact C, whose arm makes 1.35 rad with the first one's
+    (a face: 1.2 rad), or which lies 95 mm before it along the slide."""
+    data = pair(guide, touch, side, sense, closed="conjugate", **more)
+    points, cam = data["links"]["arm"]["points"], data["cams"]["rider"]
+    first, pivot = complex(*points["B"]), complex(*points["A"])
+    if guide == "sliding":
+        place = first - side * 0.095 * cmath.exp(0.7j) + 0.004 * cmath.exp(2.3j)
+    elif touch == "face":
+        place = pivot + 0.07 * cmath.exp(1j * (0.2 + 1.2 * side)) - 0.003j * side
+    else:
+        place = pivot + 0.08 * cmath.exp(1j * (cmath.phase(first - pivot) + 1.35 * side))
+    points["C"] = [place.real, place.imag]
+    turned = 0.2 + 1.2 * side if guide == "swinging" else 0.7 + math.pi / 2
+    cam["second"] = {"face": f"C at {turned}"} if touch == "face" else {"at": "C"}
+    if touch == "roller":
+        cam["second"]["roller"] = 0.009
+    return data

@@ -22,8 +22,6 @@ from linkwright.notation import Jet
 
 Array = NDArray[np.float64]
 
-CLOSE = 1e-9
-
 
 @dataclass(frozen=True)
 class Groove:
@@ -90,34 +88,40 @@ def conjugate(disc: Disc, *, base: float | None = None, between: float | None = 
     rollers or faces (m); with neither, the base circle is the first one's. ``lengths`` (m) are those of the second
     contact that differ from the first's: ``roller``, ``arm``, ``offset``, ``face``.
 
-    Raises :class:`NoContact` where the second disc would have no profile, ``cam.conjugate`` or ``cam.undercut``, and
-    :class:`linkwright.cam.followers.NoFollower`.
+    Raises :class:`NoContact` where the second disc can't be or would have no profile, ``cam.same-side``,
+    ``cam.no-second`` or ``cam.undercut``, and :class:`linkwright.cam.followers.NoFollower`.
     """
+    made = opposite(disc, base=base, between=between, **lengths)
+    if (cut := undercut(made.disc)) is not None:
+        raise NoContact("cam.undercut", theta=cut.theta)
+    return made
+
+
+def opposite(disc: Disc, *, base: float | None = None, between: float | None = None, **lengths: float) -> Conjugate:
+    """The same, be the second disc undercut or not."""
     if "distance" in lengths:
         raise ValueError("both discs are on one shaft")
     total = extremes(disc, lambda look: look.lift)[1].value
     own: Any = disc.follower
     other: Any = replace(own, base=own.base if base is None else base, **lengths)
     if between is not None:
-        other = _based(other, between - total - own.start)
+        other = _based(other, between, own.start + total)
 
     def lift(theta: Jet) -> Jet:
         return total - disc.lift(theta)
 
-    made = Disc(other, lift, -disc.sense, disc.joins)
-    if (cut := undercut(made)) is not None:
-        raise NoContact("cam.undercut", theta=cut.theta)
-    return Conjugate(disc, made, total, own.start + other.start + total)
+    return Conjugate(disc, Disc(other, lift, -disc.sense, disc.joins), total, own.start + other.start + total)
 
 
-def _based(follower: Any, start: float) -> Any:
-    """The follower with the base circle on which it rests at an angle or height."""
-    touch = follower.touch(Jet.constant(start - follower.start, 1))
-    reached = touch.height.d[0] if touch.at is None else math.hypot(*(c.d[0] for c in touch.at)) - follower.radius
-    made = replace(follower, base=float(reached))
-    if not (reached > 0 and abs(made.start - start) < CLOSE * abs(start)):
-        raise NoContact("cam.conjugate", base=float(reached), start=start)
-    return made
+def _based(follower: Any, between: float, first: float) -> Any:
+    """The follower with the base circle on which it rests, what is between and the first one's largest value given."""
+    start = math.remainder(between - first, 2 * math.pi) if follower.turns else between - first
+    low, high = follower.starts
+    if not low < start < high:
+        raise NoContact("cam.same-side", between=start + first, low=low + first)
+    if not (base := follower.base_at(start)) > 0:
+        raise NoContact("cam.no-second", base=base)
+    return replace(follower, base=base)
 
 
 @dataclass(frozen=True)

@@ -2,17 +2,20 @@
 
 A disc's axes (:mod:`linkwright.cam.followers`) start at the shaft; x points to a swinging follower's pivot, y along the
 way on which a sliding one rises. A swinging follower on the other side is a mirror image: its disc turns the other way.
+The second disc of a conjugate pair is such a mirror image of the first, as its contact is on the other side.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import atan2, cos, pi, sin
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.cam.closing import Conjugate, opposite
 from linkwright.cam.disc import Disc
 from linkwright.cam.followers import (
     Follower,
@@ -26,7 +29,7 @@ from linkwright.graph.cams import Seat, followings, seat, sense
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
-from linkwright.model.cams import Following
+from linkwright.model.cams import Following, Second
 from linkwright.notation import Jet
 
 Array = NDArray[np.float64]
@@ -47,6 +50,11 @@ class Frame:
         x, y = points[0], self.mirror * points[1]
         return np.stack([self.origin[0] + c * x - s * y, self.origin[1] + s * x + c * y])
 
+    @property
+    def mirrored(self) -> Frame:
+        """The axes of a pair's second disc, this being the first one's."""
+        return replace(self, mirror=-self.mirror)
+
 
 def disc(compiled: Compiled, name: str, parameters: Parameters | None = None) -> Disc:
     """A cam of a mechanism (SI), at the nominal parameters or at others (all of them, SI).
@@ -61,6 +69,41 @@ def disc(compiled: Compiled, name: str, parameters: Parameters | None = None) ->
     turns = max(1, round(2 * pi / motion.period))
     joins = [at + k * motion.period for k in range(turns) for at in motion.breaks]
     return Disc(follower, motion.on, _mirror(drive) * sense(compiled.quantities, drive), tuple(joins))
+
+
+def second(compiled: Compiled, name: str, parameters: Parameters | None = None) -> Conjugate:
+    """The second disc of a cam that is closed by one; undercut ones too. Its axes are ``frame(...).mirrored``.
+
+    Where the file states the second contact, the base circle and what is between follow from its place; else the base
+    circle is the stated one or the first one's, and what lies between follows. Raises as :func:`disc`, and
+    :class:`linkwright.cam.contact.NoContact`: ``cam.same-side``, ``cam.no-second``.
+    """
+    drive, here = _read(compiled, name, parameters)
+    first, geometry = disc(compiled, name, parameters), _geometry(compiled, parameters)
+    stated = drive.cam.second or Second()
+    lengths = {} if stated.roller is None else {"roller": float(geometry.number(stated.roller, u.LENGTH))}
+    if (other := other_side(drive)) is None:
+        base = None if stated.base is None else float(geometry.number(stated.base, u.LENGTH))
+        return opposite(first, base=base, **lengths)
+    there = seat(geometry, other)
+    if here.turns:
+        lengths["face" if here.faced else "arm"] = float(there.reach)
+    elif not here.faced:
+        lengths["offset"] = -float(there.aside)
+    return opposite(first, between=here.sign * float(there.offset - here.offset), **lengths)
+
+
+def other_side(drive: Following) -> Following | None:
+    """The second contact of a follower, where its place is stated, as if it were the first one on the other side."""
+    cam, stated = drive.cam, drive.cam.second
+    if stated is None or stated.touches is None:
+        return None
+    change: dict[str, Any] = {"face": stated.face} if stated.face is not None else {}
+    if stated.at is not None:
+        change = {"at" if cam.at is not None else "knife": stated.at}
+    if stated.roller is not None:
+        change["roller"] = stated.roller
+    return drive.model_copy(update={"cam": cam.model_copy(update=change), "side": -drive.side})
 
 
 def frame(compiled: Compiled, name: str, parameters: Parameters | None = None) -> Frame:
