@@ -40,6 +40,11 @@ class Groove:
         return Side(self.disc, flank=1)
 
     @property
+    def figures(self) -> dict[str, Extreme]:
+        """Sizes by name: none."""
+        return {}
+
+    @property
     def kept(self) -> bool:
         """Whether neither flank is undercut."""
         return all(check.kept for check in self.checks)
@@ -72,6 +77,11 @@ class Conjugate:
     def second(self) -> Side:
         """The second disc as a side."""
         return Side(self.disc, mirrored=True)
+
+    @property
+    def figures(self) -> dict[str, Extreme]:
+        """Sizes by name: the second base circle (m), and what is between (m or rad)."""
+        return {"second_base": Extreme(self.disc.follower.base, 0.0), "between": Extreme(self.between, 0.0)}
 
     def curve(self, theta: Array, by: float | None = None) -> Array:
         """The second disc's profile, or its curve ``by`` (m) outward of the pitch curve, in the frame of the first, at
@@ -143,6 +153,12 @@ class Yoke:
         return self.widest.value - self.narrowest.value
 
     @property
+    def figures(self) -> dict[str, Extreme]:
+        """Sizes by name (m)."""
+        play = Extreme(self.play, self.widest.theta)
+        return {"yoke_span_min": self.narrowest, "yoke_span_max": self.widest, "play": play}
+
+    @property
     def second(self) -> Side:
         """The contact on the other side."""
         return Side(self.disc, shift=math.pi)
@@ -162,3 +178,7 @@ def yoke(disc: Disc) -> Yoke:
 
     both = replace(disc, joins=(*disc.joins, *other.joins))
     return Yoke(disc, *extremes(both, span))
+
+
+Closing = Groove | Conjugate | Yoke
+"""What keeps a follower on without a force."""
