@@ -133,9 +133,9 @@ def cam_sentences(outcome: CamOutcome) -> list[str]:
     length, size = outcome.compiled.quantities.unit_of(u.LENGTH)
     told = []
     for plate in outcome.plates:
-        name = of_disc(outcome.name, plate.second)
-        key, within = "cam.sentence" if plate.made else "cam.sentence.none", outcome.options.tolerance.text
-        told.append(say(key, name=name, elements=len(plate.elements), tolerance=within))
+        key = ("cam.sentence" if plate.made else "cam.sentence.none") + ("-second" if plate.second else "")
+        within = outcome.options.tolerance.text
+        told.append(say(key, name=outcome.name, elements=len(plate.elements), tolerance=within))
         if plate.smallest is not None:
             base = {"base": f"{plate.smallest / size:.6g}", "unit": length}
             told.append(say("cam.sentence.second-base" if plate.second else "cam.sentence.base", **base))

@@ -2,6 +2,8 @@
 
 CAMS: dict[str, str] = {
     "cam.sentence": "The profile of {name} by {elements} arcs and lines, within {tolerance} of the exact one.",
+    "cam.sentence-second": "The profile of its second disc by {elements} arcs and lines, as near.",
+    "cam.sentence.none-second": "The second disc of {name} has no profile.",
     "cam.sentence.none": "{name} has no profile.",
     "cam.sentence.base": "The smallest base circle in the range that keeps the limits has a radius of {base} {unit}.",
     "cam.sentence.second-base": "That of the second disc has a radius of {base} {unit}.",
