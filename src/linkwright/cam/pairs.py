@@ -93,6 +93,21 @@ def second(compiled: Compiled, name: str, parameters: Parameters | None = None) 
     return opposite(first, between=here.sign * float(there.offset - here.offset), **lengths)
 
 
+def opposite_place(compiled: Compiled, name: str, pair: Conjugate) -> Array:
+    """The second roller's centre or edge in the follower's axes (m), stated or not: (2,)."""
+    drive, geometry = followings(compiled.quantities)[name], _geometry(compiled, None)
+    at = geometry.point(drive.link, (other_side(drive) or drive).cam.touches)
+    place = complex(float(at.x), float(at.y))
+    if other_side(drive) is None and drive.pivot is not None:
+        own = geometry.point(drive.link, drive.pivot[0])
+        pivot = complex(float(own.x), float(own.y))
+        place = pivot + (place - pivot) * np.exp(1j * drive.side * pair.between)
+    elif other_side(drive) is None and drive.joint is not None:
+        way = geometry.line(drive.joint, drive.link)[1]
+        place -= drive.side * pair.between * complex(float(way.x), float(way.y))
+    return np.array([place.real, place.imag])
+
+
 def other_side(drive: Following) -> Following | None:
     """The second contact of a follower, where its place is stated, as if it were the first one on the other side."""
     cam, stated = drive.cam, drive.cam.second

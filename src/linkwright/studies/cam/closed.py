@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+import numpy as np
+
 from linkwright.cam.closing import Closing, groove, yoke
 from linkwright.cam.contact import NoContact
 from linkwright.cam.disc import Disc
@@ -44,7 +46,8 @@ def _misplaced(compiled: Compiled, name: str) -> Iterator[Finding]:
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
     path = ("cams", name, "second")
     if other.joint is not None and other.cam.face is not None:
-        askew = float(slant(geometry, other))
+        with np.errstate(divide="ignore"):
+            askew = float(slant(geometry, other))
         if not abs(askew) < SQUARE:
             unit, size = compiled.quantities.unit_of(u.ANGLE)
             yield Finding("cam.askew", (*path, "face"), {"angle": f"{askew / size:.6g}", "unit": unit})
