@@ -22,6 +22,7 @@ from linkwright.graph.geometry import Geometry, unit_vector
 from linkwright.model import units as u
 from linkwright.model.cams import Following
 from linkwright.model.expressions import Binary, Call, Name, Node, Number
+from linkwright.model.fields import LineOn
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Pair, Scalar, Wrench
 from linkwright.notation.jets import call
@@ -142,22 +143,45 @@ def _angle(vector: Pair, near: Pair) -> Scalar:
     return atan2(near.y, near.x) + call("arctan2", near.cross(vector), near.dot(vector))
 
 
-def slant(geometry: Geometry, drive: Following) -> Scalar:
+def slant(geometry: Geometry, drive: Following, face: LineOn) -> Scalar:
     """The angle (rad, within a quarter turn) by which a sliding follower's face isn't square to its slide."""
-    assert drive.cam.face is not None
     assert drive.joint is not None
-    turn = geometry.number(drive.cam.face.angle, u.ANGLE) - geometry.heading_angle(drive.joint, drive.link)
+    turn = geometry.number(face.angle, u.ANGLE) - geometry.heading_angle(drive.joint, drive.link)
     return call("arctan", call("cos", turn) / call("sin", turn))
+
+
+@dataclass(frozen=True)
+class Touch:
+    """What of the follower touches a cam, in its own axes: a roller's centre, an edge or a point of a face (m), and the
+    direction of this face; ``facing`` is +1, or -1 where a second contact holds the follower against the first."""
+
+    at: Pair
+    face: Pair | None
+    facing: int = 1
+
+    def outward(self, drive: Following, face: Pair) -> Pair:
+        """The normal, away from the cam, of a pinned follower's face of some direction."""
+        side = -drive.side * self.facing
+        return Pair(side * face.perp.x, side * face.perp.y)
+
+
+def touch(geometry: Geometry, drive: Following) -> Touch:
+    """What touches first."""
+    face = drive.cam.face
+    heading = unit_vector(geometry.number(face.angle, u.ANGLE)) if face is not None else None
+    return Touch(geometry.point(drive.link, drive.cam.touches), heading)
 
 
 @dataclass(frozen=True)
 class Contact:
     """Where a follower touches, in the frame: a place on the common normal, the unit ``normal`` from the cam to the
-    follower, and the pressure angle (rad, signed) from it to the follower's way as the lift grows."""
+    follower, the pressure angle (rad, signed) from it to the follower's way away from the cam, and the ``reach``: what
+    1 N along the normal does along this way (N, or N m of a swinging follower)."""
 
     at: Pair
     normal: Pair
     pressure: Scalar
+    reach: Scalar
 
     def pushes(self, drive: Following) -> dict[str, Wrench]:
         """A contact force of 1 N, on each of the two links."""
@@ -165,10 +189,12 @@ class Contact:
         return {drive.link: push, drive.cam.cam: push.opposite}
 
 
-def contact(motion: Motion, drive: Following, rate: Scalar) -> Contact:
-    """Where a follower touches, from the poses and the derivative of its value by the cam's angle (m or 1)."""
+def contact(motion: Motion, drive: Following, rate: Scalar, what: Touch | None = None) -> Contact:
+    """Where a follower touches, from the poses and the derivative of its value by the cam's angle (m or 1); ``what``
+    touches is the first contact's unless given."""
     geometry, bodies = motion.geometry, motion.bodies
-    here, on = seat(geometry, drive), bodies[drive.on]
+    here, on, what = seat(geometry, drive), bodies[drive.on], what or touch(geometry, drive)
+    away = here.sign * what.facing  # of the follower's value as it goes away from the cam
     forward = sense(geometry.quantities, drive)
     shaft = on.point(here.shaft).now
     way = on.direction(here.way).now if not here.turns else Pair(0.0, 0.0)
@@ -178,15 +204,14 @@ def contact(motion: Motion, drive: Following, rate: Scalar) -> Contact:
         """What a unit of the follower's value moves its point by."""
         return point.minus(pivot).perp if here.turns else Pair(here.sign * way.x, here.sign * way.y)
 
-    at = bodies[drive.link].point(geometry.point(drive.link, drive.cam.touches)).now
-    if here.faced:
-        normal = way
+    at = bodies[drive.link].point(what.at).now
+    if what.face is not None:
+        normal = Pair(what.facing * way.x, what.facing * way.y)
         if here.turns:
-            heading = bodies[drive.link].direction(_heading(geometry, drive)).now
-            normal = Pair(-drive.side * heading.perp.x, -drive.side * heading.perp.y)
+            normal = what.outward(drive, bodies[drive.link].direction(what.face).now)
         height = at.minus(shaft).dot(normal)
-        facing = pivot.minus(shaft).dot(normal.perp)
-        along = facing * rate / (rate - 1.0) if here.turns else -(here.sign * rate)
+        abeam = pivot.minus(shaft).dot(normal.perp)
+        along = abeam * rate / (rate - 1.0) if here.turns else -(away * rate)
         at = Pair(
             shaft.x + height * normal.x - along * normal.y,
             shaft.y + height * normal.y + along * normal.x,
@@ -197,14 +222,9 @@ def contact(motion: Motion, drive: Following, rate: Scalar) -> Contact:
         size = call("sqrt", across.dot(across))
         normal = Pair(across.x / size, across.y / size)
     rising = moved(at)
-    rising = Pair(here.sign * rising.x, here.sign * rising.y)
-    return Contact(at, normal, call("arctan2", -forward * normal.cross(rising), normal.dot(rising)))
-
-
-def _heading(geometry: Geometry, drive: Following) -> Pair:
-    """The direction of the face in the follower."""
-    assert drive.cam.face is not None
-    return unit_vector(geometry.number(drive.cam.face.angle, u.ANGLE))
+    rising = Pair(away * rising.x, away * rising.y)
+    reach = normal.dot(rising)
+    return Contact(at, normal, call("arctan2", -forward * normal.cross(rising), reach), reach)
 
 
 def whole(quantities: Quantities, parameters: Mapping[str, float], drive: Following) -> float:
