@@ -1,5 +1,5 @@
-"""A second contact that holds a cam's follower: against Newton and Euler's equations with the contact that bears, at the
-place and with the normal of the second disc's own profile; against the force balance along the lift; grooves."""
+"""A second contact that holds a cam's follower: against Newton and Euler's equations with the contact that bears, where
+the second disc's own profile has it; against the force balance along the lift; against a groove."""
 
 from __future__ import annotations
 
@@ -10,11 +10,19 @@ from typing import Any
 import numpy as np
 import pytest
 
+import linkwright as lw
 from helpers.cams import SIGNS, newton_euler, pair, pose
 from helpers.compiled import compiled_from
+from helpers.differences import derivatives
 from linkwright.cam.closing import conjugate, yoke
 from linkwright.cam.contact import Side
+from linkwright.cam.loads import Loads, forces
 from linkwright.cam.pairs import disc, frame
+from linkwright.graph.geometry import Geometry
+from linkwright.graph.seconds import rest
+from linkwright.kernels.tangents import Tangents
+from linkwright.kernels.varied import Varied
+from linkwright.model.mechanism import Document
 from linkwright.results import Run, certify
 
 TURN = 2 * np.pi / 7
@@ -94,28 +102,144 @@ def pressing(c: Any, side: Side, t: Any, sense: int) -> tuple[Any, Any]:
     return at + (x[0] + 1j * x[1]) * turned, (n[0] + 1j * n[1]) * turned
 
 
-@pytest.mark.parametrize(("guide", "touch", "how"), KINDS)
-def test_reactions_are_those_of_the_contact_that_bears(guide: str, touch: str, how: Any) -> None:
+@pytest.mark.parametrize("kind", range(len(KINDS)))
+def test_reactions_are_those_of_the_contact_that_bears(kind: int) -> None:
     """Force, torque and all reactions by six equations with the contact whose force comes out positive; proofs hold."""
-    for (side, sense), inverted in zip(SIGNS, (False, True, True, False), strict=True):
-        data, other = closed(guide, touch, how, side, sense)
-        c, t = compiled_from(data), np.linspace(0.03, 0.87, 12)
+    guide, touch, how = KINDS[kind]
+    side, sense = SIGNS[kind % 4]
+    data, other = closed(guide, touch, how, side, sense)
+    c, t = compiled_from(data), np.linspace(0.03, 0.87, 12)
+    first = disc(c, "rider")
+    push = 3.0 + 1j * (-20 + 300 * np.sin(2 * c.evaluate(["motor.angle"], t)[0]))
+    one = newton_euler(c, data, t, pressing(c, Side(first), t, sense), push)
+    two = newton_euler(c, data, t, pressing(c, other(first), t, sense), push)
+    assert (one[0] * two[0] < 0).all()
+    assert 2 <= (two[0] > 0).sum() <= 10
+    two[0] *= -1
+    wanted = np.where(two[0] < 0, two, one)
+    names = ["rider.force", "motor.torque", *(f"force(frame, {n}).{a}" for n in ("disc", "arm") for a in "xy")]
+    if guide == "sliding":
+        normal = 1j * np.exp(2j) * wanted[4]
+        wanted[4:] = normal.real, normal.imag
+    assert np.abs(c.evaluate(names, t) - wanted).max() < 1e-10 * np.abs(wanted[0]).max()
+    run = Run(compiled_from(closed(guide, touch, how, *SIGNS[3 - kind % 4], inverted=True)[0]), 0.0, TURN, 60)
+    assert run.evaluate(["rider.force"], run.t)[0].min() < 0
+    assert max(certify(run).residuals.values()) < 1e-12
+
+
+@pytest.mark.parametrize(("guide", "touch", "how"), [KINDS[1], KINDS[9], KINDS[11]])
+def test_both_contacts_bear_as_the_balance_along_the_lift_says(guide: str, touch: str, how: Any) -> None:
+    data, other = closed(guide, touch, how, 1, 1)
+    del data["loads"], data["gravity"]
+    c = compiled_from(data)
+    first = disc(c, "rider")
+    inertia = 2e-3 + 1.1 * abs(0.04 - 0.01j - OWN) ** 2 if guide == "swinging" else 1.1
+    found = forces(first, Loads(inertia), 7.0, steps=24, second=other(first))
+    force = c.evaluate(["rider.force"], np.mod(found.theta - 0.7, 2 * np.pi) / 7.0)[0]
+    close = 1e-9 * np.abs(force).max()
+    assert np.maximum(force, 0.0) == pytest.approx(found.contact, abs=close)
+    assert np.maximum(-force, 0.0) == pytest.approx(found.contact_second, abs=close)
+    run = Run(c, 0.0, TURN, 60)
+    for place in found.reversals:
+        assert np.abs(run.breaks - np.mod(place - 0.7, 2 * np.pi) / 7.0).min() < 1e-9
+
+
+def test_the_pressure_angle_of_the_second_contact() -> None:
+    """That of the second disc, positive as it lifts."""
+    for kind, (side, sense) in zip((2, 5, 11), SIGNS[1:], strict=True):
+        data, other = closed(*KINDS[kind], side, sense)
+        c, t = compiled_from(data), np.linspace(0.0, 0.9, 7)
+        look = other(disc(c, "rider")).look(sense * c.evaluate(["motor.angle"], t)[0] + 0.4)
+        assert c.evaluate(["rider.pressure_second"], t)[0] == pytest.approx(look.pressure.d[0], abs=1e-10)
+    c = compiled_from(pair("sliding", "face"))
+    assert "rider.pressure_second" not in {signal.text for signal in c.quantities.signals.all()}
+
+
+def test_the_motor_feels_no_difference_to_a_groove() -> None:
+    """By virtual work, while reactions differ where the second contact bears."""
+    t = np.linspace(0.0, TURN, 40)
+    names = ["motor.torque", "rider.angle", "rider.force", "force(frame, disc).x", "force(frame, disc).y"]
+    data, _ = closed("swinging", "roller", "stated", -1, 1)
+    pairs = compiled_from(data).evaluate(names, t)
+    data["cams"]["rider"]["closed"] = "groove"
+    del data["cams"]["rider"]["second"]
+    groove = compiled_from(data).evaluate(names, t)
+    assert pairs[:2] == pytest.approx(groove[:2], rel=1e-12, abs=1e-12)
+    pulls = groove[2] < 0
+    assert pairs[2:, ~pulls] == pytest.approx(groove[2:, ~pulls], rel=1e-12)
+    assert (np.abs(pairs[3:, pulls] - groove[3:, pulls]).max(axis=0) > 0.1 * np.abs(groove[2, pulls])).all()
+
+
+def test_rates_and_derivatives_by_parameters() -> None:
+    t = np.array([0.1, 0.33, 0.51, 0.75])
+    names = ["rider.force", "motor.torque", "force(frame, disc).y", "rider.pressure_second"]
+    given = {"rb": 0.041, "rr": 0.012, "across": 0.09, "tip": 0.03}
+    shifts = np.kron(np.eye(4), [-2e-5, -1e-5, 1e-5, 2e-5])
+    for kind in (1, 5, 7, 11):
+        data, _ = closed(*KINDS[kind], 1, -1)
+        data["parameters"] = given
+        foot, across = ("S", "across - 0.11") if "guide" in data["joints"] else ("A", "across")
+        data["links"]["frame"]["points"][foot][0] = across
+        data["links"]["arm"]["points"]["B"][1] = "tip"
+        data["cams"]["rider"]["base"] = "rb"
+        if "roller" in data["cams"]["rider"]:
+            data["cams"]["rider"]["roller"] = "rr"
+        c = compiled_from(data)
+        force, *_ = values = c.evaluate(names, t)
+        assert force.min() < 0 < force.max()
+        rates = derivatives(lambda t, c=c: c.evaluate(names, t), t, 2e-4)
+        assert np.abs(c.rates(names, t)[1] - rates).max() < 1e-8 * np.abs(rates).max()
+        varied = Varied(c, [*given])
+        p = varied.parameters(np.array([*given.values()])[:, None] + shifts)
+        near = varied.evaluate(names, p, t).reshape(len(names), 4, 4, t.size)
+        numeric = np.einsum("nkst,s->nkt", near, np.array([1, -8, 8, -1]) / 12e-5)
+        found = Tangents(c, np.eye(len(given))).evaluate(names, t)
+        assert found[0] == pytest.approx(values, rel=1e-12)
+        assert np.abs(found[1] - numeric).max() < 1e-8 * np.abs(numeric).max()
+
+
+def test_two_cams_in_one_mechanism() -> None:
+    """Coupled by a spring: a swinging arm on two discs, and a ram in a yoke on the same shaft."""
+    data, _ = closed("swinging", "roller", {}, 1, 1)
+    data["links"]["frame"]["points"]["S"] = [-0.02, -0.05]
+    data["links"]["ram"] = {"points": {"F": [0, 0], "H": [0.1, -0.015]}, "mass": 0.7, "shape": "point H"}
+    data["joints"]["guide"] = {"prismatic": ["frame", "ram"], "line": ["S at 1.7", "F at 0.1"]}
+    data["laws"]["beat"] = data["laws"]["lift"] | {"of": "length", "segments": YOKE}
+    data["cams"]["beater"] = {"cam": "disc", "follower": "ram", "on": "frame", "base": 0.03, "law": "beat"}
+    data["cams"]["beater"] |= {"closed": "yoke", "roller": 0.01, "at": "H"}
+    data["springs"] = {"between": {"from": "T", "to": "H", "stiffness": 900, "free": 0.1}}
+    data["loads"]["beat"] = {"on": "ram", "at": "H", "force": [0, "200*sin(3*motor.angle)"]}
+    run = Run(compiled_from(data), 0.0, TURN, 60)
+    forces = run.evaluate(["rider.force", "beater.force"], run.t)
+    assert (forces.min(axis=1) < 0).all()
+    assert (forces.max(axis=1) > 0).all()
+    assert max(certify(run).residuals.values()) < 1e-12
+
+
+def test_where_the_second_contact_rests() -> None:
+    """On its base circle at the largest lift: that which the file gives, or which follows from the place."""
+    for kind in (1, 3, 5, 7, 9):
+        guide, touch, how = KINDS[kind]
+        data, other = closed(guide, touch, how, -1, 1)
+        c = compiled_from(data)
         first = disc(c, "rider")
-        push = 3.0 + 1j * (-20 + 300 * np.sin(2 * c.evaluate(["motor.angle"], t)[0]))
-        one = newton_euler(c, data, t, pressing(c, Side(first), t, sense), push)
-        two = newton_euler(c, data, t, pressing(c, other(first), t, sense), push)
-        assert (one[0] * two[0] < 0).all()
-        assert 2 <= (two[0] > 0).sum() <= 10
-        two[0] *= -1
-        wanted = np.where(two[0] < 0, two, one)
-        guided = "xy" if guide == "swinging" else ()
-        names = ["rider.force", "motor.torque", "force(frame, disc).x", "force(frame, disc).y"]
-        names += [f"force(frame, arm).{axis}" for axis in guided]
-        reported = c.evaluate(names, t)
-        assert np.abs(reported - wanted[: len(names)]).max() < 1e-9 * np.abs(wanted[:4]).max()
-        if not guided:
-            x, y, ax, ay = c.evaluate([f"force(frame, arm).{axis}" for axis in ("x", "y")] + ["A.x", "A.y"], t)
-            assert x + 1j * y == pytest.approx(1j * np.exp(2j) * wanted[4], abs=1e-9 * np.abs(wanted).max())
-        run = Run(compiled_from(closed(guide, touch, how, side, sense, inverted)[0]), 0.0, TURN, 60)
-        assert max(certify(run).residuals.values()) < 1e-12
-        assert run.evaluate(["rider.force"], run.t)[0].min() < 0
+        drive, total = c.mechanism.drives["rider"], c.motions["lift"].extremes(0)[1].value
+        found = rest(Geometry(c.quantities, c.quantities.parameters), drive, total)
+        follower = other(first).disc.follower
+        assert found == pytest.approx((follower.start, follower.base), rel=1e-11)
+        if isinstance(how, dict) and "base" in how:
+            assert follower.base == how["base"]
+
+
+def test_a_yoke_with_play_is_told() -> None:
+    """Of the breadths that the law asks for, by a grid."""
+    data, _ = closed("sliding", "face", "yoke", 1, 1)
+    data["studies"] = {"cycle": {"period": TURN}}
+    assert not lw.run(Document.model_validate(data)).cycle.warnings
+    segments = data["laws"]["lift"]["segments"] = [dict(segment) for segment in YOKE]
+    segments[2]["over"], segments[3]["dwell"] = 1.5, math.pi - 1.5
+    job = lw.run(Document.model_validate(data))
+    (warning,) = job.cycle.warnings
+    assert (warning.code, warning.path) == ("cam.loose", ("cams", "rider"))
+    lift = compiled_from(data).motions["lift"].at(np.linspace(0.0, 2 * np.pi, 20001))
+    assert float(warning.data["play"]) == pytest.approx(np.ptp(lift[:10001] + lift[10000:]), rel=1e-3)

@@ -22,7 +22,6 @@ from linkwright.graph.geometry import Geometry, unit_vector
 from linkwright.model import units as u
 from linkwright.model.cams import Following
 from linkwright.model.expressions import Binary, Call, Name, Node, Number
-from linkwright.model.fields import LineOn
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Pair, Scalar, Wrench
 from linkwright.notation.jets import call
@@ -143,40 +142,40 @@ def _angle(vector: Pair, near: Pair) -> Scalar:
     return atan2(near.y, near.x) + call("arctan2", near.cross(vector), near.dot(vector))
 
 
-def slant(geometry: Geometry, drive: Following, face: LineOn) -> Scalar:
+def slant(geometry: Geometry, drive: Following) -> Scalar:
     """The angle (rad, within a quarter turn) by which a sliding follower's face isn't square to its slide."""
+    assert drive.cam.face is not None
     assert drive.joint is not None
-    turn = geometry.number(face.angle, u.ANGLE) - geometry.heading_angle(drive.joint, drive.link)
+    turn = geometry.number(drive.cam.face.angle, u.ANGLE) - geometry.heading_angle(drive.joint, drive.link)
     return call("arctan", call("cos", turn) / call("sin", turn))
 
 
 @dataclass(frozen=True)
 class Touch:
-    """What of the follower touches a cam, in its own axes: a roller's centre, an edge or a point of a face (m), and the
-    direction of this face; ``facing`` is +1, or -1 where a second contact holds the follower against the first."""
+    """What of a follower touches the cam, in its own axes: a roller's centre, an edge or a point of a face (m), and the
+    face's direction."""
 
     at: Pair
     face: Pair | None
-    facing: int = 1
-
-    def outward(self, drive: Following, face: Pair) -> Pair:
-        """The normal, away from the cam, of a pinned follower's face of some direction."""
-        side = -drive.side * self.facing
-        return Pair(side * face.perp.x, side * face.perp.y)
 
 
 def touch(geometry: Geometry, drive: Following) -> Touch:
-    """What touches first."""
+    """What of a follower touches."""
     face = drive.cam.face
     heading = unit_vector(geometry.number(face.angle, u.ANGLE)) if face is not None else None
     return Touch(geometry.point(drive.link, drive.cam.touches), heading)
 
 
+def outward(drive: Following, face: Pair) -> Pair:
+    """The normal of a pinned follower's face in some direction, away from the cam."""
+    return Pair(-drive.side * face.perp.x, -drive.side * face.perp.y)
+
+
 @dataclass(frozen=True)
 class Contact:
     """Where a follower touches, in the frame: a place on the common normal, the unit ``normal`` from the cam to the
-    follower, the pressure angle (rad, signed) from it to the follower's way away from the cam, and the ``reach``: what
-    1 N along the normal does along this way (N, or N m of a swinging follower)."""
+    follower, the pressure angle (rad, signed) from it to the follower's way as the lift grows, and the ``reach``: what
+    1 N along the normal does along the lift (N, or N m of a swinging follower)."""
 
     at: Pair
     normal: Pair
@@ -190,11 +189,11 @@ class Contact:
 
 
 def contact(motion: Motion, drive: Following, rate: Scalar, what: Touch | None = None) -> Contact:
-    """Where a follower touches, from the poses and the derivative of its value by the cam's angle (m or 1); ``what``
-    touches is the first contact's unless given."""
+    """Where a follower touches, from the poses and the derivative of its value by the cam's angle (m or 1); ``what`` of
+    it, unless that of the drive."""
     geometry, bodies = motion.geometry, motion.bodies
-    here, on, what = seat(geometry, drive), bodies[drive.on], what or touch(geometry, drive)
-    away = here.sign * what.facing  # of the follower's value as it goes away from the cam
+    what = what or touch(geometry, drive)
+    here, on = seat(geometry, drive), bodies[drive.on]
     forward = sense(geometry.quantities, drive)
     shaft = on.point(here.shaft).now
     way = on.direction(here.way).now if not here.turns else Pair(0.0, 0.0)
@@ -206,12 +205,10 @@ def contact(motion: Motion, drive: Following, rate: Scalar, what: Touch | None =
 
     at = bodies[drive.link].point(what.at).now
     if what.face is not None:
-        normal = Pair(what.facing * way.x, what.facing * way.y)
-        if here.turns:
-            normal = what.outward(drive, bodies[drive.link].direction(what.face).now)
+        normal = outward(drive, bodies[drive.link].direction(what.face).now) if here.turns else way
         height = at.minus(shaft).dot(normal)
-        abeam = pivot.minus(shaft).dot(normal.perp)
-        along = abeam * rate / (rate - 1.0) if here.turns else -(away * rate)
+        facing = pivot.minus(shaft).dot(normal.perp)
+        along = facing * rate / (rate - 1.0) if here.turns else -(here.sign * rate)
         at = Pair(
             shaft.x + height * normal.x - along * normal.y,
             shaft.y + height * normal.y + along * normal.x,
@@ -222,7 +219,7 @@ def contact(motion: Motion, drive: Following, rate: Scalar, what: Touch | None =
         size = call("sqrt", across.dot(across))
         normal = Pair(across.x / size, across.y / size)
     rising = moved(at)
-    rising = Pair(away * rising.x, away * rising.y)
+    rising = Pair(here.sign * rising.x, here.sign * rising.y)
     reach = normal.dot(rising)
     return Contact(at, normal, call("arctan2", -forward * normal.cross(rising), reach), reach)
 

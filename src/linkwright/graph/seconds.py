@@ -1,105 +1,88 @@
 """The second contact of a cam closed by form: on a second disc, or on the same one within a yoke.
 
-It lies on the other side of the line of centres, or beyond the shaft, and holds the follower against the first. Where
-the file doesn't give its place, this follows from what keeps the follower without play: the angle between both arms or
-faces, or the distance along the slide, is start + second start + largest lift with a second disc; a yoke takes the two
-starts and the largest sum of two lifts that are half a turn apart (:mod:`linkwright.cam.closing` has the discs).
+It lies across the line of centres, or beyond the shaft, and holds the follower against the first; so it is a contact of
+its own on the other side. Where the file doesn't give its place, this follows from what keeps the follower without
+play: the angle between both arms or faces, or the distance along the slide, is start + second start + largest lift with
+a second disc, and with a yoke both starts + the largest sum of two lifts half a turn apart
+(:mod:`linkwright.cam.closing` has the discs).
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from math import atan2, hypot, sin
+from dataclasses import replace
+from math import atan2, cos, hypot, pi, sin
 
-import numpy as np
-
-from linkwright.graph.cams import Seat, Touch, seat, touch
+from linkwright.graph.cams import Seat, Touch, outward, seat, touch
 from linkwright.graph.geometry import Geometry, unit_vector
 from linkwright.model import units as u
 from linkwright.model.cams import Following
 from linkwright.notation import Pair, Scalar
-from linkwright.notation.angles import wrapped
+
+
+def other_side(drive: Following) -> Following:
+    """The second contact as if it were the first one, on the other side; its place is right where it is stated."""
+    cam, stated = drive.cam, drive.cam.second
+    change = {key: value for key, value in stated or () if value is not None}
+    if cam.knife is not None and "at" in change:
+        change["knife"] = change.pop("at")
+    return drive.model_copy(update={"cam": cam.model_copy(update=change), "side": -drive.side})
 
 
 def second(geometry: Geometry, drive: Following, total: Scalar) -> Touch:
     """What touches on the other side; ``total`` (rad or m) is the largest lift, or of a yoke the largest sum of two
     lifts half a turn apart."""
-    first, stated = touch(geometry, drive), drive.cam.second
-    if stated is not None and stated.touches is not None:
-        heading = None if stated.face is None else unit_vector(geometry.number(stated.face.angle, u.ANGLE))
-        return Touch(geometry.point(drive.link, stated.touches), heading, -1)
-    here = seat(geometry, drive)
-    between = here.start + other_seat(geometry, drive).start + total
+    other = other_side(drive)
+    if not drive.derived:
+        return touch(geometry, other)
+    first, here = touch(geometry, drive), seat(geometry, drive)
+    between = here.start + second_seat(geometry, drive).start + total
     if here.turns:
         assert drive.pivot is not None
         own = geometry.point(drive.link, drive.pivot[0])
         turn = unit_vector(-here.sign * between)
         if first.face is None:
-            return Touch(_plus(own, first.at.minus(own).turned(turn)), None, -1)
+            return Touch(_plus(own, first.at.minus(own).turned(turn)), None)
         face = first.face.turned(turn)
-        made = Touch(own, face, -1)
-        return replace(made, at=_plus(own, made.outward(drive, face), here.reach))
-    way, right = _way(geometry, drive)
-    at = _plus(first.at, way, -between)
-    if drive.cam.closed == "yoke":  # its rollers lie opposite each other about the shaft
-        at = _plus(at, right, -2 * here.aside)
-    return Touch(at, first.face, -1)
-
-
-def other_seat(geometry: Geometry, drive: Following) -> Seat:
-    """The numbers of the second contact where its place isn't stated."""
-    here, stated = seat(geometry, drive), drive.cam.second
-    if stated is None:
-        return here
-    lengths = {key: getattr(stated, key) for key in ("base", "roller")}
-    return replace(here, **{k: geometry.number(v, u.LENGTH) for k, v in lengths.items() if v is not None})
-
-
-@dataclass(frozen=True)
-class Rest:
-    """Where the second contact stands at the first one's largest lift, when it is on its own base circle; numbers.
-
-    ``start`` is the angle (rad, -pi .. pi) of arm or face with the line of centres, or the height (m) beyond the shaft,
-    positive on the side away from the first; ``reach`` and ``aside`` are as in :class:`Seat`; ``base`` is the radius
-    (m) of the disc's base circle.
-    """
-
-    start: float
-    base: float
-    roller: float
-    reach: float
-    aside: float
-
-
-def rest(geometry: Geometry, drive: Following, total: float) -> Rest:
-    """Where the second contact stands at the largest lift ``total`` (rad or m), at plain parameters."""
-    here, what = seat(geometry, drive), second(geometry, drive, total)
-    roller, up = float(other_seat(geometry, drive).roller), float(here.start + total)
-    if not here.turns:
-        way, right = _way(geometry, drive)
-        off = what.at.minus(touch(geometry, drive).at)
-        height, aside = -float(up + off.dot(way)), float(here.aside + off.dot(right))
-        return Rest(height, height if here.faced else hypot(height, aside) - roller, roller, 0.0, aside)
-    assert drive.pivot is not None
-    arm = what.at.minus(geometry.point(drive.link, drive.pivot[0]))
-    along = arm if what.face is None else what.face
-    value = float(here.offset + here.sign * up)
-    start = float(wrapped(np.array(-here.sign * (value + atan2(along.y, along.x) - float(here.home)))))
-    away = float(here.distance)
-    if what.face is not None:
-        reach = float(what.outward(drive, what.face).dot(arm))
-        return Rest(start, away * sin(start) + reach, roller, reach, 0.0)
-    reach = hypot(arm.x, arm.y)
-    beam = unit_vector(start)
-    return Rest(start, hypot(away - reach * beam.x, reach * beam.y) - roller, roller, reach, 0.0)
-
-
-def _way(geometry: Geometry, drive: Following) -> tuple[Pair, Pair]:
-    """The way in which a sliding follower rises, and its right, in the follower's axes."""
+        return Touch(_plus(own, outward(other, face), here.reach), face)
     assert drive.joint is not None
     heading = geometry.line(drive.joint, drive.link)[1]
-    way = Pair(drive.side * heading.x, drive.side * heading.y)
-    return way, Pair(way.y, -way.x)
+    at = _plus(first.at, heading, -here.sign * between)
+    if drive.cam.closed == "yoke":  # its rollers lie opposite each other about the shaft
+        at = _plus(at, heading.perp, 2 * here.sign * here.aside)
+    return Touch(at, first.face)
+
+
+def second_seat(geometry: Geometry, drive: Following) -> Seat:
+    """The numbers of the second contact; ``base`` is that of its disc only where its place isn't stated."""
+    if not drive.derived:
+        return seat(geometry, other_side(drive))
+    cam = other_side(drive).cam
+    roller = geometry.number(cam.roller, u.LENGTH) if cam.roller is not None else 0.0
+    return replace(seat(geometry, drive), base=geometry.number(cam.base, u.LENGTH), roller=roller)
+
+
+def rest(geometry: Geometry, drive: Following, total: float) -> tuple[float, float]:
+    """Where the second contact stands at the largest lift ``total`` (rad or m), as it is on its own base circle, by
+    plain numbers: the angle (rad, -pi .. pi) of arm or face with the line of centres or the height (m) beyond the
+    shaft, and the radius (m) of the base circle."""
+    here, there = seat(geometry, drive), second_seat(geometry, drive)
+    if drive.derived:
+        return float(there.start), float(there.base)
+    start = float(there.sign * (here.offset + here.sign * (here.start + total) - there.offset))
+    if not there.turns:
+        return start, start if there.faced else hypot(start, there.aside) - float(there.roller)
+    start = atan2(sin(start), cos(start))
+    away, reach = float(there.distance), float(there.reach)
+    if there.faced:
+        return start, away * sin(start) + reach
+    return start, hypot(away - reach * cos(start), reach * sin(start)) - float(there.roller)
+
+
+def room(drive: Following) -> tuple[float, float]:
+    """Between what a second contact's angle or height may lie all over the lift (rad or m)."""
+    if drive.pivot is None:
+        return 0.0, float("inf")
+    return (-pi / 2, pi / 2) if drive.cam.face is not None else (0.0, pi)
 
 
 def _plus(at: Pair, by: Pair, times: Scalar = 1.0) -> Pair:

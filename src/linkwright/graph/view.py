@@ -15,7 +15,7 @@ from linkwright.graph.forces import Forces, lever, solve_forces, unit_efforts
 from linkwright.graph.geometry import ZERO, Geometry
 from linkwright.graph.motion import Motion, solve_motion
 from linkwright.graph.poles import pole
-from linkwright.graph.seconds import second
+from linkwright.graph.seconds import other_side, second
 from linkwright.graph.springs import effort, elastic, raw_angle, stretch
 from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, signal_text
 from linkwright.model.fields import Expression
@@ -85,8 +85,8 @@ class View:
         found: dict[str, Contact] = {}
         for name, drive in self.graph.actions.cams.items():
             if drive.paired:
-                other = second(self.motion.geometry, drive, self.given.get(f"total/{name}", 0.0))
-                found[name] = contact(self.motion, drive, self.given[f"ratio/{name}/0"], other)
+                what = second(self.motion.geometry, drive, self.given.get(f"total/{name}", 0.0))
+                found[name] = contact(self.motion, other_side(drive), self.given[f"ratio/{name}/0"], what)
         return found
 
     def row(self, name: str) -> Scalar:

@@ -11,13 +11,12 @@ import numpy as np
 
 from linkwright.graph.cams import Seat, followings, seat, sense, slant, whole
 from linkwright.graph.geometry import Geometry
-from linkwright.graph.seconds import other_seat
+from linkwright.graph.seconds import other_side, second_seat
 from linkwright.kernels.law import Array, Law, Parameters
 from linkwright.kernels.seconds import largest, misplaced
 from linkwright.laws import Motion
 from linkwright.model import units as u
 from linkwright.model.cams import Following
-from linkwright.model.fields import LineOn
 from linkwright.model.findings import Finding
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet
@@ -110,7 +109,7 @@ def cam_faults(quantities: Quantities, motions: Mapping[str, Motion]) -> Iterato
                 data = {"law": drive.cam.law, "period": f"{motion.period / size:.6g}", "unit": unit}
                 yield Finding("cam.period", (*path, "law"), data)
         with np.errstate(all="ignore"):
-            found = [*_askew(geometry, path, drive, drive.cam.face)]
+            found = [*_askew(geometry, path, drive)]
             found += _reach(quantities, path, drive, seat(geometry, drive))
             if drive.paired and motion is not None and not found:
                 found = [*_second_faults(geometry, path, drive, motion)]
@@ -119,19 +118,19 @@ def cam_faults(quantities: Quantities, motions: Mapping[str, Motion]) -> Iterato
 
 def _second_faults(geometry: Geometry, path: tuple[str, ...], drive: Following, motion: Motion) -> Iterator[Finding]:
     """What is wrong with a second contact; the first has no fault."""
-    stated = drive.cam.second
-    path = path if stated is None else (*path, "second")
-    faults = [*_askew(geometry, path, drive, stated.face if stated else None)]
+    path = path if drive.cam.second is None else (*path, "second")
     if drive.derived:
-        faults += _reach(geometry.quantities, path, drive, other_seat(geometry, drive))
+        faults = [*_reach(geometry.quantities, path, drive, second_seat(geometry, drive))]
+    else:
+        faults = [*_askew(geometry, path, other_side(drive))]
     yield from faults or misplaced(geometry, path, drive, motion)
 
 
-def _askew(geometry: Geometry, path: tuple[str, ...], drive: Following, face: LineOn | None) -> Iterator[Finding]:
+def _askew(geometry: Geometry, path: tuple[str, ...], drive: Following) -> Iterator[Finding]:
     """A sliding follower's face that isn't square to the slide."""
-    if drive.joint is None or face is None:
+    if drive.joint is None or drive.cam.face is None:
         return
-    askew = float(slant(geometry, drive, face))
+    askew = float(slant(geometry, drive))
     if not abs(askew) < SQUARE:
         unit, size = geometry.quantities.unit_of(u.ANGLE)
         yield Finding("cam.askew", (*path, "face"), {"angle": f"{askew / size:.6g}", "unit": unit})

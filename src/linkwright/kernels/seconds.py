@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.geometry import Geometry
-from linkwright.graph.seconds import rest
+from linkwright.graph.seconds import rest, room, second_seat
 from linkwright.laws import Motion
 from linkwright.model import units as u
 from linkwright.model.cams import Following
@@ -32,26 +32,22 @@ def sums(motion: Motion) -> NDArray[np.float64]:
 
 def misplaced(geometry: Geometry, path: tuple[str, ...], drive: Following, motion: Motion) -> Iterator[Finding]:
     """A second contact that doesn't stay on the other side, or leaves its disc no base circle."""
-    q, found = geometry.quantities, rest(geometry, drive, largest(drive, motion))
+    q, (start, base) = geometry.quantities, rest(geometry, drive, largest(drive, motion))
     least, most = (extreme.value for extreme in motion.extremes(0))
-    stop = found.start + most - least
+    stop, (low, high) = start + most - least, room(drive)
 
     def told(code: str, dimension: u.Dimension, **data: float) -> Finding:
         unit, size = q.unit_of(dimension)
         shown = {key: f"{value / size:.6g}" for key, value in data.items()}
         return Finding(code, path, {"follower": drive.link, "unit": unit, **shown})
 
-    low, high = (-pi / 2, pi / 2) if drive.cam.face is not None else (0.0, pi)
-    if drive.pivot is None:
-        if not found.start > 0:
-            yield told("cam.second-height", u.LENGTH, height=-found.start)
-            return
-    elif drive.cam.face is None and not found.reach > 0:
+    if drive.pivot is not None and drive.cam.face is None and not second_seat(geometry, drive).reach > 0:
         assert drive.cam.second is not None
         yield Finding("cam.no-arm", path, {"point": drive.cam.second.touches})
-        return
-    elif not low < found.start < stop < high:
-        yield told("cam.second-side", u.ANGLE, low=found.start, high=stop, least=low, most=high)
-        return
-    if not drive.derived and not found.base > 0:
-        yield told("cam.second-base", u.LENGTH, base=found.base)
+    elif not low < start < stop < high:
+        if drive.pivot is None:
+            yield told("cam.second-height", u.LENGTH, height=-start)
+        else:
+            yield told("cam.second-side", u.ANGLE, low=start, high=stop, least=low, most=high)
+    elif not drive.derived and not base > 0:
+        yield told("cam.second-base", u.LENGTH, base=base)

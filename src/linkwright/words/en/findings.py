@@ -473,6 +473,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "{value} {unit}).",
         "Add a spring or a stronger one, turn slower, or say closed: groove (conjugate, yoke) where form holds it.",
     ),
+    "cam.loose": (
+        "The yoke of the cam {cam} has up to {play} {unit} of play; forces are those of one without.",
+        "Take a law whose lifts half a turn apart add up to the same everywhere, or a second disc: closed: conjugate.",
+    ),
     "cam.reach": (
         "The arm of {follower} misses the base circle by {by} {unit}: arm {arm} {unit} and centre distance {distance} "
         "{unit} allow a roller's centre from {low} {unit} to {high} {unit} off the shaft; base circle and roller ask for "
