@@ -139,8 +139,13 @@ def test_a_base_circle_says_where_the_second_contact_is(guide: str, touch: str) 
     assert bare.between == pytest.approx(2 * start + bare.total, rel=1e-14)
 
 
-def test_a_second_contact_on_the_first_ones_side_is_refused() -> None:
+def test_a_second_contact_that_other_parameters_put_on_the_first_ones_side() -> None:
     data = closed_pair("swinging", "roller")
-    data["cams"]["rider"]["second"]["at"] = "T"
-    with pytest.raises(NoContact, match=r"cam\.same-side"):
-        second(compiled_from(data), "rider")
+    x, y = data["links"]["arm"]["points"]["C"]
+    data["parameters"] = {"x": x, "y": y}
+    data["links"]["arm"]["points"]["C"] = ["x", "y"]
+    c = compiled_from(data)
+    longer = second(c, "rider", {"x": 1.1 * x - 5e-4, "y": 1.1 * y - 2e-4}).disc.follower
+    assert longer.arm == pytest.approx(0.088) and longer.base != second(c, "rider").disc.follower.base
+    with pytest.raises(NoContact, match=r"cam\.second-side"):
+        second(c, "rider", {"x": 0.1, "y": 0.05})

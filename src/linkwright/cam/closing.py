@@ -98,8 +98,8 @@ def conjugate(disc: Disc, *, base: float | None = None, between: float | None = 
     rollers or faces (m); with neither, the base circle is the first one's. ``lengths`` (m) are those of the second
     contact that differ from the first's: ``roller``, ``arm``, ``offset``, ``face``.
 
-    Raises :class:`NoContact` where the second disc can't be or would have no profile, ``cam.same-side``,
-    ``cam.no-second`` or ``cam.undercut``, and :class:`linkwright.cam.followers.NoFollower`.
+    Raises :class:`NoContact` where the second disc can't be or would have no profile, ``cam.second-side``,
+    ``cam.second-base`` or ``cam.undercut``, and :class:`linkwright.cam.followers.NoFollower`.
     """
     made = opposite(disc, base=base, between=between, **lengths)
     if (cut := undercut(made.disc)) is not None:
@@ -128,9 +128,9 @@ def _based(follower: Any, between: float, first: float) -> Any:
     start = math.remainder(between - first, 2 * math.pi) if follower.turns else between - first
     low, high = follower.starts
     if not low < start < high:
-        raise NoContact("cam.same-side", between=start + first, low=low + first)
+        raise NoContact("cam.second-side", between=start + first, low=low + first)
     if not (base := follower.base_at(start)) > 0:
-        raise NoContact("cam.no-second", base=base)
+        raise NoContact("cam.second-base", base=base)
     return replace(follower, base=base)
 
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from math import atan2, cos, pi, sin
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,9 +26,10 @@ from linkwright.cam.followers import (
 )
 from linkwright.graph.cams import Seat, followings, seat, sense
 from linkwright.graph.geometry import Geometry
+from linkwright.graph.seconds import second_seat
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
-from linkwright.model.cams import Following, Second
+from linkwright.model.cams import Following
 from linkwright.notation import Jet
 
 Array = NDArray[np.float64]
@@ -76,49 +76,19 @@ def second(compiled: Compiled, name: str, parameters: Parameters | None = None) 
 
     Where the file states the second contact, the base circle and what is between follow from its place; else the base
     circle is the stated one or the first one's, and what lies between follows. Raises as :func:`disc`, and
-    :class:`linkwright.cam.contact.NoContact`: ``cam.same-side``, ``cam.no-second``.
+    :class:`linkwright.cam.contact.NoContact`: ``cam.second-side``, ``cam.second-base``.
     """
     drive, here = _read(compiled, name, parameters)
     first, geometry = disc(compiled, name, parameters), _geometry(compiled, parameters)
-    stated = drive.cam.second or Second()
-    lengths = {} if stated.roller is None else {"roller": float(geometry.number(stated.roller, u.LENGTH))}
-    if (other := other_side(drive)) is None:
-        base = None if stated.base is None else float(geometry.number(stated.base, u.LENGTH))
-        return opposite(first, base=base, **lengths)
-    there = seat(geometry, other)
+    there = second_seat(geometry, drive)
+    lengths = {} if drive.cam.roller is None else {"roller": float(there.roller)}
+    if drive.derived:
+        return opposite(first, base=float(there.base), **lengths)
     if here.turns:
         lengths["face" if here.faced else "arm"] = float(there.reach)
     elif not here.faced:
         lengths["offset"] = -float(there.aside)
     return opposite(first, between=here.sign * float(there.offset - here.offset), **lengths)
-
-
-def opposite_place(compiled: Compiled, name: str, pair: Conjugate) -> Array:
-    """The second roller's centre or edge in the follower's axes (m), stated or not: (2,)."""
-    drive, geometry = followings(compiled.quantities)[name], _geometry(compiled, None)
-    at = geometry.point(drive.link, (other_side(drive) or drive).cam.touches)
-    place = complex(float(at.x), float(at.y))
-    if other_side(drive) is None and drive.pivot is not None:
-        own = geometry.point(drive.link, drive.pivot[0])
-        pivot = complex(float(own.x), float(own.y))
-        place = pivot + (place - pivot) * np.exp(1j * drive.side * pair.between)
-    elif other_side(drive) is None and drive.joint is not None:
-        way = geometry.line(drive.joint, drive.link)[1]
-        place -= drive.side * pair.between * complex(float(way.x), float(way.y))
-    return np.array([place.real, place.imag])
-
-
-def other_side(drive: Following) -> Following | None:
-    """The second contact of a follower, where its place is stated, as if it were the first one on the other side."""
-    cam, stated = drive.cam, drive.cam.second
-    if stated is None or stated.touches is None:
-        return None
-    change: dict[str, Any] = {"face": stated.face} if stated.face is not None else {}
-    if stated.at is not None:
-        change = {"at" if cam.at is not None else "knife": stated.at}
-    if stated.roller is not None:
-        change["roller"] = stated.roller
-    return drive.model_copy(update={"cam": cam.model_copy(update=change), "side": -drive.side})
 
 
 def frame(compiled: Compiled, name: str, parameters: Parameters | None = None) -> Frame:

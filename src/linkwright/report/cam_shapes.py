@@ -7,10 +7,12 @@ from numpy.typing import NDArray
 
 from linkwright.cam.contact import NoContact
 from linkwright.cam.followers import NoFollower
-from linkwright.cam.pairs import disc, frame, opposite_place, second
-from linkwright.graph.cams import followings
+from linkwright.cam.pairs import disc, frame, second
+from linkwright.graph.cams import followings, touch
 from linkwright.graph.geometry import Geometry
+from linkwright.graph.seconds import second as second_touch
 from linkwright.kernels import Compiled
+from linkwright.kernels.seconds import largest
 
 Array = NDArray[np.float64]
 
@@ -33,16 +35,18 @@ def cam_shapes(compiled: Compiled, size: float) -> Shapes:
     for name, drive in followings(compiled.quantities).items():
         try:
             made, axes = disc(compiled, name), frame(compiled, name)
-            first = geometry.point(drive.link, drive.cam.touches)
-            plates = [(made, axes, np.array([float(first.x), float(first.y)]))]
+            plates = [(made, axes)]
             if drive.cam.closed == "conjugate":
-                pair = second(compiled, name)
-                plates.append((pair.disc, axes.mirrored, opposite_place(compiled, name, pair)))
+                plates.append((second(compiled, name).disc, axes.mirrored))
         except (NoFollower, NoContact):
             continue
-        for plate, where, at in plates:
-            radius = plate.follower.radius
-            draw(drive.cam.cam, where.placed(plate.look(turn).offset(-radius)))
-            if radius:
-                draw(drive.link, at[:, None] + radius * np.array([np.cos(turn[::3]), np.sin(turn[::3])]))
+        for plate, where in plates:
+            draw(drive.cam.cam, where.placed(plate.look(turn).offset(-plate.follower.radius)))
+        touches = [touch(geometry, drive)]
+        if drive.paired:
+            touches.append(second_touch(geometry, drive, largest(drive, compiled.motions[drive.cam.law])))
+        for contact, plate in zip(touches, [plate for plate, _ in (*plates, plates[0])], strict=False):
+            if radius := plate.follower.radius:
+                around = np.array([np.cos(turn[::3]), np.sin(turn[::3])])
+                draw(drive.link, np.array([[float(contact.at.x)], [float(contact.at.y)]]) + radius * around)
     return found

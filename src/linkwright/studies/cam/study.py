@@ -19,7 +19,7 @@ from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.findings import Finding, Term
 from linkwright.model.unknown import unknown
-from linkwright.studies.cam.closed import held
+from linkwright.studies.cam.closed import closing
 from linkwright.studies.cam.figures import Figure, every
 from linkwright.studies.cam.force_findings import press
 from linkwright.studies.cam.milled import milled, seen
@@ -54,15 +54,14 @@ class CamStudy:
     options = CamOptions
 
     def check(self, compiled: Compiled, options: CamOptions) -> list[Finding]:
-        """What is wrong with the options, and with a second disc."""
+        """What is wrong with the options."""
         name, findings = chosen(compiled, options)
         if name is None:
             return findings
         disc = disc_of(compiled, name)
-        closing, findings = held(compiled, name, disc)
-        reader = Reader(compiled, options, name, disc, closing)
+        reader = Reader(compiled, options, name, disc, closing(compiled, name, disc))
         reader.read()
-        return [*findings, *reader.findings]
+        return reader.findings
 
     def run(self, compiled: Compiled, options: CamOptions, site: Site = NOWHERE) -> CamOutcome:
         """All that is asked of the cam; nothing is made of a disc that is undercut."""
@@ -96,13 +95,13 @@ class CamStudy:
 def _begun(compiled: Compiled, options: CamOptions, name: str) -> CamOutcome:
     """The disc or discs, and what is asked of them."""
     disc, path = disc_of(compiled, name), ("cams", name)
-    closing, _ = held(compiled, name, disc)
-    stated = Reader(compiled, options, name, disc, closing).read()
+    held = closing(compiled, name, disc)
+    stated = Reader(compiled, options, name, disc, held).read()
     axes = frame(compiled, name)
     plates = [Plate(disc, axes, stated, path, options.steps)]
-    if isinstance(closing, Conjugate):
-        plates.append(Plate(closing.disc, axes.mirrored, stated, (*path, "second"), options.steps, second=True))
-    return CamOutcome(compiled, options, name, stated, plates, closing)
+    if isinstance(held, Conjugate):
+        plates.append(Plate(held.disc, axes.mirrored, stated, (*path, "second"), options.steps, second=True))
+    return CamOutcome(compiled, options, name, stated, plates, held)
 
 
 def _closes(outcome: CamOutcome) -> None:

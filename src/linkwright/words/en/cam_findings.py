@@ -105,16 +105,6 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "Only a roller runs in a groove.",
         "Give the follower a roller.",
     ),
-    "cam.same-side": (
-        "Both contacts of the follower lie on one side of the cam: the second is {between} off the first, and must be more "
-        "than {low}.",
-        "Put it on the other side: on an arm the line from pivot to shaft must always lie between both, on a slide the "
-        "shaft.",
-    ),
-    "cam.no-second": (
-        "The second contact comes to the shaft so close that no base circle is left: its radius would be {base}.",
-        "Put the contact farther from the shaft, or take a smaller roller.",
-    ),
     "cam.yoke": (
         "Only a sliding follower has a yoke.",
         "Close a swinging one by a groove or a second disc.",
