@@ -6,6 +6,8 @@ import csv
 import io
 import json
 import math
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
@@ -20,11 +22,13 @@ from linkwright.app.job import Job
 from linkwright.cam.checks import undercut
 from linkwright.cam.disc import TURN
 from linkwright.cam.pairs import second as second_of
+from linkwright.model.document import load, plain
 from linkwright.report.build import report_data
 from linkwright.report.cam_files import FILES
 from linkwright.results import Run
 from linkwright.studies.cam.outcome import CamOutcome
 
+EXAMPLE = Path(__file__).parents[3] / "examples" / "conjugate_cam.yaml"
 NC = {
     "post": "grbl",
     "cutter": "8 mm",
@@ -146,6 +150,19 @@ def test_forces_on_both_discs(outcome: CamOutcome) -> None:
     assert found["second_hertz_pressure_max"] == pytest.approx(hertz, rel=1e-5)
     assert outcome.pressed is not None
     assert found["second_roller_speed_max"] > 0 and len(outcome.pressed.forces.reversals) == 4  # rises and two falls
+
+
+def test_the_mechanism_has_the_same_forces() -> None:
+    """The solver's multipliers in the example, whose sley's mass is that of the study; negative on the second disc."""
+    data = plain(load(EXAMPLE))
+    data["studies"] = {"cam": {"steps": 36, "forces": data["studies"]["cam"]["forces"]}}
+    outcome = outcome_of(data, **data["studies"]["cam"])
+    run = Run(outcome.compiled, 0.0, 0.2, 360)  # 300 rpm
+    force, torque = outcome.compiled.evaluate(["sley_drive.force", "shaft.torque"], run.t[:-1])
+    assert outcome.pressed is not None
+    told = replace(outcome.pressed.forces, theta=TURN * run.t[:-1] / 0.2)
+    assert np.abs(told.contact - told.contact_second - force).max() < 1e-9 * force.max()
+    assert np.abs(told.torque - torque).max() < 1e-9 * torque.max()
 
 
 def test_an_undercut_second_disc_is_refused_with_what_mends_it() -> None:
