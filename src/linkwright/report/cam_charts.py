@@ -59,16 +59,19 @@ def over(
     lines: Sequence[Array],
     limits: Sequence[float] = (),
     theta: Array | None = None,
+    second: bool = False,
 ) -> Chart:
-    """Lines over the cam angle, those of the first disc first, limits across."""
+    """Lines over the cam angle, limits across; ``second``: the second line is that of a second disc or contact."""
     angle, deg = outcome.compiled.quantities.unit_of(u.ANGLE)
     x = (outcome.first.theta if theta is None else theta) / deg
     known = np.concatenate([*(line[np.isfinite(line)] for line in lines), np.array([*limits, 0.0])])
     axes = Axes((0.0, 2 * math.pi / deg), (float(known.min()), float(known.max())), named(say("cam.angle"), angle))
     ends = np.array([0.0, 2 * math.pi / deg])
     shapes = [axes.line(ends, np.full(2, limit), "limit") for limit in limits]
-    shapes += [axes.line(x, line, kind) for line, kind in zip(lines, ("mean", "line"), strict=False)]
-    title = named(name, unit)
+    shapes += [
+        axes.line(x, line, kind) for line, kind in zip(lines, ("mean", "shift" if second else "line"), strict=False)
+    ]
+    title = named(say("cam.chart.with-second", what=name) if second else name, unit)
     return {"title": title, "drawing": axes.drawing(shapes, title)}
 
 
@@ -77,7 +80,7 @@ def _pressure(outcome: CamOutcome) -> Chart:
     checks = outcome.first.checks
     limits = [c.limit / deg for c in checks if c.name.startswith("pressure") and c.limit is not None]
     lines = [np.abs(np.broadcast_to(p.look.pressure.d[0], p.theta.shape)) / deg for p in outcome.plates]
-    return over(outcome, say("cam.chart.pressure"), angle, lines, limits)
+    return over(outcome, say("cam.chart.pressure"), angle, lines, limits, second=len(lines) > 1)
 
 
 def _curvatures(outcome: CamOutcome) -> Iterator[Chart]:
@@ -90,7 +93,7 @@ def _curvatures(outcome: CamOutcome) -> Iterator[Chart]:
             continue
         limits = {size / c.limit for plate in plates for c in plate.checks if c.name == check and c.limit}
         values = [size / plate.look.radius(-plate.disc.follower.radius if own else 0.0) for plate in plates]
-        yield over(outcome, say(f"cam.chart.{name}"), per, values, sorted(limits))
+        yield over(outcome, say(f"cam.chart.{name}"), per, values, sorted(limits), second=len(values) > 1)
 
 
 def _error(outcome: CamOutcome, plate: Plate) -> Chart:

@@ -39,6 +39,7 @@ CAMS: dict[str, str] = {
     "cam.chart.contact": "Contact force",
     "cam.chart.torque": "Torque on the shaft",
     "cam.chart.hertz": "Hertz pressure",
+    "cam.chart.with-second": "{what} (dotted: the second one)",
     "cam.chart.tool": "The cutter's path",
     "cam.chart.error": "Error of the lift on the cam as milled ({post}), at its bottom and top",
     "cam.chart.map": "Where the limits are kept (large dots): {name} in {unit} over the base circle",
