@@ -151,13 +151,36 @@ def slant(geometry: Geometry, drive: Following) -> Scalar:
 
 
 @dataclass(frozen=True)
+class Touch:
+    """What of a follower touches the cam, in its own axes: a roller's centre, an edge or a point of a face (m), and the
+    face's direction."""
+
+    at: Pair
+    face: Pair | None
+
+
+def touch(geometry: Geometry, drive: Following) -> Touch:
+    """What of a follower touches."""
+    face = drive.cam.face
+    heading = unit_vector(geometry.number(face.angle, u.ANGLE)) if face is not None else None
+    return Touch(geometry.point(drive.link, drive.cam.touches), heading)
+
+
+def outward(drive: Following, face: Pair) -> Pair:
+    """The normal of a pinned follower's face in some direction, away from the cam."""
+    return Pair(-drive.side * face.perp.x, -drive.side * face.perp.y)
+
+
+@dataclass(frozen=True)
 class Contact:
     """Where a follower touches, in the frame: a place on the common normal, the unit ``normal`` from the cam to the
-    follower, and the pressure angle (rad, signed) from it to the follower's way as the lift grows."""
+    follower, the pressure angle (rad, signed) from it to the follower's way as the lift grows, and the ``reach``: what
+    1 N along the normal does along the lift (N, or N m of a swinging follower)."""
 
     at: Pair
     normal: Pair
     pressure: Scalar
+    reach: Scalar
 
     def pushes(self, drive: Following) -> dict[str, Wrench]:
         """A contact force of 1 N, on each of the two links."""
@@ -165,9 +188,11 @@ class Contact:
         return {drive.link: push, drive.cam.cam: push.opposite}
 
 
-def contact(motion: Motion, drive: Following, rate: Scalar) -> Contact:
-    """Where a follower touches, from the poses and the derivative of its value by the cam's angle (m or 1)."""
+def contact(motion: Motion, drive: Following, rate: Scalar, what: Touch | None = None) -> Contact:
+    """Where a follower touches, from the poses and the derivative of its value by the cam's angle (m or 1); ``what`` of
+    it, unless that of the drive."""
     geometry, bodies = motion.geometry, motion.bodies
+    what = what or touch(geometry, drive)
     here, on = seat(geometry, drive), bodies[drive.on]
     forward = sense(geometry.quantities, drive)
     shaft = on.point(here.shaft).now
@@ -178,12 +203,9 @@ def contact(motion: Motion, drive: Following, rate: Scalar) -> Contact:
         """What a unit of the follower's value moves its point by."""
         return point.minus(pivot).perp if here.turns else Pair(here.sign * way.x, here.sign * way.y)
 
-    at = bodies[drive.link].point(geometry.point(drive.link, drive.cam.touches)).now
-    if here.faced:
-        normal = way
-        if here.turns:
-            heading = bodies[drive.link].direction(_heading(geometry, drive)).now
-            normal = Pair(-drive.side * heading.perp.x, -drive.side * heading.perp.y)
+    at = bodies[drive.link].point(what.at).now
+    if what.face is not None:
+        normal = outward(drive, bodies[drive.link].direction(what.face).now) if here.turns else way
         height = at.minus(shaft).dot(normal)
         facing = pivot.minus(shaft).dot(normal.perp)
         along = facing * rate / (rate - 1.0) if here.turns else -(here.sign * rate)
@@ -198,13 +220,8 @@ def contact(motion: Motion, drive: Following, rate: Scalar) -> Contact:
         normal = Pair(across.x / size, across.y / size)
     rising = moved(at)
     rising = Pair(here.sign * rising.x, here.sign * rising.y)
-    return Contact(at, normal, call("arctan2", -forward * normal.cross(rising), normal.dot(rising)))
-
-
-def _heading(geometry: Geometry, drive: Following) -> Pair:
-    """The direction of the face in the follower."""
-    assert drive.cam.face is not None
-    return unit_vector(geometry.number(drive.cam.face.angle, u.ANGLE))
+    reach = normal.dot(rising)
+    return Contact(at, normal, call("arctan2", -forward * normal.cross(rising), reach), reach)
 
 
 def whole(quantities: Quantities, parameters: Mapping[str, float], drive: Following) -> float:

@@ -454,10 +454,28 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "only.",
         "Take a larger base circle, or lead the follower nearer to the shaft.",
     ),
+    "cam.second-side": (
+        "The second contact of {follower} must stay on the other side of the line from shaft to pivot all over the lift: "
+        "its arm or face makes {low} to {high} {unit} with it; {least} to {most} {unit} would do.",
+        "Move the second point or face, or change the second base circle.",
+    ),
+    "cam.second-height": (
+        "The second contact of {follower} must stay beyond the shaft; at the largest lift it is {height} {unit} on the "
+        "first one's side of it.",
+        "Move the second point or face further away from the first.",
+    ),
+    "cam.second-base": (
+        "The second contact of {follower} leaves its disc a base circle of {base} {unit}.",
+        "Move the second contact further away from the shaft, or take a smaller second roller.",
+    ),
     "cam.lifts-off": (
         "The follower of the cam {cam} lifts off: it would have to be pulled with {force} {of} t = {time} s ({drive} = "
         "{value} {unit}).",
         "Add a spring or a stronger one, turn slower, or say closed: groove (conjugate, yoke) where form holds it.",
+    ),
+    "cam.loose": (
+        "The yoke of the cam {cam} has up to {play} {unit} of play; forces are those of one without.",
+        "Take a law whose lifts half a turn apart add up to the same everywhere, or a second disc: closed: conjugate.",
     ),
     "cam.reach": (
         "The arm of {follower} misses the base circle by {by} {unit}: arm {arm} {unit} and centre distance {distance} "
