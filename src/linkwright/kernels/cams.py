@@ -40,6 +40,12 @@ class CamLaw(Law):
             value = self.ride(Jet([angle, 1.0, 0.0]), parameters)
             return self.turned * value.d[1], self.turned * value.d[2] * speed
 
+    def along(self, angle: float) -> tuple[float, float]:
+        """The follower's value (rad or m) and its derivative by the motor's, at a value of that (rad)."""
+        assert self.ride is not None
+        value, slope = self.ride(Jet([angle, 1.0]), self.parameters).d
+        return float(value), float(slope)
+
     def driven_by(self, motor: Law) -> CamLaw:
         """The same cam turned by another law of its motor."""
         ride = self.ride

@@ -479,8 +479,13 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Name a point of the follower away from its pin.",
     ),
     "study.cams": (
-        "The study {study} moves drives singly, and can't with cams ({names}): their followers move with the motor.",
+        "The study {study} moves two drives through all their values, each on its own; the followers of cams ({names}) "
+        "move with their motors.",
         "Leave the study out, or put a drive in the place of each cam.",
+    ),
+    "study.follower": (
+        "{name} is the follower of a cam: it moves with the motor {motor}, not on its own.",
+        "Name {motor} as the drive; its followers move along.",
     ),
     "motion.cylinder-length": (
         "The cylinder {name} would have to be {by} {length_unit} {end} than it can be: {length} {length_unit} "
