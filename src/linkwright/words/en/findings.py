@@ -1084,6 +1084,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The file for MuJoCo doesn't have {names}.",
         "Add them to the file by hand where the simulation needs them.",
     ),
+    "export.followers": (
+        "MuJoCo has no cam pairs: the followers of {names} have actuators of their own, which move them by the laws; the "
+        "camshafts' actuators don't feel them.",
+        "Take their controls from positions.csv; take forces and torques on cams from linkwright.",
+    ),
     # Of joint functions.
     "functions.drives": (
         "Joint functions ask for one driving joint; this mechanism has {count} drives: {names}.",
