@@ -151,7 +151,7 @@ def test_followers_of_cams_have_actuators_of_their_own() -> None:
     exported = lw.export(EXAMPLES / "cam_linkage.yaml", "mjcf", samples=20)
     assert exported.done and "export.followers" in [f.code for f in exported.warnings]
     heads, rows = table(exported)
-    wanted = lw.compile(EXAMPLES / "cam_linkage.yaml").evaluate(["pushing.angle", "crank.angle"], rows[:, 0])
+    wanted = lw.compile(lw.load(EXAMPLES / "cam_linkage.yaml")).evaluate(["pushing.angle", "crank.angle"], rows[:, 0])
     assert rows[:, heads.index("ctrl pushing [rad]")] == pytest.approx(wanted[0], abs=1e-12)
     assert rows[:, heads.index("A [rad]")] == pytest.approx(wanted[1], abs=1e-12)
 
