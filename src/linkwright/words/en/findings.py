@@ -1234,8 +1234,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     # Of clearances.
     "clearance.cam": (
-        "The joint {name} guides the cam {cam} or its follower: a clearance there would move the contact too, which isn't "
-        "followed.",
+        "A clearance at {name} moves the contacts of the cam {cam}, which touches on two sides (closed: {closed}): "
+        "which of them holds the follower isn't followed.",
         "Leave this joint out; state the play as a tolerance of the centre distance instead.",
     ),
     "clearance.no-joint": (
@@ -1276,6 +1276,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "clearance.too-large": (
         "The clearance of {name} isn't smaller than the link {link}, which reaches {length} from there.",
+        "Check the number and its unit: it is the radial clearance, half the difference of the diameters.",
+    ),
+    "clearance.roller": (
+        "The clearance of {name} isn't smaller than the radius of the roller there, {radius}.",
         "Check the number and its unit: it is the radial clearance, half the difference of the diameters.",
     ),
     "clearance.no-force": (
