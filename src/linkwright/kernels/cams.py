@@ -62,7 +62,7 @@ def follower_law(quantities: Quantities, name: str, motion: Motion, motor: Law) 
     """The law of the follower of a cam, by the law of its motor."""
     drive = quantities.mechanism.drives[name]
     assert isinstance(drive, Following)
-    noted = _Noting(quantities.parameters)
+    noted = Noting(quantities.parameters)
     with np.errstate(all="ignore"):  # what has no start is told by :func:`cam_faults`
         turn = whole(quantities, noted, drive)
     factor = float(sense(quantities, drive) * drive.turned)
@@ -85,7 +85,7 @@ def recomposed(laws: Mapping[str, Law], motors: Mapping[str, Law]) -> dict[str, 
     return {n: law.driven_by(motors[law.motor]) if isinstance(law, CamLaw) else motors[n] for n, law in laws.items()}
 
 
-class _Noting(dict[str, float]):
+class Noting(dict[str, float]):
     """Parameters that note which of them are asked."""
 
     def __init__(self, parameters: Mapping[str, float]) -> None:

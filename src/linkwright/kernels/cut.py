@@ -18,7 +18,7 @@ from dataclasses import dataclass, replace
 
 from linkwright.graph.cams import Seat, followings, seat, sense, slant, whole
 from linkwright.graph.geometry import Geometry
-from linkwright.kernels.cams import CamLaw
+from linkwright.kernels.cams import CamLaw, Noting
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.law import Parameters
 from linkwright.laws import Motion
@@ -41,7 +41,7 @@ def cut(compiled: Compiled) -> Compiled:
     for name, law in compiled.laws.items():
         if isinstance(law, CamLaw):
             made = _Cut(compiled, drives[name], law)
-            laws[name] = replace(law, ride=made.ride, plays=made.plays).driven_by(compiled.laws[law.motor])
+            laws[name] = replace(made.law, ride=made.ride, plays=made.plays).driven_by(compiled.laws[law.motor])
     return replace(compiled, laws=laws)
 
 
@@ -70,11 +70,12 @@ class _Cut:
         self.motion: Motion = compiled.motions[drive.cam.law]
         self.forward = sense(self.quantities, drive)
         nominal = self.quantities.parameters
-        plain = Geometry(self.quantities, nominal)
+        noted = Noting(nominal)
+        plain = Geometry(self.quantities, noted)
         self.plan = seat(plain, drive)
         self.slant = slant(plain, drive) if self.plan.faced and not self.plan.turns else 0.0
         self.turn = whole(self.quantities, nominal, drive)
-        self.law, self.nominal = law, nominal
+        self.law, self.nominal = replace(law, names=law.names | noted.asked), nominal
         self.plays = frozenset(_plays(self.quantities, drive))
 
     def ride(self, angle: Jet, parameters: Parameters) -> Jet:

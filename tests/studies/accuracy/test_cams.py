@@ -149,7 +149,7 @@ def refused(made: lw.Document) -> list[tuple[str, Any]]:
 
 
 def test_clearances_that_a_cam_cannot_have() -> None:
-    """A follower that touches on two sides isn't followed; a roller's pin is in no link and has a radius' play at most."""
+    """A follower that touches on two sides isn't followed; a roller's pin floats, with less play than the radius."""
     assert refused(document(clearances={"B": {"clearance": 0.02, "in": "arm"}})) == [
         ("clearance.not-of-pin", "in"),
         ("clearance.roller", "B"),
