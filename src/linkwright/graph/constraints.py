@@ -6,7 +6,6 @@ A pin states that its links' points coincide, a slide that its lines do (Nikrave
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -89,7 +88,7 @@ class Constraints:
 
     def _missed(self, drive: str, rest: float) -> float:
         """What a drive's value is off as a residual: angles without whole turns, lengths over the size."""
-        return math.remainder(rest, 2 * math.pi) if self._turns(drive) else rest / self.size
+        return float(wrapped(np.asarray(rest))) if self._turns(drive) else rest / self.size
 
     def jacobian(self, z: Array) -> Array:
         """The slopes of the residuals: (equations, 3 links)."""
