@@ -12,6 +12,7 @@ import linkwright as lw
 from helpers.cams import GUIDES, pair
 from helpers.compiled import compiled_from
 from helpers.differences import derivative
+from helpers.examples import four_bar
 from linkwright.cam.pairs import disc, frame
 from linkwright.kernels import examine
 from linkwright.kernels.cut import cut
@@ -82,16 +83,34 @@ def test_an_output_moves_with_a_gap_as_the_joint_is_loaded_by_it(guide: str, tou
         data = massless(pair(guide, touch, side, sense, inverted), loads={"unit": load})
         if guide == "sliding" and sense > 0:
             data["joints"]["guide"] = {"prismatic": ["frame", "arm"], "line": ["S at 2.0", "A at 0.7"]}
-        found, output = found_of(data, PLAY[guide] | ({"B": 1e-4} if touch == "roller" else {}))
-        t = found.run.t
-        slope = found.gaps.at([output], t).slope[0]
-        rows = {row: jet.d[0] for row, jet in found.gaps.known(t).items()}
-        forces = np.array([part for one in found.held for seat in one.forces(rows) for part in seat])
-        assert np.abs(forces).max(axis=1).min() > 1e-3
-        np.testing.assert_allclose(slope, forces, atol=1e-13 * np.abs(forces).max())
-        # So the loaded point gives way in the direction of the load, by all that the joints allow.
-        shift, bound = found.curve(output, t)
-        np.testing.assert_allclose(shift, bound, rtol=1e-11)
+        loaded(data, PLAY[guide] | ({"B": 1e-4} if touch == "roller" else {}))
+
+
+def loaded(data: dict[str, Any], clearances: dict[str, Any]) -> None:
+    """A unit load at T makes the forces by whose joints' gaps T moves in the direction of the load."""
+    found, output = found_of(data, clearances)
+    t = found.run.t
+    slope = found.gaps.at([output], t).slope[0]
+    rows = {row: jet.d[0] for row, jet in found.gaps.known(t).items()}
+    forces = np.array([part for one in found.held for seat in one.forces(rows) for part in seat])
+    assert np.abs(forces).max(axis=1).min() > 1e-3
+    np.testing.assert_allclose(slope, forces, atol=1e-13 * np.abs(forces).max())
+    # So it gives way in the direction of the load, by all that the joints allow.
+    shift, bound = found.curve(output, t)
+    np.testing.assert_allclose(shift, bound, rtol=1e-11)
+
+
+def test_gaps_where_the_coupler_carries_cam_and_follower() -> None:
+    data = four_bar(0.6, 1.1, 0.8, 1.0)
+    data["assembly"] = {"B": "left of A-D"}
+    data["links"]["coupler"]["points"]["E"] = [0.2, 0.15]
+    data["links"]["arm"] = {"points": {"E": [0, 0], "F": [0.6, 0], "T": [0.7, 0.2]}}
+    data["laws"] = pair("swinging", "roller")["laws"]
+    cam = {"cam": "rocker", "follower": "arm", "on": "coupler", "base": 0.4, "roller": 0.08, "at": "F"}
+    data["cams"] = {"rider": cam | {"law": "lift", "side": "left of C-E"}}
+    data["drives"] = {"motor": {"turns": "rocker", "on": "coupler", "position": "1.05 + 0.35*sin(7 rad*t/(1 s))"}}
+    data["loads"] = {"unit": {"on": "arm", "at": "T", "force": [0.6, 0.8]}}
+    loaded(data, dict.fromkeys("ABCDEF", 1e-3))
 
 
 def test_the_rates_of_gaps_are_those_of_their_values() -> None:
