@@ -178,7 +178,7 @@ def test_how_far_an_arm_misses() -> None:
 
 
 def test_studies_that_move_drives_singly() -> None:
-    """The limits look at the motor alone, with which the follower moves; others say that they can't."""
+    """The limits look at the motor alone, with which the follower moves; a workspace has no second drive."""
     data = pair("swinging", "roller") | {"studies": {"limits": {}}}
     document = Document.model_validate(data)
     c, _ = examine(document)
@@ -186,7 +186,6 @@ def test_studies_that_move_drives_singly() -> None:
     (task,), _ = read_studies(document.studies)
     outcome = task.study.run(c, task.options)
     assert [drive.drive for drive in outcome.drives] == ["motor"]
-    for study, options in (("workspace", {"point": "B"}), ("modes", {"drive": "motor"})):
-        (task,), findings = read_studies({study: options})
-        assert not findings
-        assert [finding.code for finding in task.study.check(c, task.options)] == ["study.cams"]
+    (task,), findings = read_studies({"workspace": {"point": "B"}})
+    assert not findings
+    assert [finding.code for finding in task.study.check(c, task.options)] == ["study.cams"]

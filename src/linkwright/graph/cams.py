@@ -110,14 +110,14 @@ class Seat:
 def seat(geometry: Geometry, drive: Following) -> Seat:
     """The numbers of a cam pair."""
     cam, on = drive.cam, drive.on
-    shaft = geometry.point(on, drive.shaft[1])
+    shaft = geometry.pinned(on, drive.shaft[1])
     base = geometry.number(cam.base, u.LENGTH)
     roller = geometry.number(cam.roller, u.LENGTH) if cam.roller is not None else 0.0
     touching = geometry.point(drive.link, cam.touches)
     plain = Geometry(geometry.quantities, geometry.quantities.parameters)
     faced = cam.face is not None
     if drive.pivot is not None:
-        own, pivot = geometry.point(drive.link, drive.pivot[0]), geometry.point(on, drive.pivot[1])
+        own, pivot = geometry.pinned(drive.link, drive.pivot[0]), geometry.pinned(on, drive.pivot[1])
         arm, home = touching.minus(own), shaft.minus(pivot)
         far = plain.point(on, drive.shaft[1]).minus(plain.point(on, drive.pivot[1]))
         if cam.face is not None:
@@ -129,7 +129,7 @@ def seat(geometry: Geometry, drive: Following) -> Seat:
         back, none = _angle(home, far), Pair(0.0, 0.0)
         return Seat(shaft, pivot, none, base, roller, reach, 0.0, back, back - turn, -drive.side, faced, True)
     assert drive.joint is not None
-    (at, heading_on), (foot, heading_of) = (geometry.line(drive.joint, link) for link in (on, drive.link))
+    (at, heading_on), (foot, heading_of) = (geometry.seat(drive.joint, link)[:2] for link in (on, drive.link))
     ahead, own = at.minus(shaft), touching.minus(foot)
     offset = -(ahead.dot(heading_on) + own.dot(heading_of))
     aside = -drive.side * (ahead.dot(heading_on.perp) + own.dot(heading_of.perp))
@@ -146,7 +146,7 @@ def slant(geometry: Geometry, drive: Following) -> Scalar:
     """The angle (rad, within a quarter turn) by which a sliding follower's face isn't square to its slide."""
     assert drive.cam.face is not None
     assert drive.joint is not None
-    turn = geometry.number(drive.cam.face.angle, u.ANGLE) - geometry.heading_angle(drive.joint, drive.link)
+    turn = geometry.number(drive.cam.face.angle, u.ANGLE) - geometry.seat(drive.joint, drive.link)[2]
     return call("arctan", call("cos", turn) / call("sin", turn))
 
 

@@ -43,6 +43,12 @@ class CamLaw(Law):
             value = self.ride(Jet([angle, 1.0, 0.0]), parameters)
             return self.turned * value.d[1], self.turned * value.d[2] * speed
 
+    def along(self, angle: float) -> tuple[float, float]:
+        """The follower's value (rad or m) and its derivative by the motor's, at a value of that (rad)."""
+        assert self.ride is not None
+        value, slope = self.ride(Jet([angle, 1.0]), self.parameters).d
+        return float(value), float(slope)
+
     def driven_by(self, motor: Law) -> CamLaw:
         """The same cam turned by another law of its motor."""
         ride = self.ride
@@ -59,7 +65,7 @@ def follower_law(quantities: Quantities, name: str, motion: Motion, motor: Law) 
     """The law of the follower of a cam, by the law of its motor."""
     drive = quantities.mechanism.drives[name]
     assert isinstance(drive, Following)
-    noted = _Noting(quantities.parameters)
+    noted = Noting(quantities.parameters)
     with np.errstate(all="ignore"):  # what has no start is told by :func:`cam_faults`
         turn = whole(quantities, noted, drive)
     factor = float(sense(quantities, drive) * drive.turned)
@@ -83,7 +89,7 @@ def recomposed(laws: Mapping[str, Law], motors: Mapping[str, Law]) -> dict[str, 
     return {n: law.driven_by(motors[law.motor]) if isinstance(law, CamLaw) else motors[n] for n, law in laws.items()}
 
 
-class _Noting(dict[str, float]):
+class Noting(dict[str, float]):
     """Parameters that note which of them are asked."""
 
     def __init__(self, parameters: Mapping[str, float]) -> None:
