@@ -35,8 +35,7 @@ def contact(r: Reports, drive: Following, second: bool = False) -> tuple[Array, 
     at = r.at(drive.link, r.geometry.point(drive.link, cam.touches))
     face = _direction(r, drive, cam.face) if cam.face is not None else None
     if second:
-        left = largest(drive, lift) - lift.at(forward_sign * turn + number(cam.phase, u.ANGLE))
-        at, face = _second(r, drive, shaft, at, face, left)
+        at, face = _second(r, drive, shaft, at, face, lift.at(forward_sign * turn + number(cam.phase, u.ANGLE)))
     if drive.pivot is not None:
         pivot = r.at(drive.on, r.geometry.point(drive.on, drive.pivot[1]))
         moved = -drive.side * slope * _quarter(at - pivot)
@@ -57,14 +56,14 @@ def contact(r: Reports, drive: Following, second: bool = False) -> tuple[Array, 
 
 
 def _second(
-    r: Reports, drive: Following, shaft: Array, at: Array, face: Array | None, left: Array
+    r: Reports, drive: Following, shaft: Array, at: Array, face: Array | None, lift: Array
 ) -> tuple[Array, Array | None]:
-    """The second contact's point, and its face's direction, from those of the first and what is left of the lift: by
-    this it has risen on the second disc, or on the yoke's own."""
+    """The second contact's point, and its face's direction, from those of the first and the lift."""
     cam, stated, length = drive.cam, drive.cam.second, r.compiled.quantities.value
     if stated is not None and stated.touches is not None:
         own = r.at(drive.link, r.geometry.point(drive.link, stated.touches))
         return own, _direction(r, drive, stated.face) if stated.face is not None else None
+    left = largest(drive, r.compiled.motions[cam.law]) - lift  # by which the second contact has risen
     base = length(stated.base if stated is not None and stated.base is not None else cam.base, u.LENGTH)
     roller = stated.roller if stated is not None and stated.roller is not None else cam.roller
     pitch = base + (length(roller, u.LENGTH) if roller is not None else 0.0)
