@@ -99,7 +99,7 @@ def _profile(disc: Disc, limits: Limits, exact: bool) -> Iterator[Check]:
 def undercut(disc: Disc) -> Check | None:
     """The check that fails where there is no profile: the follower would cut into the cam that moves it."""
     name = "profile_radius" if disc.follower.faced else "pitch_radius"
-    found = next((check for check in checks(disc) if check.name == name), None)
+    found = next((check for check in _checks(disc, Limits(), True, limited=True) if check.name == name), None)
     return found if found is not None and found.margin is not None and found.margin <= 0 else None
 
 

@@ -106,7 +106,8 @@ class Disc:
         theta = np.asarray(theta, dtype=float)
         angle = Jet([theta, np.ones_like(theta), *(np.zeros_like(theta) for _ in range(ORDER - 1))])
         lift = self.lift(angle)
-        made = self._faced(angle, lift) if self.follower.faced else self._rolled(angle, lift)
+        with np.errstate(divide="ignore", invalid="ignore"):  # in a cusp the curvature is infinite
+            made = self._faced(angle, lift) if self.follower.faced else self._rolled(angle, lift)
         return Look(theta, lift, *made)
 
     def _rolled(self, angle: Jet, lift: Jet) -> tuple[Vector, Vector, Jet, Jet, Jet, Vector, Vector, Vector]:
@@ -123,14 +124,13 @@ class Disc:
 
     def _faced(self, angle: Jet, lift: Jet) -> tuple[Vector, Vector, Jet, Jet, Jet, Vector, Vector, Vector]:
         touch = self.follower.touch(lift)
-        facing, height = touch.facing, touch.height
-        assert facing is not None and height is not None
+        facing, height, along = touch.facing, touch.height, touch.along
+        assert facing is not None and height is not None and along is not None
         direction = facing - self.sense * angle
         slope = height.rate() / direction.rate()
         normal = direction.cos(), direction.sin()
         pitch = height * normal[0] - slope * normal[1], height * normal[1] + slope * normal[0]
         radius = height + slope.rate() / direction.rate()
-        along = facing.cos(), facing.sin()
         contact = height * along[0] - slope * along[1], height * along[1] + slope * along[0]
         arm = self.follower.velocity(contact)
         speed = radius * abs(direction.rate())

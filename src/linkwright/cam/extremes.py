@@ -42,7 +42,8 @@ def extremes(
     for start, stop in disc.pieces if over is None else over:
 
         def rates(theta: Array, start: float = start, stop: float = stop) -> tuple[Array, Array]:
-            jet = figure(disc.look(inside(theta, start, stop)))
+            with np.errstate(divide="ignore", invalid="ignore"):  # of a cusp, told by its radius
+                jet = figure(disc.look(inside(theta, start, stop)))
             rows = [np.broadcast_to(d, theta.shape) for d in jet.d[:2]]
             return rows[0][None], rows[1][None]
 
@@ -51,7 +52,8 @@ def extremes(
             found.append((at, rates(at)[0][0]))
         else:
             at, look = disc.grid(start, stop, 2 * STEPS)
-            found.append((at, np.broadcast_to(figure(look).d[0], at.shape)))
+            with np.errstate(divide="ignore", invalid="ignore"):
+                found.append((at, np.broadcast_to(figure(look).d[0], at.shape)))
     if not found:
         raise ValueError("no stretch")
     theta, values = (np.concatenate(rows) for rows in zip(*found, strict=True))

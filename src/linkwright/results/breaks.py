@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from linkwright.graph.cams import argument, followings
 from linkwright.laws import TableLaw
-from linkwright.model.expressions import Binary, Call, Node, Number, nodes
+from linkwright.model.expressions import Binary, Call, Name, Node, Number, nodes
 from linkwright.results.stationary import crossings
 from linkwright.results.windows import intervals
 
@@ -56,7 +56,7 @@ def breaks(run: Run) -> Array:
 
 
 def kinks(compiled: Compiled) -> list[Node]:
-    """What changes its sign where the law of a load, drive or cam has a kink."""
+    """What changes its sign where the law of a load, drive or cam has a kink, or another contact of a cam bears."""
     quantities, m = compiled.quantities, compiled.mechanism
     laws = [*compiled.graph.actions.laws]
     for name, drive in m.drives.items():
@@ -65,6 +65,8 @@ def kinks(compiled: Compiled) -> list[Node]:
     laws += [Call(drive.cam.law, (argument(quantities, drive),)) for drive in followings(quantities).values()]
     found = dict.fromkeys(switch for law in laws for node in nodes(law) for switch in switches(node))
     found |= dict.fromkeys(switch for law in laws for node in nodes(law) for switch in _joins(compiled, node))
+    paired = (name for name, drive in followings(quantities).items() if drive.paired)
+    found |= dict.fromkeys(Name(f"{name}.force") for name in paired)  # the other contact bears
     functions = {*m.tables, *m.laws}
     asked = {node: {n.name for n in nodes(node) if isinstance(n, Call) and n.name in functions} for node in found}
     return [node for node in found if asked[node] <= {*compiled.tables}]  # not those of a drive's own table

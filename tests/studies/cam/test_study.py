@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import re
+import warnings
 from dataclasses import replace
 from typing import Any
 
@@ -36,10 +37,26 @@ def test_an_undercut_cam_is_refused_with_what_mends_it() -> None:
     outcome = study(heat_seal(SMALL, blank=blank, nc=NC))
     (finding,) = outcome.failures
     assert finding.code == "cam.undercut" and not outcome.done
-    assert not outcome.made and not outcome.milled and not outcome.elements and outcome.volume is None
+    assert not outcome.made and not outcome.milled and not outcome.first.elements and outcome.first.volume is None
     base = float(str(finding.data["base"]).split()[0])
     assert undercut(resized(outcome.disc, {"base": base / 1e3})) is None
     assert undercut(resized(outcome.disc, {"base": base / 1e3 * (1 - 1e-5)})) is not None
+
+
+@pytest.mark.parametrize("base", [0.02, 0.048])
+def test_a_tappet_whose_curvature_passes_through_infinity(base: float) -> None:
+    """Undercut or not: no stray warning, and no round-off for a pressure angle that is zero."""
+    data = pair("sliding", "face")
+    data["cams"]["rider"]["base"] = base
+    data["laws"]["lift"]["segments"] = [
+        {"rise": 0.009, "over": 1.1, "law": "poly_4567"},
+        {"fall": 0.009, "over": 1.1, "law": "poly_4567"},
+        {"dwell": TURN - 2.2},
+    ]
+    with warnings.catch_warnings(action="error"):
+        outcome = study(data | {"studies": {"cam": {}}})
+    assert outcome.done == (base > 0.04)
+    assert {check.value for check in outcome.checks if check.name.startswith("pressure")} == {0.0}
 
 
 def test_a_hollow_narrower_than_the_cutter_is_refused_with_what_mends_it() -> None:
@@ -60,8 +77,8 @@ def test_limits_and_requirements_that_are_not_kept() -> None:
     job = performed(heat_seal(limits=limits, require=require, size={"base": [20, 30]}))
     assert job.exit_code == 1
     assert [f.code for f in job.found] == ["cam.limit", "cam.limit", "cam.required", "cam.no-base"]
-    assert job.cam is not None and job.cam.smallest is None
-    assert [c.kept for c in job.cam.checks] == [False, True, False, True]
+    assert job.cam is not None and job.cam.first.smallest is None
+    assert [c.kept for c in job.cam.first.checks] == [False, True, False, True]
     assert "29.0444 deg" in job.found[0].what and "90 deg" in job.found[0].what
 
 
@@ -135,10 +152,10 @@ def test_the_cam_in_its_link_is_what_the_mechanism_moves() -> None:
     c, s = np.cos(turn), np.sin(turn)
     away = np.stack([x, y]) - shaft
     seen = np.stack([c * away[0] + s * away[1], c * away[1] - s * away[0]])
-    pitch = outcome.placed(outcome.disc.look(np.linspace(0, TURN, 20_001)).offset(0.0))
+    pitch = outcome.first.placed(outcome.disc.look(np.linspace(0, TURN, 20_001)).offset(0.0))
     nearest = np.hypot(*(seen[:, :, None] - pitch[:, None, :])).min(axis=1)
     assert nearest.max() < 1e-5
-    corners = np.array([element.start for element in outcome.contour])
+    corners = np.array([element.start for element in outcome.first.contour])
     area = np.sum(corners[:, 0] * np.roll(corners[:, 1], -1) - corners[:, 1] * np.roll(corners[:, 0], -1)) / 2
     assert area * 1e-6 == pytest.approx(outcome.area, rel=2e-2)  # counter-clockwise though mirrored
 

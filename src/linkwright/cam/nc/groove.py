@@ -118,7 +118,7 @@ class Groove:
         return self.job.allowance > 0 or self.job.compensation
 
     def route(self, far: float, flank: int, slot: bool = False) -> Path:
-        """The path so far beside the pitch curve towards a flank, which lies on the right of a climbing cutter. It may be
+        """The path so far beside the pitch curve towards a flank, which lies on the right of a climbing cutter. It is
         coarse where it leaves enough to later passes."""
         job, offset, spare = self.job, flank * far / 1e3, min(self.room - far, self.job.cutter)
         cuts = offset if slot else flank * self.disc.follower.radius

@@ -44,6 +44,7 @@ class CamLimits(Frozen):
     cutter: Expression | None = Field(
         None, description="radius of the cutter, which the concave radii must exceed; that of nc unless given"
     )
+    play: Expression | None = Field(None, description="largest play of a yoke over the turn; with closed: yoke")
 
 
 class CamSize(Frozen):
