@@ -203,3 +203,15 @@ def test_a_proof_is_taken_over_by_the_same_motions_only() -> None:
     first, *others = outcome.milled
     assert all(one.proof.error is first.proof.error and one.proven for one in others)
     assert replace(first, job=replace(first.job, tolerance=first.proof.worst * 0.99)).proven is False
+
+
+def test_what_only_a_study_uses_takes_its_unit_from_there() -> None:
+    """A bare parameter is an angle in degrees in a limit of one, in turn with what it is made of; a second use as
+    something else is told."""
+    sections = {"parameters": {"half": 20, "most": "2*half + 5", "near": 3}}
+    limits = {"pressure_rise": "most", "profile_radius": "near"}
+    outcome = study(heat_seal(limits=limits) | sections)
+    assert outcome.stated.limits.pressure_rise == pytest.approx(np.radians(45), rel=1e-15)
+    assert outcome.stated.limits.profile_radius == pytest.approx(3e-3, rel=1e-15)
+    (finding,) = findings(heat_seal(limits=limits, period="near") | sections)
+    assert finding.code == "expression.units-conflict" and finding.path[2:] == ("period",)

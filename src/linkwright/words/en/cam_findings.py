@@ -84,6 +84,22 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "Add forces, with width for the Hertz pressure and spring where the follower is closed by form; only a roller "
         "has a speed.",
     ),
+    "cam.load-name": (
+        "'{name}' is a parameter, and in a cam's load also the cam's {name}.",
+        "Give the parameter another name.",
+    ),
+    "cam.load-signal": (
+        "'{name}' can't stand in a cam's load.",
+        "Write angle for the cam angle, lift for the follower's lift; besides them parameters, tables and laws.",
+    ),
+    "cam.load-outside": (
+        "At the cam angle {theta} the load asks the table {table} for {at} {of}, outside its range {low} to {high} {of}.",
+        "Extend the table, or give it a period.",
+    ),
+    "cam.load-not-finite": (
+        "The load has no finite value at the cam angle {theta}.",
+        "Look for a division by zero, or the root of a negative number.",
+    ),
     "cam.spring": (
         "The follower lifts off: at {speed} the contact force gets down to {force}, at the cam angle {theta}; it must be "
         "{least} or more.",
