@@ -37,7 +37,7 @@ class Quantities:
     samples: int | None = None  # of how many sets of parameter values
 
     def __init__(self, mechanism: Mechanism, uses: Sequence[Place] = ()) -> None:
-        self.mechanism = mechanism
+        self.mechanism, self.uses = mechanism, tuple(uses)
         self.signals = Signals(mechanism)
         self.findings: list[Finding] = []
         self.declared = self._declared()
