@@ -14,6 +14,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +28,8 @@ Lift = Callable[[Jet], Jet]
 
 TURN = 2 * math.pi
 ORDER = 3
+KEPT = 1024
+"""The most steps of a stretch at which the cam is kept."""
 
 
 @dataclass(frozen=True)
@@ -89,6 +92,11 @@ class Disc:
         return list(zip(starts, [*starts[1:], TURN], strict=True))
 
     @cached_property
+    def known(self) -> dict[Any, Any]:
+        """What has been found out about it: :func:`linkwright.cam.extremes.extremes`."""
+        return {}
+
+    @cached_property
     def _grids(self) -> dict[tuple[float, float, int], tuple[Array, Look]]:
         return {}
 
@@ -100,6 +108,13 @@ class Disc:
             theta = np.linspace(start, stop, steps + 1)
             self._grids[key] = theta, self.look(inside(theta, start, stop))
         return self._grids[key]
+
+    def within(self, theta: Array, start: float, stop: float) -> Look:
+        """The cam at angles (n,) within a piece, at its end from the left; see :meth:`grid` for equal steps."""
+        steps = theta.size - 1
+        if 1 < steps <= KEPT and np.array_equal(theta, np.linspace(start, stop, steps + 1)):
+            return self.grid(start, stop, steps)[1]
+        return self.look(inside(theta, start, stop))
 
     def look(self, theta: Array) -> Look:
         """The cam at angles (n,)."""

@@ -71,7 +71,7 @@ class Loads:
 
     def over(self, disc: Disc) -> Disc:
         """The disc with the loads' joins among its own."""
-        return replace(disc, joins=(*disc.joins, *self.joins))
+        return replace(disc, joins=(*disc.joins, *self.joins)) if self.joins else disc
 
 
 @dataclass(frozen=True)
