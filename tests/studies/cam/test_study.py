@@ -188,8 +188,6 @@ def test_what_is_wrong_is_said_at_once() -> None:
     [
         ({"blank": {"thickness": 12, "hub": 40, "height": 8}}, ["cam.blank"]),
         ({"tolerance": "1e-14 mm"}, ["cam.sharp"]),
-        ({"nc": NC | {"compensation": True}}, ["nc.no-compensation", "nc.short-lead"]),
-        ({"nc": NC | {"post": ["fanuc", "grbl"], "decimals": 2, "tolerance": "1e-4 deg"}}, ["nc.fine"]),
         ({"nc": NC | {"start": "45 deg"}, "steps": 36}, ["nc.no-dwell"]),
     ],
 )
@@ -215,3 +213,36 @@ def test_what_only_a_study_uses_takes_its_unit_from_there() -> None:
     assert outcome.stated.limits.profile_radius == pytest.approx(3e-3, rel=1e-15)
     (finding,) = findings(heat_seal(limits=limits, period="near") | sections)
     assert finding.code == "expression.units-conflict" and finding.path[2:] == ("period",)
+
+
+def test_what_no_control_would_take_is_told_before_the_run() -> None:
+    """Once for all controls; what is the cam's own fault is left to the run, which knows what mends it."""
+    nc = NC | {"post": ["grbl", "fanuc"], "compensation": True, "decimals": 6, "lead": 7}
+    assert [one.code for one in findings(heat_seal(nc=nc))] == [
+        "nc.no-compensation",
+        "nc.short-lead",
+        "nc.decimals",
+        "nc.decimals",
+    ]
+    assert [
+        one.code
+        for one in findings(heat_seal(nc=NC | {"post": ["fanuc", "grbl"], "decimals": 2, "tolerance": "1e-4 deg"}))
+    ] == ["nc.fine"]
+    assert findings(heat_seal(SMALL, nc=NC)) == []
+    (finding,) = findings(heat_seal(nc=NC | {"post": []}))
+    assert finding.code == "nc.no-post" and "grbl" in finding.mend
+
+
+def test_what_is_kept_over_a_dwell_is_placed_at_its_start() -> None:
+    outcome = study(heat_seal())
+    places = {figure.name: np.degrees(figure.theta) for figure in outcome.figures}
+    assert places["radius_max"] == pytest.approx(90) and places["radius_min"] == pytest.approx(345)
+
+
+@pytest.mark.parametrize(("contact", "said"), [("roller", True), ("face", False)])
+def test_an_undercut_flat_cam_has_no_roller_to_be_smaller(contact: str, said: bool) -> None:
+    data = pair("sliding", contact)
+    data["cams"][next(iter(data["cams"]))]["base"] = 1e-3
+    data["studies"] = {"cam": {}}
+    codes = {finding.code: finding.mend for finding in study(data).failures}
+    assert ("roller" in codes["cam.undercut"]) == said

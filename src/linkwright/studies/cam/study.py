@@ -148,7 +148,8 @@ def mending(disc: Disc, limits: Limits) -> float | None:
 
 
 def _undercut(outcome: CamOutcome, cut: Check) -> Finding:
-    data = _place(outcome, cut) | _base(outcome, Limits())
+    smaller: Term | str = "" if outcome.disc.follower.faced else Term("or-roller")
+    data = _place(outcome, cut) | _base(outcome, Limits()) | {"roller": smaller}
     return Finding("cam.undercut", ("cams", outcome.name), data)
 
 

@@ -36,7 +36,7 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
     "cam.undercut": (
         "The cam is undercut: at the cam angle {theta} the {name} is {value} {unit}, and it must exceed {limit} {unit}. "
         "There is no profile that moves the follower so.",
-        "Take a larger base circle (the least that will do: {base}), a longer way for the lift, or a smaller roller.",
+        "Take a larger base circle (the least that will do: {base}), or a longer way for the lift{roller}.",
     ),
     "cam.rough": (
         "At the cam angle {theta} the follower's {rate} jumps.",
@@ -132,6 +132,10 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
     "cam.yoke": (
         "Only a sliding follower has a yoke.",
         "Close a swinging one by a groove or a second disc.",
+    ),
+    "nc.no-post": (
+        "NC code is asked for, and no control is named.",
+        "Name one of {known} under post, or leave nc out.",
     ),
     "nc.undercut": (
         "The cam is undercut at {theta} deg: the pitch curve's radius is {radius} mm, the roller's {roller} mm.",
@@ -232,6 +236,7 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
     ),
 }
 CAM_TERMS = {
+    "or-roller": ", or a smaller roller",
     "or-rate": ", or with the present one a rate of {rate}",
     "no-rate": "; with the present one no rate does",
     "a-length": "a length of the follower",
