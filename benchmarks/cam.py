@@ -1,4 +1,4 @@
-"""How long the cam study of the heat-seal example takes, check and run, without what is written.
+"""What the cam study of the heat-seal example takes of the processor, check and run, without what is written.
 
 With --against SRC, a src folder of another version, the two take turns, each in a process of its own, and their ratio
 is told.
@@ -21,17 +21,17 @@ EXAMPLE = ROOT / "examples" / "heat_seal_cam.yaml"
 ONCE = """
 import sys, time
 from linkwright.app.job import examine_file, perform
-start = time.perf_counter()
+start = time.process_time()
 examined = examine_file(__import__("pathlib").Path(sys.argv[1]), only="cam")
-middle = time.perf_counter()
+middle = time.process_time()
 job = perform(examined)
 assert job.exit_code == 0
-print(middle - start, time.perf_counter() - middle)
+print(middle - start, time.process_time() - middle)
 """
 
 
 def once(source: Path) -> tuple[float, float]:
-    """Seconds to check and to run with the package in a folder."""
+    """CPU seconds to check and to run with the package in a folder."""
     given = os.environ | {"PYTHONPATH": str(source)}
     done = subprocess.run([sys.executable, "-c", ONCE, EXAMPLE], env=given, capture_output=True, text=True, check=True)
     check, run = map(float, done.stdout.split())

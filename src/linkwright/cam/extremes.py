@@ -20,6 +20,8 @@ Figure = Callable[[Look], Jet]
 
 MOVES = 1e-9
 """A follower that moves by no more than this per radian (m or rad) dwells."""
+VALUES = 2
+"""The order of the lift that the values of figures need."""
 SAME = 1e-12
 """Values that differ by less than this share of the largest one are one."""
 STEPS = 128
@@ -61,7 +63,7 @@ def _found(disc: Disc, figure: Figure, over: tuple[tuple[float, float], ...], ex
             at = np.concatenate([[start, stop], stationary(rates, start, stop, STEPS)[0]])
             found.append((at, rates(at)[0][0]))
         else:
-            at, look = disc.grid(start, stop, 2 * STEPS)
+            at, look = disc.grid(start, stop, 2 * STEPS, VALUES)
             found.append((at, np.broadcast_to(figure(look).d[0], at.shape)))
     if not found:
         raise ValueError("no stretch")
