@@ -246,3 +246,15 @@ def test_an_undercut_flat_cam_has_no_roller_to_be_smaller(contact: str, said: bo
     data["studies"] = {"cam": {}}
     codes = {finding.code: finding.mend for finding in study(data).failures}
     assert ("roller" in codes["cam.undercut"]) == said
+
+
+def test_a_key_wrong_in_form_hides_no_other() -> None:
+    """Those that hang on it aren't judged: a figure of forces that can't be read isn't unknown besides."""
+    wrong = {"steps": "many", "forces": {"contact": "5 N"}, "nc": NC | {"tool": 0}, "colour": "red"}
+    sound = {"limits": {"pressure_rise": "45 mm"}, "period": "0 s", "require": {"contact_force_min": ">= 1 N"}}
+    told = {one.path[2]: one.code for one in findings(heat_seal(**wrong, **sound))}
+    other = {"limits": "expression.units-conflict", "period": "cam.not-positive"}
+    assert told == dict.fromkeys(wrong, "study.options") | other
+    data = heat_seal(**sound)
+    data["studies"]["cam"]["cam"] = 3  # of which cam should it be true?
+    assert {one.path[2] for one in findings(data)} == {"cam"}

@@ -49,6 +49,10 @@ class CamStudy:
     name = "cam"
     options = CamOptions
 
+    def without(self, wrong: set[str]) -> set[str] | None:
+        """The keys to leave out where some are wrong in form; ``None`` where nothing can be judged then."""
+        return None if "cam" in wrong else wrong | ({"require"} if "forces" in wrong else set())
+
     def check(self, compiled: Compiled, options: CamOptions) -> list[Finding]:
         """What is wrong with the options."""
         name, findings = chosen(compiled, options)
