@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from helpers.cams import pair
 from helpers.compiled import compiled_from
 from helpers.heat_seal import findings, heat_seal
 from linkwright.app.job import examine_document
@@ -36,8 +37,9 @@ def pressed(data: dict[str, Any], folder: Path | None = None) -> Forces:
     assert document is not None
     examined = examine_document(document, folder)
     assert examined.compiled is not None and not examined.findings, examined.findings
-    made = disc(examined.compiled, "heat_seal")
-    asked = Reader(examined.compiled, examined.tasks[0].options, "heat_seal", made).read().forces
+    (name,) = examined.compiled.mechanism.cams
+    made = disc(examined.compiled, name)
+    asked = Reader(examined.compiled, examined.tasks[0].options, name, made).read().forces
     assert asked is not None
     return forces(made, asked.loads, asked.omega)
 
@@ -62,6 +64,16 @@ def test_a_load_over_the_lift_is_a_spring() -> None:
         assert getattr(by_load, name) == pytest.approx(getattr(by_spring, name), rel=1e-13)
     for one, other in zip(by_load.contact_range, by_spring.contact_range, strict=True):
         assert (one.value, one.theta) == pytest.approx((other.value, other.theta))
+
+
+def test_a_load_on_a_sliding_follower_is_a_force() -> None:
+    data = pair("sliding", "roller")
+    spring = {"rate": "2 N/mm", "preload": "5 N"}
+    found = []
+    for section in ({"load": "5 N + 2 N/mm*lift"}, {"spring": spring}):
+        data["studies"] = {"cam": {"forces": {"inertia": "1.1 kg", **section}}}
+        found.append(pressed(data).contact)
+    assert found[0] == pytest.approx(found[1], rel=1e-13)
 
 
 @pytest.mark.parametrize("between", ["linear", "quintic"])
