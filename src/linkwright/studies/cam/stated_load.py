@@ -36,10 +36,11 @@ ANGLE, LIFT = "angle", "lift"
 NEAR = 1e-9
 """Joins (rad) that are nearer to each other are one."""
 MOST = 256
-"""The most corners of tables that are taken for joins; more are so slight that an extreme needs them no more."""
+"""The most corners of a table that are taken for joins; more are so slight that nobody misses them."""
 SEEN = 1440
 """The steps of a turn at which a load must have a value."""
 SLACK = 1e-12
+"""By this share of its range a table may be asked for more, which is round-off."""
 
 
 @dataclass(frozen=True)
@@ -62,8 +63,7 @@ def stated_load(
     reader = _Reader(compiled, disc, at)
     if found := reader.unfit(of, dimension):
         return StatedLoad(math.nan), found
-    named = list(nodes(of.node))
-    if not any(_varies(node) for node in named):
+    if not any(_varies(node) for node in nodes(of.node)):
         return StatedLoad(constant()), []
     try:
         node = compiled.quantities.formula(of, dimension, reader.names)
@@ -76,9 +76,9 @@ def stated_load(
 
 
 def _varies(node: Node) -> bool:
-    return (isinstance(node, Name) and node.text in (ANGLE, LIFT)) or (
-        isinstance(node, Call) and node.name not in FUNCTIONS
-    )
+    if isinstance(node, Name):
+        return node.text in (ANGLE, LIFT)
+    return isinstance(node, Call) and node.name not in FUNCTIONS
 
 
 class _Reader:
@@ -91,9 +91,9 @@ class _Reader:
         """Names that aren't known or can't stand here."""
         mechanism, signals = self.compiled.mechanism, self.compiled.quantities.signals
         names, place = Names(mechanism, signals), Place(self.at, of, dimension, Scope.TURN, self.names)
-        taken = {node.text for node in nodes(of.node) if isinstance(node, Name)} & {*self.names, *mechanism.parameters}
-        both = sorted(taken & self.names.keys() & mechanism.parameters.keys())
-        found = [Finding("cam.load-name", self.at, {"name": name}) for name in both]
+        named = {node.text for node in nodes(of.node) if isinstance(node, Name)}
+        taken = sorted(named & self.names.keys() & mechanism.parameters.keys())
+        found = [Finding("cam.load-name", self.at, {"name": name}) for name in taken]
         return [*found, *names.misplaced(place), *names.unknown(place)]
 
     def over_turn(self, node: Node) -> StatedLoad:
