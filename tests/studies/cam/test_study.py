@@ -56,7 +56,7 @@ def test_a_tappet_whose_curvature_passes_through_infinity(base: float) -> None:
     with warnings.catch_warnings(action="error"):
         outcome = study(data | {"studies": {"cam": {}}})
     assert outcome.done == (base > 0.04)
-    assert {check.value for check in outcome.checks if check.name.startswith("pressure")} == {0.0}
+    assert {check.value for check in outcome.first.checks if check.name.startswith("pressure")} == {0.0}
 
 
 def test_a_hollow_narrower_than_the_cutter_is_refused_with_what_mends_it() -> None:
