@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.cams import argument, followings
-from linkwright.laws import TableLaw
+from linkwright.laws import Motion, TableLaw
 from linkwright.model.expressions import Binary, Call, Name, Node, Number, nodes
 from linkwright.results.stationary import crossings
 from linkwright.results.windows import intervals
@@ -50,7 +51,7 @@ def breaks(run: Run) -> Array:
     for i, lookup in enumerate(actions.lookups):
         table = run.compiled.tables[lookup.table]
         if table.degree == 1 and not lookup.integral:
-            found.append(_knots(run, i, table))
+            found.append(knots(_argument(run, i), table, run.start, run.stop, run.grid))
     found += [_zeros(run, node) for node in kinks(run.compiled)]
     return np.unique(np.concatenate(found))
 
@@ -64,7 +65,7 @@ def kinks(compiled: Compiled) -> list[Node]:
             laws.append(quantities.bind(drive.position, quantities.drive_dimension(name)))
     laws += [Call(drive.cam.law, (argument(quantities, drive),)) for drive in followings(quantities).values()]
     found = dict.fromkeys(switch for law in laws for node in nodes(law) for switch in switches(node))
-    found |= dict.fromkeys(switch for law in laws for node in nodes(law) for switch in _joins(compiled, node))
+    found |= dict.fromkeys(switch for law in laws for node in nodes(law) for switch in joins(compiled.motions, node))
     paired = (name for name, drive in followings(quantities).items() if drive.paired)
     found |= dict.fromkeys(Name(f"{name}.force") for name in paired)  # the other contact bears
     functions = {*m.tables, *m.laws}
@@ -72,11 +73,11 @@ def kinks(compiled: Compiled) -> list[Node]:
     return [node for node in found if asked[node] <= {*compiled.tables}]  # not those of a drive's own table
 
 
-def _joins(compiled: Compiled, node: Node) -> list[Node]:
+def joins(motions: Mapping[str, Motion], node: Node) -> list[Node]:
     """What changes its sign at the joins of a motion law, in every period."""
-    if not isinstance(node, Call) or node.attribute is not None or node.name not in compiled.motions:
+    if not isinstance(node, Call) or node.attribute is not None or node.name not in motions:
         return []
-    motion, argument = compiled.motions[node.name], node.args[0]
+    motion, argument = motions[node.name], node.args[0]
     rough = [Binary("-", argument, Number(join.at)) for join in motion.joins if join.continuity < ROUGH]
     if motion.beyond == "hold":
         return [*rough]
@@ -100,18 +101,22 @@ def switches(node: Node) -> list[Node]:
     return [node.args[0]] if node.name == "abs" else []
 
 
-def _knots(run: Run, lookup: int, table: TableLaw) -> Array:
-    """The times at which the argument of a linear table passes one of its points."""
-    row = f"argument/{lookup}"
+def _argument(run: Run, lookup: int) -> Callable[[Array], Array]:
+    """What a table is asked for, at times."""
 
     def argument(t: Array) -> Array:
-        return np.asarray(run.compiled.evaluate([row], t.ravel())[0].reshape(t.shape))
+        return np.asarray(run.compiled.evaluate([f"argument/{lookup}"], t.ravel())[0].reshape(t.shape))
 
+    return argument
+
+
+def knots(argument: Callable[[Array], Array], table: TableLaw, start: float, stop: float, grid: int) -> Array:
+    """Where between ``start`` and ``stop`` the argument of a linear table passes one of its points."""
     x = table.x
     if table.period is not None and not np.isclose(x[-1] - x[0], table.period, rtol=1e-12):
         x = np.append(x, x[0] + table.period)
     period, count = table.period or np.inf, x.size - 1
-    t = np.linspace(run.start, run.stop, run.grid + 1)
+    t = np.linspace(start, stop, grid + 1)
     at = argument(t)
     whole = np.floor((at - x[0]) / period)
     # The number of points passed, as a continuous function of the argument.

@@ -56,7 +56,7 @@ def test_a_tappet_whose_curvature_passes_through_infinity(base: float) -> None:
     with warnings.catch_warnings(action="error"):
         outcome = study(data | {"studies": {"cam": {}}})
     assert outcome.done == (base > 0.04)
-    assert {check.value for check in outcome.checks if check.name.startswith("pressure")} == {0.0}
+    assert {check.value for check in outcome.first.checks if check.name.startswith("pressure")} == {0.0}
 
 
 def test_a_hollow_narrower_than_the_cutter_is_refused_with_what_mends_it() -> None:
@@ -205,8 +205,6 @@ def test_what_is_wrong_is_said_at_once() -> None:
     [
         ({"blank": {"thickness": 12, "hub": 40, "height": 8}}, ["cam.blank"]),
         ({"tolerance": "1e-14 mm"}, ["cam.sharp"]),
-        ({"nc": NC | {"compensation": True}}, ["nc.no-compensation", "nc.short-lead"]),
-        ({"nc": NC | {"post": ["fanuc", "grbl"], "decimals": 2, "tolerance": "1e-4 deg"}}, ["nc.fine"]),
         ({"nc": NC | {"start": "45 deg"}, "steps": 36}, ["nc.no-dwell"]),
     ],
 )
@@ -220,3 +218,60 @@ def test_a_proof_is_taken_over_by_the_same_motions_only() -> None:
     first, *others = outcome.milled
     assert all(one.proof.error is first.proof.error and one.proven for one in others)
     assert replace(first, job=replace(first.job, tolerance=first.proof.worst * 0.99)).proven is False
+
+
+def test_what_only_a_study_uses_takes_its_unit_from_there() -> None:
+    """A bare parameter is an angle in degrees in a limit of one, in turn with what it is made of; a second use as
+    something else is told."""
+    sections = {"parameters": {"half": 20, "most": "2*half + 5", "near": 3}}
+    limits = {"pressure_rise": "most", "profile_radius": "near"}
+    outcome = study(heat_seal(limits=limits) | sections)
+    assert outcome.stated.limits.pressure_rise == pytest.approx(np.radians(45), rel=1e-15)
+    assert outcome.stated.limits.profile_radius == pytest.approx(3e-3, rel=1e-15)
+    (finding,) = findings(heat_seal(limits=limits, period="near") | sections)
+    assert finding.code == "expression.units-conflict" and finding.path[2:] == ("period",)
+
+
+def test_what_no_control_would_take_is_told_before_the_run() -> None:
+    """Once for all controls; what is the cam's own fault is left to the run, which knows what mends it."""
+    nc = NC | {"post": ["grbl", "fanuc"], "compensation": True, "decimals": 6, "lead": 7}
+    assert [one.code for one in findings(heat_seal(nc=nc))] == [
+        "nc.no-compensation",
+        "nc.short-lead",
+        "nc.decimals",
+        "nc.decimals",
+    ]
+    assert [
+        one.code
+        for one in findings(heat_seal(nc=NC | {"post": ["fanuc", "grbl"], "decimals": 2, "tolerance": "1e-4 deg"}))
+    ] == ["nc.fine"]
+    assert findings(heat_seal(SMALL, nc=NC)) == []
+    (finding,) = findings(heat_seal(nc=NC | {"post": []}))
+    assert finding.code == "nc.no-post" and "grbl" in finding.mend
+
+
+def test_what_is_kept_over_a_dwell_is_placed_at_its_start() -> None:
+    outcome = study(heat_seal())
+    places = {figure.name: np.degrees(figure.theta) for figure in outcome.figures}
+    assert places["radius_max"] == pytest.approx(90) and places["radius_min"] == pytest.approx(345)
+
+
+@pytest.mark.parametrize(("contact", "said"), [("roller", True), ("face", False)])
+def test_an_undercut_flat_cam_has_no_roller_to_be_smaller(contact: str, said: bool) -> None:
+    data = pair("sliding", contact)
+    data["cams"][next(iter(data["cams"]))]["base"] = 1e-3
+    data["studies"] = {"cam": {}}
+    codes = {finding.code: finding.mend for finding in study(data).failures}
+    assert ("roller" in codes["cam.undercut"]) == said
+
+
+def test_a_key_wrong_in_form_hides_no_other() -> None:
+    """Those that hang on it aren't judged: a figure of forces that can't be read isn't unknown besides."""
+    wrong = {"steps": "many", "forces": {"contact": "5 N"}, "nc": NC | {"tool": 0}, "colour": "red"}
+    sound = {"limits": {"pressure_rise": "45 mm"}, "period": "0 s", "require": {"contact_force_min": ">= 1 N"}}
+    told = {one.path[2]: one.code for one in findings(heat_seal(**wrong, **sound))}
+    other = {"limits": "expression.units-conflict", "period": "cam.not-positive"}
+    assert told == dict.fromkeys(wrong, "study.options") | other
+    data = heat_seal(**sound)
+    data["studies"]["cam"]["cam"] = 3  # of which cam should it be true?
+    assert {one.path[2] for one in findings(data)} == {"cam"}

@@ -15,6 +15,7 @@ from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.findings import Finding
 from linkwright.studies.cam.force_options import CamForces, CamMaterial
+from linkwright.studies.cam.stated_load import stated_load
 
 AT = ("studies", "cam", "forces")
 Number = Callable[..., float]
@@ -62,11 +63,16 @@ def read(compiled: Compiled, name: str, disc: Disc, o: CamForces, number: Number
     for key, dimension in (("rate", rate), ("preload", load)):
         if spring is not None and (of := getattr(spring, key)) is not None:
             stated[key] = number(of, dimension, "forces", "spring", key, zero=True)
+    process, wrong = stated_load(
+        compiled, disc, o.load, load, (*AT, "load"), lambda: number(o.load, load, "forces", "load", least=None)
+    )
+    found += wrong
     loads = Loads(
         number(o.inertia, inertia, "forces", "inertia", zero=True),
         stated["rate"] or 0.0,
         stated["preload"] or 0.0,
-        number(o.load, load, "forces", "load", least=None),
+        process.load,
+        process.joins,
     )
     materials = [_material(getattr(o, key), key, number, found) for key in ("cam_material", "follower_material")]
     limits = o.limits

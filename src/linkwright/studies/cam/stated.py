@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 from linkwright.cam.checks import Limits
 from linkwright.cam.closing import Closing
 from linkwright.cam.disc import Disc
 from linkwright.cam.extremes import moving
+from linkwright.cam.nc.before import faults
 from linkwright.cam.nc.job import Job
+from linkwright.cam.nc.posts import POSTS
 from linkwright.cam.solid import Blank
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
@@ -20,12 +23,15 @@ from linkwright.model.quantities import LARGEST
 from linkwright.model.unknown import unknown
 from linkwright.studies.cam.figures import FIGURES, Range, closed_by, every
 from linkwright.studies.cam.force_numbers import Asked, given, known, read
+from linkwright.studies.cam.milled import as_finding
 from linkwright.studies.cam.options import PATH, CamNc, CamOptions
 
 MM, MINUTE = 1e3, 60.0
 QUARTER = 0.25
 """Of the feed: what the cutter goes down with where it isn't stated."""
 
+CAM_ITSELF = {"nc.undercut", "nc.concave"}
+"""Faults of the cam, not of a job: those of the run come with the base circle that mends them."""
 MOST_PASSES = 200
 """More than a thick cam takes in fine steps; a file of many more would take hours to prove."""
 
@@ -169,6 +175,7 @@ class Reader:
         def length(key: str, zero: bool = False) -> float:
             return MM * self._number(getattr(o, key), u.LENGTH, "nc", key, zero=zero)
 
+        before = len(self.findings)
         depth, feed = length("depth"), self._feed(o, "feed")
         step = depth if o.step is None else length("step")
         if depth > MOST_PASSES * step:
@@ -180,7 +187,7 @@ class Reader:
             if o.start is None
             else self._number(o.start, u.ANGLE, "nc", "start", least=None) % (2 * math.pi)
         )
-        return Job(
+        job = Job(
             cutter=length("cutter"),
             depth=depth,
             tolerance=self._number(o.tolerance, lift, "nc", "tolerance"),
@@ -204,6 +211,14 @@ class Reader:
             name="".join(c for c in self.name.upper() if c.isascii() and (c.isalnum() or c in "_-"))[:24] or "CAM",
             groove=self.compiled.mechanism.cams[self.name].closed == "groove",
         )
+        if len(self.findings) == before:
+            self.findings += self._unfit(job, o.post)
+        return job
+
+    def _unfit(self, job: Job, posts: tuple[str, ...]) -> Iterator[Finding]:
+        """What speaks against a job on some control; of the cam itself the run tells it, with what mends it."""
+        told = [as_finding(fault) for post in posts for fault in faults(self.disc, job, POSTS[post])]
+        return (one for i, one in enumerate(told) if one.code not in CAM_ITSELF and one not in told[:i])
 
     def _feed(self, o: CamNc, key: str) -> float:
         return MM * MINUTE * self._number(getattr(o, key), u.SPEED, "nc", key)

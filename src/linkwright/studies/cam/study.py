@@ -53,6 +53,10 @@ class CamStudy:
     name = "cam"
     options = CamOptions
 
+    def without(self, wrong: set[str]) -> set[str] | None:
+        """The keys to leave out where some are wrong in form; ``None`` where nothing can be judged then."""
+        return None if "cam" in wrong else wrong | ({"require"} if "forces" in wrong else set())
+
     def check(self, compiled: Compiled, options: CamOptions) -> list[Finding]:
         """What is wrong with the options."""
         name, findings = chosen(compiled, options)
@@ -208,7 +212,9 @@ def mending(disc: Disc, limits: Limits) -> float | None:
 
 def _undercut(outcome: CamOutcome, plate: Plate, cut: Check) -> Finding:
     data = _place(outcome, plate, cut) | _base(outcome, plate, Limits())
-    return Finding("cam.undercut", plate.path, data | {"disc": Term("cam-second" if plate.second else "cam-first")})
+    smaller: Term | str = "" if plate.disc.follower.faced else Term("or-roller")
+    which = Term("cam-second" if plate.second else "cam-first")
+    return Finding("cam.undercut", plate.path, data | {"disc": which, "roller": smaller})
 
 
 def _failed(outcome: CamOutcome, plate: Plate, check: Check) -> Finding:

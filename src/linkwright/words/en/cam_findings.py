@@ -36,7 +36,7 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
     "cam.undercut": (
         "The {disc} is undercut: at the cam angle {theta} the {name} is {value} {unit}, and it must exceed {limit} {unit}. "
         "There is no profile that moves the follower so.",
-        "Take a larger base circle (the least that will do: {base}), a longer way for the lift, or a smaller roller.",
+        "Take a larger base circle (the least that will do: {base}), or a longer way for the lift{roller}.",
     ),
     "cam.rough": (
         "At the cam angle {theta} the follower's {rate} jumps.",
@@ -80,6 +80,22 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "Add forces, with width for the Hertz pressure and spring where the follower is closed by form; only a roller "
         "has a speed, and only closed: conjugate or yoke has a second contact, a span or a play.",
     ),
+    "cam.load-name": (
+        "'{name}' is a parameter, and in a cam's load also the cam's {name}.",
+        "Give the parameter another name.",
+    ),
+    "cam.load-signal": (
+        "'{name}' can't stand in a cam's load.",
+        "Write angle for the cam angle, lift for the follower's lift; besides them parameters, tables and laws.",
+    ),
+    "cam.load-outside": (
+        "At the cam angle {theta} the load asks the table {table} for {at} {of}, outside its range {low} to {high} {of}.",
+        "Extend the table, or give it a period.",
+    ),
+    "cam.load-not-finite": (
+        "The load has no finite value at the cam angle {theta}.",
+        "Look for a division by zero, or the root of a negative number.",
+    ),
     "cam.spring": (
         "The follower lifts off: at {speed} the contact force gets down to {force}, at the cam angle {theta}; it must be "
         "{least} or more.",
@@ -114,6 +130,10 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "{yoke_span_max} at {at_max}.",
         "Take a law whose lifts half a turn apart add up to the same everywhere, such as a return half a turn after the "
         "rise and by the same law; or a second disc, closed: conjugate.",
+    ),
+    "nc.no-post": (
+        "NC code is asked for, and no control is named.",
+        "Name one of {known} under post, or leave nc out.",
     ),
     "nc.undercut": (
         "The cam is undercut at {theta} deg: the pitch curve's radius is {radius} mm, the roller's {roller} mm.",
@@ -240,6 +260,7 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
     ),
 }
 CAM_TERMS = {
+    "or-roller": ", or a smaller roller",
     "or-rate": ", or with the present one a rate of {rate}",
     "no-rate": "; with the present one no rate does",
     "a-length": "a length of the follower",

@@ -700,7 +700,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "law.place": (
         "The motion law '{name}' is called where no drive's position stands.",
-        "Call it in the position of a drive; measures and loads name the drive's value.",
+        "Call it in the position of a drive or the load of a cam study; measures and loads of the model name the drive's "
+        "value.",
     ),
     "law.over": (
         "The segment's length along the axis isn't positive, or out of all proportion.",
