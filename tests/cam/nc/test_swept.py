@@ -49,7 +49,7 @@ def test_a_compensated_way() -> None:
         swept(circle(5.0, side=1), 5.0)
 
 
-@pytest.mark.parametrize("deep", [1e-4, 0.01, 1.0])
+@pytest.mark.parametrize("deep", [1e-4, 1.0])
 def test_gouges_of_a_large_cutter_are_seen(deep: float) -> None:
     """On a circle of 600 mm radius the cutter of 200 mm dips inward over a short straight way."""
     angle = 0.01
