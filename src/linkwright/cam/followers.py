@@ -82,6 +82,11 @@ class Follower:
         """The lift (m or rad) at which the follower rests on a point of the fixed frame; NaN where it never does."""
         raise NotImplementedError
 
+    def hanging(self, x: Array, y: Array) -> Array:
+        """The lift (m or rad) at which a roller lies against a point of the fixed frame from below, as in a groove
+        against the outer flank; NaN where it never does."""
+        raise NotImplementedError
+
     def edge(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Of an edge (a roller without a radius): how far points of the fixed frame lie aside of its way (m, signed),
         and the lift (m or rad) of those that lie on it."""
@@ -151,6 +156,9 @@ class TranslatingRoller(Translating):
     def resting(self, x: Array, y: Array) -> Array:
         return y + np.sqrt(self.radius**2 - (x - self.offset) ** 2) - self.start
 
+    def hanging(self, x: Array, y: Array) -> Array:
+        return y - np.sqrt(self.radius**2 - (x - self.offset) ** 2) - self.start
+
     def edge(self, x: Array, y: Array) -> tuple[Array, Array]:
         return x - self.offset, y - self.start
 
@@ -197,9 +205,15 @@ class SwingingRoller(Swinging):
         return Touch(at=(self.distance - self.arm * angle.cos(), self.arm * angle.sin()))
 
     def resting(self, x: Array, y: Array) -> Array:
+        return self._against(x, y, 1)
+
+    def hanging(self, x: Array, y: Array) -> Array:
+        return self._against(x, y, -1)
+
+    def _against(self, x: Array, y: Array, above: int) -> Array:
         away = np.hypot(x - self.distance, y)
         between = np.arccos((self.arm**2 + away**2 - self.radius**2) / (2 * self.arm * away))
-        return wrapped(np.arctan2(y, self.distance - x) + between - self.start)
+        return wrapped(np.arctan2(y, self.distance - x) + above * between - self.start)
 
     def edge(self, x: Array, y: Array) -> tuple[Array, Array]:
         return np.hypot(x - self.distance, y) - self.arm, wrapped(np.arctan2(y, self.distance - x) - self.start)

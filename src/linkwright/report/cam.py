@@ -100,14 +100,21 @@ def _milled(outcome: CamOutcome, one: Milled) -> dict[str, Any]:
     told |= {"unit": unit, "angle_unit": angle}
     if proof.faults:
         return told
+    if proof.play is not None:
+        told["play_mm"] = [_known(1e3 * play) for play in proof.play]
     return told | {
-        "lift_error": proof.worst / size,
-        "velocity_error": float(np.abs(proof.rate).max()) / size * deg,
+        "lift_error": _known(proof.worst / size),
+        "velocity_error": _known(float(np.abs(proof.rate).max()) / size * deg),
         "gouge_mm": 1e3 * proof.gouge,
         "rest_mm": 1e3 * proof.rest,
         "time_s": proof.time,
         "length_m": proof.length,
     }
+
+
+def _known(value: float) -> float | None:
+    """None where the follower falls off."""
+    return value if math.isfinite(value) else None
 
 
 def cam_page(outcome: CamOutcome) -> dict[str, CamData]:
@@ -159,12 +166,12 @@ def cam_tables(outcome: CamOutcome) -> list[Grid]:
         checks += [_of(second, _check_row(check)) for check in one["checks"]]
         made += [_of(second, _nc_row(post, m)) for post, m in one["nc"].items() if "lift_error" in m]
         parts += [_of(second, row) for row in _parts(one)]
+    play = ("play",) if any("play_mm" in m for m in entry["nc"].values()) else ()
+    columns = ("post", "error", "tolerance", "unit", "velocity", "gouge", "rest", *play, "time", "lines", "written")
     grids = [
         _grid("figures", ("figure", "value", "unit", "at", "required", "verdict"), figures),
         _grid("checks", ("check", "value", "unit", "at", "limit", "margin", "verdict"), checks),
-        _grid(
-            "nc", ("post", "error", "tolerance", "unit", "velocity", "gouge", "rest", "time", "lines", "written"), made
-        ),
+        _grid("nc", columns, made),
         _grid("parts", ("part", "value", "unit"), parts),
     ]
     return [grid for grid in grids if grid["rows"]]
@@ -182,8 +189,10 @@ def _check_row(c: dict[str, Any]) -> list[str]:
 
 def _nc_row(post: str, m: dict[str, Any]) -> list[str]:
     error = [_n(m["lift_error"]), _n(m["tolerance"]), m["unit"]]
-    speed = f"{m['velocity_error']:.3g} {m['unit']}/{m['angle_unit']}"
+    speed = "–" if m["velocity_error"] is None else f"{m['velocity_error']:.3g} {m['unit']}/{m['angle_unit']}"
     off = [f"{m['gouge_mm']:.3g}", f"{m['rest_mm']:.3g}"]
+    if "play_mm" in m:
+        off.append(" .. ".join("–" if play is None else f"{play:.3g}" for play in m["play_mm"]))
     return [post, *error, speed, *off, f"{m['time_s']:.0f}", str(m["lines"]), _word(m["written"])]
 
 

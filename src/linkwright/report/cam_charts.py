@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from itertools import cycle
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,9 +69,8 @@ def over(
     axes = Axes((0.0, 2 * math.pi / deg), (float(known.min()), float(known.max())), named(say("cam.angle"), angle))
     ends = np.array([0.0, 2 * math.pi / deg])
     shapes = [axes.line(ends, np.full(2, limit), "limit") for limit in limits]
-    shapes += [
-        axes.line(x, line, kind) for line, kind in zip(lines, ("mean", "shift" if second else "line"), strict=False)
-    ]
+    kinds = cycle(("mean", "shift" if second else "line"))
+    shapes += [axes.line(x, line, kind) for line, kind in zip(lines, kinds, strict=False)]
     title = named(say("cam.chart.with-second", what=name) if second else name, unit)
     return {"title": title, "drawing": axes.drawing(shapes, title)}
 
@@ -97,12 +97,13 @@ def _curvatures(outcome: CamOutcome) -> Iterator[Chart]:
 
 
 def _error(outcome: CamOutcome, plate: Plate) -> Chart:
-    """Made less wanted, of the file that is farthest off: at the cam's bottom and top."""
+    """Made less wanted, of the file that is farthest off: at the cam's bottom and top, on both flanks of a groove."""
     one = max((m for m in plate.milled if not m.proof.faults), key=lambda m: m.proof.worst)
     unit, size = outcome.compiled.quantities.unit_of(outcome.lift_dimension)
     limit = one.job.tolerance / size
     lines = [row / size for row in one.proof.error]
-    name = of_disc(say("cam.chart.error", post=one.post.name), plate.second)
+    name = say("cam.chart.error-groove" if one.job.groove else "cam.chart.error", post=one.post.name)
+    name = of_disc(name, plate.second)
     return over(outcome, name, unit, lines, (-limit, limit), one.proof.theta)
 
 

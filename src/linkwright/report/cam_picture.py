@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.cam.disc import Look
-from linkwright.cam.nc.swept import chains
+from linkwright.cam.nc.swept import ROUGH
+from linkwright.cam.nc.track import chains, pieces
 from linkwright.model import units as u
 from linkwright.report.charts import points, thinned
 from linkwright.report.plane import LEFT, TOP, Plane
@@ -33,6 +34,7 @@ STYLE = """
 .still.cam .pitch { fill: none; stroke: #2f8a4c; stroke-width: 1.2; stroke-dasharray: 5 3; }
 .still.cam .base { fill: none; stroke: #888; stroke-width: 1; stroke-dasharray: 2 3; }
 .still.cam .follower { fill: none; stroke: #c2571a; stroke-width: 2; }
+.still.cam .flank { fill: none; stroke: #1f6fb5; stroke-width: 2; }
 .still.cam .tool { fill: none; stroke: #8a4fb5; stroke-width: 1.2; }
 .still.cam .worst { fill: #c8102e; stroke: none; }
 """
@@ -184,19 +186,23 @@ def _moved(kind: str, values: str) -> str:
 
 
 def tool_path(outcome: CamOutcome, plate: Plate) -> str:
-    """The path of the cutter's centre at full depth, read back from the first file, around the profile."""
+    """The path of the cutter's centre at full depth, read back from the first file, around the profile, or between the
+    flanks of a groove."""
     size = outcome.compiled.quantities.unit_of(u.LENGTH)[1]
     one = plate.milled[0]
     deepest = min(move.end[2] for move in one.proof.moves)
     cutting = [m for m in one.proof.moves if m.feed is not None and max(m.start[2], m.end[2]) <= deepest + 1e-6]
-    lines = [line[thinned(len(line), MOST)].T / 1e3 for line in chains(cutting, one.job.cutter)]
-    profile = plate.look.offset(-plate.disc.follower.radius)
-    every = np.concatenate([*lines, profile], axis=1)
+    lines = [line[thinned(len(line), MOST)].T / 1e3 for line in chains(pieces(cutting, one.job.cutter), ROUGH)]
+    kinds = {"profile": -1} | ({"flank": 1} if one.job.groove else {})
+    curves = {kind: plate.look.offset(side * plate.disc.follower.radius) for kind, side in kinds.items()}
+    every = np.concatenate([*lines, *curves.values()], axis=1)
     low, high = every.min(axis=1) / size, every.max(axis=1) / size
     plane = Plane((low[0], low[1], high[0], high[1]), outcome.compiled.quantities.unit_of(u.LENGTH)[0])
-    shapes = f'<polygon class="profile" points="{points(*plane.at(*(profile / size)))}"/>'
+    shapes = "".join(
+        f'<polygon class="{kind}" points="{points(*plane.at(*(curve / size)))}"/>' for kind, curve in curves.items()
+    )
     shapes += "".join(f'<polyline class="tool" points="{points(*plane.at(*(line / size)))}"/>' for line in lines)
-    legend = [("profile", say("cam.kind.profile")), ("tool", say("cam.kind.tool"))]
+    legend = [(kind, say(f"cam.kind.{kind}")) for kind in (*curves, "tool")]
     return drawn(plane, shapes, legend, say("cam.chart.tool"))
 
 

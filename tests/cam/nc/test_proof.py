@@ -79,6 +79,18 @@ def test_other_followers(follower: Any, lift: Any, tolerance: float) -> None:
     assert proof.worst < tolerance
 
 
+@pytest.mark.parametrize("cutter", [100.0, 200.0])
+def test_large_cutters(cutter: float) -> None:
+    """Contours smoothed by 1e-5 of these radii would be off by more than is allowed; 5 um too much is seen."""
+    disc = Disc(TranslatingRoller(0.2, 0.03), harmonic(0.01))
+    job = replace(JOB, cutter=cutter, tolerance=6e-7, start=0.0)
+    text = milled(disc, job)
+    proof = prove(disc, text, cutter / 1e3, ANGLES)
+    assert not proof.faults
+    assert max(proof.worst, proof.gouge, proof.rest) < job.tolerance
+    assert prove(disc, text, cutter / 1e3 + 5e-6, ANGLES).gouge == pytest.approx(5e-6, abs=job.tolerance)
+
+
 def test_a_wrong_cutter_is_caught() -> None:
     proof = prove(DISC, milled(DISC, JOB), 0.0081, ANGLES)
     assert proof.gouge == pytest.approx(1e-4, rel=0.03)

@@ -9,6 +9,7 @@ import numpy as np
 
 from linkwright.cam.disc import Disc
 from linkwright.cam.extremes import curvature, extremes
+from linkwright.cam.nc.groove import Groove
 from linkwright.cam.nc.job import Job, path
 from linkwright.cam.nc.posts import Post
 from linkwright.cam.nc.reader import Fault
@@ -29,6 +30,8 @@ def faults(disc: Disc, job: Job, post: Post) -> Iterator[Fault]:
     if hollow.value < 0 and -1e3 / hollow.value <= job.cutter * (1 + 1e-9):
         data = {"theta": f"{math.degrees(hollow.theta):.4g}", "radius": f"{-1e3 / hollow.value:.4g}"}
         yield Fault("nc.concave", 0, data | {"cutter": f"{job.cutter:.4g}"})
+    if job.groove:
+        yield from _groove(disc, job)
     if job.compensation and not post.compensates:
         yield Fault("nc.no-compensation", 0, {"post": post.name})
     if job.compensation and job.lead <= job.cutter:
@@ -39,6 +42,22 @@ def faults(disc: Disc, job: Job, post: Post) -> Iterator[Fault]:
     rounding = 10.0**-job.decimals / math.sqrt(2)
     if least < rounding:
         yield Fault("nc.fine", 0, {"allowed": f"{least:.2g}", "rounding": f"{rounding:.2g}"})
+
+
+def _groove(disc: Disc, job: Job) -> Iterator[Fault]:
+    """Hollows of both flanks have larger radii than the roller, so a cutter that fits between them fits into these."""
+    roller, cutter = 1e3 * disc.follower.radius, job.cutter
+    if cutter > roller * (1 + 1e-9):
+        yield Fault("nc.wide-cutter", 0, {"cutter": f"{cutter:.6g}", "roller": f"{roller:.6g}"})
+        return
+    deepest = extremes(disc, curvature())[0]
+    if 1e-3 * roller * -deepest.value >= 1:
+        data = {"theta": f"{math.degrees(deepest.theta):.4g}", "radius": f"{-1e3 / deepest.value:.4g}"}
+        yield Fault("nc.undercut-outer", 0, data | {"roller": f"{roller:.4g}"})
+        return
+    work = Groove(disc, job)
+    if job.compensation and job.lead > cutter and any(work.finishing_lead(flank) is None for flank in (-1, 1)):
+        yield Fault("nc.groove-lead", 0, {"cutter": f"{cutter:.4g}", "roller": f"{roller:.4g}"})
 
 
 def warnings(disc: Disc, job: Job) -> Iterator[Fault]:

@@ -6,15 +6,9 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-import numpy as np
-from numpy.typing import NDArray
-
 from linkwright.cam.disc import Disc
+from linkwright.cam.nc.leads import around
 from linkwright.cam.nc.path import Element, Path
-
-Array = NDArray[np.float64]
-
-QUARTER = math.pi / 2
 
 
 @dataclass(frozen=True)
@@ -26,7 +20,8 @@ class Job:
     ``allowance`` for a last one at full depth, which ``spring`` repeats. ``climb``: with M3 clockwise around the cam.
     ``compensation``: the profile is programmed, and the control offsets the cutter (G41, G42). The path is entered and
     left on quarter circles of the radius ``lead`` and goes on beyond its start by ``overlap``, from the cam angle
-    ``start`` (rad) on. ``arcs``: by G2 and G3, else chords alone.
+    ``start`` (rad) on. ``arcs``: by G2 and G3, else chords alone. ``groove``: what is milled is the groove in which the
+    roller runs, ``depth`` deep.
     """
 
     cutter: float
@@ -50,6 +45,7 @@ class Job:
     tool: int = 1
     number: int = 1000
     name: str = "CAM"
+    groove: bool = False
 
     @property
     def levels(self) -> list[float]:
@@ -60,12 +56,19 @@ class Job:
 
 @dataclass(frozen=True)
 class Pass:
-    """One time around: the elements at the depth ``z``, those of entry and exit among them; ``entry`` is where the
-    cutter goes down. ``leads`` are the first and the last element."""
+    """Around the cam: the elements at the depth ``z``, those of entry and exit among them; ``entry`` is where the
+    cutter goes down. With ``heights`` it goes down on its way from the top: the depths at the elements' ends.
+
+    ``side`` is +1 where the control runs the cutter left of the path (G41), -1 right (G42), 0 on it; that is switched
+    on and off on straight ways of the length ``aside`` (mm), on the side away from what is cut.
+    """
 
     z: float
     elements: tuple[Element, ...]
     note: str
+    heights: tuple[float, ...] = ()
+    side: int = 0
+    aside: float = 0.0
 
     @property
     def entry(self) -> tuple[float, float]:
@@ -78,6 +81,11 @@ def way(disc: Disc, job: Job) -> int:
     return disc.sense if job.climb else -disc.sense
 
 
+def side(job: Job) -> int:
+    """The side on which a control runs the cutter: a climbing one with M3 has what it cuts on its right."""
+    return (1 if job.climb else -1) if job.compensation else 0
+
+
 def path(disc: Disc, job: Job, allowance: float = 0.0) -> Path:
     """The programmed path of a pass that leaves an allowance (mm)."""
     offset = allowance / 1e3 - disc.follower.radius + (0.0 if job.compensation else job.cutter / 1e3)
@@ -86,51 +94,22 @@ def path(disc: Disc, job: Job, allowance: float = 0.0) -> Path:
 
 
 def passes(disc: Disc, job: Job) -> Iterator[Pass]:
-    """All passes, from the top down."""
+    """All passes around a profile, from the top down."""
+
+    def one(allowance: float, note: str) -> Pass:
+        elements = around(path(disc, job, allowance), job.overlap, job.lead)
+        return Pass(-job.depth, elements, note, side=side(job), aside=job.cutter + job.lead)
+
     if job.allowance > 0:
-        rough = around(path(disc, job, job.allowance), job)
+        rough = one(job.allowance, "rough")
         for z in job.levels:
-            yield Pass(z, rough, "rough")
-        finish = Pass(-job.depth, around(path(disc, job), job), "finish")
+            yield replace(rough, z=z)
+        finish = one(0.0, "finish")
         yield finish
     else:
-        finish = Pass(0.0, around(path(disc, job), job), "finish")
+        finish = one(0.0, "finish")
         for z in job.levels:
             finish = replace(finish, z=z)
             yield finish
     if job.spring:
         yield replace(finish, note="spring")
-
-
-def around(route: Path, job: Job) -> tuple[Element, ...]:
-    """Entry, once around with the overlap, exit."""
-    turn = route.elements()
-    more = share(route, job.overlap)
-    again = route.elements(more)
-    _, tangents, normals, _ = route.at(np.array([0.0, more]))
-    first = _lead(np.array(turn[0].start), tangents[:, 0], normals[:, 0], job.lead, job.decimals, True)
-    last = _lead(np.array(again[-1].end), tangents[:, 1], normals[:, 1], job.lead, job.decimals, False)
-    return (first, *turn, *again, last)
-
-
-def share(route: Path, length: float) -> float:
-    """The share of the turn that a length (mm) from the start takes, about."""
-    look = route.look(np.zeros(1))
-    speed = 1e3 * float(np.broadcast_to(look.speed.d[0], 1)[0] * abs(look.radius(route.offset)[0] / look.radius()[0]))
-    return min(0.25, length / (speed * 2 * math.pi))
-
-
-def _lead(at: Array, tangent: Array, normal: Array, radius: float, decimals: int, entry: bool) -> Element:
-    """A quarter circle that comes in along the normal and ends on the tangent, or the reverse."""
-    centre = at + radius * normal
-    away = np.round(centre + (-radius if entry else radius) * tangent, decimals)
-    turn = 1 if tangent[0] * normal[1] - tangent[1] * normal[0] > 0 else -1
-    start, end = (away, at) if entry else (at, away)
-    middle = _centre(start, end, turn * QUARTER, decimals)
-    return Element(tuple(start), tuple(end), middle, turn)
-
-
-def _centre(start: Array, end: Array, angle: float, decimals: int) -> tuple[float, float]:
-    along = end - start
-    found = (start + end) / 2 + np.array([-along[1], along[0]]) / (2 * math.tan(angle / 2))
-    return tuple(start + np.round(found - start, decimals + 1))

@@ -47,6 +47,13 @@ class Element:
         (sx, sy), (ex, ey), (cx, cy) = self.start, self.end, self.centre
         return self.turn * (math.atan2(ey - cy, ex - cx) - math.atan2(sy - cy, sx - cx)) % (2 * math.pi)
 
+    @property
+    def length(self) -> float:
+        """Along it (mm)."""
+        if self.centre is None:
+            return math.dist(self.start, self.end)
+        return math.dist(self.start, self.centre) * self.swept
+
 
 class Sharp(ValueError):
     """The curve can't be followed within the tolerance; ``theta`` (rad) is where."""
@@ -60,7 +67,7 @@ class Sharp(ValueError):
 class Path:
     """The curve ``offset`` (m) outward of the pitch curve, from the cam angle ``first`` (rad) on by a turn; ``way`` +1
     with growing cam angle, -1 against it. ``allowed`` is how far the lift may be off (m or rad), or with ``along`` the
-    curve itself (m)."""
+    curve itself (m). ``cuts`` (m) is what it cuts, as far outward of the pitch curve; the profile unless given."""
 
     disc: Disc
     offset: float
@@ -70,6 +77,7 @@ class Path:
     decimals: int = 3
     arcs: bool = True
     along: bool = False
+    cuts: float | None = None
 
     def at(self, u: Array) -> tuple[Array, Array, Array, Array]:
         """At shares of the turn: places (2, n) in mm, unit tangents in the sense of ``way`` and outward normals (2, n),
@@ -149,8 +157,9 @@ class Path:
         centre = start + np.round(centre - start, self.decimals + 1)
         radius = float(np.hypot(*(start - centre)))
         turn = 1 if half > 0 else -1
-        inward = -turn * self.disc.sense * self.way  # whether the contour lies within the arc
-        cut = radius + inward * 1e3 * (-self.disc.follower.radius - self.offset)
+        inward = -turn * self.disc.sense * self.way  # whether the cam's centre lies within the arc
+        contour = -self.disc.follower.radius if self.cuts is None else self.cuts
+        cut = radius + inward * 1e3 * (contour - self.offset)
         return Element(tuple(start), tuple(end), tuple(centre), turn, radius / cut if cut > 0 else 1.0)
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import ClassVar
 
 from linkwright.cam.nc.job import Job, Pass
+from linkwright.cam.nc.leads import beyond
 from linkwright.cam.nc.path import Element
 from linkwright.notation.registry import Registry
 
@@ -47,22 +48,22 @@ class Post:
     def _once(self, writer: _Writer, job: Job, one: Pass) -> Iterator[str]:
         """Down, around, up."""
         x, y = one.entry
-        if job.compensation:  # switched on and off on straight ways of their own, from beside the entry
-            nx, ny = _aside(one.elements[0], job.cutter + job.lead)
+        if one.side:  # switched on and off on straight ways of their own, from beside the entry
+            nx, ny = beyond(one.elements[0], one.aside)
             yield writer.straight(0, x + nx, y + ny)
         else:
             yield writer.straight(0, x, y)
         yield f"G0 Z{writer.number(min(2.0, job.clear))}"
-        yield f"G1 Z{writer.number(one.z)} F{job.plunge:.0f}"
+        yield f"G1 Z{writer.number(0.0 if one.heights else one.z)} F{job.plunge:.0f}"
         writer.word, writer.feed = 1, None
-        if job.compensation:
-            side = "G41" if job.climb else "G42"
-            yield f"{side} D{job.tool} " + writer.straight(1, x, y, job.feed)
-        for element in one.elements:
-            yield writer.element(element, job.feed * min(max(element.ratio, RATIO[0]), RATIO[1]))
-        if job.compensation:
+        if one.side:
+            yield f"{'G41' if one.side > 0 else 'G42'} D{job.tool} " + writer.straight(1, x, y, job.feed)
+        heights = one.heights or (None,) * len(one.elements)
+        for element, z in zip(one.elements, heights, strict=True):
+            yield writer.element(element, job.feed * min(max(element.ratio, RATIO[0]), RATIO[1]), z)
+        if one.side:
             ex, ey = one.elements[-1].end
-            nx, ny = _aside(one.elements[-1], job.cutter + job.lead, last=True)
+            nx, ny = beyond(one.elements[-1], one.aside, last=True)
             yield "G40 " + writer.straight(1, ex + nx, ey + ny)
         yield f"G0 Z{writer.number(job.clear)}"
         writer.word = 0
@@ -178,26 +179,20 @@ class _Writer:
         self.feed = shown or self.feed
         return front, back
 
-    def straight(self, word: int, x: float, y: float, feed: float | None = None) -> str:
+    def straight(self, word: int, x: float, y: float, feed: float | None = None, z: float | None = None) -> str:
         """A straight motion."""
         front, back = self._start(word, feed)
-        return f"{front}X{self.number(x)} Y{self.number(y)}{back}"
+        return f"{front}{self._place(x, y, z)}{back}"
 
-    def element(self, element: Element, feed: float) -> str:
-        """A motion of the path."""
+    def element(self, element: Element, feed: float, z: float | None = None) -> str:
+        """A motion of the path, which ends at the depth ``z`` where that isn't the same."""
         (x, y), (sx, sy) = element.end, element.start
         if element.centre is None:
-            return self.straight(1, x, y, feed)
+            return self.straight(1, x, y, feed, z)
         front, back = self._start(3 if element.turn > 0 else 2, feed)
         i, j = element.centre[0] - sx, element.centre[1] - sy
-        return f"{front}X{self.number(x)} Y{self.number(y)} I{self.number(i, 1)} J{self.number(j, 1)}{back}"
+        return f"{front}{self._place(x, y, z)} I{self.number(i, 1)} J{self.number(j, 1)}{back}"
 
-
-def _aside(lead: Element, far: float, last: bool = False) -> tuple[float, float]:
-    """The way (mm) from a lead's outer end straight on, away from the cam."""
-    assert lead.centre is not None
-    (x, y), (cx, cy) = (lead.end if last else lead.start), lead.centre
-    dx, dy = x - cx, y - cy
-    size = (dx * dx + dy * dy) ** 0.5
-    turn = lead.turn if last else -lead.turn
-    return -turn * dy / size * far, turn * dx / size * far
+    def _place(self, x: float, y: float, z: float | None) -> str:
+        deep = "" if z is None else f" Z{self.number(z)}"
+        return f"X{self.number(x)} Y{self.number(y)}{deep}"

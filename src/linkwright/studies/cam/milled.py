@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 from linkwright.cam.disc import Disc
 from linkwright.cam.nc.before import faults, warnings
+from linkwright.cam.nc.groove import Groove
 from linkwright.cam.nc.job import Job, Pass, passes
 from linkwright.cam.nc.path import Sharp
 from linkwright.cam.nc.posts import POSTS, Post
@@ -40,9 +41,17 @@ class Milled:
         return max(map(len, self.text.splitlines()))
 
     @property
+    def deep(self) -> bool:
+        """Whether it is as deep as asked, but for the last digit."""
+        return abs(self.job.depth - 1e3 * self.proof.depth) <= 10.0**-self.job.decimals
+
+    @property
     def proven(self) -> bool:
-        """Whether the follower's lift on the milled cam is within the tolerance, and no control would stop."""
-        return not self.proof.faults and self.proof.worst <= self.job.tolerance and self.longest <= self.post.longest
+        """Whether the follower's lift on the milled cam is within the tolerance, the depth as asked, and no control
+        would stop."""
+        proof = self.proof
+        sound = not proof.faults and self.longest <= self.post.longest
+        return sound and self.deep and proof.worst <= self.job.tolerance
 
 
 def milled(
@@ -58,7 +67,7 @@ def milled(
             found += [finding for finding in wrong if finding not in found]
             continue
         try:
-            ways = ways or [*passes(disc, job)]
+            ways = ways or [*(Groove(disc, job).passes() if job.groove else passes(disc, job))]
         except Sharp as sharp:
             data = {"theta": f"{math.degrees(sharp.theta):.4g}"}
             found.append(Finding("nc.sharp", AT, data))
@@ -77,7 +86,7 @@ def proven(disc: Disc, job: Job, text: str, angles: int, before: list[Milled]) -
         for one in before:
             if not one.proof.faults and _ways(one.proof.moves) == _ways(found.moves):
                 return replace(one.proof, moves=tuple(found.moves))
-    return prove(disc, text, job.cutter / 1e3, angles)
+    return prove(disc, text, job.cutter / 1e3, angles, job.groove)
 
 
 def _ways(moves: list[Move] | tuple[Move, ...]) -> list[Move]:
@@ -106,6 +115,9 @@ def wrongs(one: Milled) -> Iterator[Finding]:
     if one.longest > one.post.longest:
         data = {"post": post, "length": one.longest, "most": one.post.longest}
         yield Finding("nc.long-line", AT, data)
+    if not one.proof.faults and not one.deep:
+        data = {"post": post, "depth": f"{1e3 * one.proof.depth:.6g}", "wanted": f"{one.job.depth:.6g}"}
+        yield Finding("nc.depth", AT, data)
     if not one.proof.faults and one.proof.worst > one.job.tolerance:
         share = one.proof.worst / one.job.tolerance
         gouge = f"{1e3 * one.proof.gouge:.3g}"

@@ -87,8 +87,10 @@ class CamNc(Frozen):
     post: Annotated[tuple[str, ...], BeforeValidator(_posts)] = Field(
         description=f"the control or a list of them: {', '.join(POSTS)}"
     )
-    cutter: Expression = Field(description="radius of the cutter")
-    depth: Expression = Field(description="thickness of the cam, with what the cutter goes beyond it")
+    cutter: Expression = Field(description="radius of the cutter; of a groove the roller's at the most")
+    depth: Expression = Field(
+        description="thickness of the cam, with what the cutter goes beyond it; depth of a groove"
+    )
     tolerance: Expression = Field(description="how far the follower's lift may be off: an angle or a length")
     feed: Expression = Field(description="at the contour, e.g. 400 mm/min")
     speed: Expression = Field(description="of the spindle, e.g. 6000 rpm")

@@ -30,10 +30,10 @@ MM, MINUTE = 1e3, 60.0
 QUARTER = 0.25
 """Of the feed: what the cutter goes down with where it isn't stated."""
 
-CAM_ITSELF = {"nc.undercut", "nc.concave"}
+CAM_ITSELF = {"nc.undercut", "nc.undercut-outer", "nc.concave"}
 """Faults of the cam, not of a job: those of the run come with the base circle that mends them."""
 MOST_PASSES = 200
-"""More than a thick cam takes in fine steps; a file of many more would take hours to prove."""
+"""More than a thick cam takes in fine steps; many more are a slip, and a file without end."""
 
 
 @dataclass(frozen=True)
@@ -209,6 +209,7 @@ class Reader:
             tool=o.tool,
             number=o.number,
             name="".join(c for c in self.name.upper() if c.isascii() and (c.isalnum() or c in "_-"))[:24] or "CAM",
+            groove=self.compiled.mechanism.cams[self.name].closed == "groove",
         )
         if len(self.findings) == before:
             self.findings += self._unfit(job, o.post)

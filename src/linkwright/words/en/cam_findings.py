@@ -143,6 +143,20 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "The profile is hollow at {theta} deg with a radius of {radius} mm; a cutter of {cutter} mm doesn't get in.",
         "Take a smaller cutter, or a larger base circle.",
     ),
+    "nc.wide-cutter": (
+        "A cutter with a radius of {cutter} mm doesn't fit into the groove of a roller of {roller} mm.",
+        "Take a cutter no larger than the roller.",
+    ),
+    "nc.undercut-outer": (
+        "The groove's outer flank is undercut at {theta} deg: the pitch curve is hollow with a radius of {radius} mm, the "
+        "roller's is {roller} mm.",
+        "Take a larger base circle, or a smaller roller.",
+    ),
+    "nc.groove-lead": (
+        "With cutter compensation the leads' radius must exceed the cutter's, {cutter} mm; such don't fit into the groove "
+        "of a roller of {roller} mm.",
+        "Take a smaller cutter (two thirds of the roller's radius at the most), or leave compensation out.",
+    ),
     "nc.no-compensation": (
         "The control {post} has no cutter compensation.",
         "Leave compensation out: then the path of the cutter's centre is programmed.",
@@ -171,6 +185,18 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "Read back, the file for {post} makes a lift that is off by {share} of the tolerance, and cuts {gouge} mm into the "
         "profile. It isn't written.",
         "Give more decimals or more steps; a file that says something else than it should is a bug to be reported.",
+    ),
+    "nc.depth": (
+        "Read back, the file for {post} gets {depth} mm deep; {wanted} mm are asked for. It isn't written.",
+        "Check the depths in it; a file that says something else than it should is a bug to be reported.",
+    ),
+    "nc.island": (
+        "Read back, the file for {post} leaves something standing in the groove, about X{x} Y{y}.",
+        "Check the passes beside the pitch curve; a file that says something else than it should is a bug to be reported.",
+    ),
+    "nc.stray": (
+        "Read back, the file for {post} cuts into the cam about X{x} Y{y}, away from its path.",
+        "Check where its passes begin; a file that says something else than it should is a bug to be reported.",
     ),
     "nc.long-line": (
         "A line of the file for {post} has {length} letters; the control takes {most}. It isn't written.",

@@ -1,0 +1,55 @@
+"""NC code of a groove by the study: what is written of it, and what isn't."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import pytest
+
+from helpers.heat_seal import NC, findings, heat_seal, performed
+from linkwright.cam.nc.posts import Grbl, Post
+from linkwright.report.cam import cam_tables
+from linkwright.report.cam_charts import charts
+from linkwright.report.cam_files import FILES
+
+GROOVE = {"closed": "groove"}
+
+
+def test_a_groove_and_what_is_written_of_it() -> None:
+    job = performed(heat_seal(GROOVE, nc=NC | {"post": ["fanuc", "grbl"]}, steps=90))
+    assert job.cam is not None and job.exit_code == 0
+    entry = json.loads(json.dumps(job.summary["cam"]["nc"], allow_nan=False))
+    assert all(one["written"] and one["lift_error"] < 2e-3 for one in entry.values())
+    least, most = entry["fanuc"]["play_mm"]
+    assert -4e-3 < least < most < 4e-3  # 2e-3 deg of an arm of 90 mm are 3 um on each flank
+    (table,) = [grid for grid in cam_tables(job.cam) if grid["name"] == "cam-nc"]
+    assert table["heads"].index("Play, mm") == table["heads"].index("Rest, mm") + 1
+    assert all(len(row) == len(table["heads"]) for row in table["rows"])
+    drawn = {chart["title"]: chart["drawing"] for chart in charts(job.cam)}
+    assert drawn["The cutter's path"].count("<polygon") == 2 and "outer flank" in drawn["The cutter's path"]
+    (error,) = [drawing for title, drawing in drawn.items() if "on both flanks" in title]
+    assert error.count("<polyline") >= 4
+    assert "(slot, ramp" in str(FILES["cam_fanuc.nc"](job.cam))
+    assert FILES["cam_siemens.mpf"](job.cam) is None
+
+
+@pytest.mark.parametrize(
+    ("nc", "code"),
+    [
+        ({"cutter": 20.5}, "nc.wide-cutter"),
+        ({"compensation": True, "cutter": 15, "lead": 25, "post": "fanuc"}, "nc.groove-lead"),
+    ],
+)
+def test_what_does_not_fit_into_a_groove(nc: dict[str, Any], code: str) -> None:
+    (finding,) = findings(heat_seal(GROOVE, nc=NC | nc))
+    assert finding.code == code and finding.what and finding.mend
+
+
+def test_a_wrong_depth_is_never_written(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A lost decimal of all depths leaves the contours as they are."""
+    monkeypatch.setattr(Grbl, "text", lambda *given: Post.text(*given).replace("Z-12.", "Z-1.2"))
+    job = performed(heat_seal(nc=NC, steps=90))
+    assert [finding.code for finding in job.found] == ["nc.depth"]
+    assert "1.2 mm deep; 12 mm" in job.found[0].what
+    assert job.cam is not None and FILES["cam_grbl.nc"](job.cam) is None
