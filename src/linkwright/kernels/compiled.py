@@ -18,11 +18,11 @@ from linkwright.kernels.cams import cam_faults
 from linkwright.kernels.follow import Follower
 from linkwright.kernels.law import Law
 from linkwright.kernels.laws import action_tables, drive_laws, values_at
-from linkwright.kernels.motions import motion_laws
+from linkwright.kernels.motions import StatedMotion, motion_laws
 from linkwright.kernels.passages import Passage, Passages, unwrapped
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.supply import Supply
-from linkwright.laws import Motion, TableLaw
+from linkwright.laws import TableLaw
 from linkwright.model.check import check_names, check_values
 from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.mechanism import Mechanism
@@ -44,7 +44,7 @@ class Compiled:
     assembly: Assembly
     laws: dict[str, Law]
     tables: dict[str, TableLaw] = field(default_factory=dict)  # those that loads and springs ask
-    motions: dict[str, Motion] = field(default_factory=dict)  # the motion laws, that drives ask
+    motions: dict[str, StatedMotion] = field(default_factory=dict)  # the motion laws, that drives ask
     kernel: str = "numpy"
     passages: Passages = field(default_factory=Passages)
     plane: LinkagePlane | None = None  # where a sketch of three coordinates lies in the vehicle
@@ -166,7 +166,7 @@ class Prepared:
     quantities: Quantities
     structure: Structure
     laws: dict[str, Law]
-    motions: dict[str, Motion]
+    motions: dict[str, StatedMotion]
     tables: dict[str, TableLaw]
     findings: list[Finding]
 
@@ -184,7 +184,7 @@ def prepare(mechanism: Mechanism, folder: Path | None = None) -> Prepared:
     quantities = Quantities(spelled.mechanism)
     findings = [*names, *(f for f in quantities.findings if not _said(f, names))]
     laws: dict[str, Law] = {}
-    motions: dict[str, Motion] = {}
+    motions: dict[str, StatedMotion] = {}
     tables: dict[str, TableLaw] = {}
     if not quantities.findings:
         motions, unmade = motion_laws(quantities)

@@ -3,8 +3,8 @@
 The law of a cam says how it is to be cut, from the nominal dimensions. Of a cam that is cut, a deviation of the centre
 distance, the arm or the roller changes the lift instead: the follower rests where its roller's centre lies on the
 profile's own parallel. That is sought along the cut pitch curve, exactly, with all rates: by Newton's method on jets,
-which converges in all derivatives alike. Base circle and phase belong to the cam: their deviations are errors of its
-own.
+which converges in all derivatives alike. Base circle, phase and the numbers of the law belong to the cam: their
+deviations are errors of its own.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from linkwright.graph.geometry import Geometry
 from linkwright.kernels.cams import CamLaw
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.law import Parameters
+from linkwright.kernels.motions import StatedMotion
 from linkwright.laws import Motion
 from linkwright.model import units as u
 from linkwright.model.cams import Following
@@ -45,7 +46,7 @@ class _Cut:
 
     def __init__(self, compiled: Compiled, drive: Following, law: CamLaw) -> None:
         self.quantities, self.drive = compiled.quantities, drive
-        self.motion: Motion = compiled.motions[drive.cam.law]
+        self.motion: StatedMotion = compiled.motions[drive.cam.law]
         self.forward = sense(self.quantities, drive)
         nominal = self.quantities.parameters
         self.plan = seat(Geometry(self.quantities, nominal), drive)
@@ -63,15 +64,16 @@ class _Cut:
         plan = replace(self.plan, base=here.base)
         turned = self.drive.turned * angle  # of the cam on its carrier
         at = self.forward * turned + phase
-        found = (self.faced if plan.faced else self.rolled)(plan, here, turned, at, phase)
+        motion = self.motion.given(parameters)
+        found = (self.faced if plan.faced else self.rolled)(motion, plan, here, turned, at, phase)
         return found - self.turn
 
-    def rolled(self, plan: Seat, here: Seat, turned: Jet, at: Jet, phase: Scalar) -> Jet:
+    def rolled(self, motion: Motion, plan: Seat, here: Seat, turned: Jet, at: Jet, phase: Scalar) -> Jet:
         """With a roller or an edge: its centre on the parallel to the cut pitch curve."""
         more, forward, start = here.roller - plan.roller, self.forward, at
         pivot, right = here.pivot.minus(here.shaft), Pair(here.way.y, -here.way.x)
         for step in range(STEPS + 1):
-            centre, way, bend = self.centre(plan, at)
+            centre, way, bend = self.centre(motion, plan, at)
             across = centre.plus(way.perp.times(forward))
             parallel = centre.plus(across.times(more / across.dot(across).sqrt()))
             past = way.minus(centre.perp.times(forward))
@@ -91,15 +93,15 @@ class _Cut:
         if not here.turns:
             height: Jet = here.sign * _along(point, here.way) + here.offset
             return height
-        angle = here.home + here.sign * (here.start + self.motion.on(start))
+        angle = here.home + here.sign * (here.start + motion.on(start))
         meant, arm = Vec(angle.cos(), angle.sin()), point.minus(_vector(pivot, at))
         beyond: Jet = meant.cross(arm).arctan2(meant.dot(arm))
         found: Jet = beyond + angle + (here.offset - here.home)
         return found
 
-    def centre(self, plan: Seat, at: Jet) -> tuple[Vec, Vec, Vec]:
+    def centre(self, motion: Motion, plan: Seat, at: Jet) -> tuple[Vec, Vec, Vec]:
         """The roller's centre from the shaft as planned, in the carrier, and its derivatives by the law's angle."""
-        lift, slope, bend = self.motion.on(at) + plan.start, self.motion.on(at, 1), self.motion.on(at, 2)
+        lift, slope, bend = motion.on(at) + plan.start, motion.on(at, 1), motion.on(at, 2)
         if not plan.turns:
             right = Pair(plan.way.y, -plan.way.x)
             aside = _vector(Pair(plan.aside * right.x, plan.aside * right.y), at)
@@ -110,17 +112,17 @@ class _Cut:
         bent = arm.perp.times(plan.sign * bend).minus(arm.times(slope * slope))
         return _vector(plan.pivot.minus(plan.shaft), at).plus(arm), arm.perp.times(plan.sign * slope), bent
 
-    def faced(self, plan: Seat, here: Seat, turned: Jet, at: Jet, phase: Scalar) -> Jet:
+    def faced(self, motion: Motion, plan: Seat, here: Seat, turned: Jet, at: Jet, phase: Scalar) -> Jet:
         """With a flat face: a tangent of the profile, by its distance from the shaft over its direction."""
         if not plan.turns:
             way, near = here.way, plan.way
             askew = call("arctan2", near.cross(way), near.dot(way))
-            height: Jet = here.sign * (self.motion.on(at - self.forward * askew) + plan.base) + here.offset
+            height: Jet = here.sign * (motion.on(at - self.forward * askew) + plan.base) + here.offset
             return height
         away, planned = here.pivot.minus(here.shaft), plan.pivot.minus(plan.shaft)
         for step in range(STEPS + 1):
-            swing = plan.home + plan.sign * (plan.start + self.motion.on(at))
-            rate = plan.sign * self.motion.on(at, 1)
+            swing = plan.home + plan.sign * (plan.start + motion.on(at))
+            rate = plan.sign * motion.on(at, 1)
             angle = swing + turned - self.forward * (at - phase)
             if step == STEPS:
                 break

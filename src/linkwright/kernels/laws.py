@@ -11,13 +11,14 @@ import numpy as np
 
 from linkwright.kernels.cams import follower_law
 from linkwright.kernels.law import Array, Law, Parameters
-from linkwright.kernels.motions import rate_unit
-from linkwright.laws import DEGREES, Motion, OutsideTable, TableLaw
+from linkwright.kernels.motion_faults import jump
+from linkwright.kernels.motions import StatedMotion
+from linkwright.laws import DEGREES, OutsideTable, TableLaw
 from linkwright.model import units as u
 from linkwright.model.cams import Following
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, nodes
-from linkwright.model.findings import Finding, ModelError, Term
+from linkwright.model.findings import Finding, ModelError
 from linkwright.model.mechanism import Table
 from linkwright.model.quantities import Quantities, column_unit
 from linkwright.notation import MAX_ORDER, Jet
@@ -27,7 +28,7 @@ MAX_ROWS = 100_000
 
 
 def drive_laws(
-    quantities: Quantities, folder: Path | None, motions: Mapping[str, Motion]
+    quantities: Quantities, folder: Path | None, motions: Mapping[str, StatedMotion]
 ) -> tuple[dict[str, Law], list[Finding]]:
     """The law of each drive (value and rates, SI) over times (s), and what is wrong with them."""
     reader = _Reader(quantities, folder, motions)
@@ -60,7 +61,7 @@ def values_at(laws: dict[str, Law], time: float) -> dict[str, float]:
 
 
 class _Reader:
-    def __init__(self, quantities: Quantities, folder: Path | None, motions: Mapping[str, Motion]) -> None:
+    def __init__(self, quantities: Quantities, folder: Path | None, motions: Mapping[str, StatedMotion]) -> None:
         self.quantities, self.folder, self.motions = quantities, folder, motions
         self.findings: list[Finding] = []
         self.tables: dict[str, TableLaw | None] = {}
@@ -102,7 +103,11 @@ class _Reader:
         return follower_law(self.quantities, name, self.motions[law], motor)
 
     def _law(self, of: Callable[[Array, Parameters, bool], Jet], *parts: Node) -> Law:
-        names = {n.text for part in parts for n in nodes(part) if isinstance(n, Name)}
+        every = [n for part in parts for n in nodes(part)]
+        names = {n.text for n in every if isinstance(n, Name)}
+        names |= {
+            own for n in every if isinstance(n, Call) and n.name in self.motions for own in self.motions[n.name].names
+        }
         return Law(of, self.quantities.parameters, frozenset(names & self.quantities.parameters.keys()))
 
     def _constant(self, parts: list[Node]) -> Law:
@@ -125,7 +130,7 @@ class _Reader:
                 argument = evaluate(call.args[0], given, called)
                 x = argument if isinstance(argument, Jet) else Jet.constant(argument, ORDER)
                 if call.name in motions:
-                    return motions[call.name].on(x)
+                    return motions[call.name].given(parameters).on(x)
                 table = tables[call.name]
                 assert table is not None
                 return table(x) if strict else table.or_nan(x)
@@ -154,16 +159,9 @@ class _Reader:
 
     def _smooth(self, name: str, path: tuple[str | int, ...]) -> bool:
         """Whether the value and velocity of a motion law run on without jumps."""
-        law, quantities = self.quantities.mechanism.laws[name], self.quantities
-        for join in self.motions[name].joins:
-            if join.continuity < 1:
-                order = join.continuity + 1
-                (unit, size), (rate, one) = quantities.unit_of(law.axis), rate_unit(quantities, law, order)
-                at, jump = f"{join.at / size:.6g} {unit}", f"{join.jumps[order] / one:.6g} {rate}"
-                data = {"law": name, "what": Term(("law-value", "law-velocity")[order]), "at": at, "jump": jump}
-                self.findings.append(Finding("drive.law-jumps", path, data))
-                return False
-        return True
+        jumps = [*jump(self.quantities, name, self.motions[name], path)]
+        self.findings += jumps
+        return not jumps
 
     def _table(self, name: str, path: tuple[str | int, ...]) -> bool:
         if name not in self.tables:

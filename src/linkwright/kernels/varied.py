@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.failing import Failures, causes
+from linkwright.kernels.motion_faults import law_faults
 from linkwright.kernels.pursuit import MOST, Pursued, Pursuit
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.supply import Supply
@@ -64,12 +65,6 @@ class Varied:
             held = {part for cell in cells for part in names_in(cell.node)} & self.varying
             if held:
                 yield Finding("varied.table", ("tables", name), {"table": name, "names": ", ".join(sorted(held))})
-        for name, law in quantities.mechanism.laws.items():
-            parts = [number.node for _, number, _ in law.numbers()]
-            parts += [segment.formula.node for segment in law.segments if segment.formula is not None]
-            held = {part for node in parts for part in names_in(node)} & self.varying
-            if held:
-                yield Finding("varied.law", ("laws", name), {"law": name, "names": ", ".join(sorted(held))})
 
     def parameters(self, values: Array) -> Array:
         """All parameters (parameters, samples) from the values of the varied ones, (names, samples), both in SI.
@@ -77,7 +72,7 @@ class Varied:
         Those that are expressions of varied ones follow. A sample with which the model makes no sense comes out as NaN.
         """
         sampled = self._sampled(values)
-        check_values(sampled)
+        self._check(sampled)
         p = sampled.rows()
         p[:, sampled.wrong] = np.nan
         return p
@@ -85,7 +80,10 @@ class Varied:
     def faults(self, values: Array) -> list[Finding]:
         """What the model's own checks of numbers say of some samples, (names, samples): each fault once."""
         sampled = self._sampled(values)
-        return [*sampled.findings, *check_values(sampled)]
+        return [*sampled.findings, *self._check(sampled)]
+
+    def _check(self, sampled: Sampled) -> list[Finding]:
+        return [*check_values(sampled), *law_faults(sampled, self.compiled.motions)]
 
     def _sampled(self, values: Array) -> Sampled:
         given = dict(zip(self.names, np.asarray(values, dtype=float), strict=True))
