@@ -37,7 +37,7 @@ def jump(quantities: Quantities, name: str, motion: Motion, path: tuple[str | in
 
 def law_faults(sampled: Sampled, motions: Mapping[str, StatedMotion]) -> list[Finding]:
     """What is wrong with the motion laws of many samples, each fault once; the samples are noted."""
-    asking, findings = _asking(sampled.mechanism), []
+    askers, findings = asking(sampled.mechanism), []
     for name, law in motions.items():
         if not any(isinstance(sampled.parameters[own], np.ndarray) for own in law.names):
             continue
@@ -45,7 +45,7 @@ def law_faults(sampled: Sampled, motions: Mapping[str, StatedMotion]) -> list[Fi
             reader = Reader(sampled, sampled.mechanism.laws[name], {n: sampled.column(n) for n in sampled.parameters})
             try:
                 with np.errstate(all="ignore"):
-                    found = [*_asked(sampled, name, law, reader.motion(), asking.get(name, []))]
+                    found = [*_asked(sampled, name, law, reader.motion(), askers.get(name, []))]
             except MotionError as error:
                 found = [(reader.finding(name, fault), fault.where) for fault in error.faults]
             findings += [finding for finding, where in found if sampled.bad(np.ravel(where))]
@@ -54,7 +54,7 @@ def law_faults(sampled: Sampled, motions: Mapping[str, StatedMotion]) -> list[Fi
     return findings
 
 
-def _asking(m: Mechanism) -> dict[str, list[tuple[str, ...]]]:
+def asking(m: Mechanism) -> dict[str, list[tuple[str, ...]]]:
     """Of each law, the places of the drives and cams that ask it."""
     found: dict[str, list[tuple[str, ...]]] = {}
     for name, drive in m.drives.items():

@@ -54,26 +54,41 @@ KEPT = 8
 
 @dataclass(frozen=True)
 class StatedMotion(Motion):
-    """The motion of a law at the nominal parameters; ``make`` gives it at others, of which its numbers name some."""
+    """The motion of a law at the ``nominal`` parameters, of which its numbers hold those of some ``names``;
+    ``make(parameters, checked)`` gives it at others: floats, arrays (samples, 1) or duals."""
 
     names: frozenset[str] = frozenset()
     nominal: Mapping[str, float] = field(default_factory=dict)
-    make: Callable[[Parameters], Motion] | None = None
+    make: Callable[[Parameters, bool], Motion] | None = None
     _kept: dict[Any, Motion] = field(default_factory=dict, repr=False, compare=False)
 
     def given(self, parameters: Parameters) -> Motion:
-        """At other parameters: floats, arrays (samples, 1) or duals. What makes no sense there comes out as it may."""
+        """At other parameters; what makes no sense there comes out as it may."""
         if parameters is self.nominal or all(_same(parameters[name], self.nominal[name]) for name in self.names):
             return self
         key = tuple(_key(parameters[name]) for name in sorted(self.names))
         if (made := self._kept.get(key)) is None:
             assert self.make is not None
             with np.errstate(all="ignore"):
-                made = self.make(parameters)
+                made = self.make(parameters, False)
             if len(self._kept) >= KEPT:
                 self._kept.clear()
             self._kept[key] = made
         return made
+
+    def checked(self, parameters: Parameters) -> Motion:
+        """The same, but raises :class:`MotionError` where it makes no sense."""
+        made = self.given(parameters)
+        if made is not self:
+            assert self.make is not None
+            self.make(parameters, True)
+        return made
+
+    def pieces_of(self, parameters: Parameters) -> list[Scalar]:
+        """Where its pieces begin at other parameters, the end of the last, and the period."""
+        assert self.make is not None
+        made = self.make(parameters, False)
+        return [*(part.start for part in made.curve.parts), made.curve.stop, made.period]
 
 
 def _same(value: Any, nominal: float) -> bool:
@@ -106,14 +121,13 @@ def motion_laws(quantities: Quantities) -> tuple[dict[str, StatedMotion], list[F
             nominal.beyond,
             frozenset(names),
             quantities.parameters,
-            partial(_unchecked, quantities, law),
+            partial(_made, quantities, law),
         )
     return made, findings
 
 
-def _unchecked(quantities: Quantities, law: stated.MotionLaw, parameters: Parameters) -> Motion:
-    """A law at some parameters, whatever sense it makes."""
-    return Reader(quantities, law, parameters).motion(checked=False)
+def _made(quantities: Quantities, law: stated.MotionLaw, parameters: Parameters, checked: bool) -> Motion:
+    return Reader(quantities, law, parameters).motion(checked)
 
 
 def _trees(law: stated.MotionLaw) -> list[Node]:

@@ -85,6 +85,17 @@ class Varied:
     def _check(self, sampled: Sampled) -> list[Finding]:
         return [*check_values(sampled), *law_faults(sampled, self.compiled.motions)]
 
+    def joins(self, p: Array) -> dict[str, Array]:
+        """Where the pieces of laws that vary begin and end, and last their periods, under names that no parameter has:
+        (samples,) each."""
+        found: dict[str, Array] = {}
+        for law, motion in self.compiled.motions.items():
+            if motion.names & self.varying:
+                with np.errstate(all="ignore"):
+                    places = motion.pieces_of({name: p[self.row[name], :, None] for name in motion.names})
+                found |= {f"{law}@{i}": np.broadcast_to(np.ravel(at), p.shape[1]) for i, at in enumerate(places)}
+        return found
+
     def _sampled(self, values: Array) -> Sampled:
         given = dict(zip(self.names, np.asarray(values, dtype=float), strict=True))
         return Sampled(self.compiled.quantities, given, np.shape(values)[1])

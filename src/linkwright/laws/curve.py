@@ -139,16 +139,28 @@ class Curve:
 
     def _sizes(self) -> tuple[Any, ...]:
         """The same of each sample (samples, 1), from few places."""
+        rows = [self._looked(order, value_of) for order in range(3)]
+        span = np.ptp(rows[0], axis=-1, keepdims=True)
+        width = value_of(self.stop - self.start)
+        sizes = [span, *(np.abs(row).max(axis=-1, keepdims=True) for row in rows[1:])]
+        return tuple(np.maximum(np.maximum(size, span / width**k), 1e-300) for k, size in enumerate(sizes))
+
+    def jumps(self, step: Scalar, order: int, close: float) -> Any:
+        """Of each sample, whether a step of a derivative is more than round-off; that of a dual must not begin."""
+        wrong = np.abs(value_of(step)) > close * self.sizes[order]
+        if isinstance(step, Dual):
+            wrong = wrong | np.any(np.abs(step.slope) > close * np.abs(self._looked(order, slope_of)).max())
+        return wrong
+
+    def _looked(self, order: int, part_of: Any) -> Array:
+        """The values or slopes of a derivative at few places of each piece: (..., places)."""
         share = np.linspace(0.0, 1.0, FEW + 1)
         found = []
-        for order in range(3):
-            parts = [
-                part.at(value_of(part.start) + value_of(part.stop - part.start) * share, order) for part in self.parts
-            ]
-            rows = np.concatenate(np.broadcast_arrays(*(np.atleast_2d(value_of(part)) for part in parts)), axis=-1)
-            found.append(np.abs(rows).max(axis=-1, keepdims=True) if order else np.ptp(rows, axis=-1, keepdims=True))
-        width = value_of(self.stop - self.start)
-        return tuple(np.maximum(np.maximum(size, found[0] / width**k), 1e-300) for k, size in enumerate(found))
+        for part in self.parts:
+            places = value_of(part.start) + value_of(part.stop - part.start) * share
+            found.append(np.atleast_2d(part_of(part.at(places, order)) + 0.0 * places))
+        shape = np.broadcast_shapes(*(each.shape for each in found))
+        return np.concatenate([np.broadcast_to(each, shape) for each in found], axis=-1)
 
     def joins(self) -> Iterator[Join]:
         """The joins inside."""

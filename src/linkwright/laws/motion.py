@@ -247,11 +247,11 @@ def _unmirrored(segments: Sequence[Segment], curves: Sequence[Curve], made: Moti
     """Laws that end with an acceleration where no mirror image of theirs goes on with it."""
     if not any(segment.mirrored for segment in segments):
         return []
-    still, size = (0.0,) * 3, made.curve.sizes[2]
+    still = (0.0,) * 3
     ends = [tuple(rates(part, at, 2) for part, at in _outer(curve)) for curve in curves]
     around = ((still, still),) if made.beyond == "hold" else ()
     row = [*(around or ends[-1:]), *ends, *(around or ends[:1])]
-    jumps = [np.abs(value_of(after[0][2] - before[1][2])) > ALIKE * size for before, after in pairwise(row)]
+    jumps = [made.curve.jumps(after[0][2] - before[1][2], 2, ALIKE) for before, after in pairwise(row)]
     return [
         Fault("law.end-acceleration", i, {"law": segment.mirrored}, jumps[i] | jumps[i + 1])
         for i, segment in enumerate(segments)
@@ -266,7 +266,7 @@ def _outer(curve: Curve) -> tuple[tuple[Part, Scalar], tuple[Part, Scalar]]:
 
 def jumping(motion: Motion) -> Any:
     """Of each sample, whether the value or velocity of a motion jumps somewhere."""
-    parts, sizes = motion.curve.parts, motion.curve.sizes
+    parts = motion.curve.parts
     joins = [(rates(a, a.stop, 1), rates(b, b.start, 1)) for a, b in pairwise(parts)]
     front, back = rates(parts[0], motion.curve.start, 1), rates(parts[-1], motion.curve.stop, 1)
     if motion.beyond == "hold":
@@ -275,6 +275,6 @@ def jumping(motion: Motion) -> Any:
         joins.append(((back[0] - (motion.advance if motion.beyond == "advance" else 0.0), back[1]), front))
     wrong: Any = False
     for before, after in joins:
-        for a, b, size in zip(before, after, sizes, strict=False):
-            wrong = wrong | (np.abs(value_of(b - a)) > ROUND_OFF * size)
+        for order, (a, b) in enumerate(zip(before, after, strict=True)):
+            wrong = wrong | motion.curve.jumps(b - a, order, ROUND_OFF)
     return wrong

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -9,7 +10,7 @@ from numpy.typing import NDArray
 
 from linkwright.graph.cams import argument, followings
 from linkwright.laws import TableLaw
-from linkwright.model.expressions import Binary, Call, Node, Number, nodes
+from linkwright.model.expressions import Binary, Call, Name, Node, Number, nodes
 from linkwright.results.stationary import crossings
 from linkwright.results.windows import intervals
 
@@ -55,8 +56,9 @@ def breaks(run: Run) -> Array:
     return np.unique(np.concatenate(found))
 
 
-def kinks(compiled: Compiled) -> list[Node]:
-    """What changes its sign where the law of a load, drive or cam has a kink."""
+def kinks(compiled: Compiled, joins: Iterable[str] = ()) -> list[Node]:
+    """What changes its sign where the law of a load, drive or cam has a kink; ``joins`` are the names of those that
+    vary, as :meth:`linkwright.kernels.varied.Varied.joins` has them."""
     quantities, m = compiled.quantities, compiled.mechanism
     laws = [*compiled.graph.actions.laws]
     for name, drive in m.drives.items():
@@ -64,21 +66,25 @@ def kinks(compiled: Compiled) -> list[Node]:
             laws.append(quantities.bind(drive.position, quantities.drive_dimension(name)))
     laws += [Call(drive.cam.law, (argument(quantities, drive),)) for drive in followings(quantities).values()]
     found = dict.fromkeys(switch for law in laws for node in nodes(law) for switch in switches(node))
-    found |= dict.fromkeys(switch for law in laws for node in nodes(law) for switch in _joins(compiled, node))
+    found |= dict.fromkeys(switch for law in laws for node in nodes(law) for switch in _joins(compiled, node, joins))
     functions = {*m.tables, *m.laws}
     asked = {node: {n.name for n in nodes(node) if isinstance(n, Call) and n.name in functions} for node in found}
     return [node for node in found if asked[node] <= {*compiled.tables}]  # not those of a drive's own table
 
 
-def _joins(compiled: Compiled, node: Node) -> list[Node]:
+def _joins(compiled: Compiled, node: Node, joins: Iterable[str]) -> list[Node]:
     """What changes its sign at the joins of a motion law, in every period."""
     if not isinstance(node, Call) or node.attribute is not None or node.name not in compiled.motions:
         return []
     motion, argument = compiled.motions[node.name], node.args[0]
-    rough = [Binary("-", argument, Number(join.at)) for join in motion.joins if join.continuity < ROUGH]
+    places: list[Node] = [Number(join.at) for join in motion.joins if join.continuity < ROUGH]
+    period: Node = Number(motion.period)
+    if own := [name for name in joins if name.startswith(f"{node.name}@")]:
+        places, period = [Name(name) for name in own[:-1]], Name(own[-1])
+    rough = [Binary("-", argument, place) for place in places]
     if motion.beyond == "hold":
         return [*rough]
-    turn = Number(np.pi / motion.period)
+    turn = Binary("/", Name("pi"), period)
     return [Call("sin", (Binary("*", way, turn),)) for way in rough]
 
 
