@@ -84,11 +84,14 @@ class StatedMotion(Motion):
             self.make(parameters, True)
         return made
 
-    def pieces_of(self, parameters: Parameters) -> list[Scalar]:
-        """Where its pieces begin at other parameters, the end of the last, and the period."""
+    def places_at(self, law: str, parameters: Parameters) -> dict[str, Scalar]:
+        """Where its pieces begin at other parameters, the end of the last, and the period: under names that no
+        parameter has."""
         assert self.make is not None
-        made = self.make(parameters, False)
-        return [*(part.start for part in made.curve.parts), made.curve.stop, made.period]
+        with np.errstate(all="ignore"):
+            made = self.make(parameters, False)
+        places = [*(part.start for part in made.curve.parts), made.curve.stop, made.period]
+        return {f"{law}@{i}": place for i, place in enumerate(places)}
 
 
 def _same(value: Any, nominal: float) -> bool:
@@ -174,9 +177,9 @@ class Reader:
             value = evaluate(node, lambda name: self.parameters[name.text])
         return float(value) if plain(value) else value
 
-    def refuse(self, code: str, where: Any, **data: Any) -> None:
-        """Refuse a segment ``where`` something is wrong; ``data`` are texts or numbers."""
-        if self.checked and np.any(where):
+    def refuse(self, code: str, where: Any, **data: Scalar) -> None:
+        """Refuse a segment ``where`` something is wrong, told with numbers."""
+        if np.any(where):
             raise _WrongError(code, where, **{key: f"{first(value, where):.10g}" for key, value in data.items()})
 
     def numbers(self, of: tuple[Expression, ...] | None, dimension: Dimension = PURE) -> list[Scalar]:
@@ -221,8 +224,9 @@ class Reader:
         if s.skew is None:
             return law
         share = self.number(s.skew, PURE)
-        value = value_of(share)
-        self.refuse("law.skew", (value < EDGE) | (value > 1 - EDGE) | law.uneven, share=share)
+        if self.checked:
+            value = value_of(share)
+            self.refuse("law.skew", (value < EDGE) | (value > 1 - EDGE) | law.uneven, share=share)
         return law.skewed(share)
 
     def member(self, fractions: list[Scalar]) -> Law:
@@ -230,12 +234,13 @@ class Reader:
         count, whole = len(fractions), sum(fractions)
         if count not in (4, 7):
             raise _WrongError("law.fractions", True, count=count, sum=f"{first(whole, True):.10g}")
-        wrong = off(whole - 1.0, 1.0, CLOSE, fractions)
-        for fraction in map(value_of, fractions):
-            wrong = wrong | (fraction != 0) & (fraction < NARROWEST)
-        for half in (fractions[:3], fractions[4:])[: 1 if count == 4 else 2]:
-            wrong = wrong | (value_of(sum(half)) == 0)
-        self.refuse("law.fractions", wrong, count=count, sum=whole)
+        if self.checked:
+            wrong = off(whole - 1.0, 1.0, CLOSE, fractions)
+            for fraction in map(value_of, fractions):
+                wrong = wrong | (fraction != 0) & (fraction < NARROWEST)
+            for half in (fractions[:3], fractions[4:])[: 1 if count == 4 else 2]:
+                wrong = wrong | (value_of(sum(half)) == 0)
+            self.refuse("law.fractions", wrong, count=count, sum=whole)
         return Law((scca if count == 4 else scca_by_widths)(*fractions).parts)
 
     def formula(self, expression: Expression) -> Curve:

@@ -91,9 +91,8 @@ class Varied:
         found: dict[str, Array] = {}
         for law, motion in self.compiled.motions.items():
             if motion.names & self.varying:
-                with np.errstate(all="ignore"):
-                    places = motion.pieces_of({name: p[self.row[name], :, None] for name in motion.names})
-                found |= {f"{law}@{i}": np.broadcast_to(np.ravel(at), p.shape[1]) for i, at in enumerate(places)}
+                places = motion.places_at(law, {name: p[self.row[name], :, None] for name in motion.names})
+                found |= {name: np.broadcast_to(np.ravel(at), p.shape[1]) for name, at in places.items()}
         return found
 
     def _sampled(self, values: Array) -> Sampled:

@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.laws.numbers import backward, plain, settled
-from linkwright.laws.pieces import Part
+from linkwright.laws.pieces import Part, Piece
+from linkwright.laws.stacked import Stack
 from linkwright.notation import Jet, Scalar
 from linkwright.notation.duals import Dual, slope_of, value_of
 
@@ -23,6 +24,8 @@ SMOOTH = 4
 ROUND_OFF = 1e-9
 """A jump smaller than this share of the derivative's natural size is round-off."""
 
+SMALL = 1 << 13
+"""Up to so many places of samples it is faster to let each pick its piece's numbers than to ask piece by piece."""
 FEW = 16
 """Places of each piece at which the sizes of many samples are taken."""
 
@@ -97,9 +100,11 @@ class Curve:
 
     def _spread(self, x: Array, order: int) -> Any:
         """The same where pieces begin elsewhere in each sample: each is asked at the columns that some sample needs."""
-        which = np.zeros(x.shape, dtype=int)
+        which = np.zeros(x.shape, dtype=np.intp)
         for part in self.parts[1:]:
             which = which + (x >= value_of(part.start))
+        if self._stack is not None and which.size <= SMALL:
+            return self._stack.at(x, which, order)
         found = []
         for i, part in enumerate(self.parts):
             here = which == i
@@ -110,6 +115,13 @@ class Curve:
         if not any(isinstance(part, Dual) for _, _, part in found):
             return values
         return Dual(values, _merged([(some, here, slope_of(part)) for some, here, part in found], which.shape))
+
+    @cached_property
+    def _stack(self) -> Stack | None:
+        """Its pieces side by side, unless a formula or a dual is among them."""
+        pieces = [part for part in self.parts if isinstance(part, Piece)]
+        slopes = any(isinstance(number, Dual) for piece in pieces for number in piece.numbers)
+        return None if slopes or len(pieces) < len(self.parts) else Stack(pieces)
 
     def moved(self, offset: Scalar, width: Scalar, scale: Scalar = 1.0, base: Scalar = 0.0) -> Curve:
         """``base + scale * curve((x - offset) / width)``; a negative width runs it backwards."""

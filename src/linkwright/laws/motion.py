@@ -217,6 +217,8 @@ def _ends(
     segments: Sequence[Segment], beyond: Beyond
 ) -> tuple[list[tuple[tuple[Scalar, ...], tuple[Scalar, ...]]], list[Fault]]:
     """The rates that each segment asks for at both ends, those of its neighbours where it leaves them open."""
+    if all(rate is not None for segment in segments for end in segment.open for rate in end):
+        return [segment.open for segment in segments], []
     known: list[list[dict[int, Scalar]]] = []  # of each segment and end: rates by order
     for segment in segments:
         own = [[rate for rate in end if rate is not None] for end in segment.open]

@@ -64,9 +64,14 @@ class Piece:
     origin: Scalar = 0.0
 
     @property
-    def plain(self) -> bool:
+    def numbers(self) -> tuple[Scalar, ...]:
+        """All of its numbers."""
         waves = (number for wave in self.waves for number in wave[:2])
-        return plain(self.start, self.stop, self.origin, *self.powers, *waves)
+        return (self.start, self.stop, self.origin, *self.powers, *waves)
+
+    @property
+    def plain(self) -> bool:
+        return plain(*self.numbers)
 
     @property
     def fineness(self) -> int:

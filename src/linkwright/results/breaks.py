@@ -59,17 +59,29 @@ def breaks(run: Run) -> Array:
 def kinks(compiled: Compiled, joins: Iterable[str] = ()) -> list[Node]:
     """What changes its sign where the law of a load, drive or cam has a kink; ``joins`` are the names of those that
     vary, as :meth:`linkwright.kernels.varied.Varied.joins` has them."""
-    quantities, m = compiled.quantities, compiled.mechanism
-    laws = [*compiled.graph.actions.laws]
-    for name, drive in m.drives.items():
-        if drive.position is not None:
-            laws.append(quantities.bind(drive.position, quantities.drive_dimension(name)))
-    laws += [Call(drive.cam.law, (argument(quantities, drive),)) for drive in followings(quantities).values()]
+    m = compiled.mechanism
+    laws = [*compiled.graph.actions.laws, *_positions(compiled)]
     found = dict.fromkeys(switch for law in laws for node in nodes(law) for switch in switches(node))
-    found |= dict.fromkeys(switch for law in laws for node in nodes(law) for switch in _joins(compiled, node, joins))
+    found |= dict.fromkeys(law_joins(compiled, joins))
     functions = {*m.tables, *m.laws}
     asked = {node: {n.name for n in nodes(node) if isinstance(n, Call) and n.name in functions} for node in found}
     return [node for node in found if asked[node] <= {*compiled.tables}]  # not those of a drive's own table
+
+
+def law_joins(compiled: Compiled, joins: Iterable[str] = ()) -> list[Node]:
+    """What changes its sign where a drive or cam passes a join of its motion law, in every period; ``joins`` as those
+    of :func:`kinks`."""
+    quantities = compiled.quantities
+    cams = [Call(drive.cam.law, (argument(quantities, drive),)) for drive in followings(quantities).values()]
+    calls = (node for law in (*_positions(compiled), *cams) for node in nodes(law))
+    return [way for node in calls for way in _joins(compiled, node, joins)]
+
+
+def _positions(compiled: Compiled) -> list[Node]:
+    """The laws of the drives that are expressions."""
+    quantities = compiled.quantities
+    drives = {name: drive.position for name, drive in compiled.mechanism.drives.items()}
+    return [quantities.bind(law, quantities.drive_dimension(n)) for n, law in drives.items() if law is not None]
 
 
 def _joins(compiled: Compiled, node: Node, joins: Iterable[str]) -> list[Node]:
