@@ -11,11 +11,12 @@ import pytest
 from helpers.cams import pair
 from helpers.compiled import compiled_from
 from helpers.differences import OFFSETS, WEIGHTS
+from linkwright.cam.pairs import disc
 from linkwright.kernels import Compiled
 from linkwright.kernels.cut import cut
 from linkwright.kernels.tangents import Tangents
 from linkwright.kernels.varied import Varied
-from linkwright.laws import LAWS
+from linkwright.laws import LAWS, MotionError
 
 H, W = {"h": "20 deg"}, {"h": "20 deg", "w": "100 deg"}
 BACK = {"rise": "-h", "over": "360-w", "match": "acceleration"}
@@ -211,3 +212,87 @@ def test_derivatives_of_cams_are_those_of_samples(guide: str, touch: str, made: 
     numeric = moved.transpose(0, 1, 3, 2) @ WEIGHTS / (step * nominal[:, None])
     scale = np.abs(numeric).max(axis=2, keepdims=True) + np.abs(base.evaluate(signals(guide), AT))[:, None]
     assert (np.abs(exact - numeric) <= 1e-6 * scale).all()
+
+
+FLAT = {"dwell": 90}
+CURVES = {"law": "cycloidal"}
+
+
+def degrees(*values: float) -> list[float]:
+    return np.radians(values).tolist()
+
+
+WRONG: list[tuple[list[Any], dict[str, Any], dict[str, list[float]], list[bool], set[str]]] = [
+    ([{"rise": 9, "over": "w", **CURVES}, FLAT, {"fall": 9, "over": "v", **CURVES}, FLAT],
+     {"w": "90 deg", "v": "90 deg"},
+     {"w": degrees(90, 80, 100, 0, -5), "v": degrees(90, 100, 90, 180, 185)},
+     [False, False, True, True, True], {"law.over", "law.period"}),
+    ([{"rise": "h", "over": 90, **CURVES}, FLAT, {"fall": "k", "over": 90, **CURVES}, FLAT],
+     {"h": "9 deg", "k": "9 deg"},
+     {"h": degrees(9, 10, 0), "k": degrees(9, 9, 0)},
+     [False, True, False], {"law.not-closed"}),
+    ([{"rise": 9, "over": 270, "fractions": ["b", "c", "1-b-c", "z"], "skew": "s"}, {"fall": 9, "over": 90, **CURVES}],
+     {"b": 0.2, "c": 0.2, "z": 0, "s": 0.5},
+     {"z": [0, 0.1, 0, 0, 0], "b": [0.2, 0.2, 0.2, 0, 0.3], "c": [0.2, 0.2, 0.9, 0.4, 0.7],
+      "s": [0.5, 0.5, 0.5, 1.2, 0.3]},
+     [False, True, True, True, False], {"law.fractions", "law.skew"}),
+    ([{"rise": 9, "over": "w", "law": "double_harmonic"}, {"fall": 9, "over": "v", "law": "double_harmonic"}, FLAT],
+     {"w": "135 deg", "v": "135 deg"},
+     {"w": degrees(135, 130), "v": degrees(135, 140)},
+     [False, True], {"law.end-acceleration"}),
+    ([{"rise": 9, "over": 130, "match": "velocity"}, {"rise": 20, "over": 100, "law": "constant_velocity"},
+      {"rise": -29, "over": 130, "from": ["f"], "to": [0]}],
+     {"f": 0.2}, {"f": [0.2, 0.3]}, [False, True], {"drive.law-jumps"}),
+    ([{"rise": 9, "over": 90, "via": [["a", 1], ["60", 6]], "from": [0], "to": [0]}, FLAT,
+      {"rise": -9, "over": 180, "formula": "u^2*(3-2*u) + k*u + q*log(1-m*u)"}],
+     {"a": "30 deg", "k": 0, "q": 0, "m": 0},
+     {"a": degrees(30, 61, 60, 20, 20), "k": [0, 0, 0, 0.1, 0], "q": [0, 0, 0, 0, 1], "m": [0, 0, 0, 0, 2]},
+     [False, True, True, True, True], {"law.via", "law.not-normal", "law.not-smooth"}),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("segments", "parameters", "values", "wrong", "codes"), WRONG)
+def test_samples_in_which_a_law_makes_no_sense(
+    segments: list[Any],
+    parameters: dict[str, Any],
+    values: dict[str, list[float]],
+    wrong: list[bool],
+    codes: set[str],
+) -> None:
+    """They have no values, the others have theirs; each fault is told once, as a file with such numbers has it."""
+    varied = Varied(turning(segments, parameters, {}), [*values])
+    given = np.array([*values.values()])
+    p = varied.parameters(given)
+    assert np.isnan(p).any(axis=0).tolist() == wrong
+    assert (~np.isfinite(varied.evaluate(SIGNALS[:2], p, T)).all(axis=(0, 2))).tolist() == wrong
+    assert varied.failures(p, T).cause.tolist() == [0 if bad else -1 for bad in wrong]
+    faults = varied.faults(given)
+    assert {fault.code for fault in faults} == codes
+    assert len({(fault.code, fault.path) for fault in faults}) == len(faults)
+    alone = [fault for column in given.T for fault in varied.faults(column[:, None])]
+    assert {str(fault) for fault in faults} <= {str(fault) for fault in alone}
+
+
+def test_a_period_that_doesnt_divide_a_turn_of_the_cam() -> None:
+    data = pair("swinging", "roller")
+    data["parameters"] = {"p": repr(np.pi)}
+    data["laws"]["lift"] |= {
+        "period": "p",
+        "segments": [{"rise": 0.1, "over": "p/2", **CURVES}, {"fall": 0.1, "over": "p/2", **CURVES}],
+    }
+    varied = Varied(compiled_from(data), ["p"])
+    given = np.array([[np.pi, 2 * np.pi / 3, 2.0, 2 * np.pi]])
+    assert np.isnan(varied.parameters(given)[0]).tolist() == [False, False, True, False]
+    assert [fault.code for fault in varied.faults(given)] == ["cam.period"]
+
+
+def test_the_disc_of_a_sample() -> None:
+    base = riding("swinging", "roller")
+    given = base.quantities.parameters | {"h": 0.11, "w": 1.6, "b": 0.35}
+    theta = np.linspace(0.0, 6.2, 40)
+    found = disc(base, "rider", given).look(theta)
+    wanted = disc(riding("swinging", "roller", h=0.11, w=1.6, b=0.35), "rider").look(theta)
+    for a, b in zip((*found.pitch, found.pressure), (*wanted.pitch, wanted.pressure), strict=True):
+        assert np.abs(np.asarray(a.d[0]) - b.d[0]).max() < 1e-15
+    with pytest.raises(MotionError):
+        disc(base, "rider", base.quantities.parameters | {"w": 2.7})
