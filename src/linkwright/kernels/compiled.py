@@ -22,7 +22,7 @@ from linkwright.kernels.motions import StatedMotion, motion_laws
 from linkwright.kernels.passages import Passage, Passages, unwrapped
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.supply import Supply
-from linkwright.laws import TableLaw
+from linkwright.kernels.tables import StatedTable
 from linkwright.model.check import check_names, check_values
 from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.mechanism import Mechanism
@@ -43,7 +43,7 @@ class Compiled:
     structure: Structure
     assembly: Assembly
     laws: dict[str, Law]
-    tables: dict[str, TableLaw] = field(default_factory=dict)  # those that loads and springs ask
+    tables: dict[str, StatedTable] = field(default_factory=dict)  # those that loads and springs ask
     motions: dict[str, StatedMotion] = field(default_factory=dict)  # the motion laws, that drives ask
     kernel: str = "numpy"
     passages: Passages = field(default_factory=Passages)
@@ -167,7 +167,7 @@ class Prepared:
     structure: Structure
     laws: dict[str, Law]
     motions: dict[str, StatedMotion]
-    tables: dict[str, TableLaw]
+    tables: dict[str, StatedTable]
     findings: list[Finding]
 
     @property
@@ -185,7 +185,7 @@ def prepare(mechanism: Mechanism, folder: Path | None = None) -> Prepared:
     findings = [*names, *(f for f in quantities.findings if not _said(f, names))]
     laws: dict[str, Law] = {}
     motions: dict[str, StatedMotion] = {}
-    tables: dict[str, TableLaw] = {}
+    tables: dict[str, StatedTable] = {}
     if not quantities.findings:
         motions, unmade = motion_laws(quantities)
         laws, wrong = drive_laws(quantities, folder, motions)

@@ -13,7 +13,8 @@ from linkwright.kernels.cams import follower_law
 from linkwright.kernels.law import Array, Law, Parameters
 from linkwright.kernels.motion_faults import jump
 from linkwright.kernels.motions import StatedMotion
-from linkwright.laws import DEGREES, OutsideTable, TableLaw
+from linkwright.kernels.tables import StatedTable, stated_values
+from linkwright.laws import DEGREES, OutsideTable
 from linkwright.model import units as u
 from linkwright.model.cams import Following
 from linkwright.model.dimensions import DimensionError
@@ -40,12 +41,12 @@ def drive_laws(
     return laws, reader.findings
 
 
-def action_tables(quantities: Quantities, folder: Path | None) -> tuple[dict[str, TableLaw], list[Finding]]:
+def action_tables(quantities: Quantities, folder: Path | None) -> tuple[dict[str, StatedTable], list[Finding]]:
     """The tables that loads and springs ask, and what is wrong with them."""
     m = quantities.mechanism
     calls = [n for load in m.loads.values() for part, _ in load.parts for n in nodes(part.node) if isinstance(n, Call)]
     names = [*(call.name for call in calls), *(spring.table for spring in m.springs.values())]
-    tables: dict[str, TableLaw] = {}
+    tables: dict[str, StatedTable] = {}
     findings: list[Finding] = []
     for name in dict.fromkeys(name for name in names if name in m.tables):
         try:
@@ -64,7 +65,7 @@ class _Reader:
     def __init__(self, quantities: Quantities, folder: Path | None, motions: Mapping[str, StatedMotion]) -> None:
         self.quantities, self.folder, self.motions = quantities, folder, motions
         self.findings: list[Finding] = []
-        self.tables: dict[str, TableLaw | None] = {}
+        self.tables: dict[str, StatedTable | None] = {}
 
     def law(self, name: str) -> Law | None:
         """A drive's law, tried at t = 0."""
@@ -105,9 +106,9 @@ class _Reader:
     def _law(self, of: Callable[[Array, Parameters, bool], Jet], *parts: Node) -> Law:
         every = [n for part in parts for n in nodes(part)]
         names = {n.text for n in every if isinstance(n, Name)}
-        names |= {
-            own for n in every if isinstance(n, Call) and n.name in self.motions for own in self.motions[n.name].names
-        }
+        for n in every:
+            if isinstance(n, Call) and (function := self.motions.get(n.name) or self.tables.get(n.name)) is not None:
+                names |= function.names
         return Law(of, self.quantities.parameters, frozenset(names & self.quantities.parameters.keys()))
 
     def _constant(self, parts: list[Node]) -> Law:
@@ -133,7 +134,8 @@ class _Reader:
                     return motions[call.name].given(parameters).on(x)
                 table = tables[call.name]
                 assert table is not None
-                return table(x) if strict else table.or_nan(x)
+                asked = table.given(parameters)
+                return asked(x) if strict else asked.or_nan(x)
 
             try:
                 with np.errstate(all="ignore"):
@@ -197,7 +199,7 @@ def _must_be_finite(drive: str, t: Array, jet: Jet) -> None:
             raise ModelError([Finding("drive.not-finite", ("drives", drive, "position"), data)])
 
 
-def read_table(quantities: Quantities, name: str, folder: Path | None) -> TableLaw:
+def read_table(quantities: Quantities, name: str, folder: Path | None) -> StatedTable:
     """A table's interpolant in SI. Raises :class:`ModelError` naming what is wrong with it."""
     table: Table = quantities.mechanism.tables[name]
     path = ("tables", name)
@@ -224,7 +226,8 @@ def read_table(quantities: Quantities, name: str, folder: Path | None) -> TableL
         raise ModelError([Finding("table.not-closed", path, {})])
     if whole:
         points[-1, 1] = points[0, 1]
-    return TableLaw(points[:, 0], points[:, 1], degree, period)
+    values = stated_values(quantities, table)
+    return StatedTable(points[:, 0], points[:, 1], degree, period, values, quantities.parameters)
 
 
 def _file_rows(table: Table, name: str, folder: Path | None) -> tuple[list[list[float]], u.Dimension]:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Hashable, Iterator, Sequence
-from itertools import chain
 from typing import TypeVar
 
 import numpy as np
@@ -20,6 +19,7 @@ from linkwright.kernels.motion_faults import law_faults
 from linkwright.kernels.pursuit import MOST, Pursued, Pursuit
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.supply import Supply
+from linkwright.kernels.tables import fixed_parts, table_faults
 from linkwright.kernels.turning import turns_of
 from linkwright.model.check import check_values
 from linkwright.model.findings import Finding, raise_errors
@@ -61,8 +61,7 @@ class Varied:
         if self.names and self.compiled.passages.every:
             yield Finding("varied.passage", ("studies", "cycle", "through"), {"names": ", ".join(self.names)})
         for name, table in quantities.mechanism.tables.items():
-            cells = [*chain.from_iterable(table.points or ()), *([table.period] if table.period else [])]
-            held = {part for cell in cells for part in names_in(cell.node)} & self.varying
+            held = {part for node in fixed_parts(table) for part in names_in(node)} & self.varying
             if held:
                 yield Finding("varied.table", ("tables", name), {"table": name, "names": ", ".join(sorted(held))})
 
@@ -83,7 +82,7 @@ class Varied:
         return [*sampled.findings, *self._check(sampled)]
 
     def _check(self, sampled: Sampled) -> list[Finding]:
-        return [*check_values(sampled), *law_faults(sampled, self.compiled.motions)]
+        return [*check_values(sampled), *law_faults(sampled, self.compiled.motions), *table_faults(sampled)]
 
     def joins(self, p: Array) -> dict[str, Array]:
         """Where the pieces of laws that vary begin and end, and last their periods, under names that no parameter has:
@@ -230,8 +229,9 @@ class Varied:
             x[supply.rows[f"turns/{name}"]] = turns_of(
                 turns.kernel, home, x, t, p, lambda p, t: self.inputs(p, t, motion, kernel)
             )
-        supply.look_up(x, lambda of: of.over(x, p))
-        supply.ride(x, dict(zip(self.row, p[:, :, None], strict=True)))
+        given = dict(zip(self.row, p[:, :, None], strict=True))
+        supply.look_up(x, lambda of: of.over(x, p), given)
+        supply.ride(x, given)
 
 
 def _kept(made: dict[Key, Made], key: Key, make: Callable[[], Made]) -> Made:

@@ -135,6 +135,16 @@ def test_rates_that_must_agree() -> None:
     assert checked(swinging(segments, parameters=given, studies=studies)) == [("accuracy.law", "v")]
 
 
+def test_a_table_that_a_deviation_opens() -> None:
+    studies = {"cycle": {"duration": "2 s", "samples": 20}, "accuracy": {"samples": 0}}
+    for last, wrong in (("a", []), (20, [("accuracy.table", "a")])):
+        table = {"points": [[0, "a"], ["0.7 s", 40], ["1.2 s", 35], ["2 s", last]], "period": "2 s"}
+        drive = {"turns": "arm", "on": "frame", "position": "move(t)"}
+        given = {"a": {"value": "20 deg", "tolerance": "0.1 deg"}}
+        data = swinging(tables={"move": table}, drives={"motor": drive}, parameters=given, studies=studies)
+        assert checked({**data, "laws": {}}) == wrong
+
+
 def test_a_law_of_a_cam_is_an_error_of_its_profile() -> None:
     """Linear, at the vertices, by random samples; of the lift it is the error itself."""
     data = pair("swinging", "roller")
