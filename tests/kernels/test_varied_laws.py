@@ -296,3 +296,20 @@ def test_the_disc_of_a_sample() -> None:
         assert np.abs(np.asarray(a.d[0]) - b.d[0]).max() < 1e-15
     with pytest.raises(MotionError):
         disc(base, "rider", base.quantities.parameters | {"w": 2.7})
+
+
+@pytest.mark.parametrize("kind", ["modified_sine", "gutman_13", "fractions", "quintic", "harmonics"])
+def test_many_places_and_few_come_to_the_same_bits(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Few places pick their piece's numbers, many are asked piece by piece."""
+    segments, parameters, law = KINDS[kind]
+    base = turning(segments, parameters, law)
+    share = 1 + 0.01 * np.random.default_rng(1).uniform(-1, 1, (4, len(parameters)))
+    given = {n: base.quantities.parameters[n] * row[:, None] for n, row in zip(parameters, share.T, strict=True)}
+    made, x = base.motions["shape"].given(given), np.linspace(-3.0, 9.0, 300)
+    few = [made.at(x, order) for order in range(5)]
+    monkeypatch.setattr("linkwright.laws.curve.SMALL", 0)
+    many = [made.at(x, order) for order in range(5)]
+    alone = [[made.at(x[i : i + 1], order)[:, 0] for i in (0, 77, 250)] for order in range(5)]
+    for a, b, c in zip(few, many, alone, strict=True):
+        assert np.array_equal(a, b)
+        assert np.array_equal(a[:, [0, 77, 250]].T, c)
