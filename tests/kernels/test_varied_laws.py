@@ -11,6 +11,7 @@ import pytest
 from helpers.cams import pair
 from helpers.compiled import compiled_from
 from helpers.differences import OFFSETS, WEIGHTS
+from linkwright.cam.followers import NoFollower
 from linkwright.cam.pairs import disc
 from linkwright.kernels import Compiled
 from linkwright.kernels.cut import cut
@@ -294,8 +295,9 @@ def test_the_disc_of_a_sample() -> None:
     wanted = disc(riding("swinging", "roller", h=0.11, w=1.6, b=0.35), "rider").look(theta)
     for a, b in zip((*found.pitch, found.pressure), (*wanted.pitch, wanted.pressure), strict=True):
         assert np.abs(np.asarray(a.d[0]) - b.d[0]).max() < 1e-15
-    with pytest.raises(MotionError):
-        disc(base, "rider", base.quantities.parameters | {"w": 2.7})
+    for wrong in ({"w": 2.7}, {"w": 0.0}, {"h": float("nan")}):
+        with pytest.raises((MotionError, NoFollower)):
+            disc(base, "rider", base.quantities.parameters | wrong)
 
 
 @pytest.mark.parametrize("kind", ["modified_sine", "gutman_13", "fractions", "quintic", "harmonics"])

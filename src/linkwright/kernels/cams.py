@@ -116,12 +116,8 @@ def not_whole(q: Quantities, law: str, motion: Motion, path: tuple[str, ...]) ->
     wrong = (np.abs(turns - np.round(turns)) > CLOSE * turns) | (np.round(turns) == 0)
     if np.any(wrong):
         unit, size = q.unit_of(u.ANGLE)
-        yield (
-            Finding(
-                "cam.period", path, {"law": law, "period": f"{first(motion.period, wrong) / size:.6g}", "unit": unit}
-            ),
-            wrong,
-        )
+        period = f"{first(motion.period, wrong) / size:.6g}"
+        yield Finding("cam.period", path, {"law": law, "period": period, "unit": unit}), wrong
 
 
 def _reach(q: Quantities, geometry: Geometry, path: tuple[str, str], drive: Following) -> Iterator[Finding]:

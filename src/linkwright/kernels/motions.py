@@ -77,12 +77,11 @@ class StatedMotion(Motion):
         return made
 
     def checked(self, parameters: Parameters) -> Motion:
-        """The same, but raises :class:`MotionError` where it makes no sense."""
-        made = self.given(parameters)
-        if made is not self:
-            assert self.make is not None
-            self.make(parameters, True)
-        return made
+        """At other parameters, all of them floats. Raises :class:`MotionError` where it makes no sense."""
+        assert self.make is not None
+        if unknown := [name for name in sorted(self.names) if not np.isfinite(parameters[name])]:
+            raise MotionError([Fault("value.not-finite", None, {"text": name}) for name in unknown])
+        return self if parameters is self.nominal else self.make(parameters, True)
 
     def places_at(self, law: str, parameters: Parameters) -> dict[str, Scalar]:
         """Where its pieces begin at other parameters, the end of the last, and the period: under names that no
