@@ -83,7 +83,7 @@ def test_the_size_of_a_conjugate_disc_and_what_is_between(disc: Disc) -> None:
     made = conjugate(disc, base=disc.follower.base * 0.97, **other)
     again = conjugate(disc, between=made.between, **other)
     assert again.disc.follower.base == pytest.approx(disc.follower.base * 0.97, rel=1e-12)
-    with pytest.raises(NoContact, match=r"cam\.conjugate"):
+    with pytest.raises(NoContact, match=r"cam\.second-side"):
         conjugate(disc, between=disc.follower.start + made.total + (-1.6 if disc.follower.turns else -1e-3))
 
 
@@ -149,3 +149,6 @@ def test_forces_in_a_yoke() -> None:
 def test_a_second_disc_that_can_not_be() -> None:
     with pytest.raises(NoContact, match=r"cam\.undercut"):
         conjugate(Disc(TranslatingFlat(40e-3), harmonic(10e-3, 3e-3)), base=1e-3)
+    still = Disc(TranslatingRoller(40e-3, 10e-3), lambda theta: 0.0 * theta)
+    with pytest.raises(NoContact, match=r"cam\.second-base"):
+        conjugate(still, between=59e-3)  # 9 mm off the shaft

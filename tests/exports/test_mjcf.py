@@ -147,6 +147,15 @@ def test_what_is_left_out_is_told() -> None:
     assert [(f.code, f.data["links"]) for f in exported.warnings] == [("export.no-inertia", "slider, guide")]
 
 
+def test_followers_of_cams_have_actuators_of_their_own() -> None:
+    exported = lw.export(EXAMPLES / "cam_linkage.yaml", "mjcf", samples=20)
+    assert exported.done and "export.followers" in [f.code for f in exported.warnings]
+    heads, rows = table(exported)
+    wanted = lw.compile(lw.load(EXAMPLES / "cam_linkage.yaml")).evaluate(["pushing.angle", "crank.angle"], rows[:, 0])
+    assert rows[:, heads.index("ctrl pushing [rad]")] == pytest.approx(wanted[0], abs=1e-12)
+    assert rows[:, heads.index("A [rad]")] == pytest.approx(wanted[1], abs=1e-12)
+
+
 def test_what_is_not_proven_is_not_given(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(target, "PROVEN", 0.0)
     exported = lw.export(EXAMPLES / "four_bar.yaml", "mjcf")

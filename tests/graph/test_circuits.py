@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from scipy.optimize import brentq
 
 import linkwright as lw
 from graph.test_clusters import CASES
 from helpers.examples import UNITS, four_bar, slider_crank
-from linkwright.graph.constraints import Constraints
+from linkwright.graph.constraints import Constraints, Ride
 from linkwright.graph.geometry import Geometry
 from linkwright.model.mechanism import Document
 from linkwright.model.quantities import Quantities
@@ -166,3 +167,62 @@ def test_every_pose_of_a_curve_fulfils_the_joints() -> None:
     curve = Tracer(system, "motor").follow(system.pose(dict(mode.bodies)))
     assert curve is not None
     assert max(np.abs(system.residual(z)).max() for z in curve.poses) < 1e-11
+
+
+def on_a_cam(rod: float, sense: str = "counter-clockwise") -> dict[str, Any]:
+    """A four-bar whose crank swings on a cam, 0.3 rad and back from where it stands 1.9 rad to the ground."""
+    length, away = 1.0, 1.5
+    pitch = math.sqrt(length**2 + away**2 - 2 * length * away * math.cos(math.pi - 1.9))
+    data = four_bar(length, rod, 1.4, 2.0)
+    data["links"]["frame"]["points"]["O"] = [-away, 0]
+    data["links"]["disc"] = {"points": {"O": [0, 0]}}
+    rise = {"over": 1.2, "law": "cycloidal"}
+    segments = [{"rise": 0.3, **rise}, {"dwell": 1}, {"fall": 0.3, **rise}, {"dwell": 2 * math.pi - 3.4}]
+    data["laws"] = {"lift": {"over": "angle", "of": "angle", "segments": segments}}
+    data["drives"] = {"motor": {"turns": "disc", "on": "frame", "speed": 1.0, "start": 0.0}}
+    cam = {"cam": "disc", "follower": "crank", "on": "frame", "base": pitch, "knife": "B", "law": "lift"}
+    data["cams"] = {"rider": cam | {"side": "left of O-A", "phase": 2 * math.pi - 0.5, "sense": sense}}
+    return data
+
+
+def test_the_motor_turns_with_the_followers_of_its_cams() -> None:
+    """A rod that reaches over the whole lift: both modes go all the way round."""
+    outcome = modes_of(on_a_cam(1.9))
+    assert outcome.survey.drive == "motor"  # the only one that isn't a follower
+    assert outcome.survey.places == [(0, 0), (1, 0)]
+    assert all(c.turns and c.closed and not c.crossings for c in outcome.circuits)
+
+
+@pytest.mark.parametrize("sense", ["counter-clockwise", "clockwise"])
+def test_dead_points_of_a_motor_with_a_cam(sense: str) -> None:
+    """The coupler and the rocker are in line where the crank's lift u - sin(2 pi u)/(2 pi) reaches a height: there the
+    motor turns back, once on the rise and once on the return."""
+    # |BD| = sqrt(1 + 4 - 4 cos(1.9 - lift)) = |1.4 - rod| at a lift of 0.2
+    rod = 1.4 + math.sqrt(5 - 4 * math.cos(1.7))
+    outcome = modes_of(on_a_cam(rod, sense))
+    u = float(brentq(lambda u: 0.3 * (u - math.sin(2 * math.pi * u) / (2 * math.pi)) - 0.2, 0, 1, xtol=1e-14))
+    rising, falling = 0.5 + 1.2 * u, 0.5 + 2.2 + 1.2 * (1 - u) - 2 * math.pi
+    wanted = [falling, rising] if sense == "counter-clockwise" else [-rising, -falling]
+    assert outcome.survey.places == [(0, 0), (0, 1)]
+    (circuit,) = outcome.circuits
+    assert [list(ends) for ends in circuit.ranges] == [pytest.approx(wanted, abs=1e-7)] * 2
+
+
+def test_a_follower_alone_has_no_circuits() -> None:
+    with pytest.raises(lw.ModelError) as caught:
+        lw.modes(Document.model_validate(on_a_cam(1.9)), drive="rider")
+    (finding,) = caught.value.findings
+    assert (finding.code, finding.data["motor"]) == ("study.follower", "motor")
+
+
+def test_slopes_agree_with_differences_where_followers_ride() -> None:
+    data = slider_crank(1.0, 3.0, 0.0)
+    data["drives"]["ram"] = {"slides": "piston", "on": "frame", "speed": 0.1, "start": 3.2}
+    document = Document.model_validate(data)
+    quantities = Quantities(document)
+    system = Constraints(decompose(document).topology, Geometry(quantities, quantities.parameters), 1.7)
+    system.hold({}, {"ram": Ride("motor", lambda q: (math.sin(2 * q), 2 * math.cos(2 * q)), 0.1)})
+    z, h = np.random.default_rng(3).uniform(-1, 1, system.width), 1e-6
+    columns = [(system.residual(z + step) - system.residual(z - step)) / (2 * h) for step in h * np.eye(system.width)]
+    assert np.abs(system.jacobian(z) - np.array(columns).T).max() < 1e-8
+    assert system.rows[-1] == "ram"

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from typing import Any
+
+import numpy as np
 
 LAW: dict[str, Any] = {
     "over": "angle",
@@ -17,6 +20,8 @@ LAW: dict[str, Any] = {
 }
 FOLLOWERS = ("roller", "knife", "face")
 GUIDES = ("swinging", "sliding")
+SIGNS = ((1, 1), (1, -1), (-1, 1), (-1, -1))
+"""Sides and senses."""
 
 
 def law(of: str, height: float) -> dict[str, Any]:
@@ -75,3 +80,71 @@ def pair(
         "drives": {"motor": motor},
         "loads": {"push": {"on": "arm", "at": "T", "force": [3.0, -20.0], "torque": 0.3}},
     }
+
+
+def closed_pair(guide: str, touch: str, side: int = 1, sense: int = 1, **more: Any) -> dict[str, Any]:
+    """The same closed by a second disc: the follower's second contact C, whose arm makes 1.35 rad with the first one's
+    (a face: 1.2 rad), or which lies 95 mm before it along the slide."""
+    data = pair(guide, touch, side, sense, closed="conjugate", **more)
+    points, cam = data["links"]["arm"]["points"], data["cams"]["rider"]
+    first, pivot = complex(*points["B"]), complex(*points["A"])
+    if guide == "sliding":
+        place = first - side * 0.095 * cmath.exp(0.7j) + 0.004 * cmath.exp(2.3j)
+    elif touch == "face":
+        place = pivot + 0.07 * cmath.exp(1j * (0.2 + 1.2 * side)) - 0.003j * side
+    else:
+        place = pivot + 0.08 * cmath.exp(1j * (cmath.phase(first - pivot) + 1.35 * side))
+    points["C"] = [place.real, place.imag]
+    turned = 0.2 + 1.2 * side if guide == "swinging" else 0.7 + math.pi / 2
+    cam["second"] = {"face": f"C at {turned}"} if touch == "face" else {"at": "C"}
+    if touch == "roller":
+        cam["second"]["roller"] = 0.009
+    return data
+
+
+def pose(c: Any, link: str, t: Any) -> tuple[Any, Any]:
+    """Origin and x axis of a link as complex numbers."""
+    x, y, cosine, sine = c.evaluate([f"{link}:{row}" for row in ("x", "y", "cos", "sin")], t)
+    return x + 1j * y, cosine + 1j * sine
+
+
+def moment(arm: Any, force: Any) -> Any:
+    return (np.conj(arm) * force).imag
+
+
+def newton_euler(c: Any, data: dict[str, Any], t: Any, contact: tuple[Any, Any], push: Any = 3.0 - 20.0j) -> Any:
+    """Contact force, motor torque, the shaft's reaction on the cam and the guide's on the arm (of a slide its normal
+    force and its moment about A), from six equations: (6, times). ``contact`` is a place and the normal there, ``push``
+    the load on the arm (N), complex numbers (times,)."""
+    place, normal = contact
+    push = np.broadcast_to(push, t.shape)
+    swinging = "A" in data["links"]["frame"]["points"]
+    found = []
+    rows: dict[str, Any] = {}
+    for link in ("disc", "arm"):
+        rows[link] = c.evaluate([f"com({link}).{a}" for a in ("x", "y", "ax", "ay")] + [f"{link}.alpha"], t)
+    ends = c.evaluate(["O.x", "O.y", "A.x", "A.y", "T.x", "T.y"], t)
+    gravity = 0.4 - 9.81j
+    for k in range(t.size):
+        matrix, right = np.zeros((6, 6)), np.zeros(6)
+        o, a, tip = (ends[2 * i, k] + 1j * ends[2 * i + 1, k] for i in range(3))
+        for row, link, mass, inertia, sign in ((0, "disc", 1.6, 4e-3, -1), (3, "arm", 1.1, 2e-3, 1)):
+            x, y, ax, ay, alpha = rows[link][:, k]
+            centre, force = x + 1j * y, mass * (ax + 1j * ay - gravity)
+            torque = inertia * alpha
+            unknown: list[tuple[int, complex, Any]] = [(0, sign * normal[k], place[k] - centre)]
+            if link == "disc":
+                unknown += [(2, 1.0, o - centre), (3, 1j, o - centre)]
+                matrix[2, 1] = 1.0
+            else:
+                force, torque = force - push[k], torque - moment(tip - centre, push[k]) - 0.3
+                if swinging:
+                    unknown += [(4, 1.0, a - centre), (5, 1j, a - centre)]
+                else:
+                    unknown += [(4, 1j * np.exp(2j), a - centre)]
+                    matrix[5, 5] = 1.0
+            for column, unit, arm in unknown:
+                matrix[row : row + 3, column] += [unit.real, unit.imag, moment(arm, unit)]
+            right[row : row + 3] = [force.real, force.imag, torque]
+        found.append(np.linalg.solve(matrix, right))
+    return np.array(found).T

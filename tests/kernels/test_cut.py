@@ -11,7 +11,7 @@ from helpers.cams import pair
 from helpers.compiled import compiled_from
 from helpers.differences import OFFSETS, WEIGHTS
 from linkwright.cam.disc import Disc
-from linkwright.cam.pairs import disc
+from linkwright.cam.pairs import disc, frame
 from linkwright.cam.rolling import rolled
 from linkwright.graph.cams import followings, seat, whole
 from linkwright.graph.geometry import Geometry
@@ -117,3 +117,19 @@ def test_a_wider_roller_lifts_along_the_common_normal() -> None:
     k = c.graph.parameters.index("rr")
     _, slopes = Tangents(cut(c), np.eye(len(c.graph.parameters))[:, [k]]).evaluate(["rider.angle"], T)
     assert slopes[0, 0] == pytest.approx(-1 / (np.hypot(0.08, 0.028) * np.cos(pressure)), rel=1e-10)
+
+
+def test_a_face_out_of_square_rests_on_the_profile() -> None:
+    """A hundredth of a radian: all points of the contour lie below the face, and one of them on it."""
+    data = mechanism("sliding", "face")
+    data["parameters"]["fa"] = 0.7 + np.pi / 2
+    data["cams"]["rider"]["face"] = "B at fa"
+    c = compiled_from(data)
+    varied = Varied(cut(c), ("fa",))
+    (found,) = varied.evaluate(["rider.s"], varied.parameters(np.array([[0.71 + np.pi / 2]])), T)[0]
+    made, axes = disc(c, "rider"), frame(c, "rider")
+    profile = axes.placed(made.look(np.linspace(0, 2 * np.pi, 100_001)).offset(0.0))
+    spots = (profile[0] + 1j * profile[1] - (0.004 + 0.003j))[:, None] * np.exp(1j * (0.3 + 7 * T)) + (0.01 - 0.02j)
+    at = np.exp(2.0j) * found + (-0.02 - 0.05j) + (0.08 + 0.028j) * np.exp(1.3j)  # the face's point
+    above = ((spots - at) * np.exp(-2.01j)).real.max(axis=0)
+    assert np.abs(above).max() < 1e-9

@@ -18,6 +18,7 @@ from linkwright.kernels.cut import cut
 from linkwright.kernels.tangents import Tangents
 from linkwright.kernels.varied import Varied
 from linkwright.laws import LAWS, MotionError
+from linkwright.model.findings import ModelError
 
 H, W = {"h": "20 deg"}, {"h": "20 deg", "w": "100 deg"}
 BACK = {"rise": "-h", "over": "360-w", "match": "acceleration"}
@@ -285,6 +286,18 @@ def test_a_period_that_doesnt_divide_a_turn_of_the_cam() -> None:
     given = np.array([[np.pi, 2 * np.pi / 3, 2.0, 2 * np.pi]])
     assert np.isnan(varied.parameters(given)[0]).tolist() == [False, False, True, False]
     assert [fault.code for fault in varied.faults(given)] == ["cam.period"]
+
+
+def test_a_second_contact_that_the_law_places_is_refused() -> None:
+    data = pair("sliding", "roller", closed="conjugate")
+    data["parameters"] = {"h": "0.008"}
+    data["laws"]["lift"]["segments"] = [
+        {"rise": "h", "over": "pi", "law": "cycloidal"},
+        {"fall": "h", "over": "pi", "law": "cycloidal"},
+    ]
+    with pytest.raises(ModelError) as error:
+        Varied(compiled_from(data), ["h"])
+    assert [finding.code for finding in error.value.findings] == ["varied.second"]
 
 
 def test_the_disc_of_a_sample() -> None:

@@ -133,6 +133,12 @@ REFUSED: list[tuple[dict[str, Any], list[tuple[str, str]]]] = [
     (CONJUGATE | {"cams__rider__second": {"base": 0}}, [("value.too-small", "cams.rider.second.base")]),
     (CONJUGATE | {"cams__rider__second": {"at": "T", "base": 0.04}}, [("cam.second-twice", "cams.rider.second")]),
     (CONJUGATE | {"cams__rider__second": {"face": "T at 1"}}, [("cam.second-other", "cams.rider")]),
+    (CONJUGATE | {"cams__rider__second": {"at": "T"}}, [("cam.second-side", "cams.rider.second")]),
+    (CONJUGATE | {"cams__rider__second": {"at": "A"}}, [("cam.no-arm", "cams.rider.second")]),
+    (CONJUGATE | {"cams__rider__second": {"base": 0.2}}, [("cam.reach", "cams.rider.second")]),
+    (CONJUGATE | {"cams__rider__second": {"at": "C", "roller": 0.07}, "links__arm__points__C": [0, 0.08]},
+     [("cam.second-base", "cams.rider.second")]),
+    (CONJUGATE | {"cams__rider__base": 0.158}, [("cam.second-side", "cams.rider")]),
     ({"cams__rider__base": "40 N"}, [("expression.units-conflict", "cams.rider.base")]),
 ]  # fmt: skip
 
@@ -148,6 +154,16 @@ def test_refusals_of_other_followers() -> None:
         ("cam.offset", "cams.rider")
     ]
     assert codes("sliding", "knife", cams__rider__closed="groove") == [("cam.groove", "cams.rider")]
+    sliding = {"cams__rider__closed": "conjugate"}
+    for touch, second, code in (
+        ("roller", {"at": "T"}, "cam.second-height"),
+        ("roller", {"base": 0.001, "roller": 0.001}, "cam.offset"),
+        ("face", {"face": "T at 2.2707963267948966"}, "cam.second-height"),
+    ):
+        assert codes("sliding", touch, **sliding, cams__rider__second=second) == [(code, "cams.rider.second")]
+    assert codes("sliding", "face", **sliding, cams__rider__second={"face": "T at 1"}) == [
+        ("cam.askew", "cams.rider.second.face")
+    ]
     assert codes("swinging", "face", cams__rider__base=0.2) == [("cam.face", "cams.rider")]
     assert codes("sliding", "knife", joints__guide=None)[0] == ("cam.no-guide", "cams.rider")
     assert codes(joints__shaft=None)[0] == ("cam.no-shaft", "cams.rider")
@@ -162,7 +178,7 @@ def test_how_far_an_arm_misses() -> None:
 
 
 def test_studies_that_move_drives_singly() -> None:
-    """The limits look at the motor alone, with which the follower moves; others say that they can't."""
+    """The limits look at the motor alone, with which the follower moves; a workspace has no second drive."""
     data = pair("swinging", "roller") | {"studies": {"limits": {}}}
     document = Document.model_validate(data)
     c, _ = examine(document)
@@ -170,7 +186,6 @@ def test_studies_that_move_drives_singly() -> None:
     (task,), _ = read_studies(document.studies)
     outcome = task.study.run(c, task.options)
     assert [drive.drive for drive in outcome.drives] == ["motor"]
-    for study, options in (("workspace", {"point": "B"}), ("modes", {"drive": "motor"})):
-        (task,), findings = read_studies({study: options})
-        assert not findings
-        assert [finding.code for finding in task.study.check(c, task.options)] == ["study.cams"]
+    (task,), findings = read_studies({"workspace": {"point": "B"}})
+    assert not findings
+    assert [finding.code for finding in task.study.check(c, task.options)] == ["study.cams"]

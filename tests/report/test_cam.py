@@ -69,7 +69,7 @@ def test_the_drawing(outcome: CamOutcome) -> None:
     ezdxf = pytest.importorskip("ezdxf")
     drawing = ezdxf.read(io.StringIO(str(FILES["cam.dxf"](outcome))))
     (line,) = drawing.modelspace().query("LWPOLYLINE")
-    assert line.closed and len(line) == len(outcome.elements)
+    assert line.closed and len(line) == len(outcome.first.elements)
     (bore,) = drawing.modelspace().query("CIRCLE")
     assert bore.dxf.radius == 10
 

@@ -7,7 +7,10 @@ from pathlib import Path
 import numpy as np
 
 import linkwright as lw
+from helpers.cams import closed_pair
+from helpers.compiled import compiled_from
 from linkwright.report.build import report_data
+from linkwright.report.cam_shapes import cam_shapes
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "cam_linkage.yaml"
 
@@ -30,3 +33,13 @@ def test_profile_and_roller_are_drawn_touching() -> None:
     shown = {series["name"] for plot in data["plots"] for series in plot["series"]}
     assert {"pushing.force", "pushing.pressure", "motor.torque", "motor.power"} <= shown
     assert "pushing.power" not in shown
+
+
+def test_both_discs_and_both_rollers_are_drawn() -> None:
+    data = closed_pair("swinging", "roller")
+    shapes = cam_shapes(compiled_from(data), 1.0)
+    assert [len(shapes[link]) for link in ("disc", "arm")] == [2, 2]
+    circle = np.array(shapes["arm"][1])
+    middle = np.array(data["links"]["arm"]["points"]["C"])
+    assert np.abs(np.hypot(*(circle - middle).T) - 0.009).max() < 1e-12
+    assert len(cam_shapes(compiled_from(closed_pair("sliding", "face")), 1.0)["disc"]) == 2

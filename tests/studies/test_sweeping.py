@@ -55,6 +55,17 @@ def test_each_sample_is_what_a_file_with_its_values_gives() -> None:
         np.testing.assert_allclose(outcome.table.figures[:, k], alone, rtol=1e-9)
 
 
+def test_a_bare_parameter_that_options_alone_use_is_in_their_unit() -> None:
+    """Degrees, wherever the document is compiled: in its own process too."""
+    data = slider_crank(measures={"stroke": {"span": "guide.s"}})
+    data["parameters"] |= {"begin": "10 deg", "low": 20, "high": "2*low"}
+    data["drives"] = {"motor": {**CRANK, "start": "begin"}}
+    data["studies"] = {"cycle": {"turns": "1 motor", "samples": 24}}
+    outcome = lw.sweep(lw.Document.model_validate(data), {"begin": ["low", "high"]})
+    assert outcome.table is not None
+    assert outcome.table.parameters[0] == pytest.approx(np.radians([20, 40]))
+
+
 def test_signals_at_each_pose_are_those_of_runs_alone() -> None:
     data = lw.Document.model_validate(four_bar())
     outcome = lw.sweep(data, {"a": [38, 40, 42]}, ["P.x", "rocker.angle", "abs(P.vx) + a*1/(1 s)"], poses=36)

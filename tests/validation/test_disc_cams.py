@@ -13,9 +13,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from linkwright.cam.contact import on_face
 from linkwright.cam.disc import Disc
 from linkwright.cam.extremes import extremes, pressure
-from linkwright.cam.followers import TranslatingFlat, TranslatingKnife, TranslatingRoller
+from linkwright.cam.followers import SwingingFlat, TranslatingFlat, TranslatingKnife, TranslatingRoller
 
 THETA = np.linspace(0.0, 2 * np.pi, 720, endpoint=False)
 
@@ -42,6 +43,18 @@ def test_a_flat_face_in_simple_harmonic_motion() -> None:
     assert np.abs(look.radius() - 50.0).max() < 1e-12
     least, most = extremes(disc, lambda look: look.lift.rate())
     assert most.value - least.value == pytest.approx(50.0, abs=1e-12)
+    near, far = extremes(disc, on_face(disc))
+    assert (near.value, far.value) == pytest.approx((-25.0, 25.0), abs=1e-12)
+
+
+def test_a_swinging_flat_face() -> None:
+    """The contact lies a cos(psi) / (1 + sigma delta') along the face (cam reference, closed forms)."""
+    for sense in (1, -1):
+        follower = SwingingFlat(24e-3, 60e-3, -4e-3)
+        disc = Disc(follower, lambda theta: 0.05 * (1.0 - theta.cos()), sense)
+        psi, rate = follower.start + 0.05 * (1 - np.cos(THETA)), 0.05 * np.sin(THETA)
+        place = on_face(disc)(disc.look(THETA)).d[0]
+        assert np.abs(place - 60e-3 * np.cos(psi) / (1 + sense * rate)).max() < 1e-15
 
 
 def test_a_flat_face_in_parabolic_motion() -> None:

@@ -38,8 +38,8 @@ def test_the_example_and_its_nc_code() -> None:
     for made in entry["nc"].values():
         assert made["written"] and 0 < made["lift_error"] < made["tolerance"]
         assert 0 < made["gouge_mm"] < 0.004  # the tolerance of 0.002 deg at the arm's 90 mm is 0.0031 mm
-    assert job.cam is not None and job.cam.smallest is not None
-    smaller = heat_seal({"base": job.cam.smallest * 1e3 * (1 - 1e-6)}, limits={"pitch_over_roller": 2})
+    assert job.cam is not None and job.cam.first.smallest is not None
+    smaller = heat_seal({"base": job.cam.first.smallest * 1e3 * (1 - 1e-6)}, limits={"pitch_over_roller": 2})
     assert [f.code for f in performed(smaller).found] == ["cam.limit"]
 
 

@@ -97,12 +97,20 @@ def examine_document(
     tasks = [task for task in tasks if to is None and only in (None, task.study.name)]
     orders = [order for order in orders if only is None and to in (None, order.target.name)]
     compiled, faults = examine(document, folder)
-    findings += [*wrong, *faults]
-    if compiled is not None:
-        checked = [finding for task in tasks for finding in task.study.check(compiled, task.options)]
-        checked += [finding for order in orders for finding in order.target.check(compiled, order.options)]
-        findings += [finding for i, finding in enumerate(checked) if finding not in checked[:i]]
+    checked = _checked(compiled, tasks, orders)
+    if compiled is not None and (uses := compiled.quantities.open_uses):
+        compiled, faults = examine(document, folder, uses)
+        checked = _checked(compiled, tasks, orders)
+    findings += [*wrong, *faults, *(finding for i, finding in enumerate(checked) if finding not in checked[:i])]
     return Examined(document, compiled, tasks, orders, findings, folder=folder)
+
+
+def _checked(compiled: Compiled | None, tasks: list[Task], orders: list[Order]) -> list[Finding]:
+    """What is wrong with the options of studies and exports."""
+    if compiled is None:
+        return []
+    checked = [finding for task in tasks for finding in task.study.check(compiled, task.options)]
+    return checked + [finding for order in orders for finding in order.target.check(compiled, order.options)]
 
 
 @dataclass

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from linkwright.cam.disc import Disc
-from linkwright.cam.extremes import curvature, extremes, pressure, stretches
+from linkwright.cam.extremes import Extreme, curvature, extremes, pressure, stretches
 
 
 @dataclass(frozen=True)
@@ -81,25 +81,25 @@ def _rolled(disc: Disc, limits: Limits, exact: bool, limited: bool) -> Iterator[
     if roller * bulge.value >= 1:
         return  # undercut: there is no profile
     if not limited or limits.profile_radius is not None or limits.cutter is not None:
-        yield from _profile(disc, limits, exact)
+        yield from _profile(roller, limits, hollow, bulge)
     if limits.groove and hollow.value < 0:
         yield Check("groove_radius", -1.0 / hollow.value, hollow.theta, roller, -1.0 / hollow.value - roller)
 
 
-def _profile(disc: Disc, limits: Limits, exact: bool) -> Iterator[Check]:
-    deepest, sharpest = extremes(disc, curvature(-disc.follower.radius), exact=exact)
-    if sharpest.value > 0:
-        value, wanted = 1.0 / sharpest.value, limits.profile_radius
-        yield Check("profile_radius", value, sharpest.theta, wanted, None if wanted is None else value - wanted)
-    if deepest.value < 0:
-        value, wanted = -1.0 / deepest.value, limits.cutter
-        yield Check("hollow_radius", value, deepest.theta, wanted, None if wanted is None else value - wanted)
+def _profile(roller: float, limits: Limits, hollow: Extreme, bulge: Extreme) -> Iterator[Check]:
+    """The profile is sharpest and deepest where the pitch curve is, its radius less by the roller's."""
+    if bulge.value > 0:
+        value, wanted = 1.0 / bulge.value - roller, limits.profile_radius
+        yield Check("profile_radius", value, bulge.theta, wanted, None if wanted is None else value - wanted)
+    if hollow.value < 0:
+        value, wanted = -1.0 / hollow.value + roller, limits.cutter
+        yield Check("hollow_radius", value, hollow.theta, wanted, None if wanted is None else value - wanted)
 
 
 def undercut(disc: Disc) -> Check | None:
     """The check that fails where there is no profile: the follower would cut into the cam that moves it."""
     name = "profile_radius" if disc.follower.faced else "pitch_radius"
-    found = next((check for check in checks(disc) if check.name == name), None)
+    found = next((check for check in _checks(disc, Limits(), True, limited=True) if check.name == name), None)
     return found if found is not None and found.margin is not None and found.margin <= 0 else None
 
 

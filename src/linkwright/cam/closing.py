@@ -22,8 +22,6 @@ from linkwright.notation import Jet
 
 Array = NDArray[np.float64]
 
-CLOSE = 1e-9
-
 
 @dataclass(frozen=True)
 class Groove:
@@ -40,6 +38,11 @@ class Groove:
     def second(self) -> Side:
         """The outer flank."""
         return Side(self.disc, flank=1)
+
+    @property
+    def figures(self) -> dict[str, Extreme]:
+        """Sizes by name: none."""
+        return {}
 
     @property
     def kept(self) -> bool:
@@ -75,6 +78,11 @@ class Conjugate:
         """The second disc as a side."""
         return Side(self.disc, mirrored=True)
 
+    @property
+    def figures(self) -> dict[str, Extreme]:
+        """Sizes by name: the second base circle (m), and what is between (m or rad)."""
+        return {"second_base": Extreme(self.disc.follower.base, 0.0), "between": Extreme(self.between, 0.0)}
+
     def curve(self, theta: Array, by: float | None = None) -> Array:
         """The second disc's profile, or its curve ``by`` (m) outward of the pitch curve, in the frame of the first, at
         cam angles (n,): (2, n), m."""
@@ -90,34 +98,40 @@ def conjugate(disc: Disc, *, base: float | None = None, between: float | None = 
     rollers or faces (m); with neither, the base circle is the first one's. ``lengths`` (m) are those of the second
     contact that differ from the first's: ``roller``, ``arm``, ``offset``, ``face``.
 
-    Raises :class:`NoContact` where the second disc would have no profile, ``cam.conjugate`` or ``cam.undercut``, and
-    :class:`linkwright.cam.followers.NoFollower`.
+    Raises :class:`NoContact` where the second disc can't be or would have no profile, ``cam.second-side``,
+    ``cam.second-base`` or ``cam.undercut``, and :class:`linkwright.cam.followers.NoFollower`.
     """
+    made = opposite(disc, base=base, between=between, **lengths)
+    if (cut := undercut(made.disc)) is not None:
+        raise NoContact("cam.undercut", theta=cut.theta)
+    return made
+
+
+def opposite(disc: Disc, *, base: float | None = None, between: float | None = None, **lengths: float) -> Conjugate:
+    """The same, be the second disc undercut or not."""
     if "distance" in lengths:
         raise ValueError("both discs are on one shaft")
     total = extremes(disc, lambda look: look.lift)[1].value
     own: Any = disc.follower
     other: Any = replace(own, base=own.base if base is None else base, **lengths)
     if between is not None:
-        other = _based(other, between - total - own.start)
+        other = _based(other, between, own.start + total)
 
     def lift(theta: Jet) -> Jet:
         return total - disc.lift(theta)
 
-    made = Disc(other, lift, -disc.sense, disc.joins)
-    if (cut := undercut(made)) is not None:
-        raise NoContact("cam.undercut", theta=cut.theta)
-    return Conjugate(disc, made, total, own.start + other.start + total)
+    return Conjugate(disc, Disc(other, lift, -disc.sense, disc.joins), total, own.start + other.start + total)
 
 
-def _based(follower: Any, start: float) -> Any:
-    """The follower with the base circle on which it rests at an angle or height."""
-    touch = follower.touch(Jet.constant(start - follower.start, 1))
-    reached = touch.height.d[0] if touch.at is None else math.hypot(*(c.d[0] for c in touch.at)) - follower.radius
-    made = replace(follower, base=float(reached))
-    if not (reached > 0 and abs(made.start - start) < CLOSE * abs(start)):
-        raise NoContact("cam.conjugate", base=float(reached), start=start)
-    return made
+def _based(follower: Any, between: float, first: float) -> Any:
+    """The follower with the base circle on which it rests, what is between and the first one's largest value given."""
+    start = math.remainder(between - first, 2 * math.pi) if follower.turns else between - first
+    low, high = follower.starts
+    if not low < start < high:
+        raise NoContact("cam.second-side", between=start + first, low=low + first)
+    if not (base := follower.base_at(start)) > 0:
+        raise NoContact("cam.second-base", base=base)
+    return replace(follower, base=base)
 
 
 @dataclass(frozen=True)
@@ -139,6 +153,12 @@ class Yoke:
         return self.widest.value - self.narrowest.value
 
     @property
+    def figures(self) -> dict[str, Extreme]:
+        """Sizes by name (m)."""
+        play = Extreme(self.play, self.widest.theta)
+        return {"yoke_span_min": self.narrowest, "yoke_span_max": self.widest, "play": play}
+
+    @property
     def second(self) -> Side:
         """The contact on the other side."""
         return Side(self.disc, shift=math.pi)
@@ -158,3 +178,7 @@ def yoke(disc: Disc) -> Yoke:
 
     both = replace(disc, joins=(*disc.joins, *other.joins))
     return Yoke(disc, *extremes(both, span))
+
+
+Closing = Groove | Conjugate | Yoke
+"""What keeps a follower on without a force."""

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.cam.disc import TURN, Disc, Look
-from linkwright.cam.extremes import extremes
+from linkwright.cam.extremes import Figure, extremes
 from linkwright.cam.followers import dot
 from linkwright.notation import Jet
 
@@ -75,6 +75,13 @@ def reach(look: Look) -> Jet:
     """The lever of the contact force along the lift (m/m or m/rad): the cosine of the pressure angle times the length
     of the arm."""
     return dot(look.along, look.arm)
+
+
+def on_face(disc: Disc) -> Figure:
+    """Where on a flat face the cam touches it (m): of a swinging one from the foot of its pivot's perpendicular towards
+    its free end, of a sliding one from the line of the slide's way through the shaft."""
+    pivot = getattr(disc.follower, "distance", 0.0)
+    return lambda look: dot((look.centre[0] - pivot, look.centre[1]), (-look.along[1], look.along[0]))
 
 
 def drivable(side: Side) -> None:

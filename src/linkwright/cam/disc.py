@@ -14,6 +14,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +28,8 @@ Lift = Callable[[Jet], Jet]
 
 TURN = 2 * math.pi
 ORDER = 3
+KEPT = 1024
+"""The most steps of a stretch at which the cam is kept."""
 
 
 @dataclass(frozen=True)
@@ -89,48 +92,64 @@ class Disc:
         return list(zip(starts, [*starts[1:], TURN], strict=True))
 
     @cached_property
-    def _grids(self) -> dict[tuple[float, float, int], tuple[Array, Look]]:
+    def known(self) -> dict[Any, Any]:
+        """What has been found out about it: :func:`linkwright.cam.extremes.extremes`."""
         return {}
 
-    def grid(self, start: float, stop: float, steps: int) -> tuple[Array, Look]:
+    @cached_property
+    def _grids(self) -> dict[tuple[float, float, int, int], tuple[Array, Look]]:
+        return {}
+
+    def grid(self, start: float, stop: float, steps: int, order: int = ORDER) -> tuple[Array, Look]:
         """Equal steps over a stretch within a piece, and the cam there, at its end from the left; kept, as many figures
         are looked for on the same stretches."""
-        key = start, stop, steps
+        key = start, stop, steps, order
         if key not in self._grids:
             theta = np.linspace(start, stop, steps + 1)
-            self._grids[key] = theta, self.look(inside(theta, start, stop))
+            self._grids[key] = theta, self.look(inside(theta, start, stop), order)
         return self._grids[key]
 
-    def look(self, theta: Array) -> Look:
-        """The cam at angles (n,)."""
+    def within(self, theta: Array, start: float, stop: float) -> Look:
+        """The cam at angles (n,) within a piece, at its end from the left; see :meth:`grid` for equal steps."""
+        steps = theta.size - 1
+        if 1 < steps <= KEPT and np.array_equal(theta, np.linspace(start, stop, steps + 1)):
+            return self.grid(start, stop, steps)[1]
+        return self.look(inside(theta, start, stop))
+
+    def look(self, theta: Array, order: int = ORDER) -> Look:
+        """The cam at angles (n,); of a lower ``order`` that of the lift, and all else with it."""
         theta = np.asarray(theta, dtype=float)
-        angle = Jet([theta, np.ones_like(theta), *(np.zeros_like(theta) for _ in range(ORDER - 1))])
+        angle = Jet([theta, np.ones_like(theta), *(np.zeros_like(theta) for _ in range(order - 1))])
         lift = self.lift(angle)
-        made = self._faced(angle, lift) if self.follower.faced else self._rolled(angle, lift)
+        with np.errstate(divide="ignore", invalid="ignore"):  # in a cusp the curvature is infinite
+            made = self._faced(angle, lift) if self.follower.faced else self._rolled(angle, lift)
         return Look(theta, lift, *made)
 
     def _rolled(self, angle: Jet, lift: Jet) -> tuple[Vector, Vector, Jet, Jet, Jet, Vector, Vector, Vector]:
         centre = self.follower.touch(lift).at
         assert centre is not None
-        pitch = turned(centre, -self.sense * angle)
-        way = pitch[0].rate(), pitch[1].rate()
-        speed = dot(way, way).sqrt()
-        normal = -self.sense * way[1] / speed, self.sense * way[0] / speed
-        curvature = -self.sense * cross(way, (way[0].rate(), way[1].rate())) / (speed * speed * speed)
-        along = turned(normal, self.sense * angle)
+        way = self._seen(centre)
+        square = dot(way, way)
+        speed = square.sqrt()
+        along = -self.sense * way[1] / speed, self.sense * way[0] / speed
+        curvature = -self.sense * cross(way, self._seen(way)) / (square * speed)
+        pitch, normal = turned(-self.sense * angle, centre, along)
         arm = self.follower.velocity(centre)
         return pitch, normal, curvature, self._pressure(along, arm), speed, centre, along, arm
 
+    def _seen(self, a: Vector) -> Vector:
+        """The derivative of a vector as the cam sees it, in directions of the fixed frame."""
+        return a[0].rate() + self.sense * a[1], a[1].rate() - self.sense * a[0]
+
     def _faced(self, angle: Jet, lift: Jet) -> tuple[Vector, Vector, Jet, Jet, Jet, Vector, Vector, Vector]:
         touch = self.follower.touch(lift)
-        facing, height = touch.facing, touch.height
-        assert facing is not None and height is not None
+        facing, height, along = touch.facing, touch.height, touch.along
+        assert facing is not None and height is not None and along is not None
         direction = facing - self.sense * angle
         slope = height.rate() / direction.rate()
         normal = direction.cos(), direction.sin()
         pitch = height * normal[0] - slope * normal[1], height * normal[1] + slope * normal[0]
         radius = height + slope.rate() / direction.rate()
-        along = facing.cos(), facing.sin()
         contact = height * along[0] - slope * along[1], height * along[1] + slope * along[0]
         arm = self.follower.velocity(contact)
         speed = radius * abs(direction.rate())

@@ -20,6 +20,10 @@ Figure = Callable[[Look], Jet]
 
 MOVES = 1e-9
 """A follower that moves by no more than this per radian (m or rad) dwells."""
+VALUES = 2
+"""The order of the lift that the values of figures need."""
+SAME = 1e-12
+"""Values that differ by less than this share of the largest one are one."""
 STEPS = 128
 """The first steps of a piece between two joins."""
 
@@ -36,13 +40,23 @@ def extremes(
     disc: Disc, figure: Figure, over: Iterable[tuple[float, float]] | None = None, exact: bool = True
 ) -> tuple[Extreme, Extreme]:
     """The least and the largest value of a figure, of the whole turn or ``over`` stretches within pieces of the law;
-    limits from inside count at their ends. Not ``exact``: the best of 2 :data:`STEPS` places of each stretch, much
-    sooner. Raises ValueError where the figure is nowhere a number."""
+    limits from inside count at their ends. A value that is kept over a stretch is placed at its start. Not ``exact``:
+    the best of 2 :data:`STEPS` places of each stretch, much sooner. Raises ValueError where the figure is nowhere a
+    number."""
+    key = figure, tuple(disc.pieces if over is None else over), exact
+    if key not in disc.known:
+        disc.known[key] = _found(disc, *key)
+    found: tuple[Extreme, Extreme] = disc.known[key]
+    return found
+
+
+def _found(disc: Disc, figure: Figure, over: tuple[tuple[float, float], ...], exact: bool) -> tuple[Extreme, Extreme]:
     found: list[tuple[Array, Array]] = []
-    for start, stop in disc.pieces if over is None else over:
+    for start, stop in over:
 
         def rates(theta: Array, start: float = start, stop: float = stop) -> tuple[Array, Array]:
-            jet = figure(disc.look(inside(theta, start, stop)))
+            with np.errstate(divide="ignore", invalid="ignore"):  # of a cusp, told by its radius
+                jet = figure(disc.within(theta, start, stop))
             rows = [np.broadcast_to(d, theta.shape) for d in jet.d[:2]]
             return rows[0][None], rows[1][None]
 
@@ -50,8 +64,9 @@ def extremes(
             at = np.concatenate([[start, stop], stationary(rates, start, stop, STEPS)[0]])
             found.append((at, rates(at)[0][0]))
         else:
-            at, look = disc.grid(start, stop, 2 * STEPS)
-            found.append((at, np.broadcast_to(figure(look).d[0], at.shape)))
+            at, look = disc.grid(start, stop, 2 * STEPS, VALUES)
+            with np.errstate(divide="ignore", invalid="ignore"):
+                found.append((at, np.broadcast_to(figure(look).d[0], at.shape)))
     if not found:
         raise ValueError("no stretch")
     theta, values = (np.concatenate(rows) for rows in zip(*found, strict=True))
@@ -59,7 +74,16 @@ def extremes(
     if not kept.any():
         raise ValueError("no value")
     theta, values = theta[kept], values[kept]
-    return tuple(Extreme(float(values[k]), float(theta[k])) for k in (values.argmin(), values.argmax()))  # type: ignore[return-value]
+    low, high = float(values.min()), float(values.max())
+    close = SAME * max(abs(low), abs(high))
+    starts, ends = (np.array(side) for side in zip(*over, strict=True))
+    return tuple(Extreme(value, _first(theta[np.abs(values - value) <= close], starts, ends)) for value in (low, high))  # type: ignore[return-value]
+
+
+def _first(theta: Array, starts: Array, ends: Array) -> float:
+    """Of the places of one value: the first start of a stretch that it is kept over, else the first of all."""
+    kept = starts[np.isin(starts, theta) & np.isin(ends, theta)]
+    return float(np.min(kept if kept.size else theta))
 
 
 def stretches(disc: Disc, rising: bool) -> list[tuple[float, float]]:
@@ -85,6 +109,7 @@ def moving(lift: Lift, pieces: tuple[tuple[float, float], ...]) -> list[tuple[fl
     return found
 
 
+@lru_cache(maxsize=64)
 def curvature(by: float = 0.0) -> Figure:
     """The curvature (1/m) of the curve ``by`` (m) outward of the pitch curve; negative beyond a cusp."""
 

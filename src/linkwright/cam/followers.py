@@ -35,12 +35,13 @@ class Touch:
     """What the follower holds against the cam, in the fixed frame, as jets of the cam angle.
 
     ``at`` is the centre of a roller or the edge of a knife, ``None`` for a flat face; this has its outward normal (away
-    from the cam) at the angle ``facing`` and lies ``height`` from the cam's centre.
+    from the cam) ``along``, at the angle ``facing``, and lies ``height`` from the cam's centre.
     """
 
     at: Vector | None = None
     facing: Jet | None = None
     height: Jet | None = None
+    along: Vector | None = None
 
 
 class Follower:
@@ -51,6 +52,8 @@ class Follower:
     """Whether the lift is an angle."""
     faced: ClassVar[bool] = False
     """Whether a flat face touches."""
+    starts: ClassVar[tuple[float, float]] = (0.0, math.inf)
+    """Between what a start may lie (m or rad)."""
     base: float
 
     @property
@@ -61,6 +64,10 @@ class Follower:
     @property
     def start(self) -> float:
         """On the base circle: the height (m) over the cam's centre, or the angle (rad) from the line of centres."""
+        raise NotImplementedError
+
+    def base_at(self, start: float) -> float:
+        """The radius (m) of the base circle on which it would rest at a start; not positive where there is none."""
         raise NotImplementedError
 
     def touch(self, lift: Jet) -> Touch:
@@ -135,6 +142,9 @@ class TranslatingRoller(Translating):
             raise NoFollower("cam.offset", offset=self.offset, limit=pitch)
         return math.sqrt(pitch**2 - self.offset**2)
 
+    def base_at(self, start: float) -> float:
+        return math.hypot(self.offset, start) - self.radius
+
     def touch(self, lift: Jet) -> Touch:
         return Touch(at=(Jet.constant(self.offset, lift.order), lift + self.start))
 
@@ -160,6 +170,7 @@ class SwingingRoller(Swinging):
     """A roller on an arm of length ``arm``."""
 
     name = "swinging_roller"
+    starts = (0.0, math.pi)
     base: float
     roller: float
     distance: float
@@ -176,6 +187,10 @@ class SwingingRoller(Swinging):
         if not -1 < cosine < 1:
             raise NoFollower("cam.reach", distance=a, arm=arm, pitch=pitch, low=abs(a - arm), high=a + arm)
         return math.acos(cosine)
+
+    def base_at(self, start: float) -> float:
+        a, arm = self.distance, self.arm
+        return math.sqrt(a * a + arm * arm - 2 * a * arm * math.cos(start)) - self.radius
 
     def touch(self, lift: Jet) -> Touch:
         angle = lift + self.start
@@ -203,8 +218,12 @@ class TranslatingFlat(Translating):
     def start(self) -> float:
         return self.base
 
+    def base_at(self, start: float) -> float:
+        return start
+
     def touch(self, lift: Jet) -> Touch:
-        return Touch(facing=Jet.constant(math.pi / 2, lift.order), height=lift + self.base)
+        up, none = (Jet.constant(value, lift.order) for value in (1.0, 0.0))
+        return Touch(facing=Jet.constant(math.pi / 2, lift.order), height=lift + self.base, along=(none, up))
 
     def resting(self, x: Array, y: Array) -> Array:
         return y - self.base
@@ -216,6 +235,7 @@ class SwingingFlat(Swinging):
     """A flat face on an arm, ``face`` (m) from the pivot on the side away from the cam."""
 
     name = "swinging_flat"
+    starts = (-math.pi / 2, math.pi / 2)
     faced = True
     base: float
     distance: float
@@ -228,9 +248,13 @@ class SwingingFlat(Swinging):
             raise NoFollower("cam.face", base=self.base, face=self.face, distance=self.distance)
         return math.asin(sine)
 
+    def base_at(self, start: float) -> float:
+        return self.distance * math.sin(start) + self.face
+
     def touch(self, lift: Jet) -> Touch:
         angle = lift + self.start
-        return Touch(facing=math.pi / 2 - angle, height=self.distance * angle.sin() + self.face)
+        height = self.distance * angle.sin() + self.face
+        return Touch(facing=math.pi / 2 - angle, height=height, along=(angle.sin(), angle.cos()))
 
     def resting(self, x: Array, y: Array) -> Array:
         away = np.hypot(x - self.distance, y)
@@ -247,7 +271,7 @@ def dot(a: Vector, b: Vector) -> Jet:
     return a[0] * b[0] + a[1] * b[1]
 
 
-def turned(a: Vector, angle: Jet) -> Vector:
-    """A vector turned counter-clockwise."""
+def turned(angle: Jet, *some: Vector) -> tuple[Vector, ...]:
+    """Vectors turned counter-clockwise."""
     cosine, sine = angle.cos(), angle.sin()
-    return cosine * a[0] - sine * a[1], sine * a[0] + cosine * a[1]
+    return tuple((cosine * x - sine * y, sine * x + cosine * y) for x, y in some)

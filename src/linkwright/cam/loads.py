@@ -41,7 +41,12 @@ def by_lift(function: Callable[[Jet], Jet]) -> Load:
 
 def by_angle(function: Callable[[Jet], Jet]) -> Load:
     """A load (N or N m) that depends on the cam angle (rad, 0 .. 2 pi), such as a process."""
-    return lambda look: function(Jet([look.theta, np.ones_like(look.theta), np.zeros_like(look.theta)]))
+    return by_both(lambda angle, _: function(angle))
+
+
+def by_both(function: Callable[[Jet, Jet], Jet]) -> Load:
+    """A load (N or N m) that depends on the cam angle (rad, 0 .. 2 pi) and the lift (m or rad)."""
+    return lambda look: function(Jet([look.theta, np.ones_like(look.theta), np.zeros_like(look.theta)]), look.lift)
 
 
 @dataclass(frozen=True)
@@ -66,7 +71,7 @@ class Loads:
 
     def over(self, disc: Disc) -> Disc:
         """The disc with the loads' joins among its own."""
-        return replace(disc, joins=(*disc.joins, *self.joins))
+        return replace(disc, joins=(*disc.joins, *self.joins)) if self.joins else disc
 
 
 @dataclass(frozen=True)

@@ -2,17 +2,19 @@
 
 A disc's axes (:mod:`linkwright.cam.followers`) start at the shaft; x points to a swinging follower's pivot, y along the
 way on which a sliding one rises. A swinging follower on the other side is a mirror image: its disc turns the other way.
+The second disc of a conjugate pair is such a mirror image of the first, as its contact is on the other side.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import atan2, cos, pi, sin
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.cam.closing import Conjugate, opposite
 from linkwright.cam.disc import Disc
 from linkwright.cam.followers import (
     Follower,
@@ -24,6 +26,7 @@ from linkwright.cam.followers import (
 )
 from linkwright.graph.cams import Seat, followings, seat, sense
 from linkwright.graph.geometry import Geometry
+from linkwright.graph.seconds import second_seat
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.cams import Following
@@ -47,6 +50,11 @@ class Frame:
         x, y = points[0], self.mirror * points[1]
         return np.stack([self.origin[0] + c * x - s * y, self.origin[1] + s * x + c * y])
 
+    @property
+    def mirrored(self) -> Frame:
+        """The axes of a pair's second disc, this being the first one's."""
+        return replace(self, mirror=-self.mirror)
+
 
 def disc(compiled: Compiled, name: str, parameters: Parameters | None = None) -> Disc:
     """A cam of a mechanism (SI), at the nominal parameters or at others (all of them, SI).
@@ -63,6 +71,26 @@ def disc(compiled: Compiled, name: str, parameters: Parameters | None = None) ->
     turns = max(1, round(2 * pi / motion.period))
     joins = [at + k * motion.period for k in range(turns) for at in motion.breaks]
     return Disc(follower, motion.on, _mirror(drive) * sense(compiled.quantities, drive), tuple(joins))
+
+
+def second(compiled: Compiled, name: str, parameters: Parameters | None = None) -> Conjugate:
+    """The second disc of a cam that is closed by one; undercut ones too. Its axes are ``frame(...).mirrored``.
+
+    Where the file states the second contact, the base circle and what is between follow from its place; else the base
+    circle is the stated one or the first one's, and what lies between follows. Raises as :func:`disc`, and
+    :class:`linkwright.cam.contact.NoContact`: ``cam.second-side``, ``cam.second-base``.
+    """
+    drive, here = _read(compiled, name, parameters)
+    first, geometry = disc(compiled, name, parameters), _geometry(compiled, parameters)
+    there = second_seat(geometry, drive)
+    lengths = {} if drive.cam.roller is None else {"roller": float(there.roller)}
+    if drive.derived:
+        return opposite(first, base=float(there.base), **lengths)
+    if here.turns:
+        lengths["face" if here.faced else "arm"] = float(there.reach)
+    elif not here.faced:
+        lengths["offset"] = -float(there.aside)
+    return opposite(first, between=here.sign * float(there.offset - here.offset), **lengths)
 
 
 def frame(compiled: Compiled, name: str, parameters: Parameters | None = None) -> Frame:

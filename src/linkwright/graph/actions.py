@@ -113,11 +113,12 @@ class Actions:
 
     @cached_property
     def inputs(self) -> tuple[str, ...]:
-        """The input rows: the time, the whole turns of each such angle, value and rate of each table's answer, and of
-        each cam the follower's rate over the cam's, with its rate in time."""
+        """The input rows: the time, the whole turns of each such angle, value and rate of each table's answer, of each
+        cam the follower's rate over the cam's, with its rate in time, and what places a second contact."""
         tables = (f"table/{i}/{k}" for i in range(len(self.lookups)) for k in (0, 1))
         ratios = (f"ratio/{name}/{k}" for name in self.cams for k in (0, 1))
-        return (*(["t"] if self.timed else []), *(f"turns/{name}" for name in self.turning), *tables, *ratios)
+        totals = (f"total/{name}" for name, drive in self.cams.items() if drive.derived)
+        return (*(["t"] if self.timed else []), *(f"turns/{name}" for name in self.turning), *tables, *ratios, *totals)
 
     @cached_property
     def cams(self) -> dict[str, Following]:

@@ -110,14 +110,14 @@ class Seat:
 def seat(geometry: Geometry, drive: Following) -> Seat:
     """The numbers of a cam pair."""
     cam, on = drive.cam, drive.on
-    shaft = geometry.point(on, drive.shaft[1])
+    shaft = geometry.pinned(on, drive.shaft[1])
     base = geometry.number(cam.base, u.LENGTH)
     roller = geometry.number(cam.roller, u.LENGTH) if cam.roller is not None else 0.0
     touching = geometry.point(drive.link, cam.touches)
     plain = Geometry(geometry.quantities, geometry.quantities.parameters)
     faced = cam.face is not None
     if drive.pivot is not None:
-        own, pivot = geometry.point(drive.link, drive.pivot[0]), geometry.point(on, drive.pivot[1])
+        own, pivot = geometry.pinned(drive.link, drive.pivot[0]), geometry.pinned(on, drive.pivot[1])
         arm, home = touching.minus(own), shaft.minus(pivot)
         far = plain.point(on, drive.shaft[1]).minus(plain.point(on, drive.pivot[1]))
         if cam.face is not None:
@@ -129,7 +129,7 @@ def seat(geometry: Geometry, drive: Following) -> Seat:
         back, none = _angle(home, far), Pair(0.0, 0.0)
         return Seat(shaft, pivot, none, base, roller, reach, 0.0, back, back - turn, -drive.side, faced, True)
     assert drive.joint is not None
-    (at, heading_on), (foot, heading_of) = (geometry.line(drive.joint, link) for link in (on, drive.link))
+    (at, heading_on), (foot, heading_of) = (geometry.seat(drive.joint, link)[:2] for link in (on, drive.link))
     ahead, own = at.minus(shaft), touching.minus(foot)
     offset = -(ahead.dot(heading_on) + own.dot(heading_of))
     aside = -drive.side * (ahead.dot(heading_on.perp) + own.dot(heading_of.perp))
@@ -146,18 +146,41 @@ def slant(geometry: Geometry, drive: Following) -> Scalar:
     """The angle (rad, within a quarter turn) by which a sliding follower's face isn't square to its slide."""
     assert drive.cam.face is not None
     assert drive.joint is not None
-    turn = geometry.number(drive.cam.face.angle, u.ANGLE) - geometry.heading_angle(drive.joint, drive.link)
+    turn = geometry.number(drive.cam.face.angle, u.ANGLE) - geometry.seat(drive.joint, drive.link)[2]
     return call("arctan", call("cos", turn) / call("sin", turn))
+
+
+@dataclass(frozen=True)
+class Touch:
+    """What of a follower touches the cam, in its own axes: a roller's centre, an edge or a point of a face (m), and the
+    face's direction."""
+
+    at: Pair
+    face: Pair | None
+
+
+def touch(geometry: Geometry, drive: Following) -> Touch:
+    """What of a follower touches."""
+    face = drive.cam.face
+    heading = unit_vector(geometry.number(face.angle, u.ANGLE)) if face is not None else None
+    return Touch(geometry.point(drive.link, drive.cam.touches), heading)
+
+
+def outward(drive: Following, face: Pair) -> Pair:
+    """The normal of a pinned follower's face in some direction, away from the cam."""
+    return Pair(-drive.side * face.perp.x, -drive.side * face.perp.y)
 
 
 @dataclass(frozen=True)
 class Contact:
     """Where a follower touches, in the frame: a place on the common normal, the unit ``normal`` from the cam to the
-    follower, and the pressure angle (rad, signed) from it to the follower's way as the lift grows."""
+    follower, the pressure angle (rad, signed) from it to the follower's way as the lift grows, and the ``reach``: what
+    1 N along the normal does along the lift (N, or N m of a swinging follower)."""
 
     at: Pair
     normal: Pair
     pressure: Scalar
+    reach: Scalar
 
     def pushes(self, drive: Following) -> dict[str, Wrench]:
         """A contact force of 1 N, on each of the two links."""
@@ -165,9 +188,11 @@ class Contact:
         return {drive.link: push, drive.cam.cam: push.opposite}
 
 
-def contact(motion: Motion, drive: Following, rate: Scalar) -> Contact:
-    """Where a follower touches, from the poses and the derivative of its value by the cam's angle (m or 1)."""
+def contact(motion: Motion, drive: Following, rate: Scalar, what: Touch | None = None) -> Contact:
+    """Where a follower touches, from the poses and the derivative of its value by the cam's angle (m or 1); ``what`` of
+    it, unless that of the drive."""
     geometry, bodies = motion.geometry, motion.bodies
+    what = what or touch(geometry, drive)
     here, on = seat(geometry, drive), bodies[drive.on]
     forward = sense(geometry.quantities, drive)
     shaft = on.point(here.shaft).now
@@ -178,12 +203,9 @@ def contact(motion: Motion, drive: Following, rate: Scalar) -> Contact:
         """What a unit of the follower's value moves its point by."""
         return point.minus(pivot).perp if here.turns else Pair(here.sign * way.x, here.sign * way.y)
 
-    at = bodies[drive.link].point(geometry.point(drive.link, drive.cam.touches)).now
-    if here.faced:
-        normal = way
-        if here.turns:
-            heading = bodies[drive.link].direction(_heading(geometry, drive)).now
-            normal = Pair(-drive.side * heading.perp.x, -drive.side * heading.perp.y)
+    at = bodies[drive.link].point(what.at).now
+    if what.face is not None:
+        normal = outward(drive, bodies[drive.link].direction(what.face).now) if here.turns else way
         height = at.minus(shaft).dot(normal)
         facing = pivot.minus(shaft).dot(normal.perp)
         along = facing * rate / (rate - 1.0) if here.turns else -(here.sign * rate)
@@ -198,13 +220,8 @@ def contact(motion: Motion, drive: Following, rate: Scalar) -> Contact:
         normal = Pair(across.x / size, across.y / size)
     rising = moved(at)
     rising = Pair(here.sign * rising.x, here.sign * rising.y)
-    return Contact(at, normal, call("arctan2", -forward * normal.cross(rising), normal.dot(rising)))
-
-
-def _heading(geometry: Geometry, drive: Following) -> Pair:
-    """The direction of the face in the follower."""
-    assert drive.cam.face is not None
-    return unit_vector(geometry.number(drive.cam.face.angle, u.ANGLE))
+    reach = normal.dot(rising)
+    return Contact(at, normal, call("arctan2", -forward * normal.cross(rising), reach), reach)
 
 
 def whole(quantities: Quantities, parameters: Mapping[str, float], drive: Following) -> float:

@@ -24,6 +24,8 @@ Array = NDArray[np.float64]
 
 LONGEST, SHORTEST = 0.1, 1e-5
 """Steps along the curve (rad, or lengths over the size); curves nearer than the shortest count as crossing."""
+FINE = 0.01
+"""The finest steps that a cam's law asks for (rad), however short its pieces are."""
 BEND = 0.995
 """The least cosine between the tangents at both ends of a step."""
 STEPS, WORK = 6000, 8e6
@@ -64,6 +66,8 @@ class Tracer:
         self.system, self.drive = system, drive
         self.turns = system.topology.mechanism.prescribed(drive).turns is not None
         self.patience = int(min(STEPS, WORK / system.width**2))
+        finest = min((ride.finest for ride in system.riding.values()), default=LONGEST)
+        self.longest = min(LONGEST, max(finest, FINE))
 
     def follow(self, start: Array) -> Curve | None:
         """The whole curve through a pose; ``None`` where two curves cross there, so that it has no direction, or where
@@ -136,7 +140,7 @@ class Tracer:
     def one_way(self, start: Array, first: Array) -> Curve:
         """The curve from a pose in a direction until it closes, or ends."""
         curve = Curve(poses=[start], values=[self.system.value(self.drive, start)])
-        z, tangent, h = start, first, LONGEST / 4
+        z, tangent, h = start, first, self.longest / 4
         _, last = self.tangent(start, first)
         branch = 0
         for _ in range(self.patience):
@@ -172,7 +176,7 @@ class Tracer:
             if np.abs(np.delete(there.reshape(-1, 3), 2, axis=1)).max() > FAR:
                 return curve
             z, tangent, last = there, onward, new
-            h = min(h * 1.5, LONGEST)
+            h = min(h * 1.5, self.longest)
         curve.cut = True
         return curve
 

@@ -6,7 +6,8 @@ A pin states that its links' points coincide, a slide that its lines do (Nikrave
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -20,8 +21,19 @@ from linkwright.structure import FRAME, Topology
 Array = NDArray[np.float64]
 
 
+@dataclass(frozen=True)
+class Ride:
+    """How a follower moves with the ``motor`` that turns its cam: ``at`` gives its value (rad or m) and its derivative
+    from the motor's value (rad); in steps of ``finest`` (rad) of this no piece of its law is passed over."""
+
+    motor: str
+    at: Callable[[float], tuple[float, float]]
+    finest: float
+
+
 class Constraints:
-    """Residuals and slopes of all joints, and of drives that are held; ``size`` is the unit of length (m).
+    """Residuals and slopes of all joints, of drives that are held and of followers that ride on cams; ``size`` is the
+    unit of length (m).
 
     ``rows[k]`` names the joint or drive of residual k. Lengths come out over the size, directions as sines.
     """
@@ -31,7 +43,8 @@ class Constraints:
         self.links = topology.moving
         self.index = {link: i for i, link in enumerate((*topology.moving, FRAME))}  # the frame last
         self.width = 3 * len(self.links)
-        self.held: dict[str, float] = {}
+        self.held: Mapping[str, float] = {}
+        self.riding: Mapping[str, Ride] = {}
         pins: list[tuple[str, str, str, Any, Any]] = []
         for pin in topology.pins.values():
             first = pin.links[0]
@@ -50,11 +63,11 @@ class Constraints:
     @property
     def rows(self) -> tuple[str, ...]:
         """Whose each residual is."""
-        return (*self.names, *self.held)
+        return (*self.names, *self.held, *self.riding)
 
-    def hold(self, drives: dict[str, float]) -> None:
-        """Add the equations of drives at these values (rad or m)."""
-        self.held = drives
+    def hold(self, drives: Mapping[str, float], riding: Mapping[str, Ride] | None = None) -> None:
+        """Add the equations of drives at these values (rad or m), and of followers that move with their motors."""
+        self.held, self.riding = drives, riding or {}
 
     def pose(self, bodies: dict[str, Body]) -> Array:
         """The pose that some bodies have: (3 links,)."""
@@ -69,9 +82,13 @@ class Constraints:
         at = self._poses(z)
         gaps = self.pins.place(at, 0) - self.pins.place(at, 1)
         between, across = self._slides(at)
-        held = [self.value(name, z) - value for name, value in self.held.items()]
-        scaled = [rest / (1.0 if self._turns(name) else self.size) for rest, name in zip(held, self.held, strict=True)]
-        return np.concatenate([gaps.T.ravel(), np.stack([between, across], axis=1).ravel(), scaled])
+        wanted = {**self.held, **{n: ride.at(self.value(ride.motor, z))[0] for n, ride in self.riding.items()}}
+        driven = [self._missed(name, self.value(name, z) - value) for name, value in wanted.items()]
+        return np.concatenate([gaps.T.ravel(), np.stack([between, across], axis=1).ravel(), driven])
+
+    def _missed(self, drive: str, rest: float) -> float:
+        """What a drive's value is off as a residual: angles without whole turns, lengths over the size."""
+        return float(wrapped(np.asarray(rest))) if self._turns(drive) else rest / self.size
 
     def jacobian(self, z: Array) -> Array:
         """The slopes of the residuals: (equations, 3 links)."""
@@ -84,8 +101,11 @@ class Constraints:
             j[row, column + 2], j[row + 1, column + 2] = -sign * arm[1], sign * arm[0]
         if lines:
             self._line_slopes(j[2 * pins :], at)
-        held = [self.gradient(name, z) for name in self.held]
-        return np.concatenate([j[:, : self.width], np.array(held).reshape(-1, self.width)])
+        driven = [self.gradient(name, z) for name in self.held]
+        for name, ride in self.riding.items():
+            slope = ride.at(self.value(ride.motor, z))[1] / (1.0 if self._turns(name) else self.size)
+            driven.append(self.gradient(name, z) - slope * self.gradient(ride.motor, z))
+        return np.concatenate([j[:, : self.width], np.array(driven).reshape(-1, self.width)])
 
     def _line_slopes(self, j: Array, at: Array) -> None:
         a, b = self.lines.index

@@ -7,9 +7,11 @@ body that it hangs on is the sum of its wrenches.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import reduce
+
+import casadi as ca
 
 from linkwright.graph.geometry import ZERO
 from linkwright.graph.motion import Motion
@@ -31,12 +33,21 @@ class Forces:
     shaking: Wrench = field(default_factory=lambda: Wrench.zero(ZERO))
 
 
-def solve_forces(motion: Motion, applied: Iterable[tuple[str, Wrench]] = (), pushes: Efforts | None = None) -> Forces:
+def solve_forces(
+    motion: Motion,
+    applied: Iterable[tuple[str, Wrench]] = (),
+    pushes: Efforts | None = None,
+    holds: Mapping[str, tuple[dict[str, Wrench], Scalar]] | None = None,
+) -> Forces:
     """All reactions, drive efforts and the shaking wrench, from motion of order 2 and what is applied to links.
 
     A drive with an output acts at its own joint, not where the motion is prescribed, and a cam in its contact
     (``pushes``: the wrenches of 1 N there, by cam): the effort is the one that leaves none to be exerted where the
     motion is prescribed. All forces are linear in it.
+
+    Where a cam would have to pull, its second contact pushes instead, if it has one (``holds``: the wrenches of 1 N
+    there, and its force for each N of the pull). Both do the same along the lift, hence the same for all efforts; what
+    differs are the reactions. Such an effort is minus the second contact's force.
     """
     own = {link: own_wrench(motion, link, body) for link, body in motion.bodies.items() if link != FRAME}
     own[FRAME] = Wrench.zero(ZERO)
@@ -48,7 +59,14 @@ def solve_forces(motion: Motion, applied: Iterable[tuple[str, Wrench]] = (), pus
     lacking = _Solver(motion, own).run().efforts
     efforts = dict(zip(units, lever(motion, units).solve([-lacking[name] for name in units]), strict=True))
     for name, unit in units.items():
-        own = {link: own[link].plus(_times(unit[link], efforts[name])) if link in unit else own[link] for link in own}
+        if holds and name in holds:
+            effort, (other, share) = efforts[name], holds[name]
+            pulls = effort < 0
+            efforts[name] = ca.if_else(pulls, share * effort, effort)
+            own = _added(own, other, ca.if_else(pulls, -efforts[name], 0.0))
+            own = _added(own, unit, ca.if_else(pulls, 0.0, effort))
+        else:
+            own = _added(own, unit, efforts[name])
     forces = _Solver(motion, own).run()
     forces.efforts |= efforts
     return forces
@@ -78,6 +96,11 @@ def lever(motion: Motion, units: Efforts) -> Factor:
     zero = {link: Wrench.zero(ZERO) for link in motion.bodies}
     answers = [_Solver(motion, zero | unit).run().efforts for unit in units.values()]
     return Factor([[answer[name] for answer in answers] for name in units])
+
+
+def _added(own: dict[str, Wrench], unit: dict[str, Wrench], effort: Scalar) -> dict[str, Wrench]:
+    """The links' wrenches with those of an effort."""
+    return {link: wrench.plus(_times(unit[link], effort)) if link in unit else wrench for link, wrench in own.items()}
 
 
 def _times(wrench: Wrench, factor: Scalar) -> Wrench:

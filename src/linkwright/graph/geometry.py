@@ -70,6 +70,13 @@ class Geometry:
         at, plays = self.point(link, point), self.plays
         return Pair(*(q + plays.get(f"{pin}/{link}/{axis}", 0.0) for axis, q in zip("xy", at, strict=True)))
 
+    def pinned(self, link: str, point: str) -> Pair:
+        """The place (m, in the link's frame) of a link that is put on the pin of one of its points."""
+        for pin in self.quantities.signals.pins.values() if self.plays else ():
+            if (link, point) in pin.members:
+                return self.pivot(pin.name, link, point)
+        return self.point(link, point)
+
     def seat(self, joint: str, link: str) -> tuple[Pair, Pair, Scalar]:
         """Point (m), heading (unit vector) and its angle (rad) of the line by which a link slides, with its play."""
         (foot, heading), angle = self.line(joint, link), self.heading_angle(joint, link)

@@ -194,7 +194,7 @@ class Graph:
         signal = self.signal(name)
         if signal.kind in ("force", "shaking") or signal.attribute in ("torque", "force", "power"):
             return max(2, self.actions.order) if signal.kind != "spring" else 1
-        if signal.attribute == "pressure":
+        if signal.attribute in ("pressure", "pressure_second"):
             return 0
         if signal.kind in ("energy", "pole"):
             return 1

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.circuits import Curve, Tracer
-from linkwright.graph.constraints import Constraints
+from linkwright.graph.constraints import Constraints, Ride
 from linkwright.graph.geometry import ZERO
 from linkwright.graph.modes import Explorer, Found, Mode
 from linkwright.model.quantities import Quantities
@@ -70,22 +70,29 @@ class Survey:
 
 
 def survey(
-    quantities: Quantities, structure: Structure, values: Mapping[str, float], drive: str | None = None
+    quantities: Quantities,
+    structure: Structure,
+    values: Mapping[str, float],
+    drive: str | None = None,
+    rides: Mapping[str, Ride] | None = None,
 ) -> Survey:
     """All modes at the drives' ``values`` (rad or m), and their circuits as ``drive`` moves and the others are held.
 
-    Where there is one drive only, it needn't be named. A mode that a circuit passes and that the search missed is
-    added.
+    The followers among the drives move with their motors, by their ``rides``. Where there is one drive only beside
+    them, it needn't be named. A mode that a circuit passes and that the search missed is added.
     """
+    rides = rides or {}
     explorer = Explorer(quantities, structure, values)
     found = explorer.run()
-    drive = drive or (next(iter(values)) if len(values) == 1 else None)
+    motors = [name for name in values if name not in rides]
+    drive = drive or (motors[0] if len(motors) == 1 else None)
     result = Survey(found, drive, places=[None] * len(found.modes))
     if drive is None:
         _untold(found)
         return result
     system = Constraints(structure.topology, explorer.geometry, explorer.size)
-    system.hold({name: value for name, value in values.items() if name != drive})
+    riding = {name: ride for name, ride in rides.items() if ride.motor == drive}
+    system.hold({name: value for name, value in values.items() if name != drive and name not in riding}, riding)
     tracer = Tracer(system, drive)
     i = 0
     steps = 0

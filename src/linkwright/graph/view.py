@@ -15,6 +15,7 @@ from linkwright.graph.forces import Forces, lever, solve_forces, unit_efforts
 from linkwright.graph.geometry import ZERO, Geometry
 from linkwright.graph.motion import Motion, solve_motion
 from linkwright.graph.poles import pole
+from linkwright.graph.seconds import other_side, second
 from linkwright.graph.springs import effort, elastic, raw_angle, stretch
 from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, signal_text
 from linkwright.model.fields import Expression
@@ -66,13 +67,27 @@ class View:
     @cached_property
     def forces(self) -> Forces:
         pushes = {name: at.pushes(self.graph.actions.cams[name]) for name, at in self.contacts.items()}
-        return solve_forces(self.motion, wrenches(self), pushes)
+        holds = {
+            name: (at.pushes(self.graph.actions.cams[name]), self.contacts[name].reach / at.reach)
+            for name, at in self.seconds.items()
+        }
+        return solve_forces(self.motion, wrenches(self), pushes, holds)
 
     @cached_property
     def contacts(self) -> dict[str, Contact]:
         """Where the followers of cams touch."""
         cams = self.graph.actions.cams.items()
         return {name: contact(self.motion, drive, self.given[f"ratio/{name}/0"]) for name, drive in cams}
+
+    @cached_property
+    def seconds(self) -> dict[str, Contact]:
+        """Where those with a second disc or a yoke touch on the other side."""
+        found: dict[str, Contact] = {}
+        for name, drive in self.graph.actions.cams.items():
+            if drive.paired:
+                what = second(self.motion.geometry, drive, self.given.get(f"total/{name}", 0.0))
+                found[name] = contact(self.motion, other_side(drive), self.given[f"ratio/{name}/0"], what)
+        return found
 
     def row(self, name: str) -> Scalar:
         """The expression of one output row."""
@@ -195,6 +210,8 @@ class View:
             return self.forces.efforts[name] * self.own(name, 1)
         if signal.attribute == "pressure":
             return self.contacts[name].pressure
+        if signal.attribute == "pressure_second":
+            return self.seconds[name].pressure
         return self.own(name, {**LINK_ORDERS, **SLIDE_ORDERS}[signal.attribute])
 
     def own(self, name: str, order: int, whole: bool = True) -> Scalar:

@@ -9,10 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from linkwright.graph.cams import followings, seat, sense, slant, whole
+from linkwright.graph.cams import Seat, followings, seat, sense, slant, whole
 from linkwright.graph.geometry import Geometry
+from linkwright.graph.seconds import other_side, second_seat
 from linkwright.kernels.law import Array, Law, Parameters
 from linkwright.kernels.motions import StatedMotion
+from linkwright.kernels.seconds import largest, misplaced
 from linkwright.laws import Motion
 from linkwright.laws.numbers import first
 from linkwright.model import units as u
@@ -33,6 +35,7 @@ class CamLaw(Law):
     motor: str = ""
     turned: int = 1
     ride: Callable[[Jet, Parameters], Jet] | None = None
+    total: float = 0.0  # what places a second contact: see :func:`linkwright.graph.seconds.second`
 
     def ratio(self, angle: Any, speed: Any, parameters: Parameters) -> tuple[Any, Any]:
         """The derivative of the follower's value by the cam's angle, and its rate in time, at the motor's angle (rad)
@@ -41,6 +44,12 @@ class CamLaw(Law):
         with np.errstate(all="ignore"):
             value = self.ride(Jet([angle, 1.0, 0.0]), parameters)
             return self.turned * value.d[1], self.turned * value.d[2] * speed
+
+    def along(self, angle: float) -> tuple[float, float]:
+        """The follower's value (rad or m) and its derivative by the motor's, at a value of that (rad)."""
+        assert self.ride is not None
+        value, slope = self.ride(Jet([angle, 1.0]), self.parameters).d
+        return float(value), float(slope)
 
     def driven_by(self, motor: Law) -> CamLaw:
         """The same cam turned by another law of its motor."""
@@ -58,10 +67,11 @@ def follower_law(quantities: Quantities, name: str, motion: StatedMotion, motor:
     """The law of the follower of a cam, by the law of its motor."""
     drive = quantities.mechanism.drives[name]
     assert isinstance(drive, Following)
-    noted = _Noting(quantities.parameters)
+    noted = Noting(quantities.parameters)
     with np.errstate(all="ignore"):  # what has no start is told by :func:`cam_faults`
         turn = whole(quantities, noted, drive)
     factor = float(sense(quantities, drive) * drive.turned)
+    total = largest(drive, motion) if drive.derived else 0.0
 
     def ride(angle: Jet, parameters: Parameters) -> Jet:
         geometry = Geometry(quantities, parameters)
@@ -72,7 +82,7 @@ def follower_law(quantities: Quantities, name: str, motion: StatedMotion, motor:
 
     with np.errstate(all="ignore"):
         ride(Jet.constant(0.0, 1), noted)
-    made = CamLaw(motor.of, quantities.parameters, frozenset(noted.asked), drive.motor, drive.turned, ride)
+    made = CamLaw(motor.of, quantities.parameters, frozenset(noted.asked), drive.motor, drive.turned, ride, total)
     return made.driven_by(motor)
 
 
@@ -81,7 +91,7 @@ def recomposed(laws: Mapping[str, Law], motors: Mapping[str, Law]) -> dict[str, 
     return {n: law.driven_by(motors[law.motor]) if isinstance(law, CamLaw) else motors[n] for n, law in laws.items()}
 
 
-class _Noting(dict[str, float]):
+class Noting(dict[str, float]):
     """Parameters that note which of them are asked."""
 
     def __init__(self, parameters: Mapping[str, float]) -> None:
@@ -94,20 +104,20 @@ class _Noting(dict[str, float]):
 
 
 def cam_faults(quantities: Quantities, motions: Mapping[str, StatedMotion]) -> Iterator[Finding]:
-    """Followers that can't stand on the base circle, faces askew, laws that don't go over a turn."""
+    """Followers that can't stand on the base circle, faces askew, laws that don't go over a turn, second contacts that
+    can't be placed."""
     geometry = Geometry(quantities, quantities.parameters)
     for name, drive in followings(quantities).items():
-        path = ("cams", name)
+        path: tuple[str, ...] = ("cams", name)
         motion = motions.get(drive.cam.law)
         if motion is not None:
             yield from (finding for finding, _ in not_whole(quantities, drive.cam.law, motion, (*path, "law")))
         with np.errstate(all="ignore"):
-            if drive.joint is not None and drive.cam.face is not None:
-                askew = float(slant(geometry, drive))
-                if not abs(askew) < SQUARE:
-                    unit, size = quantities.unit_of(u.ANGLE)
-                    yield Finding("cam.askew", (*path, "face"), {"angle": f"{askew / size:.6g}", "unit": unit})
-            yield from _reach(quantities, geometry, path, drive)
+            found = [*_askew(geometry, path, drive)]
+            found += _reach(quantities, path, drive, seat(geometry, drive))
+            if drive.paired and motion is not None and not found:
+                found = [*_second_faults(geometry, path, drive, motion)]
+            yield from found
 
 
 def not_whole(q: Quantities, law: str, motion: Motion, path: tuple[str, ...]) -> Iterator[tuple[Finding, Any]]:
@@ -120,9 +130,28 @@ def not_whole(q: Quantities, law: str, motion: Motion, path: tuple[str, ...]) ->
         yield Finding("cam.period", path, {"law": law, "period": period, "unit": unit}), wrong
 
 
-def _reach(q: Quantities, geometry: Geometry, path: tuple[str, str], drive: Following) -> Iterator[Finding]:
+def _second_faults(geometry: Geometry, path: tuple[str, ...], drive: Following, motion: Motion) -> Iterator[Finding]:
+    """What is wrong with a second contact; the first has no fault."""
+    path = path if drive.cam.second is None else (*path, "second")
+    if drive.derived:
+        faults = [*_reach(geometry.quantities, path, drive, second_seat(geometry, drive))]
+    else:
+        faults = [*_askew(geometry, path, other_side(drive))]
+    yield from faults or misplaced(geometry, path, drive, motion)
+
+
+def _askew(geometry: Geometry, path: tuple[str, ...], drive: Following) -> Iterator[Finding]:
+    """A sliding follower's face that isn't square to the slide."""
+    if drive.joint is None or drive.cam.face is None:
+        return
+    askew = float(slant(geometry, drive))
+    if not abs(askew) < SQUARE:
+        unit, size = geometry.quantities.unit_of(u.ANGLE)
+        yield Finding("cam.askew", (*path, "face"), {"angle": f"{askew / size:.6g}", "unit": unit})
+
+
+def _reach(q: Quantities, path: tuple[str, ...], drive: Following, here: Seat) -> Iterator[Finding]:
     """A follower that doesn't reach the base circle."""
-    here = seat(geometry, drive)
     unit, size = q.unit_of(u.LENGTH)
 
     def told(code: str, **lengths: Any) -> Finding:

@@ -26,6 +26,7 @@ from linkwright.kernels.tables import StatedTable
 from linkwright.model.check import check_names, check_values
 from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.mechanism import Mechanism
+from linkwright.model.places import Place
 from linkwright.model.plane import LinkagePlane
 from linkwright.model.quantities import Quantities
 from linkwright.model.spelled import Spelled, spell_out
@@ -48,6 +49,7 @@ class Compiled:
     kernel: str = "numpy"
     passages: Passages = field(default_factory=Passages)
     plane: LinkagePlane | None = None  # where a sketch of three coordinates lies in the vehicle
+    folder: Path | None = None  # where the files of its tables lie
     _kernels: dict[tuple[tuple[str, ...], bool], Kernel] = field(default_factory=dict)
     _nodes: dict[tuple[Passage, tuple[str, ...], bool], Array] = field(default_factory=dict, init=False)
 
@@ -176,12 +178,13 @@ class Prepared:
         return self.spelled.mechanism
 
 
-def prepare(mechanism: Mechanism, folder: Path | None = None) -> Prepared:
-    """Dimensions, structure and drive laws of a mechanism, with all findings on them."""
+def prepare(mechanism: Mechanism, folder: Path | None = None, uses: Sequence[Place] = ()) -> Prepared:
+    """Dimensions, structure and drive laws of a mechanism, with all findings on them; for ``uses`` see
+    :class:`linkwright.model.quantities.Quantities`."""
     spelled = spell_out(mechanism)
     missing = "model.no-drive" if spelled.findings else ""  # a drive with a fault is one
     names = [*spelled.findings, *(f for f in check_names(spelled.mechanism) if f.code != missing)]
-    quantities = Quantities(spelled.mechanism)
+    quantities = Quantities(spelled.mechanism, uses)
     findings = [*names, *(f for f in quantities.findings if not _said(f, names))]
     laws: dict[str, Law] = {}
     motions: dict[str, StatedMotion] = {}
@@ -200,19 +203,22 @@ def prepare(mechanism: Mechanism, folder: Path | None = None) -> Prepared:
     return Prepared(spelled, quantities, structure, laws, motions, tables, spelled.home(findings))
 
 
-def examine(mechanism: Mechanism, folder: Path | None = None) -> tuple[Compiled | None, list[Finding]]:
-    """Compile a mechanism as far as it goes, with all findings; ``folder`` is where its table files lie.
+def examine(
+    mechanism: Mechanism, folder: Path | None = None, uses: Sequence[Place] = ()
+) -> tuple[Compiled | None, list[Finding]]:
+    """Compile a mechanism as far as it goes, with all findings; ``folder`` is where its table files lie, ``uses``
+    expressions of studies that tell the units of what the mechanism leaves open.
 
     The result is ``None`` where an error stops it; warnings alone don't.
     """
-    made = prepare(mechanism, folder)
+    made = prepare(mechanism, folder, uses)
     if made.findings:
         return None, made.findings
     assembly = assemble(made.quantities, made.structure, values_at(made.laws, 0.0))
     if assembly.findings:
         return None, made.spelled.home(assembly.findings)
     parts = (made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables, made.motions)
-    return Compiled(*parts, plane=made.spelled.plane), [*made.spelled.warnings]
+    return Compiled(*parts, plane=made.spelled.plane, folder=folder), [*made.spelled.warnings]
 
 
 def _said(finding: Finding, others: list[Finding]) -> bool:

@@ -5,21 +5,27 @@ distance, the arm or the roller changes the lift instead: the follower rests whe
 profile's own parallel. That is sought along the cut pitch curve, exactly, with all rates: by Newton's method on jets,
 which converges in all derivatives alike. Base circle, phase and the numbers of the law belong to the cam: their
 deviations are errors of its own.
+
+A clearance is such a deviation too: of the places on the links that are put on a pin, of the slide's line. That of the
+cam's own place turns with the cam: the cam's centre then lies beside its pin. On a roller's own pin it acts as a roller
+of another radius.
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 
-from linkwright.graph.cams import Seat, followings, seat, sense, whole
+from linkwright.graph.cams import Seat, followings, seat, sense, slant, whole
 from linkwright.graph.geometry import Geometry
-from linkwright.kernels.cams import CamLaw
+from linkwright.kernels.cams import CamLaw, Noting
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.law import Parameters
 from linkwright.kernels.motions import StatedMotion
 from linkwright.laws import Motion
 from linkwright.model import units as u
 from linkwright.model.cams import Following
+from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet, Pair, Scalar, Vec
 from linkwright.notation.jets import call, is_zero
 
@@ -32,13 +38,30 @@ def cut(compiled: Compiled) -> Compiled:
     if not compiled.mechanism.cams:
         return compiled
     drives = followings(compiled.quantities)
-    laws = {
-        name: replace(law, ride=_Cut(compiled, drives[name], law).ride).driven_by(compiled.laws[law.motor])
-        if isinstance(law, CamLaw)
-        else law
-        for name, law in compiled.laws.items()
-    }
+    laws = dict(compiled.laws)
+    for name, law in compiled.laws.items():
+        if isinstance(law, CamLaw):
+            made = _Cut(compiled, drives[name], law)
+            laws[name] = replace(made.law, ride=made.ride, plays=made.plays).driven_by(compiled.laws[law.motor])
     return replace(compiled, laws=laws)
+
+
+@dataclass(frozen=True)
+class _Pose:
+    """A cam pair at some angles of the motor: the cam is ``turned`` on its carrier, its law is asked ``at``; ``centre``
+    is that of the cam, from the place of the carrier that is put on the shaft's pin."""
+
+    geometry: Geometry
+    motion: Motion
+    here: Seat
+    turned: Jet
+    at: Jet
+    phase: Scalar
+    centre: Vec
+
+    def from_cam(self, place: Pair) -> Vec:
+        """A place of the carrier from the cam's centre."""
+        return _vector(place.minus(self.here.shaft), self.at).minus(self.centre)
 
 
 class _Cut:
@@ -49,31 +72,42 @@ class _Cut:
         self.motion: StatedMotion = compiled.motions[drive.cam.law]
         self.forward = sense(self.quantities, drive)
         nominal = self.quantities.parameters
-        self.plan = seat(Geometry(self.quantities, nominal), drive)
+        noted = Noting(nominal)
+        plain = Geometry(self.quantities, noted)
+        self.plan = seat(plain, drive)
+        self.slant = slant(plain, drive) if self.plan.faced and not self.plan.turns else 0.0
         self.turn = whole(self.quantities, nominal, drive)
-        self.law, self.nominal = law, nominal
+        self.law, self.nominal = replace(law, names=law.names | noted.asked), nominal
+        self.plays = frozenset(_plays(self.quantities, drive))
 
     def ride(self, angle: Jet, parameters: Parameters) -> Jet:
         """The follower's value (rad or m) from the motor's angle, at other parameters."""
         own = ((parameters[name], self.nominal[name]) for name in self.law.names if name in parameters)
-        if all(isinstance(value, float) and value == planned for value, planned in own):
+        plays = {name: parameters[name] for name in self.plays if name in parameters}
+        if not plays and all(isinstance(value, float) and value == planned for value, planned in own):
             assert self.law.ride is not None
             return self.law.ride(angle, parameters)
-        geometry = Geometry(self.quantities, parameters)
+        geometry = Geometry(self.quantities, parameters, plays)
         here, phase = seat(geometry, self.drive), geometry.number(self.drive.cam.phase, u.ANGLE)
         plan = replace(self.plan, base=here.base)
+        if (wider := plays.get(f"{self.drive.cam.touches}/roller")) is not None:
+            here = replace(here, roller=here.roller + wider)
         turned = self.drive.turned * angle  # of the cam on its carrier
         at = self.forward * turned + phase
-        motion = self.motion.given(parameters)
-        found = (self.faced if plan.faced else self.rolled)(motion, plan, here, turned, at, phase)
+        cam, point = self.drive.cam.cam, self.drive.shaft[0]
+        beside = geometry.point(cam, point).minus(geometry.pinned(cam, point))
+        moved = _turned(_vector(beside, at), turned)
+        pose = _Pose(geometry, self.motion.given(parameters), here, turned, at, phase, moved)
+        found = (self.rolled if not plan.faced else self.faced if plan.turns else self.flat)(plan, pose)
         return found - self.turn
 
-    def rolled(self, motion: Motion, plan: Seat, here: Seat, turned: Jet, at: Jet, phase: Scalar) -> Jet:
+    def rolled(self, plan: Seat, pose: _Pose) -> Jet:
         """With a roller or an edge: its centre on the parallel to the cut pitch curve."""
-        more, forward, start = here.roller - plan.roller, self.forward, at
-        pivot, right = here.pivot.minus(here.shaft), Pair(here.way.y, -here.way.x)
+        here, at, forward = pose.here, pose.at, self.forward
+        more, start, right = here.roller - plan.roller, at, Pair(here.way.y, -here.way.x)
+        pivot = pose.from_cam(here.pivot)
         for step in range(STEPS + 1):
-            centre, way, bend = self.centre(motion, plan, at)
+            centre, way, bend = self.centre(pose.motion, plan, at)
             across = centre.plus(way.perp.times(forward))
             parallel = centre.plus(across.times(more / across.dot(across).sqrt()))
             past = way.minus(centre.perp.times(forward))
@@ -81,20 +115,20 @@ class _Cut:
                 bent = bend.minus(way.perp.times(2 * forward)).minus(centre)
                 size = past.dot(past)
                 past = past.times(1.0 - (forward * more) * past.cross(bent) / (size * size.sqrt()))
-            spin = turned - forward * (at - phase)
+            spin = pose.turned - forward * (at - pose.phase)
             point, past = _turned(parallel, spin), _turned(past, spin)
             if step == STEPS:
                 break
             if here.turns:
-                arm = point.minus(_vector(pivot, at))
+                arm = point.minus(pivot)
                 at = at - (arm.dot(arm) - here.reach * here.reach) / (2 * arm.dot(past))
             else:
-                at = at - (_along(point, right) - here.aside) / _along(past, right)
+                at = at - (_along(point.plus(pose.centre), right) - here.aside) / _along(past, right)
         if not here.turns:
-            height: Jet = here.sign * _along(point, here.way) + here.offset
+            height: Jet = here.sign * _along(point.plus(pose.centre), here.way) + here.offset
             return height
-        angle = here.home + here.sign * (here.start + motion.on(start))
-        meant, arm = Vec(angle.cos(), angle.sin()), point.minus(_vector(pivot, at))
+        angle = here.home + here.sign * (here.start + pose.motion.on(start))
+        meant, arm = Vec(angle.cos(), angle.sin()), point.minus(pivot)
         beyond: Jet = meant.cross(arm).arctan2(meant.dot(arm))
         found: Jet = beyond + angle + (here.offset - here.home)
         return found
@@ -112,18 +146,24 @@ class _Cut:
         bent = arm.perp.times(plan.sign * bend).minus(arm.times(slope * slope))
         return _vector(plan.pivot.minus(plan.shaft), at).plus(arm), arm.perp.times(plan.sign * slope), bent
 
-    def faced(self, motion: Motion, plan: Seat, here: Seat, turned: Jet, at: Jet, phase: Scalar) -> Jet:
-        """With a flat face: a tangent of the profile, by its distance from the shaft over its direction."""
-        if not plan.turns:
-            way, near = here.way, plan.way
-            askew = call("arctan2", near.cross(way), near.dot(way))
-            height: Jet = here.sign * (motion.on(at - self.forward * askew) + plan.base) + here.offset
-            return height
-        away, planned = here.pivot.minus(here.shaft), plan.pivot.minus(plan.shaft)
+    def flat(self, plan: Seat, pose: _Pose) -> Jet:
+        """With a sliding flat face: the tangent of the profile in the face's direction."""
+        here, tilt, ahead = pose.here, self.slant - slant(pose.geometry, self.drive), pose.here.way
+        c, s = call("cos", tilt), call("sin", tilt)
+        normal = Pair(c * ahead.x - s * ahead.y, s * ahead.x + c * ahead.y)
+        askew = call("arctan2", plan.way.cross(normal), plan.way.dot(normal))
+        reach = pose.motion.on(pose.at - self.forward * askew) + plan.base + _along(pose.centre, normal)
+        height: Jet = here.sign * (reach + here.aside * s) / c + here.offset
+        return height
+
+    def faced(self, plan: Seat, pose: _Pose) -> Jet:
+        """With a swinging flat face: a tangent of the profile, by its distance from the shaft over its direction."""
+        here, at = pose.here, pose.at
+        away, planned = pose.from_cam(here.pivot), _vector(plan.pivot.minus(plan.shaft), at)
         for step in range(STEPS + 1):
-            swing = plan.home + plan.sign * (plan.start + motion.on(at))
-            rate = plan.sign * motion.on(at, 1)
-            angle = swing + turned - self.forward * (at - phase)
+            swing = plan.home + plan.sign * (plan.start + pose.motion.on(at))
+            rate = plan.sign * pose.motion.on(at, 1)
+            angle = swing + pose.turned - self.forward * (at - pose.phase)
             if step == STEPS:
                 break
             height, slope = self.distance(planned, plan, swing)
@@ -132,13 +172,25 @@ class _Cut:
         found: Jet = angle + (here.offset - here.home)
         return found
 
-    def distance(self, pivot: Pair, seat: Seat, angle: Jet) -> tuple[Jet, Jet]:
+    def distance(self, pivot: Vec, seat: Seat, angle: Jet) -> tuple[Jet, Jet]:
         """A face's distance from the shaft, and its derivative by the face's direction."""
         normal = Vec(-(seat.sign * angle.sin()), seat.sign * angle.cos())
         return _along(normal, pivot) + seat.reach, _along(normal.perp, pivot)
 
 
-def _along(vector: Vec, axis: Pair) -> Jet:
+def _plays(quantities: Quantities, drive: Following) -> Iterator[str]:
+    """The offsets of the joints that guide a cam and its follower, and of the roller's radius (m)."""
+    if drive.cam.roller is not None:
+        yield f"{drive.cam.touches}/roller"
+    at = [(drive.cam.cam, drive.shaft[0]), (drive.on, drive.shaft[1])]
+    at += [] if drive.pivot is None else [(drive.link, drive.pivot[0]), (drive.on, drive.pivot[1])]
+    for pin in quantities.signals.pins.values():
+        yield from (f"{pin.name}/{link}/{axis}" for link, point in at if (link, point) in pin.members for axis in "xy")
+    if drive.joint is not None:
+        yield from (f"{drive.joint}/normal", f"{drive.joint}/tilt")
+
+
+def _along(vector: Vec, axis: Pair | Vec) -> Jet:
     found: Jet = vector.x * axis.x + vector.y * axis.y
     return found
 

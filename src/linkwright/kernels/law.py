@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -19,11 +19,13 @@ Parameters = Mapping[str, Any]
 @dataclass(frozen=True)
 class Law:
     """A drive's value and rates (SI): ``of(times (s), parameters, strict)``; where it has none, NaN, or if ``strict``
-    :class:`ModelError`. ``names`` are the parameters on which it depends."""
+    :class:`ModelError`. ``names`` are the parameters on which it depends, ``plays`` the offsets of joints (see
+    :class:`linkwright.graph.geometry.Geometry`) that move it, asked as parameters are where they are given."""
 
     of: Callable[[Array, Parameters, bool], Jet]
     parameters: Parameters
     names: frozenset[str] = frozenset()
+    plays: frozenset[str] = field(default=frozenset(), kw_only=True)
 
     def __call__(self, t: Array) -> Jet:
         """At the nominal parameters."""

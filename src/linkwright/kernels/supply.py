@@ -76,11 +76,13 @@ class Supply:
                 x[self.rows[f"table/{i}/0"]], x[self.rows[f"table/{i}/1"]] = value.d
 
     def ride(self, x: Array, parameters: Parameters) -> None:
-        """Put the ratios of cams into ``x`` (inputs, ...)."""
+        """Put the ratios of cams, and what places their second contacts, into ``x`` (inputs, ...)."""
         for name, law in self.cams.items():
             motor = self.motor(law)
             for k, row in enumerate(law.ratio(x[motor], x[motor + 1], parameters)):
                 x[self.rows[f"ratio/{name}/{k}"]] = row
+            if (place := self.rows.get(f"total/{name}")) is not None:
+                x[place] = law.total
 
     def motor(self, law: CamLaw) -> int:
         """The input row of the angle of a cam's motor."""

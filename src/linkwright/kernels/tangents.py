@@ -57,9 +57,12 @@ class Tangents:
         return other
 
     def given(self) -> dict[str, float | Dual]:
-        """All parameters by name, those that some direction changes with their slopes: (directions, 1)."""
+        """All parameters by name, those that some direction changes with their slopes: (directions, 1). Plays too."""
         rows = zip(self.graph.parameters, self.parameters.tolist(), self.along, strict=True)
-        return {name: Dual(value, slopes[:, None]) if slopes.any() else value for name, value, slopes in rows}
+        own: dict[str, float | Dual]
+        own = {name: Dual(value, slopes[:, None]) if slopes.any() else value for name, value, slopes in rows}
+        units = np.eye(self.count)[self.count - len(self.plays) :]
+        return own | {play: Dual(0.0, unit[:, None]) for play, unit in zip(self.plays, units, strict=True)}
 
     def evaluate(self, names: Sequence[str], t: Array, rates: bool = False) -> tuple[Array, Array]:
         """Signals at times ``t`` (s) and their derivatives: (names, times) and (names, directions, times) in SI; with
@@ -93,8 +96,9 @@ class Tangents:
         given = self.given()
         for i, drive in enumerate(graph.drives):
             law = self.compiled.laws[drive]
-            if any(isinstance(given[name], Dual) for name in law.names):
-                own: Mapping[str, float | Dual] = {name: given[name] for name in law.names}
+            asked = law.names | (law.plays & {*self.plays})
+            if any(isinstance(given[name], Dual) for name in asked):
+                own: Mapping[str, float | Dual] = {name: given[name] for name in asked}
                 for k, row in enumerate(law.at(t, own).d, start=size + i * graph.width):
                     x[k] = slope_of(row)
         self._look_up(x, given)

@@ -13,6 +13,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.graph.cams import followings
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.failing import Failures, causes
 from linkwright.kernels.motion_faults import law_faults
@@ -64,6 +65,11 @@ class Varied:
             held = {part for node in fixed_parts(table) for part in names_in(node)} & self.varying
             if held:
                 yield Finding("varied.table", ("tables", name), {"table": name, "names": ", ".join(sorted(held))})
+        for name, drive in followings(quantities).items():
+            held = {*self.compiled.motions[drive.cam.law].names} & self.varying
+            if drive.derived and held:
+                data = {"law": drive.cam.law, "cam": name, "names": ", ".join(sorted(held))}
+                yield Finding("varied.second", ("cams", name), data)
 
     def parameters(self, values: Array) -> Array:
         """All parameters (parameters, samples) from the values of the varied ones, (names, samples), both in SI.

@@ -123,6 +123,16 @@ class Following(Drive):
         yield from ()
 
     @property
+    def paired(self) -> bool:
+        """Whether a second contact holds the follower where the first one would have to pull."""
+        return self.cam.closed in ("conjugate", "yoke")
+
+    @property
+    def derived(self) -> bool:
+        """Whether the place of this second contact follows from the first and the law, as the file doesn't give it."""
+        return self.paired and (self.cam.second is None or self.cam.second.touches is None)
+
+    @property
     def effort(self) -> str:
         """The signal of what it exerts: the force in the contact, not at the follower's joint."""
         return "force"

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable, Container, Mapping
 from copy import copy
 
-from linkwright.model.expressions import Binary, Call, Name, Negative, Node, Number
+from linkwright.model.expressions import FUNCTIONS, Binary, Call, Name, Negative, Node, Number, is_signal, nodes
 from linkwright.model.forms import DimensionError, Equations, Form
 from linkwright.model.system import Unknown
 from linkwright.model.units import BASES, PURE, Dimension, UnitError, spelled, unit
@@ -74,15 +74,24 @@ class Dimensions:
         """Note one use: the expression stands where ``place`` is wanted. Raises DimensionError."""
         self.equations.read(node, self._form(place), self._open, self._open_table)
 
-    def with_argument(self, name: str) -> Dimensions:
-        """The same where ``name`` is a pure number besides: the argument of a formula."""
+    def with_names(self, names: Mapping[str, Dimension]) -> Dimensions:
+        """The same where ``names`` stand besides: those that a place gives a meaning."""
         other = copy(self)
-        other.signals = lambda node: PURE if node == Name(name) else self.signals(node)
+        other.signals = lambda node: (
+            names[node.text] if isinstance(node, Name) and node.text in names else self.signals(node)
+        )
         return other
 
     def of(self, unknown: Unknown) -> Dimension:
         """The inferred dimension of a parameter, or of another unknown."""
         return self.equations.of(unknown)
+
+    def leaves_open(self, node: Node) -> bool:
+        """Whether a parameter or a table's column in an expression has no unit yet, by itself or by its uses."""
+        calls = {part.name for part in nodes(node) if isinstance(part, Call) and not is_signal(part)} - {*FUNCTIONS}
+        named = {part.text for part in nodes(node) if isinstance(part, Name) and part.text in self.parameters}
+        unknowns: list[Unknown] = [*named, *(of(call) for call in calls for of in (argument, value))]
+        return any(self.equations.settled(unknown) is None for unknown in unknowns)
 
     def resolve(self, wanted: Wanted) -> Dimension:
         """The dimension that a place turns out to want."""

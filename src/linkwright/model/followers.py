@@ -32,7 +32,7 @@ def cam_faults(m: Mechanism) -> Iterator[Finding]:
 
 
 def no_cams(m: Mechanism, study: str) -> Finding:
-    """That a study moves drives singly, which a mechanism with cams doesn't let it."""
+    """That a study moves each drive on its own, which a mechanism with cams doesn't let it."""
     return Finding("study.cams", ("cams", next(iter(m.cams))), {"study": study, "names": ", ".join(m.cams)})
 
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from graphlib import CycleError, TopologicalSorter
 
 from linkwright.model.actions import column_unit
@@ -10,7 +11,6 @@ from linkwright.model.dimensions import DimensionError, Dimensions, argument, va
 from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, Number, nodes, text_of
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.motions import ARGUMENT
 from linkwright.model.names import Names
 from linkwright.model.places import Path, Place, Scope, figure, places
 from linkwright.model.signals import Signals
@@ -20,11 +20,14 @@ from linkwright.model.units import PURE, Dimension, unit, words_of
 class Inference:
     """The dimensions of a mechanism's parameters and tables, the order of its parameters, and all findings.
 
-    ``sound`` are the places whose names and dimensions fit.
+    ``sound`` are the places whose names and dimensions fit. ``uses`` are expressions elsewhere (in the options of
+    studies): what the mechanism leaves open takes its unit from them; what is wrong with them is told there.
     """
 
-    def __init__(self, mechanism: Mechanism, signals: Signals, declared: Mapping[str, str]) -> None:
-        self.mechanism = mechanism
+    def __init__(
+        self, mechanism: Mechanism, signals: Signals, declared: Mapping[str, str], uses: Sequence[Place] = ()
+    ) -> None:
+        self.mechanism, self.uses = mechanism, uses
         self.findings: list[Finding] = []
         self.dimensions = Dimensions(declared, mechanism.parameters, lambda node: signals.find(node).dimension)
         self.places = list(places(mechanism))
@@ -69,12 +72,15 @@ class Inference:
             self.dimensions.settle(argument(name), law.axis)
             self.dimensions.settle(value(name), law.value)
         fine = {id(place) for place in sorted(self.sound, key=_rank) if self._try(place, self._use)}
+        for place in sorted(self.uses, key=_rank):
+            with suppress(DimensionError):
+                self._use(place)
         self.sound = [place for place in self.sound if id(place) in fine and self._try(place, self._bind_here)]
         for place in self.sound:
             self._ambiguous(place)
 
     def _of(self, place: Place) -> Dimensions:
-        return self.dimensions.with_argument(ARGUMENT) if place.scope is Scope.FORMULA else self.dimensions
+        return self.dimensions.with_names(place.names) if place.names else self.dimensions
 
     def _use(self, place: Place) -> None:
         self._of(place).use(place.expression.node, place.wanted)

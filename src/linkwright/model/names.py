@@ -9,8 +9,7 @@ from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, is_signal, nodes, signal_text
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.motions import ARGUMENT
-from linkwright.model.places import Path, Place, Scope
+from linkwright.model.places import Place, Scope
 from linkwright.model.signals import Signals
 from linkwright.model.trees import children
 from linkwright.model.units import is_unit
@@ -24,6 +23,7 @@ _MISPLACED = {
     Scope.TIME: "drive.signal",
     Scope.SIGNALS: "measure.table",
     Scope.FORMULA: "law.formula",
+    Scope.TURN: "cam.load-signal",
 }
 
 
@@ -49,13 +49,13 @@ class Names:
         """Names in an expression that nothing is called by."""
         for node in nodes(place.expression.node):
             if isinstance(node, Name | Call):
-                if place.scope is Scope.FORMULA and node == Name(ARGUMENT):
+                if isinstance(node, Name) and node.text in place.names:
                     continue
-                found = self._unknown(node, place.path)
+                found = self._unknown(node, place)
                 yield from map(_of_class, found) if node is place.expression.node else found
 
-    def _unknown(self, node: Name | Call, path: Path) -> Iterator[Finding]:
-        m = self.mechanism
+    def _unknown(self, node: Name | Call, place: Place) -> Iterator[Finding]:
+        m, path = self.mechanism, place.path
         if is_signal(node):
             try:
                 self.signals.find(node)
@@ -70,7 +70,7 @@ class Names:
             if is_unit(node.text):
                 yield Finding("expression.unit-alone", path, {"name": node.text})
             else:
-                known = [*m.parameters, "t", "pi"]
+                known = [*place.names, *m.parameters, "t", "pi"]
                 data = {"name": node.text, "near": near(node.text, known)}
                 yield Finding("name.unknown-parameter", path, data)
 
@@ -79,7 +79,8 @@ class Names:
         todo: list[Node] = [place.expression.node]
         while todo:
             node = todo.pop()
-            if isinstance(node, Call) and node.name in self.mechanism.laws and place.path[0] != "drives":
+            lawful = place.path[:1] == ("drives",) or place.scope is Scope.TURN
+            if isinstance(node, Call) and node.name in self.mechanism.laws and not lawful:
                 yield Finding("law.place", place.path, {"name": node.name})
             elif not isinstance(node, Name | Call) or self._may_stand(node, place.scope):
                 todo += reversed(children(node))
@@ -91,8 +92,8 @@ class Names:
         if is_signal(node):
             return scope is Scope.SIGNALS or (scope is Scope.LOAD and self._kinematic(node))
         if isinstance(node, Name):
-            return node.text != "t" or scope not in (Scope.CONSTANT, Scope.FORMULA)
-        return node.name in FUNCTIONS or scope in (Scope.TIME, Scope.LOAD)
+            return node.text != "t" or scope not in (Scope.CONSTANT, Scope.FORMULA, Scope.TURN)
+        return node.name in FUNCTIONS or scope in (Scope.TIME, Scope.LOAD, Scope.TURN)
 
     def _kinematic(self, node: Name | Call) -> bool:
         """Whether a signal is free of forces; what is unknown is told elsewhere."""

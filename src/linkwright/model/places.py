@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from enum import Enum
 
 from linkwright.model import units as u
 from linkwright.model.actions import WHERE, Measure
 from linkwright.model.dimensions import Wanted, argument, value
-from linkwright.model.fields import Expression, Position
+from linkwright.model.fields import Expression, FrozenDict, Position
 from linkwright.model.mechanism import Mechanism, Spring
+from linkwright.model.motions import ARGUMENT
 from linkwright.model.pins import homes
 from linkwright.model.tolerances import tolerance_parts
 from linkwright.model.units import Dimension
@@ -26,16 +27,23 @@ class Scope(Enum):
     TIME = "time"
     SIGNALS = "signals"
     FORMULA = "formula"
+    TURN = "turn"
 
 
 @dataclass(frozen=True)
 class Place:
-    """One expression of a file: its path, the dimension wanted there, and what it may name."""
+    """One expression of a file: its path, the dimension wanted there, and what it may name; ``names`` has what the
+    place itself gives a meaning, with its dimension."""
 
     path: Path
     expression: Expression
     wanted: Wanted
     scope: Scope = Scope.CONSTANT
+    names: Mapping[str, Dimension] = FrozenDict()
+
+
+OF_FORMULA = FrozenDict({ARGUMENT: u.PURE})
+"""What a motion law's formula names."""
 
 
 def measured(name: str) -> Wanted:
@@ -208,7 +216,7 @@ def _laws(m: Mechanism) -> Iterator[Place]:
         yield from (Place((*at, *key), number, dimension) for key, number, dimension in law.numbers())
         for i, segment in enumerate(law.segments):
             if segment.formula is not None:
-                yield Place((*at, "segments", i, "formula"), segment.formula, u.PURE, Scope.FORMULA)
+                yield Place((*at, "segments", i, "formula"), segment.formula, u.PURE, Scope.FORMULA, OF_FORMULA)
 
 
 def _measure(m: Mechanism, name: str, measure: Measure) -> Iterator[Place]:

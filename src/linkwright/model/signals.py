@@ -28,12 +28,13 @@ TURNING_DRIVE = {**LINK, "torque": u.TORQUE, "power": u.POWER}
 SLIDING_DRIVE = {**SLIDE, "force": u.FORCE, "power": u.POWER}
 SWINGING_CAM = {**LINK, "force": u.FORCE, "pressure": u.ANGLE}
 SLIDING_CAM = {**SLIDE, "force": u.FORCE, "pressure": u.ANGLE}
+PAIRED = {"pressure_second": u.ANGLE}
 SHAKING = {"x": u.FORCE, "y": u.FORCE, "moment": u.TORQUE}
 ENERGY = {"kinetic": u.ENERGY, "potential": u.ENERGY}
 POLE = dict.fromkeys(("x", "y", "u", "v"), u.LENGTH)
 SPRING = {"length": u.LENGTH, "v": u.SPEED, "force": u.FORCE, "power": u.POWER, "energy": u.ENERGY}
 TORSION_SPRING = {"angle": u.ANGLE, "omega": u.OMEGA, "torque": u.TORQUE, "power": u.POWER, "energy": u.ENERGY}
-_OF_FORCES = frozenset({"torque", "force", "pressure", "power", "energy"})
+_OF_FORCES = frozenset({"torque", "force", "pressure", *PAIRED, "power", "energy"})
 
 
 @dataclass(frozen=True)
@@ -116,7 +117,7 @@ class Signals:
         if owner in m.joints and m.joints[owner].prismatic:
             return "slide", SLIDE
         if isinstance(drive := m.drives.get(owner), Following):
-            return "drive", SWINGING_CAM if drive.turns else SLIDING_CAM
+            return "drive", {**(SWINGING_CAM if drive.turns else SLIDING_CAM), **(PAIRED if drive.paired else {})}
         if drive is not None:
             return "drive", TURNING_DRIVE if drive.turns else SLIDING_DRIVE
         if owner in m.springs:

@@ -75,6 +75,8 @@ _RECIPES: dict[Dimension, str] = {
 
 SI = {"length": "m", "mass": "kg", "time": "s", "angle": "rad", "force": "N", "torque": "N*m", "pressure": "Pa"}
 BASES = tuple(SI)
+_FOLLOWING = {"torque": "{force}*{length}", "pressure": "{force}/{length}^2"}
+"""The units of what follows from force and length."""
 BASE_DIMENSIONS = dict(zip(BASES, (LENGTH, MASS, TIME, ANGLE, FORCE, TORQUE, PRESSURE), strict=True))
 
 
@@ -152,8 +154,8 @@ _BUILT_IN: dict[str, tuple[float, Dimension]] = {
 def spelled(dimension: Dimension, declared: dict[str, str], strict: bool = True) -> str:
     """The unit of a dimension in the declared words; undeclared bases are an error, or SI if not ``strict``.
 
-    Torque follows from force and length when it isn't declared itself. Raises :class:`UnitError` with the
-    base that isn't declared (``length``), or with an empty text where no unit is usual for the dimension.
+    Torque and pressure follow from force and length when they aren't declared themselves. Raises :class:`UnitError`
+    with the base that isn't declared (``length``), or with an empty text where no unit is usual for the dimension.
     """
     if dimension == ENERGY:
         return "J"
@@ -165,8 +167,8 @@ def spelled(dimension: Dimension, declared: dict[str, str], strict: bool = True)
     words: dict[str, str] = {}
     for base in re.findall(r"{(\w+)}", recipe):
         word = declared.get(base)
-        if word is None and base == "torque" and {"force", "length"} <= declared.keys():
-            word = f"{declared['force']}*{declared['length']}"
+        if word is None and base in _FOLLOWING and {"force", "length"} <= declared.keys():
+            word = _FOLLOWING[base].format(**declared)
         if word is None:
             if strict:
                 raise UnitError(base)

@@ -13,6 +13,7 @@ from linkwright.model.document import dump
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.model.pins import spring_ends
+from linkwright.model.signals import PAIRED
 from linkwright.model.units import LENGTH, TIME
 from linkwright.report.cam_shapes import cam_shapes
 from linkwright.report.centrodes import centrodes
@@ -214,7 +215,8 @@ def _force_plots(result: Result) -> list[Plot | None]:
     found.append(_plot(result, say("plot.torque"), "force", [f"{n}.torque" for n in turning]))
     found.append(_plot(result, say("plot.effort"), "force", [f"{n}.force" for n in sliding]))
     found.append(_plot(result, say("plot.contact"), "force", [f"{n}.force" for n in m.cams]))
-    found.append(_plot(result, say("plot.pressure"), "force", [f"{n}.pressure" for n in m.cams]))
+    pressures = [name for n in m.cams for a in ("pressure", *PAIRED) if (name := f"{n}.{a}") in result.names]
+    found.append(_plot(result, say("plot.pressure"), "force", pressures))
     between = [name for name, spring in m.springs.items() if not spring.torsional]
     torsional = [name for name in m.springs if name not in between]
     found.append(_plot(result, say("plot.spring_length"), "motion", [f"{n}.length" for n in between]))

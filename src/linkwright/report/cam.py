@@ -10,13 +10,14 @@ import numpy as np
 
 from linkwright.cam.checks import Check
 from linkwright.model import units as u
-from linkwright.report.cam_charts import charts
+from linkwright.report.cam_charts import charts, of_disc
 from linkwright.report.cam_forces import force_charts, force_entry, force_sentences
 from linkwright.report.charts import figures as charts_html
 from linkwright.report.data import CamData, Grid
 from linkwright.studies.cam.force_findings import MEASURES
 from linkwright.studies.cam.milled import Milled
 from linkwright.studies.cam.outcome import CamOutcome
+from linkwright.studies.cam.plate import Plate
 from linkwright.words import say
 
 DIGITS = 7
@@ -39,11 +40,8 @@ def cam_entry(outcome: CamOutcome) -> dict[str, Any]:
         if figure.wanted is not None:
             told |= {"require": str(outcome.options.require[figure.name].raw), "met": figure.kept}
         entry["figures"][figure.name] = told
-    entry["checks"] = [_check(outcome, check) for check in (*outcome.checks, *outcome.force_checks)]
-    entry |= force_entry(outcome)
-    if outcome.stated.base is not None:
-        least = outcome.smallest
-        entry["size"] = {"base": None if least is None else least / size, "unit": length}
+    entry |= _plate(outcome, outcome.first) | force_entry(outcome)
+    entry["checks"] += [_check(outcome, check) for check in outcome.force_checks]
     if outcome.map is not None:
         found = outcome.map
         entry["size"]["map"] = {
@@ -51,17 +49,30 @@ def cam_entry(outcome: CamOutcome) -> dict[str, Any]:
             found.names[1]: (found.second / size).tolist(),
             "margins": [[m if math.isfinite(m) else None for m in row] for row in found.margins.tolist()],
         }
-    if outcome.made:
+    if outcome.second is not None:
+        follower = outcome.second.disc.follower
+        entry["second"] = {"base": follower.base / size, "roller": follower.radius / size, "unit": length}
+        entry["second"] |= _plate(outcome, outcome.second)
+    return {"measures": entry["figures"], "cam": entry}
+
+
+def _plate(outcome: CamOutcome, plate: Plate) -> dict[str, Any]:
+    """What is told of each disc."""
+    length, size = outcome.compiled.quantities.unit_of(u.LENGTH)
+    entry: dict[str, Any] = {"checks": [_check(outcome, check) for check in plate.checks]}
+    if outcome.stated.base is not None:
+        least = plate.smallest
+        entry["size"] = {"base": None if least is None else least / size, "unit": length}
+    if plate.made:
         entry["contour"] = {
-            "elements": len(outcome.elements),
-            "tolerance": outcome.stated.tolerance / size,
-            "area": outcome.area / size**2,
+            "elements": len(plate.elements),
+            "tolerance": plate.stated.tolerance / size,
+            "area": plate.area / size**2,
             "unit": length,
         }
-    if outcome.volume is not None:
-        entry["volume"] = {"value": outcome.volume / size**3, "unit": f"{length}^3"}
-    entry["nc"] = {one.post.name: _milled(outcome, one) for one in outcome.milled}
-    return {"measures": entry["figures"], "cam": entry}
+    if plate.volume is not None:
+        entry["volume"] = {"value": plate.volume / size**3, "unit": f"{length}^3"}
+    return entry | {"nc": {one.post.name: _milled(outcome, one) for one in plate.milled}}
 
 
 def _check(outcome: CamOutcome, check: Check) -> dict[str, Any]:
@@ -120,14 +131,15 @@ def section(data: CamData, title: str, tables: str) -> str:
 def cam_sentences(outcome: CamOutcome) -> list[str]:
     """What was found, in words."""
     length, size = outcome.compiled.quantities.unit_of(u.LENGTH)
-    told = [
-        say("cam.sentence", name=outcome.name, elements=len(outcome.elements), tolerance=outcome.options.tolerance.text)
-    ]
-    if not outcome.made:
-        told = [say("cam.sentence.none", name=outcome.name)]
-    if outcome.stated.base is not None and outcome.smallest is not None:
-        told.append(say("cam.sentence.base", base=f"{outcome.smallest / size:.6g}", unit=length))
-    by = {check.name: check for check in outcome.checks}
+    told = []
+    for plate in outcome.plates:
+        key = ("cam.sentence" if plate.made else "cam.sentence.none") + ("-second" if plate.second else "")
+        within = outcome.options.tolerance.text
+        told.append(say(key, name=outcome.name, elements=len(plate.elements), tolerance=within))
+        if plate.smallest is not None:
+            base = {"base": f"{plate.smallest / size:.6g}", "unit": length}
+            told.append(say("cam.sentence.second-base" if plate.second else "cam.sentence.base", **base))
+    by = {check.name: check for check in outcome.first.checks}
     roller = outcome.disc.follower.radius
     if roller > 0 and "profile_radius" in by and "pitch_radius" in by:
         data = {"profile": by["profile_radius"].value, "roller": roller, "pitch": by["pitch_radius"].value}
@@ -142,20 +154,30 @@ def cam_tables(outcome: CamOutcome) -> list[Grid]:
         [say(f"cam.figure.{name}"), _n(one["value"]), one["unit"], _place(one), one.get("require", "–"), _mark(one)]
         for name, one in entry["figures"].items()
     ]
-    checks = [
-        [say(f"cam.check.{c['name']}"), _n(c["value"]), c["unit"], _place(c), _n(c["limit"]), _n(c["margin"]), _mark(c)]
-        for c in entry["checks"]
-    ]
-    made = [_nc_row(post, m) for post, m in entry["nc"].items() if "lift_error" in m]
+    checks, made, parts = [], [], []
+    for one, second in [(entry, False), *([(entry["second"], True)] if outcome.second else [])]:
+        checks += [_of(second, _check_row(check)) for check in one["checks"]]
+        made += [_of(second, _nc_row(post, m)) for post, m in one["nc"].items() if "lift_error" in m]
+        parts += [_of(second, row) for row in _parts(one)]
     grids = [
         _grid("figures", ("figure", "value", "unit", "at", "required", "verdict"), figures),
         _grid("checks", ("check", "value", "unit", "at", "limit", "margin", "verdict"), checks),
         _grid(
             "nc", ("post", "error", "tolerance", "unit", "velocity", "gouge", "rest", "time", "lines", "written"), made
         ),
-        _grid("parts", ("part", "value", "unit"), _parts(entry)),
+        _grid("parts", ("part", "value", "unit"), parts),
     ]
     return [grid for grid in grids if grid["rows"]]
+
+
+def _of(second: bool, row: list[str]) -> list[str]:
+    """A row of which the first cell says that it is the second disc's."""
+    return [of_disc(row[0], second), *row[1:]]
+
+
+def _check_row(c: dict[str, Any]) -> list[str]:
+    numbers = [_n(c["value"]), c["unit"], _place(c), _n(c["limit"]), _n(c["margin"])]
+    return [say(f"cam.check.{c['name']}"), *numbers, _mark(c)]
 
 
 def _nc_row(post: str, m: dict[str, Any]) -> list[str]:

@@ -15,6 +15,7 @@ from linkwright.report.cam_picture import picture, tool_path
 from linkwright.report.charts import Axes, named
 from linkwright.report.data import Chart
 from linkwright.studies.cam.outcome import CamOutcome
+from linkwright.studies.cam.plate import Plate
 from linkwright.words import say
 
 Array = NDArray[np.float64]
@@ -31,16 +32,23 @@ def charts(outcome: CamOutcome) -> list[Chart]:
     made += [*_rates(outcome), _pressure(outcome), *_curvatures(outcome)]
     if outcome.map is not None:
         made.append(_map(outcome))
-    if any(not one.proof.faults for one in outcome.milled):
-        made += [{"title": say("cam.chart.tool"), "drawing": tool_path(outcome)}, _error(outcome)]
+    for plate in outcome.plates:
+        if any(not one.proof.faults for one in plate.milled):
+            title = of_disc(say("cam.chart.tool"), plate.second)
+            made += [{"title": title, "drawing": tool_path(outcome, plate)}, _error(outcome, plate)]
     return made
+
+
+def of_disc(text: str, second: bool) -> str:
+    """What something is called, of the second disc."""
+    return say("cam.of-second", what=text) if second else text
 
 
 def _rates(outcome: CamOutcome) -> Iterator[Chart]:
     law = outcome.compiled.mechanism.laws[outcome.compiled.mechanism.cams[outcome.name].law]
     for order, name in enumerate(RATES):
         unit, size = rate_unit(outcome.compiled.quantities, law, order)
-        values = np.broadcast_to(outcome.look.lift.d[order], outcome.theta.shape) / size
+        values = np.broadcast_to(outcome.first.look.lift.d[order], outcome.first.theta.shape) / size
         yield over(outcome, say(f"cam.chart.{name}"), unit, [values])
 
 
@@ -51,46 +59,50 @@ def over(
     lines: Sequence[Array],
     limits: Sequence[float] = (),
     theta: Array | None = None,
+    second: bool = False,
 ) -> Chart:
-    """Lines over the cam angle, limits across."""
+    """Lines over the cam angle, limits across; ``second``: the second line is that of a second disc or contact."""
     angle, deg = outcome.compiled.quantities.unit_of(u.ANGLE)
-    x = (outcome.theta if theta is None else theta) / deg
+    x = (outcome.first.theta if theta is None else theta) / deg
     known = np.concatenate([*(line[np.isfinite(line)] for line in lines), np.array([*limits, 0.0])])
     axes = Axes((0.0, 2 * math.pi / deg), (float(known.min()), float(known.max())), named(say("cam.angle"), angle))
     ends = np.array([0.0, 2 * math.pi / deg])
     shapes = [axes.line(ends, np.full(2, limit), "limit") for limit in limits]
-    shapes += [axes.line(x, line, kind) for line, kind in zip(lines, ("mean", "line"), strict=False)]
-    title = named(name, unit)
+    shapes += [
+        axes.line(x, line, kind) for line, kind in zip(lines, ("mean", "shift" if second else "line"), strict=False)
+    ]
+    title = named(say("cam.chart.with-second", what=name) if second else name, unit)
     return {"title": title, "drawing": axes.drawing(shapes, title)}
 
 
 def _pressure(outcome: CamOutcome) -> Chart:
     angle, deg = outcome.compiled.quantities.unit_of(u.ANGLE)
-    limits = [c.limit / deg for c in outcome.checks if c.name.startswith("pressure") and c.limit is not None]
-    values = np.abs(np.broadcast_to(outcome.look.pressure.d[0], outcome.theta.shape)) / deg
-    return over(outcome, say("cam.chart.pressure"), angle, [values], limits)
+    checks = outcome.first.checks
+    limits = [c.limit / deg for c in checks if c.name.startswith("pressure") and c.limit is not None]
+    lines = [np.abs(np.broadcast_to(p.look.pressure.d[0], p.theta.shape)) / deg for p in outcome.plates]
+    return over(outcome, say("cam.chart.pressure"), angle, lines, limits, second=len(lines) > 1)
 
 
 def _curvatures(outcome: CamOutcome) -> Iterator[Chart]:
-    """Of the pitch curve and of the profile, with the limits of their radii."""
+    """Of the pitch curves and of the profiles, with the limits of their radii."""
     unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
     per = f"1/{unit}"
-    radius = outcome.disc.follower.radius
-    for name, by, check in (("pitch", 0.0, "pitch_radius"), ("profile", -radius, "profile_radius")):
-        if (by == 0.0 and not radius) or (name == "profile" and not outcome.made):
+    for name, own, check in (("pitch", False, "pitch_radius"), ("profile", True, "profile_radius")):
+        plates = [plate for plate in outcome.plates if (plate.made if own else plate.disc.follower.radius)]
+        if not plates:
             continue
-        limits = [size / c.limit for c in outcome.checks if c.name == check and c.limit]
-        values = size / outcome.look.radius(by)
-        yield over(outcome, say(f"cam.chart.{name}"), per, [values], limits)
+        limits = {size / c.limit for plate in plates for c in plate.checks if c.name == check and c.limit}
+        values = [size / plate.look.radius(-plate.disc.follower.radius if own else 0.0) for plate in plates]
+        yield over(outcome, say(f"cam.chart.{name}"), per, values, sorted(limits), second=len(values) > 1)
 
 
-def _error(outcome: CamOutcome) -> Chart:
+def _error(outcome: CamOutcome, plate: Plate) -> Chart:
     """Made less wanted, of the file that is farthest off: at the cam's bottom and top."""
-    one = max((m for m in outcome.milled if not m.proof.faults), key=lambda m: m.proof.worst)
+    one = max((m for m in plate.milled if not m.proof.faults), key=lambda m: m.proof.worst)
     unit, size = outcome.compiled.quantities.unit_of(outcome.lift_dimension)
     limit = one.job.tolerance / size
     lines = [row / size for row in one.proof.error]
-    name = say("cam.chart.error", post=one.post.name)
+    name = of_disc(say("cam.chart.error", post=one.post.name), plate.second)
     return over(outcome, name, unit, lines, (-limit, limit), one.proof.theta)
 
 

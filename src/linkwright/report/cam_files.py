@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from importlib.util import find_spec
 
 import numpy as np
@@ -10,54 +10,62 @@ from numpy.typing import NDArray
 
 from linkwright.cam.disc import TURN
 from linkwright.cam.drawing import Circle, dxf
+from linkwright.cam.nc.path import Element
 from linkwright.cam.nc.posts import POSTS
 from linkwright.cam.solid import solid, step
+from linkwright.cam.splines import Spline
 from linkwright.model import units as u
 from linkwright.report.cam_picture import still
 from linkwright.report.csv_text import cell, head, written
 from linkwright.studies.cam.outcome import CamOutcome
+from linkwright.studies.cam.plate import Plate
 from linkwright.words import say
 
 Array = NDArray[np.float64]
 
 
-def profile_csv(outcome: CamOutcome) -> str:
-    """The cam over a turn: lift, pitch curve and profile about the cam's centre in directions of its link's axes,
+Content = str | bytes | None
+OfPlate = Callable[[CamOutcome, Plate], Content]
+
+
+def profile_csv(outcome: CamOutcome, plate: Plate) -> str:
+    """A disc over a turn: lift, pitch curve and profile about the cam's centre in directions of its link's axes,
     their normal, radii of curvature (negative where hollow), pressure angle."""
-    header, columns = zip(*_columns(outcome), strict=True)
+    header, columns = zip(*_columns(outcome, plate), strict=True)
     rows = ([cell(value) for value in row] for row in np.array(columns).T.tolist())
     return written(list(header), rows)
 
 
-def _columns(outcome: CamOutcome) -> Iterator[tuple[str, Array]]:
-    quantities, look, count = outcome.compiled.quantities, outcome.look, outcome.theta.size
+def _columns(outcome: CamOutcome, plate: Plate) -> Iterator[tuple[str, Array]]:
+    quantities, look, count = outcome.compiled.quantities, plate.look, plate.theta.size
     length, mm = quantities.unit_of(u.LENGTH)
     angle, deg = quantities.unit_of(u.ANGLE)
     lift, size = quantities.unit_of(outcome.lift_dimension)
-    radius = outcome.disc.follower.radius
-    yield head("theta", angle), outcome.theta / deg
+    radius = plate.disc.follower.radius
+    yield head("theta", angle), plate.theta / deg
     yield head("lift", lift), np.broadcast_to(look.lift.d[0], count) / size
     if radius:
-        x, y = outcome.placed(look.offset(0.0)) / mm
+        x, y = plate.placed(look.offset(0.0)) / mm
         yield head("pitch x", length), x
         yield head("pitch y", length), y
-    if outcome.made:
-        x, y = outcome.placed(look.offset(-radius)) / mm
+    if plate.made:
+        x, y = plate.placed(look.offset(-radius)) / mm
         yield head("profile x", length), x
         yield head("profile y", length), y
-    x, y = outcome.placed(look.offset(1.0) - look.offset(0.0))
+    x, y = plate.placed(look.offset(1.0) - look.offset(0.0))
     yield "normal x", x
     yield "normal y", y
     if radius:
         yield head("pitch radius", length), look.radius() / mm
-    if outcome.made:
+    if plate.made:
         yield head("profile radius", length), look.radius(-radius) / mm
     yield head("pressure angle", angle), np.broadcast_to(look.pressure.d[0], count) / deg
 
 
 def cam_dxf(outcome: CamOutcome) -> str | None:
-    """The drawing in mm; nothing where ezdxf isn't installed."""
-    if not outcome.made or find_spec("ezdxf") is None:
+    """The drawing in mm, of both discs where there are two; nothing where ezdxf isn't installed."""
+    made = [plate for plate in outcome.plates if plate.made]
+    if not made or find_spec("ezdxf") is None:
         return None
     blank = outcome.stated.blank
     circles: dict[str, list[Circle]] = {}
@@ -65,19 +73,21 @@ def cam_dxf(outcome: CamOutcome) -> str | None:
         circles["BORE"] = [(0.0, 0.0, blank.bore)]
     if blank is not None and blank.hub:
         circles["HUB"] = [(0.0, 0.0, blank.hub)]
-    layers = {"PROFILE": outcome.contour} | ({"FLANK": outcome.flank} if outcome.flank else {})
-    if outcome.options.drawing == "arcs":
-        return dxf(layers, circles)
-    return dxf({}, circles, dict(zip(layers, outcome.splines, strict=True)))
+    layers: dict[str, Sequence[Element]] = {}
+    curves: dict[str, Sequence[Spline]] = {}
+    for plate in made:
+        own = {"SECOND" if plate.second else "PROFILE": plate.contour} | ({"FLANK": plate.flank} if plate.flank else {})
+        layers |= own
+        curves |= zip(own, plate.splines, strict=False)
+    return dxf(layers, circles) if outcome.options.drawing == "arcs" else dxf({}, circles, curves)
 
 
-def cam_step(outcome: CamOutcome) -> bytes | None:
+def cam_step(outcome: CamOutcome, plate: Plate) -> bytes | None:
     """The solid in mm; nothing where build123d isn't installed, or no blank is stated."""
     blank = outcome.stated.blank
-    fits = not any(finding.code == "cam.blank" for finding in outcome.failures)
-    if blank is None or not outcome.made or not fits or find_spec("build123d") is None:
+    if blank is None or not plate.made or not plate.fits or find_spec("build123d") is None:
         return None
-    return step(solid(outcome.contour, blank))
+    return step(solid(plate.contour, blank))
 
 
 def motion_text(outcome: CamOutcome) -> str:
@@ -93,17 +103,28 @@ def motion_text(outcome: CamOutcome) -> str:
     return "\n".join(lines) + "\n"
 
 
-def nc(post: str) -> Callable[[CamOutcome], str | None]:
+def nc(post: str) -> OfPlate:
     """The file for a control: only one that is proven."""
-    return lambda outcome: next((one.text for one in outcome.milled if one.post.name == post and one.proven), None)
+    return lambda _, plate: next((one.text for one in plate.milled if one.post.name == post and one.proven), None)
+
+
+def _first(made: OfPlate) -> Callable[[CamOutcome], Content]:
+    return lambda outcome: made(outcome, outcome.first)
+
+
+def _second(made: OfPlate) -> Callable[[CamOutcome], Content]:
+    return lambda outcome: None if outcome.second is None else made(outcome, outcome.second)
 
 
 FILES: dict[str, Callable[[CamOutcome], str | bytes | None]] = {
-    "cam_profile.csv": profile_csv,
+    "cam_profile.csv": _first(profile_csv),
     "cam.svg": still,
     "cam.dxf": cam_dxf,
-    "cam.step": cam_step,
+    "cam.step": _first(cam_step),
     "cam_motion.txt": motion_text,
-    **{f"cam_{name}.{post.suffix}": nc(name) for name, post in POSTS.items()},
+    **{f"cam_{name}.{post.suffix}": _first(nc(name)) for name, post in POSTS.items()},
+    "cam_second_profile.csv": _second(profile_csv),
+    "cam_second.step": _second(cam_step),
+    **{f"cam_second_{name}.{post.suffix}": _second(nc(name)) for name, post in POSTS.items()},
 }
 """By name."""

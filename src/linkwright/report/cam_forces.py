@@ -51,7 +51,8 @@ def force_sentences(outcome: CamOutcome) -> Iterator[str]:
         unit, size = outcome.compiled.quantities.unit_of(dimension)
         return f"{value / size:.6g} {unit}"
 
-    low, high = (told(one.value, u.FORCE) for one in done.forces.contact_range)
+    figures = dict(done.figures())
+    low, high = (told(figures[f"contact_force_{end}"].value, u.FORCE) for end in ("min", "max"))
     least, most = (told(one.value, u.TORQUE) for one in done.forces.torque_range)
     data = {"speed": told(done.asked.omega, u.OMEGA), "low": low, "high": high, "least": least, "most": most}
     yield say("cam.sentence.forces", **data)
@@ -60,11 +61,16 @@ def force_sentences(outcome: CamOutcome) -> Iterator[str]:
         yield say(f"cam.sentence.{key}", rate=told(done.loads.rate, rate), preload=told(done.loads.preload, load))
     if done.asked.second is not None:
         places = ", ".join(told(place, u.ANGLE) for place in done.forces.reversals)
-        yield say("cam.sentence.groove", places=places) if places else say("cam.sentence.one-flank")
+        if done.apart:
+            force = figures["second_contact_force_max"].value
+            alone = "apart-other" if force > 0 else "apart-one"
+            yield say(f"cam.sentence.{'apart' if places else alone}", places=places, most=told(force, u.FORCE))
+        else:
+            yield say("cam.sentence.groove", places=places) if places else say("cam.sentence.one-flank")
 
 
 def force_charts(outcome: CamOutcome) -> Iterator[Chart]:
-    """Contact force and torque, and with a width the pressure; a groove's outer flank is the second line."""
+    """Contact force and torque, and with a width the pressure; a second side's is the second line."""
     done = outcome.pressed
     if done is None:
         return
@@ -73,7 +79,7 @@ def force_charts(outcome: CamOutcome) -> Iterator[Chart]:
     def chart(name: str, dimension: u.Dimension, lines: Sequence[Array], limits: Sequence[float]) -> Chart:
         unit, size = outcome.compiled.quantities.unit_of(dimension)
         rows, across = [line / size for line in lines], [limit / size for limit in limits]
-        return over(outcome, say(f"cam.chart.{name}"), unit, rows, across, forces.theta)
+        return over(outcome, say(f"cam.chart.{name}"), unit, rows, across, forces.theta, len(rows) > 1)
 
     first = forces.values(forces.figure()) if asked.second is None else forces.contact
     second = [] if asked.second is None else [forces.contact_second]

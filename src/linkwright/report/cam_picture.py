@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from html import escape
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.cam.disc import Look
 from linkwright.cam.nc.swept import chains
 from linkwright.model import units as u
 from linkwright.report.charts import points, thinned
 from linkwright.report.plane import LEFT, TOP, Plane
 from linkwright.studies.cam.outcome import CamOutcome
+from linkwright.studies.cam.plate import Plate
 from linkwright.words import say
 
 Array = NDArray[np.float64]
@@ -26,6 +29,7 @@ STYLE = """
 .still.cam text { font: 12px system-ui, Arial, "DejaVu Sans", "Liberation Sans", "Noto Sans", sans-serif; }
 .still.cam .grid { fill: none; stroke: #8886; stroke-width: 0.5; }
 .still.cam .profile { fill: #1f6fb5; fill-opacity: 0.18; stroke: #1f6fb5; stroke-width: 2; }
+.still.cam .second { fill: #7a6a2f; stroke: #7a6a2f; fill-opacity: 0.18; stroke-width: 2; }
 .still.cam .pitch { fill: none; stroke: #2f8a4c; stroke-width: 1.2; stroke-dasharray: 5 3; }
 .still.cam .base { fill: none; stroke: #888; stroke-width: 1; stroke-dasharray: 2 3; }
 .still.cam .follower { fill: none; stroke: #c2571a; stroke-width: 2; }
@@ -51,16 +55,18 @@ def still(outcome: CamOutcome) -> str:
 def picture(outcome: CamOutcome, turning: bool = True) -> str:
     """The cam in the disc's axes (x to a swinging follower's pivot, y the way of a sliding one), at the cam angle 0."""
     size = outcome.compiled.quantities.unit_of(u.LENGTH)[1]
-    disc, look = outcome.disc, outcome.look
-    follower, roller = disc.follower, disc.follower.radius
-    curves = [look.offset(0.0), look.offset(-roller)] if outcome.made else [look.offset(0.0)]
+    first, rides = outcome.first, contacts(outcome)
+    follower = first.disc.follower
+    discs = [(plate, flipped(plate.look.offset(-plate.disc.follower.radius), plate.second)) for plate in outcome.plates]
+    curves = [curve for plate, curve in discs if plate.made] + [flipped(p.look.offset(0.0), p.second) for p, _ in discs]
     far = max(float(np.hypot(*curve).max()) for curve in curves)
-    centre = np.array([np.broadcast_to(c.d[0], look.theta.shape) for c in look.centre])
     pivot = (getattr(follower, "distance", 0.0), 0.0)
-    right = max(far, pivot[0] if follower.turns else 0.0, float(centre[0].max()) + roller)
-    top = max(far, float(centre[1].max()) + roller)
+    reach = [(ride.centre + sign * ride.roller, sign) for ride in rides for sign in (1, -1)]
+    right = max(far, pivot[0] if follower.turns else 0.0, *(float(row[0].max()) for row, sign in reach if sign > 0))
+    top = max(far, *(float(row[1].max()) for row, sign in reach if sign > 0))
+    below = max(far, *(-float(row[1].min()) for row, sign in reach if sign < 0)) if len(rides) > 1 else far
     plane = Plane(
-        (-far / size, -far / size, right / size, top / size), outcome.compiled.quantities.unit_of(u.LENGTH)[0]
+        (-far / size, -below / size, right / size, top / size), outcome.compiled.quantities.unit_of(u.LENGTH)[0]
     )
 
     def path(curve: Array) -> str:
@@ -69,31 +75,67 @@ def picture(outcome: CamOutcome, turning: bool = True) -> str:
     ox, oy = (float(v) for v in plane.at(np.array(0.0), np.array(0.0)))
     scale = plane.scale / size
     cam = [f'<circle class="base" cx="{ox:.2f}" cy="{oy:.2f}" r="{follower.base * scale:.2f}"/>']
-    if outcome.made:
-        cam.append(f'<polygon class="profile" points="{path(curves[1])}"/>')
-    if roller:
-        cam.append(f'<polygon class="pitch" points="{path(curves[0])}"/>')
+    for plate, curve in reversed(discs):
+        if plate.made:
+            kind = "profile second" if plate.second else "profile"
+            cam.append(f'<polygon class="{kind}" points="{path(curve)}"/>')
+        if plate.disc.follower.radius:
+            cam.append(f'<polygon class="pitch" points="{path(flipped(plate.look.offset(0.0), plate.second))}"/>')
     worst = next((f for f in outcome.figures if f.name == "profile_curvature_max"), None)
     if worst is not None:
-        (x,), (y,) = plane.at(*(disc.look(np.array([worst.theta])).offset(-roller) / size))
+        (x,), (y,) = plane.at(*(first.disc.look(np.array([worst.theta])).offset(-follower.radius) / size))
         cam.append(f'<circle class="worst" cx="{x:.2f}" cy="{y:.2f}" r="3"/>')
-    turned = _spin(f"{-disc.sense * 360} {ox:.2f} {oy:.2f}", f"0 {ox:.2f} {oy:.2f}") if turning else ""
-    rider, moved = _follower(outcome, plane, size, centre, pivot)
-    legend = [("base", say("cam.kind.base"))] + ([("profile", say("cam.kind.profile"))] if outcome.made else [])
-    legend += [("pitch", say("cam.kind.pitch"))] if roller else []
-    legend += [("follower", say("cam.kind.follower"))] + ([("worst", say("cam.kind.worst"))] if worst else [])
+    turned = _spin(f"{-first.disc.sense * 360} {ox:.2f} {oy:.2f}", f"0 {ox:.2f} {oy:.2f}") if turning else ""
+    rider, moved = _follower(outcome, plane, size, rides, pivot)
+    kinds = ["base", *(["profile"] if outcome.made else [])]
+    kinds += ["second"] if outcome.second is not None and outcome.second.made else []
+    kinds += [*(["pitch"] if follower.radius else []), "follower", *(["worst"] if worst else [])]
+    legend = [(kind, say(f"cam.kind.{kind}")) for kind in kinds]
     body = f'<g id="camPicture"><g>{"".join(cam)}{turned}</g><g>{rider}{moved if turning else ""}</g></g>'
     return drawn(plane, body, legend, say("cam.picture.turning" if turning else "cam.picture", name=outcome.name))
 
 
+def flipped(points: Array, second: bool) -> Array:
+    """Points of a second disc (2, n) in the axes of the first."""
+    return points * np.array([[1.0], [-1.0]]) if second else points
+
+
+@dataclass(frozen=True)
+class Ride:
+    """A contact of the follower in the fixed frame, in the axes of the first disc: the ``centre`` of its roller, its
+    edge or where its face touches (2, n), the ``normal`` there at the cam angle 0, the ``roller``'s radius; m."""
+
+    centre: Array
+    normal: tuple[float, float]
+    roller: float
+
+
+def contacts(outcome: CamOutcome) -> list[Ride]:
+    """Those of the follower: on the first disc, on the second, or opposite in a yoke as wide as the disc needs."""
+    made = [_ride(plate.look, plate.disc.follower.radius, plate.second) for plate in outcome.plates]
+    span = {} if outcome.closing is None else outcome.closing.figures
+    if "yoke_span_max" in span:
+        (ride,) = made
+        across = np.array([[-2 * ride.centre[0, 0]], [-span["yoke_span_max"].value]])
+        other = ride.centre + (across if not outcome.disc.follower.faced else across * np.array([[0.0], [1.0]]))
+        made.append(Ride(other, (-ride.normal[0], -ride.normal[1]), ride.roller))
+    return made
+
+
+def _ride(look: Look, roller: float, second: bool) -> Ride:
+    centre, normal = (
+        flipped(np.array([np.broadcast_to(c.d[0], look.theta.shape) for c in of]), second)
+        for of in (look.centre, look.along)
+    )
+    return Ride(centre, (float(normal[0, 0]), float(normal[1, 0])), roller)
+
+
 def _follower(
-    outcome: CamOutcome, plane: Plane, size: float, centre: Array, pivot: tuple[float, float]
+    outcome: CamOutcome, plane: Plane, size: float, rides: Sequence[Ride], pivot: tuple[float, float]
 ) -> tuple[str, str]:
     """The follower at the cam angle 0, and how it moves."""
-    disc, look = outcome.disc, outcome.look
-    follower, scale = disc.follower, plane.scale / size
+    look, follower, scale = outcome.first.look, outcome.disc.follower, plane.scale / size
     px, py = (float(v) for v in plane.at(np.array(pivot[0] / size), np.array(pivot[1] / size)))
-    cx, cy = (float(v) for v in plane.at(centre[0, 0] / size, centre[1, 0] / size))
     lift = np.broadcast_to(look.lift.d[0], look.theta.shape)
     some = np.linspace(0, lift.size - 1, FRAMES + 1).round().astype(int)
     if follower.turns:
@@ -102,22 +144,32 @@ def _follower(
     else:
         values = ";".join(f"0 {-scale * v:.3f}" for v in (lift[some] - lift[0]))
         moved = _moved("translate", values)
-    shapes = []
-    if follower.faced:
-        normal = [float(np.broadcast_to(n.d[0], look.theta.shape)[0]) for n in look.along]
-        tx, ty = -normal[1], normal[0]
-        reach = 0.8 * follower.base * scale
-        shapes.append(f"M{cx - reach * tx:.2f} {cy + reach * ty:.2f}L{cx + reach * tx:.2f} {cy - reach * ty:.2f}")
-    elif follower.turns:
-        shapes.append(f"M{px:.2f} {py:.2f}L{cx:.2f} {cy:.2f}")
+    shapes, circles = [], []
+    places = [tuple(float(v) for v in plane.at(*(ride.centre[:, 0] / size))) for ride in rides]
+    for ride, (cx, cy) in zip(rides, places, strict=True):
+        if follower.faced:
+            tx, ty = -ride.normal[1], ride.normal[0]
+            reach = 0.8 * follower.base * scale
+            shapes.append(f"M{cx - reach * tx:.2f} {cy + reach * ty:.2f}L{cx + reach * tx:.2f} {cy - reach * ty:.2f}")
+        elif follower.turns:
+            shapes.append(f"M{px:.2f} {py:.2f}L{cx:.2f} {cy:.2f}")
+        if ride.roller:
+            circles.append((cx, cy, ride.roller * scale))
+    if not follower.turns:
+        if not follower.faced:
+            shapes.append(f"M{places[0][0]:.2f} {places[0][1]:.2f}V{TOP:.2f}")
+        shapes += [_joined(places)] if len(places) > 1 else []
     else:
-        shapes.append(f"M{cx:.2f} {cy:.2f}V{TOP:.2f}")
+        circles.append((px, py, 4.0))
     body = f'<path class="follower" d="{"".join(shapes)}"/>'
-    if follower.radius:
-        body += f'<circle class="follower" cx="{cx:.2f}" cy="{cy:.2f}" r="{follower.radius * scale:.2f}"/>'
-    if follower.turns:
-        body += f'<circle class="follower" cx="{px:.2f}" cy="{py:.2f}" r="4"/>'
+    body += "".join(f'<circle class="follower" cx="{x:.2f}" cy="{y:.2f}" r="{r:.2f}"/>' for x, y, r in circles)
     return body, moved
+
+
+def _joined(places: Sequence[tuple[float, ...]]) -> str:
+    """What a sliding follower's two contacts have between them: a line."""
+    (ax, ay), (bx, by) = places
+    return f"M{ax:.2f} {ay:.2f}L{bx:.2f} {by:.2f}"
 
 
 def _spin(to: str, start: str) -> str:
@@ -131,14 +183,14 @@ def _moved(kind: str, values: str) -> str:
     )
 
 
-def tool_path(outcome: CamOutcome) -> str:
+def tool_path(outcome: CamOutcome, plate: Plate) -> str:
     """The path of the cutter's centre at full depth, read back from the first file, around the profile."""
     size = outcome.compiled.quantities.unit_of(u.LENGTH)[1]
-    one = outcome.milled[0]
+    one = plate.milled[0]
     deepest = min(move.end[2] for move in one.proof.moves)
     cutting = [m for m in one.proof.moves if m.feed is not None and max(m.start[2], m.end[2]) <= deepest + 1e-6]
     lines = [line[thinned(len(line), MOST)].T / 1e3 for line in chains(cutting, one.job.cutter)]
-    profile = outcome.look.offset(-outcome.disc.follower.radius)
+    profile = plate.look.offset(-plate.disc.follower.radius)
     every = np.concatenate([*lines, profile], axis=1)
     low, high = every.min(axis=1) / size, every.max(axis=1) / size
     plane = Plane((low[0], low[1], high[0], high[1]), outcome.compiled.quantities.unit_of(u.LENGTH)[0])

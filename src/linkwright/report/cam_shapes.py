@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
+from linkwright.cam.contact import NoContact
 from linkwright.cam.followers import NoFollower
-from linkwright.cam.pairs import disc, frame
-from linkwright.graph.cams import followings
+from linkwright.cam.pairs import disc, frame, second
+from linkwright.graph.cams import followings, touch
 from linkwright.graph.geometry import Geometry
+from linkwright.graph.seconds import second as second_touch
 from linkwright.kernels import Compiled
+from linkwright.kernels.seconds import largest
+
+Array = NDArray[np.float64]
 
 POINTS = 180
 """Points of a profile: enough for a screen."""
@@ -21,17 +27,26 @@ def cam_shapes(compiled: Compiled, size: float) -> Shapes:
     """What is drawn of cams on each link, in a unit of ``size`` m."""
     found: Shapes = {}
     turn = np.linspace(0.0, 2 * np.pi, POINTS, endpoint=False)
+
+    def draw(link: str, line: Array) -> None:
+        found.setdefault(link, []).append((line.T / size).tolist())
+
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
     for name, drive in followings(compiled.quantities).items():
         try:
-            made = disc(compiled, name)
-        except NoFollower:
+            made, axes = disc(compiled, name), frame(compiled, name)
+            plates = [(made, axes)]
+            if drive.cam.closed == "conjugate":
+                plates.append((second(compiled, name).disc, axes.mirrored))
+        except (NoFollower, NoContact):
             continue
-        radius = made.follower.radius
-        profile = frame(compiled, name).placed(made.look(turn).offset(-radius))
-        found.setdefault(drive.cam.cam, []).append((profile.T / size).tolist())
-        if radius:
-            at = geometry.point(drive.link, drive.cam.touches)
-            circle = np.array([float(at.x) + radius * np.cos(turn[::3]), float(at.y) + radius * np.sin(turn[::3])])
-            found.setdefault(drive.link, []).append((circle.T / size).tolist())
+        for plate, where in plates:
+            draw(drive.cam.cam, where.placed(plate.look(turn).offset(-plate.follower.radius)))
+        touches = [touch(geometry, drive)]
+        if drive.paired:
+            touches.append(second_touch(geometry, drive, largest(drive, compiled.motions[drive.cam.law])))
+        for contact, plate in zip(touches, [plate for plate, _ in (*plates, plates[0])], strict=False):
+            if radius := plate.follower.radius:
+                around = np.array([np.cos(turn[::3]), np.sin(turn[::3])])
+                draw(drive.link, np.array([[float(contact.at.x)], [float(contact.at.y)]]) + radius * around)
     return found

@@ -229,8 +229,12 @@ class Reports:
         found: list[Applied] = []
         for name, drive in self.mechanism.drives.items():
             if isinstance(drive, Following):
+                size = self.rows[f"{name}.force"]
                 place, normal = contact(self, drive)
-                force = self.rows[f"{name}.force"] * normal
+                if drive.paired:  # a negative force is that of the second contact
+                    there, other = contact(self, drive, second=True)
+                    place, normal = np.where(size < 0, there, place), np.where(size < 0, -other, normal)
+                force = size * normal
                 found += [(drive.link, force, place, 0.0), (drive.cam.cam, -force, place, 0.0)]
             elif drive.turns:
                 torque, nowhere = self.rows[f"{name}.torque"], np.zeros((2, self.count))

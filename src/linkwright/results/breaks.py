@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.cams import argument, followings
-from linkwright.laws import TableLaw
+from linkwright.laws import Motion, TableLaw
 from linkwright.model.expressions import Binary, Call, Name, Node, Number, nodes
 from linkwright.results.stationary import crossings
 from linkwright.results.windows import intervals
@@ -51,30 +51,32 @@ def breaks(run: Run) -> Array:
     for i, lookup in enumerate(actions.lookups):
         table = run.compiled.tables[lookup.table]
         if table.degree == 1 and not lookup.integral:
-            found.append(_knots(run, i, table))
+            found.append(knots(_argument(run, i), table, run.start, run.stop, run.grid))
     found += [_zeros(run, node) for node in kinks(run.compiled)]
     return np.unique(np.concatenate(found))
 
 
-def kinks(compiled: Compiled, joins: Iterable[str] = ()) -> list[Node]:
-    """What changes its sign where the law of a load, drive or cam has a kink; ``joins`` are the names of those that
-    vary, as :meth:`linkwright.kernels.varied.Varied.joins` has them."""
-    m = compiled.mechanism
+def kinks(compiled: Compiled, varied: Iterable[str] = ()) -> list[Node]:
+    """What changes its sign where the law of a load, drive or cam has a kink, or another contact of a cam bears;
+    ``varied`` are the names of joins that vary, as :meth:`linkwright.kernels.varied.Varied.joins` has them."""
+    quantities, m = compiled.quantities, compiled.mechanism
     laws = [*compiled.graph.actions.laws, *_positions(compiled)]
     found = dict.fromkeys(switch for law in laws for node in nodes(law) for switch in switches(node))
-    found |= dict.fromkeys(law_joins(compiled, joins))
+    found |= dict.fromkeys(law_joins(compiled, varied))
+    paired = (name for name, drive in followings(quantities).items() if drive.paired)
+    found |= dict.fromkeys(Name(f"{name}.force") for name in paired)  # the other contact bears
     functions = {*m.tables, *m.laws}
     asked = {node: {n.name for n in nodes(node) if isinstance(n, Call) and n.name in functions} for node in found}
     return [node for node in found if asked[node] <= {*compiled.tables}]  # not those of a drive's own table
 
 
-def law_joins(compiled: Compiled, joins: Iterable[str] = ()) -> list[Node]:
-    """What changes its sign where a drive or cam passes a join of its motion law, in every period; ``joins`` as those
+def law_joins(compiled: Compiled, varied: Iterable[str] = ()) -> list[Node]:
+    """What changes its sign where a drive or cam passes a join of its motion law, in every period; ``varied`` as those
     of :func:`kinks`."""
     quantities = compiled.quantities
     cams = [Call(drive.cam.law, (argument(quantities, drive),)) for drive in followings(quantities).values()]
     calls = (node for law in (*_positions(compiled), *cams) for node in nodes(law))
-    return [way for node in calls for way in _joins(compiled, node, joins)]
+    return [way for node in calls for way in joins(compiled.motions, node, varied)]
 
 
 def _positions(compiled: Compiled) -> list[Node]:
@@ -84,14 +86,14 @@ def _positions(compiled: Compiled) -> list[Node]:
     return [quantities.bind(law, quantities.drive_dimension(n)) for n, law in drives.items() if law is not None]
 
 
-def _joins(compiled: Compiled, node: Node, joins: Iterable[str]) -> list[Node]:
+def joins(motions: Mapping[str, Motion], node: Node, varied: Iterable[str] = ()) -> list[Node]:
     """What changes its sign at the joins of a motion law, in every period."""
-    if not isinstance(node, Call) or node.attribute is not None or node.name not in compiled.motions:
+    if not isinstance(node, Call) or node.attribute is not None or node.name not in motions:
         return []
-    motion, argument = compiled.motions[node.name], node.args[0]
+    motion, argument = motions[node.name], node.args[0]
     places: list[Node] = [Number(join.at) for join in motion.joins if join.continuity < ROUGH]
     period: Node = Number(motion.period)
-    if own := [name for name in joins if name.startswith(f"{node.name}@")]:
+    if own := [name for name in varied if name.startswith(f"{node.name}@")]:
         places, period = [Name(name) for name in own[:-1]], Name(own[-1])
     rough = [Binary("-", argument, place) for place in places]
     if motion.beyond == "hold":
@@ -116,18 +118,22 @@ def switches(node: Node) -> list[Node]:
     return [node.args[0]] if node.name == "abs" else []
 
 
-def _knots(run: Run, lookup: int, table: TableLaw) -> Array:
-    """The times at which the argument of a linear table passes one of its points."""
-    row = f"argument/{lookup}"
+def _argument(run: Run, lookup: int) -> Callable[[Array], Array]:
+    """What a table is asked for, at times."""
 
     def argument(t: Array) -> Array:
-        return np.asarray(run.compiled.evaluate([row], t.ravel())[0].reshape(t.shape))
+        return np.asarray(run.compiled.evaluate([f"argument/{lookup}"], t.ravel())[0].reshape(t.shape))
 
+    return argument
+
+
+def knots(argument: Callable[[Array], Array], table: TableLaw, start: float, stop: float, grid: int) -> Array:
+    """Where between ``start`` and ``stop`` the argument of a linear table passes one of its points."""
     x = table.x
     if table.period is not None and not np.isclose(x[-1] - x[0], table.period, rtol=1e-12):
         x = np.append(x, x[0] + table.period)
     period, count = table.period or np.inf, x.size - 1
-    t = np.linspace(run.start, run.stop, run.grid + 1)
+    t = np.linspace(start, stop, grid + 1)
     at = argument(t)
     whole = np.floor((at - x[0]) / period)
     # The number of points passed, as a continuous function of the argument.

@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.kernels.seconds import largest
 from linkwright.model import units as u
 from linkwright.model.cams import Following
+from linkwright.model.fields import LineOn
 
 if TYPE_CHECKING:
     from linkwright.results.audit import Reports
@@ -16,8 +18,9 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 
-def contact(r: Reports, drive: Following) -> tuple[Array, Array]:
-    """A place on the common normal, and this as a unit vector from the cam to the follower: (2, times) each.
+def contact(r: Reports, drive: Following, second: bool = False) -> tuple[Array, Array]:
+    """A place on the common normal, and this as a unit vector from the cam to the follower: (2, times) each; of the
+    ``second`` contact of a conjugate pair or a yoke.
 
     It is square to the way of the follower's point past the cam; a face has its own.
     """
@@ -30,24 +33,63 @@ def contact(r: Reports, drive: Following) -> tuple[Array, Array]:
     slope = forward_sign * lift.at(forward_sign * turn + number(cam.phase, u.ANGLE), 1)  # by the cam's angle
     shaft = r.at(drive.on, r.geometry.point(drive.on, drive.shaft[1]))
     at = r.at(drive.link, r.geometry.point(drive.link, cam.touches))
+    face = _direction(r, drive, cam.face) if cam.face is not None else None
+    if second:
+        at, face = _second(r, drive, shaft, at, face, lift.at(forward_sign * turn + number(cam.phase, u.ANGLE)))
     if drive.pivot is not None:
         pivot = r.at(drive.on, r.geometry.point(drive.on, drive.pivot[1]))
         moved = -drive.side * slope * _quarter(at - pivot)
     else:
         assert drive.joint is not None
         pivot, moved = at, drive.side * slope * r.line(drive.joint, drive.on)[1]
-    if cam.face is None:
+    if face is None:
         past = moved - _quarter(at - shaft)
         normal = _quarter(past)
         return at, normal / np.hypot(*normal)
-    heading = number(cam.face.angle, u.ANGLE)
-    face = r.turned(drive.link, (np.cos(heading), np.sin(heading)))
     normal = -drive.side * _quarter(face) if drive.pivot else drive.side * r.line(str(drive.joint), drive.on)[1]
+    normal = -normal if second else normal
     # Where the face moves along itself past the cam: its points at `at + x face`, in both its turning and the cam's.
     spin = -drive.side * slope - 1.0 if drive.pivot is not None else -np.ones(r.count)
     past = moved - _quarter(at - shaft)
     along = -(past * normal).sum(axis=0) / (spin * (_quarter(face) * normal).sum(axis=0))
     return at + along * face, normal
+
+
+def _second(
+    r: Reports, drive: Following, shaft: Array, at: Array, face: Array | None, lift: Array
+) -> tuple[Array, Array | None]:
+    """The second contact's point, and its face's direction, from those of the first and the lift."""
+    cam, stated, length = drive.cam, drive.cam.second, r.compiled.quantities.value
+    if stated is not None and stated.touches is not None:
+        own = r.at(drive.link, r.geometry.point(drive.link, stated.touches))
+        return own, _direction(r, drive, stated.face) if stated.face is not None else None
+    left = largest(drive, r.compiled.motions[cam.law]) - lift  # by which the second contact has risen
+    base = length(stated.base if stated is not None and stated.base is not None else cam.base, u.LENGTH)
+    roller = stated.roller if stated is not None and stated.roller is not None else cam.roller
+    pitch = base + (length(roller, u.LENGTH) if roller is not None else 0.0)
+    if drive.joint is not None:
+        way = drive.side * r.line(drive.joint, drive.on)[1]
+        right = -_quarter(way)
+        aside = ((at - shaft) * right).sum(axis=0)
+        height = base if face is not None else np.sqrt(pitch**2 - aside**2)
+        return shaft + (-1 if cam.closed == "yoke" else 1) * aside * right - (height + left) * way, face
+    assert drive.pivot is not None
+    pivot = r.at(drive.on, r.geometry.point(drive.on, drive.pivot[1]))
+    away, arm = np.hypot(*(shaft - pivot)), np.hypot(*(at - pivot))
+    if face is None:
+        angle = left + np.arccos((away**2 + arm**2 - pitch**2) / (2 * away * arm))
+    else:
+        arm = -drive.side * (_quarter(face) * (at - pivot)).sum(axis=0)
+        angle = left + np.arcsin((base - arm) / away)
+    home = (shaft - pivot) / away
+    beam = np.cos(angle) * home + drive.side * np.sin(angle) * _quarter(home)
+    return (pivot + arm * beam, None) if face is None else (pivot + drive.side * arm * _quarter(beam), beam)
+
+
+def _direction(r: Reports, drive: Following, face: LineOn) -> Array:
+    """The direction of a follower's face."""
+    heading = r.compiled.quantities.value(face.angle, u.ANGLE)
+    return r.turned(drive.link, (np.cos(heading), np.sin(heading)))
 
 
 def _backward(r: Reports, drive: Following) -> bool:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.kernels.seconds import sums
 from linkwright.model import units as u
 from linkwright.model.dimensions import argument
 from linkwright.model.expressions import Call, nodes
@@ -72,6 +73,20 @@ def lifted(run: Run) -> list[Finding]:
         if force[worst] < -NEAR * np.abs(force).max():
             data = {"cam": name, "force": f"{-force[worst] / size:.6g}", "of": unit}
             findings.append(_at(run, "cam.lifts-off", name, float(t[worst]), "warning", "cams", **data))
+    return findings
+
+
+def loose(run: Run) -> list[Finding]:
+    """A warning for each yoke with play, in which the second contact would bear elsewhere."""
+    unit, size = run.compiled.quantities.unit_of(u.LENGTH)
+    findings = []
+    for name, cam in run.compiled.mechanism.cams.items():
+        if cam.closed != "yoke":
+            continue
+        spans = sums(run.compiled.motions[cam.law])
+        if (play := float(np.ptp(spans))) > NEAR * np.abs(spans).max():
+            data = {"cam": name, "play": f"{play / size:.6g}", "unit": unit}
+            findings.append(Finding("cam.loose", ("cams", name), data, severity="warning"))
     return findings
 
 

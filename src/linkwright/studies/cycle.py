@@ -14,7 +14,7 @@ from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen, fault
 from linkwright.model.findings import Finding, ModelError, Term
 from linkwright.results import Result, Run, certify
-from linkwright.studies.acting import lifted, outside, undefined
+from linkwright.studies.acting import lifted, loose, outside, undefined
 from linkwright.studies.feasible import near, singular, strokes, unassembled
 from linkwright.studies.measures import MeasureResult, measure_all
 from linkwright.studies.outputs import powerless
@@ -117,7 +117,7 @@ class Cycle:
         measures, faults = measure_all(run)
         result.failures += [*unproven(result), *faults, *strokes(run)]
         notes = [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
-        return CycleOutcome(result, measures, [*notes, *outside(run), *lifted(run)])
+        return CycleOutcome(result, measures, [*notes, *outside(run), *lifted(run), *loose(run)])
 
 
 CHECKS = {

@@ -8,16 +8,18 @@ from typing import Any
 import numpy as np
 from pydantic import Field
 
+from linkwright.graph.cams import followings
+from linkwright.graph.constraints import Ride
 from linkwright.graph.geometry import ZERO
 from linkwright.graph.modes import Mode
 from linkwright.graph.survey import SAME, Circuit, Survey, survey
 from linkwright.kernels import Compiled, Prepared
+from linkwright.kernels.cams import CamLaw
 from linkwright.kernels.laws import values_at
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Frozen, Name
 from linkwright.model.findings import Finding, ModelError
-from linkwright.model.followers import no_cams
 from linkwright.model.quantities import Quantities
 from linkwright.studies.registry import register
 from linkwright.studies.site import NOWHERE, Site
@@ -75,7 +77,7 @@ def find_modes(made: Prepared | Compiled, options: ModesOptions) -> ModesOutcome
         raise ModelError(findings)
     time = _time(made.quantities, options)
     values = values_at(made.laws, time)
-    found = survey(made.quantities, made.structure, values, options.drive)
+    found = survey(made.quantities, made.structure, values, options.drive, _rides(made))
     return ModesOutcome(made.quantities, found, time, values)
 
 
@@ -85,8 +87,8 @@ def check_options(made: Prepared | Compiled, options: ModesOptions) -> list[Find
     if options.drive is not None and options.drive not in drives:
         reason = f"'{options.drive}' isn't one of the drives: {', '.join(drives)}"
         return [Finding("study.options", (*PATH, "drive"), {"study": "modes", "key": "drive", "reason": reason})]
-    if options.drive is not None and made.mechanism.cams:
-        return [no_cams(made.mechanism, "modes")]
+    if options.drive is not None and isinstance(law := made.laws[options.drive], CamLaw):
+        return [Finding("study.follower", (*PATH, "drive"), {"name": options.drive, "motor": law.motor})]
     try:
         time = _time(made.quantities, options)
         if not abs(time) < 1e12:
@@ -98,6 +100,16 @@ def check_options(made: Prepared | Compiled, options: ModesOptions) -> list[Find
     except ModelError as error:
         return list(error.findings)
     return []
+
+
+def _rides(made: Prepared | Compiled) -> dict[str, Ride]:
+    """How the followers of cams move with their motors."""
+    found = {}
+    for name, drive in followings(made.quantities).items():
+        law, parts = made.laws[name], made.motions[drive.cam.law].curve.parts
+        assert isinstance(law, CamLaw)
+        found[name] = Ride(law.motor, law.along, min(part.stop - part.start for part in parts) / 2)
+    return found
 
 
 def _time(quantities: Quantities, options: ModesOptions) -> float:

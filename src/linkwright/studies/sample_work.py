@@ -25,6 +25,7 @@ from linkwright.model.document import plain
 from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, parse
 from linkwright.model.findings import raise_errors
 from linkwright.model.mechanism import Document, Mechanism
+from linkwright.model.places import Place
 from linkwright.notation.angles import whole_turns
 from linkwright.results import Run
 from linkwright.results.result import si_unit
@@ -46,7 +47,7 @@ class SampleWork:
     """A ``study`` of many samples that any process can perform: the file's document and the content of its tables.
 
     ``reach`` (figures, 2) are the least and largest edges of the histograms that atoms make, in SI; none of them
-    where the figures of all samples are kept.
+    where the figures of all samples are kept. ``uses`` are those of the nominal :class:`Quantities`.
     """
 
     document: Document
@@ -54,6 +55,7 @@ class SampleWork:
     kernel: str
     study: str
     reach: tuple[tuple[float, float], ...] = ()
+    uses: tuple[Place, ...] = ()
 
     @cached_property
     def key(self) -> str:
@@ -71,7 +73,7 @@ class SampleWork:
                 path = Path(folder, name)
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_bytes(content)
-            compiled, findings = examine(self.document, Path(folder))
+            compiled, findings = examine(self.document, Path(folder), self.uses)
         raise_errors(findings)
         assert compiled is not None
         studies = {name: self.document.studies[name] for name in ("cycle", self.study)}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -121,13 +121,13 @@ def perform(nominal: Run, options: Sampling, kernel: str, site: Site) -> Perform
     """
     assert site.document is not None, "samples need the file's document"
     files = table_files(nominal.compiled.mechanism, site.folder)
-    work = SampleWork(site.document, files, kernel, options.study)
+    work = SampleWork(site.document, files, kernel, options.study, uses=nominal.compiled.quantities.uses)
     task = opened(work)
     assert isinstance(task, SampleTask)
     if not tabled(task.plan.samples) and task.figures.columns:
         # The ends of histograms come from the figures of the first samples: a function of the file alone.
         figures, _ = task.figures.of(task.varied.parameters(task.plan.values(0)))
-        work = SampleWork(site.document, files, kernel, options.study, tuple(reach(row) for row in figures))
+        work = replace(work, reach=tuple(reach(row) for row in figures))
         task = opened(work)
         assert isinstance(task, SampleTask)
     kept = Kept.begun(task, work.key, site)

@@ -28,7 +28,8 @@ def read_section(
     """The entries of a section with their parsed options, and what is wrong with it.
 
     ``unknown`` and ``wrong`` are the codes for a name that isn't known and for an option. Options may look at those of
-    the other entries: these are the context of their validation.
+    the other entries: these are the context of their validation. An owner that has ``without`` is read without the
+    keys that are wrong, so that all else can be looked at: the findings tell that it can't be performed.
     """
     read, findings = [], []
     for name, entry in raw.items():
@@ -39,8 +40,22 @@ def read_section(
         try:
             read.append((owner, owner.options.model_validate(entry, context=raw)))
         except ValidationError as error:
-            findings += [_wrong(wrong, (section, name), entry, fault) for fault in error.errors(include_url=False)]
+            faults = error.errors(include_url=False)
+            findings += [_wrong(wrong, (section, name), entry, fault) for fault in faults]
+            if (rest := _rest(owner, entry, {fault["loc"][0] for fault in faults if fault["loc"]}, raw)) is not None:
+                read.append((owner, rest))
     return read, findings
+
+
+def _rest(owner: Any, entry: Mapping[str, Any], wrong: set[Any], raw: Any) -> Any:
+    """The options without the keys that are wrong and those that can't be judged without them; ``None``: none can."""
+    without = getattr(owner, "without", None)
+    if without is None or not wrong or (left := without(wrong)) is None:
+        return None
+    try:
+        return owner.options.model_validate({k: v for k, v in entry.items() if k not in left}, context=raw)
+    except ValidationError:
+        return None
 
 
 def _wrong(code: str, place: tuple[str, str], entry: Mapping[str, Any], fault: Any) -> Finding:

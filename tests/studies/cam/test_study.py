@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import re
+import warnings
 from dataclasses import replace
 from typing import Any
 
@@ -36,10 +37,26 @@ def test_an_undercut_cam_is_refused_with_what_mends_it() -> None:
     outcome = study(heat_seal(SMALL, blank=blank, nc=NC))
     (finding,) = outcome.failures
     assert finding.code == "cam.undercut" and not outcome.done
-    assert not outcome.made and not outcome.milled and not outcome.elements and outcome.volume is None
+    assert not outcome.made and not outcome.milled and not outcome.first.elements and outcome.first.volume is None
     base = float(str(finding.data["base"]).split()[0])
     assert undercut(resized(outcome.disc, {"base": base / 1e3})) is None
     assert undercut(resized(outcome.disc, {"base": base / 1e3 * (1 - 1e-5)})) is not None
+
+
+@pytest.mark.parametrize("base", [0.02, 0.048])
+def test_a_tappet_whose_curvature_passes_through_infinity(base: float) -> None:
+    """Undercut or not: no stray warning, and no round-off for a pressure angle that is zero."""
+    data = pair("sliding", "face")
+    data["cams"]["rider"]["base"] = base
+    data["laws"]["lift"]["segments"] = [
+        {"rise": 0.009, "over": 1.1, "law": "poly_4567"},
+        {"fall": 0.009, "over": 1.1, "law": "poly_4567"},
+        {"dwell": TURN - 2.2},
+    ]
+    with warnings.catch_warnings(action="error"):
+        outcome = study(data | {"studies": {"cam": {}}})
+    assert outcome.done == (base > 0.04)
+    assert {check.value for check in outcome.first.checks if check.name.startswith("pressure")} == {0.0}
 
 
 def test_a_hollow_narrower_than_the_cutter_is_refused_with_what_mends_it() -> None:
@@ -60,8 +77,8 @@ def test_limits_and_requirements_that_are_not_kept() -> None:
     job = performed(heat_seal(limits=limits, require=require, size={"base": [20, 30]}))
     assert job.exit_code == 1
     assert [f.code for f in job.found] == ["cam.limit", "cam.limit", "cam.required", "cam.no-base"]
-    assert job.cam is not None and job.cam.smallest is None
-    assert [c.kept for c in job.cam.checks] == [False, True, False, True]
+    assert job.cam is not None and job.cam.first.smallest is None
+    assert [c.kept for c in job.cam.first.checks] == [False, True, False, True]
     assert "29.0444 deg" in job.found[0].what and "90 deg" in job.found[0].what
 
 
@@ -135,10 +152,10 @@ def test_the_cam_in_its_link_is_what_the_mechanism_moves() -> None:
     c, s = np.cos(turn), np.sin(turn)
     away = np.stack([x, y]) - shaft
     seen = np.stack([c * away[0] + s * away[1], c * away[1] - s * away[0]])
-    pitch = outcome.placed(outcome.disc.look(np.linspace(0, TURN, 20_001)).offset(0.0))
+    pitch = outcome.first.placed(outcome.disc.look(np.linspace(0, TURN, 20_001)).offset(0.0))
     nearest = np.hypot(*(seen[:, :, None] - pitch[:, None, :])).min(axis=1)
     assert nearest.max() < 1e-5
-    corners = np.array([element.start for element in outcome.contour])
+    corners = np.array([element.start for element in outcome.first.contour])
     area = np.sum(corners[:, 0] * np.roll(corners[:, 1], -1) - corners[:, 1] * np.roll(corners[:, 0], -1)) / 2
     assert area * 1e-6 == pytest.approx(outcome.area, rel=2e-2)  # counter-clockwise though mirrored
 
@@ -188,8 +205,6 @@ def test_what_is_wrong_is_said_at_once() -> None:
     [
         ({"blank": {"thickness": 12, "hub": 40, "height": 8}}, ["cam.blank"]),
         ({"tolerance": "1e-14 mm"}, ["cam.sharp"]),
-        ({"nc": NC | {"compensation": True}}, ["nc.no-compensation", "nc.short-lead"]),
-        ({"nc": NC | {"post": ["fanuc", "grbl"], "decimals": 2, "tolerance": "1e-4 deg"}}, ["nc.fine"]),
         ({"nc": NC | {"start": "45 deg"}, "steps": 36}, ["nc.no-dwell"]),
     ],
 )
@@ -203,3 +218,60 @@ def test_a_proof_is_taken_over_by_the_same_motions_only() -> None:
     first, *others = outcome.milled
     assert all(one.proof.error is first.proof.error and one.proven for one in others)
     assert replace(first, job=replace(first.job, tolerance=first.proof.worst * 0.99)).proven is False
+
+
+def test_what_only_a_study_uses_takes_its_unit_from_there() -> None:
+    """A bare parameter is an angle in degrees in a limit of one, in turn with what it is made of; a second use as
+    something else is told."""
+    sections = {"parameters": {"half": 20, "most": "2*half + 5", "near": 3}}
+    limits = {"pressure_rise": "most", "profile_radius": "near"}
+    outcome = study(heat_seal(limits=limits) | sections)
+    assert outcome.stated.limits.pressure_rise == pytest.approx(np.radians(45), rel=1e-15)
+    assert outcome.stated.limits.profile_radius == pytest.approx(3e-3, rel=1e-15)
+    (finding,) = findings(heat_seal(limits=limits, period="near") | sections)
+    assert finding.code == "expression.units-conflict" and finding.path[2:] == ("period",)
+
+
+def test_what_no_control_would_take_is_told_before_the_run() -> None:
+    """Once for all controls; what is the cam's own fault is left to the run, which knows what mends it."""
+    nc = NC | {"post": ["grbl", "fanuc"], "compensation": True, "decimals": 6, "lead": 7}
+    assert [one.code for one in findings(heat_seal(nc=nc))] == [
+        "nc.no-compensation",
+        "nc.short-lead",
+        "nc.decimals",
+        "nc.decimals",
+    ]
+    assert [
+        one.code
+        for one in findings(heat_seal(nc=NC | {"post": ["fanuc", "grbl"], "decimals": 2, "tolerance": "1e-4 deg"}))
+    ] == ["nc.fine"]
+    assert findings(heat_seal(SMALL, nc=NC)) == []
+    (finding,) = findings(heat_seal(nc=NC | {"post": []}))
+    assert finding.code == "nc.no-post" and "grbl" in finding.mend
+
+
+def test_what_is_kept_over_a_dwell_is_placed_at_its_start() -> None:
+    outcome = study(heat_seal())
+    places = {figure.name: np.degrees(figure.theta) for figure in outcome.figures}
+    assert places["radius_max"] == pytest.approx(90) and places["radius_min"] == pytest.approx(345)
+
+
+@pytest.mark.parametrize(("contact", "said"), [("roller", True), ("face", False)])
+def test_an_undercut_flat_cam_has_no_roller_to_be_smaller(contact: str, said: bool) -> None:
+    data = pair("sliding", contact)
+    data["cams"][next(iter(data["cams"]))]["base"] = 1e-3
+    data["studies"] = {"cam": {}}
+    codes = {finding.code: finding.mend for finding in study(data).failures}
+    assert ("roller" in codes["cam.undercut"]) == said
+
+
+def test_a_key_wrong_in_form_hides_no_other() -> None:
+    """Those that hang on it aren't judged: a figure of forces that can't be read isn't unknown besides."""
+    wrong = {"steps": "many", "forces": {"contact": "5 N"}, "nc": NC | {"tool": 0}, "colour": "red"}
+    sound = {"limits": {"pressure_rise": "45 mm"}, "period": "0 s", "require": {"contact_force_min": ">= 1 N"}}
+    told = {one.path[2]: one.code for one in findings(heat_seal(**wrong, **sound))}
+    other = {"limits": "expression.units-conflict", "period": "cam.not-positive"}
+    assert told == dict.fromkeys(wrong, "study.options") | other
+    data = heat_seal(**sound)
+    data["studies"]["cam"]["cam"] = 3  # of which cam should it be true?
+    assert {one.path[2] for one in findings(data)} == {"cam"}

@@ -99,10 +99,12 @@ def _timestep(compiled: Compiled, options: MjcfOptions) -> tuple[float, list[Fin
 
 
 def _left_out(compiled: Compiled) -> list[Finding]:
-    """A warning on what acts in the mechanism and isn't written."""
+    """Warnings on what acts in the mechanism and isn't written, or isn't as it is."""
     sections = {"springs": [*compiled.mechanism.springs], "loads": [*compiled.mechanism.loads]}
+    sections["cams"] = [*compiled.mechanism.cams]
+    codes = {"springs": "export.left-out", "loads": "export.left-out", "cams": "export.followers"}
     return [
-        Finding("export.left-out", (section,), {"names": ", ".join(entries)}, severity="warning")
+        Finding(codes[section], (section,), {"names": ", ".join(entries)}, severity="warning")
         for section, entries in sections.items()
         if entries
     ]

@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping
 from linkwright.exports.process_simulate.dialects import Dialect
 from linkwright.exports.process_simulate.dyads import solve
 from linkwright.exports.process_simulate.joints import ToolJoint, driving
-from linkwright.exports.process_simulate.linkage import MM, Linkage
-from linkwright.exports.process_simulate.trees import Array
+from linkwright.exports.process_simulate.linkage import MM, Linkage, Refused, shared_pin
+from linkwright.exports.process_simulate.trees import Array, Tree, multiply, number
 from linkwright.graph.geometry import Geometry
 from linkwright.structure import Cluster, Driven, Group, Structure
 
@@ -26,16 +26,23 @@ def linkage(
     zero: float,
     poses: Array,
     fit: Fit | None = None,
+    followers: Mapping[str, Tree] | None = None,
 ) -> Linkage:
     """The links and functions of a mechanism with one drive, whose value at the zero pose is ``zero`` (rad or m).
 
-    ``poses`` are values of the driving joint since then (rad or mm), as the tool counts it. Raises :class:`Refused`
-    where a joint has no function in the dialect.
+    ``poses`` are values of the driving joint since then (rad or mm), as the tool counts it; ``followers`` of cams have
+    theirs from the driving joint's. Raises :class:`Refused` where a joint has no function in the dialect.
     """
     links = Linkage(structure, geometry, branches, joints, poses)
     name, moved, on = driving(structure, drive)
     turns = structure.topology.mechanism.prescribed(drive).turns is not None
     links.drive(name, on, moved, zero * (1.0 if turns else MM))
+    for follower, tree in (followers or {}).items():
+        name, moved, on = driving(structure, follower)
+        found, sign = links.between(name, on, moved)
+        if found is None:
+            raise Refused(shared_pin(follower, name))
+        links.settle(found, multiply(number(sign), tree))
     for step in structure.steps:
         if isinstance(step, Driven):
             links.held(step.joint, step.base, step.link)

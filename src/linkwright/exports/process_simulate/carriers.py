@@ -21,6 +21,7 @@ def pasteable(made: JointFunctions, title: str) -> str:
         say("functions.units"),
         say("functions.proof", error=f"{made.max_error:.1e}", decimals=made.decimals),
         *([say("functions.fitted")] if made.fitted else []),
+        *([say("functions.compared")] if any(">=" in function.text for function in made.functions) else []),
         "",
         f"# {describe(made.driving)}",
         "",

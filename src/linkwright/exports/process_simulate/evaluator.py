@@ -4,6 +4,7 @@ read a text. It shares nothing with what writes them.
     sum    = ["-"] term {("+" | "-") term}                 "-" in the seed dialect only
     term   = factor {("*" | "/") factor}
     factor = number | ("T" | "D") "(" joint ")" | function "(" sum {"," sum} ")" | "(" sum ")"
+           | "(" sum (">=" | "<") sum ")"                  1 where it holds, else 0
            | "(-1)" "(" sum ")"                            in the wizard dialect only
     number = digits ["." digits]
 """
@@ -19,7 +20,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Value = Callable[[Mapping[str, Array]], Array]
-_TOKEN = re.compile(r"\s*(?:(\d+(?:\.\d+)?)(?![\w.])|([A-Za-z_]\w*)|(\S))")
+_TOKEN = re.compile(r"\s*(?:(\d+(?:\.\d+)?)(?![\w.])|([A-Za-z_]\w*)|(>=|\S))")
 
 
 class NotInDialect(ValueError):
@@ -44,6 +45,12 @@ GRAMMARS: dict[str, Grammar] = {
         minus=True,
     ),
     "wizard": Grammar({"acos": (1, np.arccos), "sin": (1, np.sin), "atan2": (2, np.arctan2)}, minus=False),
+}
+
+
+COMPARED: dict[str, Callable[..., Array]] = {
+    ">=": lambda a, b: np.where(a >= b, 1.0, 0.0),
+    "<": lambda a, b: np.where(a < b, 1.0, 0.0),
 }
 
 
@@ -127,6 +134,8 @@ class _Reader:
     def bracket(self) -> Value:
         self.take("(")
         inner = self.sum()
+        if self.here[0] in COMPARED:
+            inner = _joined(COMPARED[self.take(*COMPARED)], inner, self.sum())
         self.take(")")
         return inner
 

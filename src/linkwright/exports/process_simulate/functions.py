@@ -13,8 +13,9 @@ from linkwright.exports.process_simulate import evaluator
 from linkwright.exports.process_simulate.angles import linkage
 from linkwright.exports.process_simulate.dialects import DIALECTS, Dialect
 from linkwright.exports.process_simulate.fitting import fit
+from linkwright.exports.process_simulate.followers import followers
 from linkwright.exports.process_simulate.joints import ToolJoint, driving, joints_of, named
-from linkwright.exports.process_simulate.linkage import MM, Linkage, Refused
+from linkwright.exports.process_simulate.linkage import MM, Linkage, Refused, shared_pin
 from linkwright.exports.process_simulate.motion import Motion
 from linkwright.exports.process_simulate.printer import text
 from linkwright.exports.process_simulate.reach import reach
@@ -128,7 +129,7 @@ def _motion(compiled: Compiled, wish: Wish, joints: list[ToolJoint]) -> Motion:
     of, moved, on = driving(compiled.structure, wish.drive)
     joint = next((j for j in joints if j.of == of and {j.parent, j.child} == {moved, on}), None)
     if joint is None:
-        raise Refused(Finding("functions.shared-pin", PATH, {"drive": wish.drive, "pin": of}))
+        raise Refused(shared_pin(wish.drive, of))
     sign, window = joint.sign * (1.0 if joint.child == moved else -1.0), wish.window
     if wish.stops is not None:
         zero = float(values_at(compiled.laws, 0.0)[wish.drive]) if wish.zero is None else wish.zero
@@ -156,7 +157,7 @@ def _links(
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
     links = linkage(
         compiled.structure, geometry, compiled.assembly.branches, joints,
-        DIALECTS[wish.dialect], wish.drive, motion.reach.zero, poses, fitted,
+        DIALECTS[wish.dialect], wish.drive, motion.reach.zero, poses, fitted, followers(motion),
     )  # fmt: skip
     return links, fits
 

@@ -28,6 +28,11 @@ class Refused(Exception):
         self.finding = finding
 
 
+def shared_pin(drive: str, pin: str) -> Finding:
+    """That the joint which a drive moves isn't one of the tool's."""
+    return Finding("functions.shared-pin", ("exports", "process-simulate"), {"drive": drive, "pin": pin})
+
+
 @dataclass(frozen=True)
 class Seat:
     """How a link sits on another: its point ``foot`` at ``spot`` of ``base`` (m, each in its own frame), or off that
@@ -205,7 +210,7 @@ class Linkage:
         if found.left_out:
             return
         for here, there, sign in ((found.parent, found.child, 1), (found.child, found.parent, -1)):
-            if there != FRAME and here in self.angles:
+            if there != FRAME and {here, there} <= self.angles.keys():
                 other = self.angles[here].plus(self.offset(found), sign)
                 if self._weight(other) < self._weight(self.angles[there]):
                     self.angles[there] = other

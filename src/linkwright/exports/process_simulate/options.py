@@ -62,7 +62,7 @@ class ProcessSimulateOptions(Frozen):
 
     def wish(self, compiled: Compiled) -> Wish:
         """What is asked for, in SI. Raises DimensionError where a value doesn't fit."""
-        (drive,) = compiled.graph.drives
+        (drive,) = compiled.graph.motors
         quantities, dimension = compiled.quantities, compiled.quantities.drive_dimension(drive)
         zero = None if self.zero is None else quantities.value(self.zero, dimension)
 
@@ -77,7 +77,7 @@ class ProcessSimulateOptions(Frozen):
 
 def check(compiled: Compiled, options: ProcessSimulateOptions) -> Iterator[Finding]:
     """What is wrong with options that are well-formed, and what of the mechanism functions can't hold."""
-    drives = compiled.graph.drives
+    drives = compiled.graph.motors
     joints = joints_of(compiled.structure)
     known = [j.joint for j in joints]
     for key, names in (("names", options.names), ("flipped", options.flipped), ("left_out", options.left_out)):

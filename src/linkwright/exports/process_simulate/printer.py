@@ -10,7 +10,7 @@ from linkwright.exports.process_simulate.trees import Tree, multiply, number
 if TYPE_CHECKING:
     from linkwright.exports.process_simulate.dialects import Dialect
 
-SUM, PRODUCT, ATOM = 1, 2, 3
+COMPARISON, SUM, PRODUCT, ATOM = 0, 1, 2, 3
 
 
 def text(tree: Tree, dialect: Dialect, names: Mapping[str, str], decimals: int) -> str:
@@ -47,6 +47,8 @@ class _Printer:
             return "*".join(self.at(arg, PRODUCT) for arg in tree.args), PRODUCT
         if tree.op == "/":
             return f"{self.at(tree.args[0], PRODUCT)}/{self.at(tree.args[1], ATOM)}", PRODUCT
+        if tree.op in (">=", "<"):
+            return tree.op.join(self.at(arg, SUM) for arg in tree.args), COMPARISON
         return f"{tree.op}({','.join(self.at(arg, SUM) for arg in tree.args)})", ATOM
 
     def bare(self, tree: Tree) -> str:

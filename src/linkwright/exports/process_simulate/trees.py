@@ -20,7 +20,7 @@ ROUND = 1e-15
 @dataclass(frozen=True)
 class Tree:
     """``op`` is ``number`` (with its ``value``), ``T`` or ``D`` (the value of a turning or sliding joint, by ``name``),
-    ``+ * /`` or a function's name, on ``args``."""
+    ``+ * /``, ``>= <`` (1 where it holds, else 0) or a function's name, on ``args``."""
 
     op: str
     args: tuple[Tree, ...] = ()
@@ -164,4 +164,6 @@ _FUNCTIONS: dict[str, Callable[..., Array]] = {
     "cos": np.cos,
     "sqrt": np.sqrt,
     "atan2": np.arctan2,
+    ">=": lambda a, b: (a >= b) * 1.0,
+    "<": lambda a, b: (a < b) * 1.0,
 }

@@ -19,6 +19,7 @@ from linkwright.model.quantities import LARGEST
 from linkwright.model.units import LENGTH
 from linkwright.model.unknown import near
 from linkwright.model.written import Shortened
+from linkwright.studies.accuracy.rollers import rollers
 
 
 class Clearance(Shortened):
@@ -42,26 +43,33 @@ class Clearance(Shortened):
 def check_clearances(compiled: Compiled, clearances: Mapping[str, Clearance], at: Path) -> Iterator[Finding]:
     """What is wrong with clearances that are well-formed; ``at`` is their place in the file."""
     signals, guides = compiled.quantities.signals, dict(compiled.mechanism.prismatic_joints())
-    guarded = _of_cams(compiled)
+    guarded, of_rollers = _doubly_held(compiled), rollers(compiled)
     for name, entry in clearances.items():
         path = (*at, name)
         lengths = dict(_lengths(compiled, entry))
         yield from (Finding(f.code, (*path, *f.path), f.data) for f in lengths.values() if isinstance(f, Finding))
         sound = {key: value for key, value in lengths.items() if isinstance(value, float)}
         if name in guarded:
-            yield Finding("clearance.cam", path, {"name": name, "cam": guarded[name]})
+            cam = guarded[name]
+            data = {"name": name, "cam": cam, "closed": compiled.mechanism.cams[cam].closed}
+            yield Finding("clearance.cam", path, data)
         elif name in guides:
             yield from _of_guide(compiled, name, entry, sound, path)
         elif name in signals.pins:
             yield from _of_pin(compiled, signals.pins[name], entry, sound, path)
+        elif name in of_rollers:
+            yield from _of_roller(compiled, of_rollers[name], entry, sound, path)
         else:
             yield _no_joint(compiled, name, path)
 
 
-def _of_cams(compiled: Compiled) -> dict[str, str]:
-    """The joints that guide cams and their followers, with the cam: a clearance there moves the contact too."""
+def _doubly_held(compiled: Compiled) -> dict[str, str]:
+    """The joints and rollers of cams that touch on two sides, with the cam: which contact holds isn't followed."""
     found = {}
     for cam, drive in followings(compiled.quantities).items():
+        if drive.cam.closed not in ("conjugate", "yoke"):
+            continue
+        found[drive.cam.touches] = cam
         if drive.joint is not None:
             found[drive.joint] = cam
         for pin in compiled.quantities.signals.pins.values():
@@ -113,6 +121,21 @@ def _of_guide(
         yield Finding("clearance.centre", (*path, "centre"), data)
     if len(lengths) == 2 and lengths["clearance"] >= lengths["length"] / 2:
         yield Finding("clearance.short-guide", path, {"name": name})
+
+
+def _of_roller(
+    compiled: Compiled, cam: str, entry: Clearance, lengths: Mapping[str, float], path: Path
+) -> Iterator[Finding]:
+    drive = followings(compiled.quantities)[cam]
+    name = drive.cam.touches
+    for key, given in (("length", entry.length), ("centre", entry.centre), ("in", entry.in_)):
+        if given is not None:
+            yield Finding("clearance.not-of-pin", (*path, key), {"name": name, "key": key})
+    assert drive.cam.roller is not None
+    radius = compiled.quantities.value(drive.cam.roller, LENGTH)
+    if lengths.get("clearance", 0.0) >= radius:
+        text, size = compiled.quantities.unit_of(LENGTH)
+        yield Finding("clearance.roller", path, {"name": name, "radius": f"{radius / size:.6g} {text}"})
 
 
 def _of_pin(

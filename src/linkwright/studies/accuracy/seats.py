@@ -18,6 +18,7 @@ from linkwright.kernels import Compiled
 from linkwright.model.pins import Pin
 from linkwright.model.units import LENGTH
 from linkwright.studies.accuracy.clearance_options import Clearance
+from linkwright.studies.accuracy.rollers import on_roller, rollers
 
 Rows = Mapping[str, Any]
 Seats = list[tuple[Any, ...]]
@@ -153,13 +154,16 @@ class InGuide:
 
 def held(compiled: Compiled, clearances: Mapping[str, Clearance]) -> list[Held]:
     """What is held with the stated clearances, which are sound."""
-    pins = compiled.quantities.signals.pins
+    pins, of_rollers = compiled.quantities.signals.pins, rollers(compiled)
     found: list[Held] = []
     for name, entry in clearances.items():
         clearance = compiled.quantities.value(entry.clearance, LENGTH)
-        found += (
-            _on_pin(pins[name], entry, clearance) if name in pins else [_in_guide(compiled, name, entry, clearance)]
-        )
+        if name in pins:
+            found += _on_pin(pins[name], entry, clearance)
+        elif name in of_rollers:
+            found.append(on_roller(compiled, of_rollers[name], clearance))
+        else:
+            found.append(_in_guide(compiled, name, entry, clearance))
     return found
 
 

@@ -57,7 +57,7 @@ class AccuracyStudy:
         outcome.curves = curves(nominal, Slopes(nominal, deviations.directions), deviations, texts)
         widest = {text: float(nominal.t[curve.widest]) for text, curve in outcome.curves.items()}
         placed = augmented(site.document, compiled, options, widest)
-        own, asked = _opened(placed.document, site)
+        own, asked = _opened(placed.document, compiled, site)
         run = Run(own, 0.0, nominal.stop, nominal.steps)
         names = asked.measures(own)
         every = figures(run, Slopes(run, deviations.directions), deviations, names)
@@ -103,9 +103,9 @@ def _check(compiled: Compiled, options: AccuracyOptions) -> Iterator[Finding]:
         yield from check_design(compiled, options, deviations, stop)
 
 
-def _opened(document: Document, site: Site) -> tuple[Compiled, AccuracyOptions]:
+def _opened(document: Document, nominal: Compiled, site: Site) -> tuple[Compiled, AccuracyOptions]:
     """A document with more outputs, compiled, and its options."""
-    compiled, findings = examine(document, site.folder)
+    compiled, findings = examine(document, site.folder, nominal.quantities.uses)
     raise_errors(findings)
     tasks, findings = read_studies({k: v for k, v in document.studies.items() if k in ("cycle", "accuracy")})
     raise_errors(findings)

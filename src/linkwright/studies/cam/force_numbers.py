@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from linkwright.cam.closing import groove
 from linkwright.cam.contact import Side
 from linkwright.cam.disc import Disc
 from linkwright.cam.hertz import STEEL, Material
@@ -16,6 +15,7 @@ from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.findings import Finding
 from linkwright.studies.cam.force_options import CamForces, CamMaterial
+from linkwright.studies.cam.stated_load import stated_load
 
 AT = ("studies", "cam", "forces")
 Number = Callable[..., float]
@@ -28,7 +28,7 @@ HARDEST = 0.5
 class Asked:
     """What acts on a follower, SI. Of the spring's ``rate`` and ``preload`` ``None`` is sized; ``loads`` has 0 there.
 
-    ``second`` is the outer flank of a groove. ``speeds`` (rad/s) hold ``omega`` too.
+    ``second`` is the other side of a follower closed by form. ``speeds`` (rad/s) hold ``omega`` too.
     """
 
     loads: Loads
@@ -44,7 +44,7 @@ class Asked:
     torque: float | None = None
     second: Side | None = None
     sprung: bool = True
-    """Whether springs are looked at: not with a groove that has none."""
+    """Whether springs are looked at: not where form holds the follower and there are none."""
 
 
 def read(compiled: Compiled, name: str, disc: Disc, o: CamForces, number: Number) -> tuple[Asked, list[Finding]]:
@@ -63,11 +63,16 @@ def read(compiled: Compiled, name: str, disc: Disc, o: CamForces, number: Number
     for key, dimension in (("rate", rate), ("preload", load)):
         if spring is not None and (of := getattr(spring, key)) is not None:
             stated[key] = number(of, dimension, "forces", "spring", key, zero=True)
+    process, wrong = stated_load(
+        compiled, disc, o.load, load, (*AT, "load"), lambda: number(o.load, load, "forces", "load", least=None)
+    )
+    found += wrong
     loads = Loads(
         number(o.inertia, inertia, "forces", "inertia", zero=True),
         stated["rate"] or 0.0,
         stated["preload"] or 0.0,
-        number(o.load, load, "forces", "load", least=None),
+        process.load,
+        process.joins,
     )
     materials = [_material(getattr(o, key), key, number, found) for key in ("cam_material", "follower_material")]
     limits = o.limits
@@ -87,8 +92,7 @@ def read(compiled: Compiled, name: str, disc: Disc, o: CamForces, number: Number
         materials[1],
         None if limits.hertz is None else number(limits.hertz, u.PRESSURE, "forces", "limits", "hertz"),
         None if limits.torque is None else number(limits.torque, u.TORQUE, "forces", "limits", "torque"),
-        _second(compiled, name, disc, found),
-        "spring_preload_min" in given(compiled, name, disc, o),
+        sprung="spring_preload_min" in given(compiled, name, disc, o),
     )
     return asked, found
 
@@ -111,6 +115,9 @@ def known(disc: Disc) -> dict[str, u.Dimension]:
         "lift_off_speed": u.OMEGA,
         "spring_preload_min": load,
         "spring_rate_min": rate,
+        "second_contact_force_max": u.FORCE,
+        "second_hertz_pressure_max": u.PRESSURE,
+        "second_roller_speed_max": u.OMEGA,
     }
 
 
@@ -118,10 +125,13 @@ def given(compiled: Compiled, name: str, disc: Disc, o: CamForces | None) -> set
     """Those that the options give."""
     if o is None:
         return set()
-    missing = {"hertz_pressure_max"} if o.width is None else set()
+    closed = compiled.mechanism.cams[name].closed
+    missing = {"hertz_pressure_max", "second_hertz_pressure_max"} if o.width is None else set()
     if not disc.follower.radius > 0:
-        missing.add("roller_speed_max")
-    if compiled.mechanism.cams[name].closed != "force" and o.spring is None:
+        missing |= {"roller_speed_max", "second_roller_speed_max"}
+    if closed not in ("conjugate", "yoke"):
+        missing |= {"second_contact_force_max", "second_hertz_pressure_max", "second_roller_speed_max"}
+    if closed != "force" and o.spring is None:
         missing |= {"lift_off_speed", "spring_preload_min", "spring_rate_min"}
     return known(disc).keys() - missing
 
@@ -147,12 +157,3 @@ def _material(o: CamMaterial | None, key: str, number: Number, found: list[Findi
     if poisson > HARDEST:
         found.append(Finding("cam.poisson", (*AT, key, "poisson"), {"text": o.poisson.text[:60]}))
     return Material(modulus, poisson)
-
-
-def _second(compiled: Compiled, name: str, disc: Disc, found: list[Finding]) -> Side | None:
-    if compiled.mechanism.cams[name].closed == "force":
-        return None
-    if disc.follower.radius > 0:
-        return groove(disc).second
-    found.append(Finding("cam.other-form", AT))
-    return None

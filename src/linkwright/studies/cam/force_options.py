@@ -42,7 +42,10 @@ class CamForces(Frozen):
         None, description="[low, high] over which the follower must stay on, beside speed; from rest unless given"
     )
     spring: CamSpring | None = Field(None, description="what presses the follower onto the cam")
-    load: Expression = Field(Expression(0), description="constant force or moment, positive onto the cam")
+    load: Expression = Field(
+        Expression(0),
+        description="force or moment, positive onto the cam: constant, or over the cam's angle and the lift",
+    )
     contact: Expression = Field(Expression(0), description="least contact force that is to be kept")
     width: Expression | None = Field(None, description="of the line of contact; without it no Hertz pressure")
     cam_material: CamMaterial | None = Field(None, description="of the cam; steel unless given")

@@ -26,7 +26,7 @@ MORE = 1 + 1e-9
 class Pressed:
     """A follower under load: its ``loads`` with the spring as given or sized. ``preload`` and ``rate`` are the least
     ones with the other one as it is (no ``rate`` may do), ``highest`` the speed up to which it stays on (``None``: not
-    even at rest); ``None`` all three where a groove holds it without a spring."""
+    even at rest); ``None`` all three where form holds it without a spring."""
 
     asked: Asked
     disc: Disc
@@ -59,14 +59,21 @@ class Pressed:
         """The largest pressure (Pa) of all sides."""
         return max((one.highest for one in self.pressures), key=lambda one: one.value, default=None)
 
-    @cached_property
-    def spin(self) -> Extreme | None:
+    @property
+    def apart(self) -> bool:
+        """Whether the second side has a contact of its own: a second roller, edge or face."""
+        return self.asked.second is not None and self.asked.second.flank < 0
+
+    def spin(self, second: bool = False) -> Extreme | None:
         """The roller's largest speed (rad/s) against its pin, either way; of a groove on the flanks that bear."""
         if not self.disc.follower.radius > 0:
             return None
         f = self.forces
         sides = [f.first]
-        if f.second is not None:
+        if second:
+            assert f.second is not None
+            sides = [f.second]
+        elif f.second is not None and not self.apart:
             bear = {part.side for part in f.bearing}
             sides = [side for side, sign in ((f.first, 1), (f.second, -1)) if sign in bear] or sides
         found = [one for side in sides for one in rolling(side, f.omega, f.theta).spin_range]
@@ -89,19 +96,31 @@ class Pressed:
     def figures(self) -> Iterator[tuple[str, Extreme]]:
         """By name, SI; infinite where there is no bound."""
         low, high = self.forces.contact_range
-        yield "contact_force_min", low
+        yield "contact_force_min", replace(low, value=max(low.value, 0.0)) if self.apart else low
         yield "contact_force_max", high
         yield "shaft_torque_max", Extreme(abs(self.torque.value), self.torque.theta)
         if self.hertz is not None:
-            yield "hertz_pressure_max", self.hertz
-        if self.spin is not None:
-            yield "roller_speed_max", self.spin
+            yield "hertz_pressure_max", self.pressures[0].highest if self.apart else self.hertz
+        if (spin := self.spin()) is not None:
+            yield "roller_speed_max", spin
+        if self.apart:
+            yield from self._second()
         if self.preload is not None:
             at = self.preload.theta
             highest, rate = self.highest or Sized(0.0, at, 0.0), self.rate or Sized(math.inf, at, 0.0)
             yield "lift_off_speed", Extreme(highest.value, highest.theta)
             yield "spring_preload_min", Extreme(self.preload.value, at)
             yield "spring_rate_min", Extreme(rate.value, rate.theta)
+
+    def _second(self) -> Iterator[tuple[str, Extreme]]:
+        """Those of the second contact."""
+        found = self.forces.second_range
+        assert found is not None
+        yield "second_contact_force_max", replace(found[1], value=max(found[1].value, 0.0))
+        if self.pressures:
+            yield "second_hertz_pressure_max", self.pressures[1].highest
+        if (spin := self.spin(second=True)) is not None:
+            yield "second_roller_speed_max", spin
 
     def checks(self) -> Iterator[Check]:
         """Against the limits that are stated."""

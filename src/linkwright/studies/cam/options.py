@@ -25,6 +25,8 @@ def _posts(raw: Any) -> Any:
     if isinstance(names, list | tuple):
         if wrong := [str(name)[:40] for name in names if name not in POSTS]:
             raise fault("study.choice", study="cam", key="post", given=", ".join(wrong[:9]), known=", ".join(POSTS))
+        if not names:
+            raise fault("nc.no-post", known=", ".join(POSTS))
         return tuple(dict.fromkeys(names))
     return raw
 
@@ -44,6 +46,7 @@ class CamLimits(Frozen):
     cutter: Expression | None = Field(
         None, description="radius of the cutter, which the concave radii must exceed; that of nc unless given"
     )
+    play: Expression | None = Field(None, description="largest play of a yoke over the turn; with closed: yoke")
 
 
 class CamSize(Frozen):

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
 
 from linkwright.cam.checks import Limits
+from linkwright.cam.closing import Closing
 from linkwright.cam.disc import Disc
 from linkwright.cam.extremes import moving
+from linkwright.cam.nc.before import faults
 from linkwright.cam.nc.job import Job
+from linkwright.cam.nc.posts import POSTS
 from linkwright.cam.solid import Blank
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
@@ -17,27 +21,19 @@ from linkwright.model.fields import Expression
 from linkwright.model.findings import Finding, Term
 from linkwright.model.quantities import LARGEST
 from linkwright.model.unknown import unknown
+from linkwright.studies.cam.figures import FIGURES, Range, closed_by, every
 from linkwright.studies.cam.force_numbers import Asked, given, known, read
+from linkwright.studies.cam.milled import as_finding
 from linkwright.studies.cam.options import PATH, CamNc, CamOptions
 
-FIGURES = {
-    "profile_curvature_max": u.PURE.times(u.LENGTH, -1),
-    "profile_radius_min": u.LENGTH,
-    "pitch_radius_min": u.LENGTH,
-    "hollow_radius_min": u.LENGTH,
-    "pressure_angle_max": u.ANGLE,
-    "radius_min": u.LENGTH,
-    "radius_max": u.LENGTH,
-}
-"""The figures of a cam by name, with their dimensions; those that it doesn't have are left out."""
 MM, MINUTE = 1e3, 60.0
 QUARTER = 0.25
 """Of the feed: what the cutter goes down with where it isn't stated."""
 
+CAM_ITSELF = {"nc.undercut", "nc.concave"}
+"""Faults of the cam, not of a job: those of the run come with the base circle that mends them."""
 MOST_PASSES = 200
 """More than a thick cam takes in fine steps; a file of many more would take hours to prove."""
-
-Range = tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -53,16 +49,18 @@ class Stated:
     job: Job | None = None
     required: dict[str, Range] = field(default_factory=dict)
     forces: Asked | None = None
+    play: float | None = None
 
 
 @dataclass
 class Reader:
-    """Reads the options for one cam; ``findings`` is what is wrong with them."""
+    """Reads the options for one cam, whose follower ``closing`` keeps on; ``findings`` is what is wrong with them."""
 
     compiled: Compiled
     options: CamOptions
     name: str
     disc: Disc
+    closing: Closing | None = None
     findings: list[Finding] = field(default_factory=list)
 
     def read(self) -> Stated:
@@ -78,6 +76,7 @@ class Reader:
             job,
             dict(self._required()),
             self._forces(),
+            self._play(),
         )
 
     def _forces(self) -> Asked | None:
@@ -85,7 +84,19 @@ class Reader:
             return None
         asked, found = read(self.compiled, self.name, self.disc, self.options.forces, self._number)
         self.findings += found
-        return asked
+        return asked if self.closing is None else replace(asked, second=self.closing.second)
+
+    def _play(self) -> float | None:
+        play = self.options.limits.play
+        if play is not None and self.closed != "yoke":
+            data = {"keys": "limits: play, closed: yoke"}
+            self.findings.append(Finding("cam.together", (*PATH, "limits", "play"), data))
+        return None if play is None else self._number(play, u.LENGTH, "limits", "play", zero=True)
+
+    @property
+    def closed(self) -> str:
+        """What keeps the follower on, as the file says."""
+        return self.compiled.mechanism.cams[self.name].closed
 
     def _number(
         self, of: Expression, dimension: u.Dimension, *path: str | int, least: float | None = 0.0, zero: bool = False
@@ -113,14 +124,13 @@ class Reader:
     def _limits(self, cutter: float | None) -> Limits:
         o = self.options.limits
         stated = self._maybe(o.cutter, u.LENGTH, "limits", "cutter")
-        cam = self.compiled.mechanism.cams[self.name]
         return Limits(
             self._maybe(o.pressure_rise, u.ANGLE, "limits", "pressure_rise"),
             self._maybe(o.pressure_return, u.ANGLE, "limits", "pressure_return"),
             self._maybe(o.pitch_over_roller, u.PURE, "limits", "pitch_over_roller"),
             self._maybe(o.profile_radius, u.LENGTH, "limits", "profile_radius"),
             cutter if stated is None else stated,
-            groove=cam.closed == "groove",
+            groove=self.closed == "groove",
         )
 
     def _range(self, of: tuple[Expression, Expression], *path: str, least: float | None = 0.0) -> Range:
@@ -165,6 +175,7 @@ class Reader:
         def length(key: str, zero: bool = False) -> float:
             return MM * self._number(getattr(o, key), u.LENGTH, "nc", key, zero=zero)
 
+        before = len(self.findings)
         depth, feed = length("depth"), self._feed(o, "feed")
         step = depth if o.step is None else length("step")
         if depth > MOST_PASSES * step:
@@ -176,7 +187,7 @@ class Reader:
             if o.start is None
             else self._number(o.start, u.ANGLE, "nc", "start", least=None) % (2 * math.pi)
         )
-        return Job(
+        job = Job(
             cutter=length("cutter"),
             depth=depth,
             tolerance=self._number(o.tolerance, lift, "nc", "tolerance"),
@@ -199,19 +210,29 @@ class Reader:
             number=o.number,
             name="".join(c for c in self.name.upper() if c.isascii() and (c.isalnum() or c in "_-"))[:24] or "CAM",
         )
+        if len(self.findings) == before:
+            self.findings += self._unfit(job, o.post)
+        return job
+
+    def _unfit(self, job: Job, posts: tuple[str, ...]) -> Iterator[Finding]:
+        """What speaks against a job on some control; of the cam itself the run tells it, with what mends it."""
+        told = [as_finding(fault) for post in posts for fault in faults(self.disc, job, POSTS[post])]
+        return (one for i, one in enumerate(told) if one.code not in CAM_ITSELF and one not in told[:i])
 
     def _feed(self, o: CamNc, key: str) -> float:
         return MM * MINUTE * self._number(getattr(o, key), u.SPEED, "nc", key)
 
     def _required(self) -> list[tuple[str, Range]]:
         made = []
-        loaded = known(self.disc)
-        figures, there = FIGURES | loaded, given(self.compiled, self.name, self.disc, self.options.forces)
+        turns = self.disc.follower.turns
+        figures = every(turns) | known(self.disc)
+        there = FIGURES.keys() | closed_by(self.closed, turns)
+        there |= given(self.compiled, self.name, self.disc, self.options.forces)
         for name, requirement in self.options.require.items():
             if name not in figures:
                 self.findings.append(unknown("measure", (*PATH, "require", name), name, figures))
                 continue
-            if name in loaded and name not in there:
+            if name not in there:
                 self.findings.append(Finding("cam.no-figure", (*PATH, "require", name), {"name": name}))
                 continue
             low, high = (

@@ -7,21 +7,25 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from linkwright.cam.checks import Check, Limits, checks, undercut
+from linkwright.cam.closing import Conjugate
 from linkwright.cam.contour import area, contour
 from linkwright.cam.disc import Disc
 from linkwright.cam.nc.path import Sharp
 from linkwright.cam.pairs import disc as disc_of
 from linkwright.cam.pairs import frame
-from linkwright.cam.sizing import feasible, smallest
+from linkwright.cam.sizing import feasible, resized, smallest
 from linkwright.cam.splines import splines
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.findings import Finding, Term
 from linkwright.model.unknown import unknown
+from linkwright.studies.cam.closed import closing
+from linkwright.studies.cam.figures import Figure, every
 from linkwright.studies.cam.force_findings import press
 from linkwright.studies.cam.milled import milled, seen
 from linkwright.studies.cam.options import PATH, CamOptions
-from linkwright.studies.cam.outcome import CamOutcome, Figure, figures
+from linkwright.studies.cam.outcome import CamOutcome
+from linkwright.studies.cam.plate import Plate
 from linkwright.studies.cam.stated import Reader
 from linkwright.studies.registry import register
 from linkwright.studies.site import NOWHERE, Site
@@ -49,41 +53,94 @@ class CamStudy:
     name = "cam"
     options = CamOptions
 
+    def without(self, wrong: set[str]) -> set[str] | None:
+        """The keys to leave out where some are wrong in form; ``None`` where nothing can be judged then."""
+        return None if "cam" in wrong else wrong | ({"require"} if "forces" in wrong else set())
+
     def check(self, compiled: Compiled, options: CamOptions) -> list[Finding]:
         """What is wrong with the options."""
         name, findings = chosen(compiled, options)
         if name is None:
             return findings
-        reader = Reader(compiled, options, name, disc_of(compiled, name))
+        disc = disc_of(compiled, name)
+        reader = Reader(compiled, options, name, disc, closing(compiled, name, disc))
         reader.read()
         return reader.findings
 
     def run(self, compiled: Compiled, options: CamOptions, site: Site = NOWHERE) -> CamOutcome:
-        """All that is asked of the cam; nothing is made of one that is undercut."""
+        """All that is asked of the cam; nothing is made of a disc that is undercut."""
         name, _ = chosen(compiled, options)
         assert name is not None
-        disc = disc_of(compiled, name)
-        stated = Reader(compiled, options, name, disc).read()
-        outcome = CamOutcome(compiled, options, name, disc, frame(compiled, name), stated)
-        outcome.checks = checks(disc, stated.limits)
+        outcome = _begun(compiled, options, name)
+        stated = outcome.stated
+        for plate in outcome.plates:
+            plate.checks = checks(plate.disc, stated.limits)
         if stated.base is not None:
             _sizes(outcome, *stated.base)
         outcome.failures += _rough(outcome)
-        if (cut := undercut(disc)) is not None:
-            outcome.failures.append(_undercut(outcome, cut))
-            return outcome
-        outcome.figures = list(figures(disc, outcome.checks, stated.required))
-        press(outcome)
-        outcome.failures += [_failed(outcome, check) for check in outcome.checks if not check.kept]
+        cuts = {plate.second: cut for plate in outcome.plates if (cut := undercut(plate.disc)) is not None}
+        outcome.failures += [_undercut(outcome, p, cuts[p.second]) for p in outcome.plates if p.second in cuts]
+        sound = [plate for plate in outcome.plates if plate.second not in cuts]
+        for plate in sound:
+            outcome.add(plate.figures(), every(plate.disc.follower.turns))
+        if outcome.first in sound:
+            _closes(outcome)
+        if not cuts:
+            press(outcome)
+        for plate in sound:
+            outcome.failures += [_failed(outcome, plate, check) for check in plate.checks if not check.kept]
         outcome.failures += [_unmet(outcome, figure) for figure in outcome.figures if not figure.kept]
-        _shape(outcome)
-        if stated.job is not None and options.nc is not None:
-            hollow = any(finding.code == "cam.hollow" for finding in outcome.failures)
-            outcome.milled, found = milled(disc, stated.job, options.nc.post, options.steps, seen(outcome.frame))
-            told = [finding for finding in found if not (hollow and finding.code == "nc.concave")]
-            outcome.failures += [finding for finding in told if finding.severity == "error"]
-            outcome.warnings += [finding for finding in told if finding.severity != "error"]
+        for plate in sound:
+            _shape(outcome, plate)
+            _mill(outcome, plate)
         return outcome
+
+
+def _begun(compiled: Compiled, options: CamOptions, name: str) -> CamOutcome:
+    """The disc or discs, and what is asked of them."""
+    disc, path = disc_of(compiled, name), ("cams", name)
+    held = closing(compiled, name, disc)
+    stated = Reader(compiled, options, name, disc, held).read()
+    axes = frame(compiled, name)
+    plates = [Plate(disc, axes, stated, path, options.steps)]
+    if isinstance(held, Conjugate):
+        plates.append(Plate(held.disc, axes.mirrored, stated, (*path, "second"), options.steps, second=True))
+    return CamOutcome(compiled, options, name, stated, plates, held)
+
+
+def _closes(outcome: CamOutcome) -> None:
+    """What holds the follower: its sizes, and the play of a yoke."""
+    if outcome.closing is None:
+        return
+    sizes, limit = outcome.closing.figures, outcome.stated.play
+    outcome.add(sizes.items(), every(outcome.disc.follower.turns))
+    if (play := sizes.get("play")) is None:
+        return
+    margin = None if limit is None else limit - play.value
+    outcome.first.checks.append(Check("play", play.value, play.theta, limit, margin))
+    if limit is None and play.value > outcome.stated.tolerance:
+        outcome.warnings.append(_loose(outcome, severity="warning"))
+
+
+def _mill(outcome: CamOutcome, plate: Plate) -> None:
+    """NC code of a disc; of a second one the findings that the first one has too aren't told again."""
+    job, nc = outcome.stated.job, outcome.options.nc
+    if job is None or nc is None:
+        return
+    told = seen(plate.frame)
+    if plate.second:
+        name = f"{job.name[:17]}_SECOND"
+        job, told = replace(job, name=name, number=job.number % 9999 + 1), ["SECOND DISC", *told]
+    hollow = any(check.name == "hollow_radius" and not check.kept for check in plate.checks)
+    plate.milled, found = milled(plate.disc, job, nc.post, outcome.options.steps, told)
+    for finding in found:
+        if hollow and finding.code == "nc.concave":
+            continue
+        if plate.second:
+            if finding in (*outcome.failures, *outcome.warnings):
+                continue
+            finding = replace(finding, path=plate.path)
+        (outcome.failures if finding.severity == "error" else outcome.warnings).append(finding)
 
 
 def _rough(outcome: CamOutcome) -> Iterator[Finding]:
@@ -105,41 +162,47 @@ def chosen(compiled: Compiled, options: CamOptions) -> tuple[str | None, list[Fi
 
 
 def _sizes(outcome: CamOutcome, low: float, high: float) -> None:
-    disc, limits = outcome.disc, outcome.stated.limits
-    outcome.smallest = smallest(disc, limits, low, high)
-    if outcome.smallest is None:
-        unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
-        data = {"low": f"{low / size:.6g}", "high": f"{high / size:.6g}", "unit": unit}
-        outcome.warnings.append(Finding("cam.no-base", (*PATH, "size", "base"), data, severity="warning"))
+    """The smallest base circles, each disc's by itself, and a map of the first one's."""
+    limits = outcome.stated.limits
+    for plate in outcome.plates:
+        plate.smallest = smallest(plate.disc, limits, low, high)
+        if plate.smallest is None:
+            unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
+            data = {"low": f"{low / size:.6g}", "high": f"{high / size:.6g}", "unit": unit}
+            path = plate.path if plate.second else (*PATH, "size", "base")
+            outcome.warnings.append(Finding("cam.no-base", path, data, severity="warning"))
     against, size_options = outcome.stated.against, outcome.options.size
     if against is not None and size_options is not None:
-        outcome.map = feasible(disc, limits, ("base", low, high), against, size_options.steps)
+        outcome.map = feasible(outcome.disc, limits, ("base", low, high), against, size_options.steps)
 
 
-def _shape(outcome: CamOutcome) -> None:
+def _shape(outcome: CamOutcome, plate: Plate) -> None:
     """The contour, and whether bore and hub fit into it."""
-    disc, stated = outcome.disc, outcome.stated
+    disc, stated = plate.disc, outcome.stated
     try:
-        outcome.elements = contour(disc, stated.tolerance)
-        cut = any(check.name == "groove_radius" and not check.kept for check in outcome.checks)
+        plate.elements = contour(disc, stated.tolerance)
+        cut = any(check.name == "groove_radius" and not check.kept for check in plate.checks)
         if stated.limits.groove and not cut:
-            outcome.outer = contour(disc, stated.tolerance, disc.follower.radius)
+            plate.outer = contour(disc, stated.tolerance, disc.follower.radius)
         if outcome.options.drawing == "splines":
-            sides = (-1, 1) if outcome.outer else (-1,)
-            outcome.curves = [splines(disc, stated.tolerance, side * disc.follower.radius) for side in sides]
+            sides = (-1, 1) if plate.outer else (-1,)
+            plate.curves = [splines(disc, stated.tolerance, side * disc.follower.radius) for side in sides]
     except Sharp as sharp:
         data = {"theta": _angle(outcome, sharp.theta), "tolerance": outcome.options.tolerance.text[:60]}
-        outcome.failures.append(Finding("cam.sharp", (*PATH, "tolerance"), data))
+        path = plate.path if plate.second else (*PATH, "tolerance")
+        outcome.failures.append(Finding("cam.sharp", path, data))
         return
-    outcome.area = area(disc)
+    plate.area = area(disc)
     blank = stated.blank
     if blank is not None:
-        least = next(f.value for f in outcome.figures if f.name == "radius_min")
+        least = plate.extents[0].value
         reach = max(blank.hub, math.hypot(blank.bore + blank.key_depth, blank.key_width / 2)) / 1e3
         if reach >= least:
             unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
-            data = {"reach": f"{reach / size:.6g}", "least": f"{least / size:.6g}", "unit": unit}
-            outcome.failures.append(Finding("cam.blank", (*PATH, "blank"), data))
+            lengths = {"reach": f"{reach / size:.6g}", "least": f"{least / size:.6g}", "unit": unit}
+            profile = {"profile": plate.of(Term("cam-profile"))}
+            plate.fits = False
+            outcome.failures.append(Finding("cam.blank", (*PATH, "blank"), lengths | profile))
 
 
 def mending(disc: Disc, limits: Limits) -> float | None:
@@ -147,18 +210,33 @@ def mending(disc: Disc, limits: Limits) -> float | None:
     return smallest(disc, limits, disc.follower.base, LARGER * disc.follower.base)
 
 
-def _undercut(outcome: CamOutcome, cut: Check) -> Finding:
-    data = _place(outcome, cut) | _base(outcome, Limits())
-    return Finding("cam.undercut", ("cams", outcome.name), data)
+def _undercut(outcome: CamOutcome, plate: Plate, cut: Check) -> Finding:
+    data = _place(outcome, plate, cut) | _base(outcome, plate, Limits())
+    smaller: Term | str = "" if plate.disc.follower.faced else Term("or-roller")
+    which = Term("cam-second" if plate.second else "cam-first")
+    return Finding("cam.undercut", plate.path, data | {"disc": which, "roller": smaller})
 
 
-def _failed(outcome: CamOutcome, check: Check) -> Finding:
+def _failed(outcome: CamOutcome, plate: Plate, check: Check) -> Finding:
     """A limit that isn't kept."""
-    data = _place(outcome, check)
+    if check.name == "play":
+        return _loose(outcome)
+    data = _place(outcome, plate, check)
     if check.name == "hollow_radius":
         limits = replace(Limits(), cutter=check.limit)
-        return Finding("cam.hollow", ("cams", outcome.name), data | _base(outcome, limits))
+        data |= {"profile": plate.of(Term("cam-profile"))}
+        return Finding("cam.hollow", plate.path, data | _base(outcome, plate, limits))
     return Finding("cam.limit", (*PATH, "limits"), data)
+
+
+def _loose(outcome: CamOutcome, severity: str = "error") -> Finding:
+    """The play of a yoke."""
+    assert outcome.closing is not None
+    unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
+    sizes = outcome.closing.figures
+    data = {name: f"{one.value / size:.6g} {unit}" for name, one in sizes.items()}
+    places = {f"at_{end}": _angle(outcome, sizes[f"yoke_span_{end}"].theta) for end in ("min", "max")}
+    return Finding("cam.play", ("cams", outcome.name, "closed"), data | places, severity=severity)
 
 
 def _unmet(outcome: CamOutcome, figure: Figure) -> Finding:
@@ -168,12 +246,12 @@ def _unmet(outcome: CamOutcome, figure: Figure) -> Finding:
     return Finding("cam.required", (*PATH, "require", figure.name), data | {"wanted": wanted})
 
 
-def _place(outcome: CamOutcome, check: Check) -> dict[str, object]:
+def _place(outcome: CamOutcome, plate: Plate, check: Check) -> dict[str, object]:
     """A check in the file's units."""
     dimension = u.ANGLE if check.name.startswith("pressure") else u.LENGTH
     unit, size = outcome.compiled.quantities.unit_of(dimension)
     limit = "-" if check.limit is None else f"{check.limit / size:.6g}"
-    data = {"name": NAMED[check.name], "value": f"{check.value / size:.6g}", "limit": limit, "unit": unit}
+    data = {"name": plate.of(NAMED[check.name]), "value": f"{check.value / size:.6g}", "limit": limit, "unit": unit}
     return data | {"theta": _angle(outcome, check.theta)}
 
 
@@ -182,8 +260,17 @@ def _angle(outcome: CamOutcome, theta: float) -> str:
     return f"{theta / size:.6g} {unit}"
 
 
-def _base(outcome: CamOutcome, limits: Limits) -> dict[str, object]:
-    """The base circle that mends it, where there is one."""
-    found = mending(outcome.disc, limits)
-    unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
-    return {"base": Term("no-base") if found is None else f"{UP * found / size:.6g} {unit}"}
+def _base(outcome: CamOutcome, plate: Plate, limits: Limits) -> dict[str, object]:
+    """The base circle that mends it, where there is one; of a second disc with what is between both contacts then."""
+    found = mending(plate.disc, limits)
+    if found is None:
+        return {"base": Term("no-base")}
+    quantities, wide = outcome.compiled.quantities, UP * found
+    unit, size = quantities.unit_of(u.LENGTH)
+    told = f"{wide / size:.6g} {unit}"
+    if not plate.second:
+        return {"base": told}
+    assert isinstance(outcome.closing, Conjugate)
+    other = resized(plate.disc, {"base": wide}).follower.start - plate.disc.follower.start
+    one, measure = quantities.unit_of(outcome.lift_dimension)
+    return {"base": Term("base-between", base=told, between=f"{(outcome.closing.between + other) / measure:.6g} {one}")}

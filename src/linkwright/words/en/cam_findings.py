@@ -22,7 +22,7 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "Give a larger hub or a smaller bore; both are stated by their radii.",
     ),
     "cam.blank": (
-        "Hub, bore or keyway reach {reach} {unit} from the centre, and the profile comes as near as {least} {unit}.",
+        "Hub, bore or keyway reach {reach} {unit} from the centre, and the {profile} comes as near as {least} {unit}.",
         "Make them smaller (they are stated by their radii), or the base circle larger.",
     ),
     "cam.no-base": (
@@ -34,16 +34,16 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "Give a larger step, or mill a thinner cam.",
     ),
     "cam.undercut": (
-        "The cam is undercut: at the cam angle {theta} the {name} is {value} {unit}, and it must exceed {limit} {unit}. "
+        "The {disc} is undercut: at the cam angle {theta} the {name} is {value} {unit}, and it must exceed {limit} {unit}. "
         "There is no profile that moves the follower so.",
-        "Take a larger base circle (the least that will do: {base}), a longer way for the lift, or a smaller roller.",
+        "Take a larger base circle (the least that will do: {base}), or a longer way for the lift{roller}.",
     ),
     "cam.rough": (
         "At the cam angle {theta} the follower's {rate} jumps.",
         "Take a law that joins smoothly there, or loosen the limit continuity.",
     ),
     "cam.hollow": (
-        "The profile is hollow at the cam angle {theta} with a radius of {value} {unit}; a cutter of {limit} {unit} doesn't "
+        "The {profile} is hollow at the cam angle {theta} with a radius of {value} {unit}; a cutter of {limit} {unit} doesn't "
         "get in.",
         "Take a smaller cutter, or a larger base circle (the least that will do: {base}).",
     ),
@@ -75,14 +75,26 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "Poisson's ratio is {text}; no material that is the same in all directions has more than 0.5.",
         "Give a value from 0 to 0.5, e.g. 0.3 for steel.",
     ),
-    "cam.other-form": (
-        "The follower is closed by form without a roller: by a second disc or a yoke, which the study doesn't know.",
-        "Leave forces out, and ask linkwright.cam.closing from Python; a roller would run in a groove.",
-    ),
     "cam.no-figure": (
         "{name} isn't among this study's figures.",
         "Add forces, with width for the Hertz pressure and spring where the follower is closed by form; only a roller "
-        "has a speed.",
+        "has a speed, and only closed: conjugate or yoke has a second contact, a span or a play.",
+    ),
+    "cam.load-name": (
+        "'{name}' is a parameter, and in a cam's load also the cam's {name}.",
+        "Give the parameter another name.",
+    ),
+    "cam.load-signal": (
+        "'{name}' can't stand in a cam's load.",
+        "Write angle for the cam angle, lift for the follower's lift; besides them parameters, tables and laws.",
+    ),
+    "cam.load-outside": (
+        "At the cam angle {theta} the load asks the table {table} for {at} {of}, outside its range {low} to {high} {of}.",
+        "Extend the table, or give it a period.",
+    ),
+    "cam.load-not-finite": (
+        "The load has no finite value at the cam angle {theta}.",
+        "Look for a division by zero, or the root of a negative number.",
     ),
     "cam.spring": (
         "The follower lifts off: at {speed} the contact force gets down to {force}, at the cam angle {theta}; it must be "
@@ -109,13 +121,19 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "Only a roller runs in a groove.",
         "Give the follower a roller.",
     ),
-    "cam.conjugate": (
-        "The second disc's follower doesn't reach its base circle.",
-        "Change the base circle of the second disc, or the place of its contact.",
-    ),
     "cam.yoke": (
         "Only a sliding follower has a yoke.",
         "Close a swinging one by a groove or a second disc.",
+    ),
+    "cam.play": (
+        "The yoke has a play of up to {play}: across the disc lie {yoke_span_min} at the cam angle {at_min} and "
+        "{yoke_span_max} at {at_max}.",
+        "Take a law whose lifts half a turn apart add up to the same everywhere, such as a return half a turn after the "
+        "rise and by the same law; or a second disc, closed: conjugate.",
+    ),
+    "nc.no-post": (
+        "NC code is asked for, and no control is named.",
+        "Name one of {known} under post, or leave nc out.",
     ),
     "nc.undercut": (
         "The cam is undercut at {theta} deg: the pitch curve's radius is {radius} mm, the roller's {roller} mm.",
@@ -216,6 +234,7 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
     ),
 }
 CAM_TERMS = {
+    "or-roller": ", or a smaller roller",
     "or-rate": ", or with the present one a rate of {rate}",
     "no-rate": "; with the present one no rate does",
     "a-length": "a length of the follower",
@@ -224,6 +243,11 @@ CAM_TERMS = {
     "cam-zero": "0 or more",
     "jump-acceleration": "acceleration",
     "jump-jerk": "jerk",
+    "cam-first": "cam",
+    "cam-second": "second disc",
+    "cam-profile": "profile",
+    "of-second": "{what} of the second disc",
+    "base-between": "{base}, with {between} between both contacts",
     "check-pressure_rise": "pressure angle on the rise",
     "check-pressure_return": "pressure angle on the return",
     "check-pitch_radius": "radius of the pitch curve",

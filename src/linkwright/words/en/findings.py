@@ -454,10 +454,28 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "only.",
         "Take a larger base circle, or lead the follower nearer to the shaft.",
     ),
+    "cam.second-side": (
+        "The second contact of {follower} must stay on the other side of the line from shaft to pivot all over the lift: "
+        "its arm or face makes {low} to {high} {unit} with it; {least} to {most} {unit} would do.",
+        "Move the second point or face, or change the second base circle.",
+    ),
+    "cam.second-height": (
+        "The second contact of {follower} must stay beyond the shaft; at the largest lift it is {height} {unit} on the "
+        "first one's side of it.",
+        "Move the second point or face further away from the first.",
+    ),
+    "cam.second-base": (
+        "The second contact of {follower} leaves its disc a base circle of {base} {unit}.",
+        "Move the second contact further away from the shaft, or take a smaller second roller.",
+    ),
     "cam.lifts-off": (
         "The follower of the cam {cam} lifts off: it would have to be pulled with {force} {of} t = {time} s ({drive} = "
         "{value} {unit}).",
         "Add a spring or a stronger one, turn slower, or say closed: groove (conjugate, yoke) where form holds it.",
+    ),
+    "cam.loose": (
+        "The yoke of the cam {cam} has up to {play} {unit} of play; forces are those of one without.",
+        "Take a law whose lifts half a turn apart add up to the same everywhere, or a second disc: closed: conjugate.",
     ),
     "cam.reach": (
         "The arm of {follower} misses the base circle by {by} {unit}: arm {arm} {unit} and centre distance {distance} "
@@ -479,8 +497,13 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Name a point of the follower away from its pin.",
     ),
     "study.cams": (
-        "The study {study} moves drives singly, and can't with cams ({names}): their followers move with the motor.",
+        "The study {study} moves two drives through all their values, each on its own; the followers of cams ({names}) "
+        "move with their motors.",
         "Leave the study out, or put a drive in the place of each cam.",
+    ),
+    "study.follower": (
+        "{name} is the follower of a cam: it moves with the motor {motor}, not on its own.",
+        "Name {motor} as the drive; its followers move along.",
     ),
     "motion.cylinder-length": (
         "The cylinder {name} would have to be {by} {length_unit} {end} than it can be: {length} {length_unit} "
@@ -677,7 +700,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "law.place": (
         "The motion law '{name}' is called where no drive's position stands.",
-        "Call it in the position of a drive; measures and loads name the drive's value.",
+        "Call it in the position of a drive or the load of a cam study; measures and loads of the model name the drive's "
+        "value.",
     ),
     "law.over": (
         "The segment's length along the axis isn't positive, or out of all proportion.",
@@ -915,6 +939,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The arguments or the period of the table {table} hold expressions of {names}, which vary.",
         "Write these numbers out, or don't vary what they depend on; the table's values may vary.",
     ),
+    "varied.second": (
+        "{names} vary in the law {law}, by whose largest lift the second contact of the cam {cam} is placed.",
+        "Give the place of the second contact under second, or don't vary the law.",
+    ),
     "varied.values": (
         "{count} of {samples} samples have values that the model can't take; in the first one, {sample}: {what}",
         "Narrow the ranges of the varied parameters.",
@@ -1083,6 +1111,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The file for MuJoCo doesn't have {names}.",
         "Add them to the file by hand where the simulation needs them.",
     ),
+    "export.followers": (
+        "MuJoCo has no cam pairs: the followers of {names} have actuators of their own, which move them by the laws; the "
+        "camshafts' actuators don't feel them.",
+        "Take their controls from positions.csv; take forces and torques on cams from linkwright.",
+    ),
     # Of joint functions.
     "functions.drives": (
         "Joint functions ask for one driving joint; this mechanism has {count} drives: {names}.",
@@ -1228,8 +1261,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     # Of clearances.
     "clearance.cam": (
-        "The joint {name} guides the cam {cam} or its follower: a clearance there would move the contact too, which isn't "
-        "followed.",
+        "A clearance at {name} moves the contacts of the cam {cam}, which touches on two sides (closed: {closed}): "
+        "which of them holds the follower isn't followed.",
         "Leave this joint out; state the play as a tolerance of the centre distance instead.",
     ),
     "clearance.no-joint": (
@@ -1270,6 +1303,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "clearance.too-large": (
         "The clearance of {name} isn't smaller than the link {link}, which reaches {length} from there.",
+        "Check the number and its unit: it is the radial clearance, half the difference of the diameters.",
+    ),
+    "clearance.roller": (
+        "The clearance of {name} isn't smaller than the radius of the roller there, {radius}.",
         "Check the number and its unit: it is the radial clearance, half the difference of the diameters.",
     ),
     "clearance.no-force": (

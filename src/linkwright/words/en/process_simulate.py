@@ -6,6 +6,7 @@ PROCESS_SIMULATE: dict[str, str] = {
         "# Radians and mm. A function is the text of its line, and belongs to the joint named above it."
     ),
     "functions.proof": "# Held against the solver over the whole range: off by {error} at most, with {decimals} decimals.",
+    "functions.compared": "# Functions of cams hold comparisons, >= and <: 1 where they hold, and 0 elsewhere.",
     "functions.fitted": "# Polynomials stand for joints that have no closed form; the errors say how close they come.",
     "functions.driving": (
         "{name}: the driving joint, {kind} of {child} on {parent} (joint {joint}), {way}; limits {limits}"

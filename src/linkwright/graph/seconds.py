@@ -1,0 +1,89 @@
+"""The second contact of a cam closed by form: on a second disc, or on the same one within a yoke.
+
+It lies across the line of centres, or beyond the shaft, and holds the follower against the first; so it is a contact of
+its own on the other side. Where the file doesn't give its place, this follows from what keeps the follower without
+play: the angle between both arms or faces, or the distance along the slide, is start + second start + largest lift with
+a second disc, and with a yoke both starts + the largest sum of two lifts half a turn apart
+(:mod:`linkwright.cam.closing` has the discs).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import atan2, cos, hypot, pi, sin
+
+from linkwright.graph.cams import Seat, Touch, outward, seat, touch
+from linkwright.graph.geometry import Geometry, unit_vector
+from linkwright.model import units as u
+from linkwright.model.cams import Following
+from linkwright.notation import Pair, Scalar
+
+
+def other_side(drive: Following) -> Following:
+    """The second contact as if it were the first one, on the other side; its place is right where it is stated."""
+    cam, stated = drive.cam, drive.cam.second
+    change = {key: value for key, value in stated or () if value is not None}
+    if cam.knife is not None and "at" in change:
+        change["knife"] = change.pop("at")
+    return drive.model_copy(update={"cam": cam.model_copy(update=change), "side": -drive.side})
+
+
+def second(geometry: Geometry, drive: Following, total: Scalar) -> Touch:
+    """What touches on the other side; ``total`` (rad or m) is the largest lift, or of a yoke the largest sum of two
+    lifts half a turn apart."""
+    other = other_side(drive)
+    if not drive.derived:
+        return touch(geometry, other)
+    first, here = touch(geometry, drive), seat(geometry, drive)
+    between = here.start + second_seat(geometry, drive).start + total
+    if here.turns:
+        assert drive.pivot is not None
+        own = geometry.point(drive.link, drive.pivot[0])
+        turn = unit_vector(-here.sign * between)
+        if first.face is None:
+            return Touch(_plus(own, first.at.minus(own).turned(turn)), None)
+        face = first.face.turned(turn)
+        return Touch(_plus(own, outward(other, face), here.reach), face)
+    assert drive.joint is not None
+    heading = geometry.line(drive.joint, drive.link)[1]
+    at = _plus(first.at, heading, -here.sign * between)
+    if drive.cam.closed == "yoke":  # its rollers lie opposite each other about the shaft
+        at = _plus(at, heading.perp, 2 * here.sign * here.aside)
+    return Touch(at, first.face)
+
+
+def second_seat(geometry: Geometry, drive: Following) -> Seat:
+    """The numbers of the second contact; ``base`` is that of its disc only where its place isn't stated."""
+    if not drive.derived:
+        return seat(geometry, other_side(drive))
+    cam = other_side(drive).cam
+    roller = geometry.number(cam.roller, u.LENGTH) if cam.roller is not None else 0.0
+    return replace(seat(geometry, drive), base=geometry.number(cam.base, u.LENGTH), roller=roller)
+
+
+def rest(geometry: Geometry, drive: Following, total: float) -> tuple[float, float]:
+    """Where the second contact stands at the largest lift ``total`` (rad or m), as it is on its own base circle, by
+    plain numbers: the angle (rad, -pi .. pi) of arm or face with the line of centres or the height (m) beyond the
+    shaft, and the radius (m) of the base circle."""
+    here, there = seat(geometry, drive), second_seat(geometry, drive)
+    if drive.derived:
+        return float(there.start), float(there.base)
+    start = float(there.sign * (here.offset + here.sign * (here.start + total) - there.offset))
+    if not there.turns:
+        return start, start if there.faced else hypot(start, there.aside) - float(there.roller)
+    start = atan2(sin(start), cos(start))
+    away, reach = float(there.distance), float(there.reach)
+    if there.faced:
+        return start, away * sin(start) + reach
+    return start, hypot(away - reach * cos(start), reach * sin(start)) - float(there.roller)
+
+
+def room(drive: Following) -> tuple[float, float]:
+    """Between what a second contact's angle or height may lie all over the lift (rad or m)."""
+    if drive.pivot is None:
+        return 0.0, float("inf")
+    return (-pi / 2, pi / 2) if drive.cam.face is not None else (0.0, pi)
+
+
+def _plus(at: Pair, by: Pair, times: Scalar = 1.0) -> Pair:
+    return Pair(at.x + times * by.x, at.y + times * by.y)

@@ -1,0 +1,147 @@
+"""One disc of a cam in the cam study: its checks, its contour, its NC code."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.cam.checks import Check
+from linkwright.cam.disc import TURN, Disc, Look
+from linkwright.cam.extremes import Extreme, extremes
+from linkwright.cam.nc.path import Element
+from linkwright.cam.pairs import Frame
+from linkwright.cam.splines import Spline
+from linkwright.model.findings import Term
+from linkwright.notation import Jet
+from linkwright.studies.cam.figures import SECOND
+from linkwright.studies.cam.milled import Milled
+from linkwright.studies.cam.stated import Stated
+
+Array = NDArray[np.float64]
+
+
+@dataclass
+class Plate:
+    """A disc and what is made of it; SI, but for what the machine tool gets (mm).
+
+    ``elements`` is the contour in the disc's axes, which ``frame`` puts into the link's, ``outer`` the other flank of a
+    groove, ``curves`` both as splines where these are asked for, ``area`` (m2) that within the profile; all are missing
+    where there is no profile. ``smallest`` is the base circle (m) that ``size`` asks for, ``None`` where none keeps the
+    limits. ``path`` is where the file states it, ``second`` whether it is the second one of a pair, ``steps`` those of
+    its turn in tables and charts; ``fits`` whether bore and hub lie within the profile.
+    """
+
+    disc: Disc
+    frame: Frame
+    stated: Stated
+    path: tuple[str | int, ...]
+    steps: int
+    second: bool = False
+    checks: list[Check] = field(default_factory=list)
+    smallest: float | None = None
+    elements: list[Element] = field(default_factory=list)
+    outer: list[Element] = field(default_factory=list)
+    curves: list[list[Spline]] = field(default_factory=list)
+    area: float = math.nan
+    fits: bool = True
+    milled: list[Milled] = field(default_factory=list)
+
+    @property
+    def made(self) -> bool:
+        """Whether there is a profile."""
+        return math.isfinite(self.area)
+
+    @property
+    def volume(self) -> float | None:
+        """Of the solid (m3), from the exact area."""
+        blank = self.stated.blank
+        return None if blank is None or not self.made else 1e-9 * blank.volume(1e6 * self.area)
+
+    @property
+    def prefix(self) -> str:
+        """What names of its figures begin with."""
+        return SECOND if self.second else ""
+
+    def of(self, what: Term) -> Term:
+        """Something of it, in words."""
+        return Term("of-second", what=what) if self.second else what
+
+    def placed(self, points: Array) -> Array:
+        """Points of the disc (2, ...) about its centre, in directions of the link's axes."""
+        return replace(self.frame, origin=(0.0, 0.0)).placed(points)
+
+    @cached_property
+    def contour(self) -> list[Element]:
+        """The contour about the centre in directions of the link's axes, counter-clockwise; mm."""
+        return self._put(self.elements)
+
+    @cached_property
+    def flank(self) -> list[Element]:
+        """Likewise the outer flank of a groove; empty where the roller doesn't run in one."""
+        return self._put(self.outer)
+
+    @property
+    def splines(self) -> list[list[Spline]]:
+        """The profile, then the outer flank of a groove, as splines about the centre in directions of the link's axes;
+        empty unless asked for."""
+        return [[replace(one, points=self.placed(one.points)) for one in curve] for curve in self.curves]
+
+    def _put(self, elements: list[Element]) -> list[Element]:
+        def put(place: tuple[float, float]) -> tuple[float, float]:
+            x, y = self.placed(np.array(place)).tolist()
+            return x, y
+
+        made = [
+            replace(e, start=put(e.start), end=put(e.end), centre=None if e.centre is None else put(e.centre))
+            for e in elements
+        ]
+        if self.frame.mirror > 0:
+            return made
+        return [replace(e, start=e.end, end=e.start) for e in reversed(made)]
+
+    @cached_property
+    def theta(self) -> Array:
+        """The cam angles of tables and charts, a whole turn."""
+        return np.linspace(0.0, TURN, self.steps + 1)
+
+    @cached_property
+    def look(self) -> Look:
+        """The cam at these; at the end of the turn from the left."""
+        theta = self.theta.copy()
+        theta[-1] = np.nextafter(TURN, 0.0)
+        return self.disc.look(theta)
+
+    @cached_property
+    def extents(self) -> tuple[Extreme, Extreme]:
+        """The least and the largest distance of the profile from the cam's centre (m)."""
+
+        def away(look: Look) -> Jet:
+            x, y = (p - self.disc.follower.radius * n for p, n in zip(look.pitch, look.normal, strict=True))
+            return (x * x + y * y).sqrt()
+
+        return extremes(self.disc, away)
+
+    def figures(self) -> Iterator[tuple[str, Extreme]]:
+        """The figures that it has, by name; those of the checks have been found there."""
+        by = {check.name: check for check in self.checks}
+        if (sharp := by.get("profile_radius")) is not None:
+            yield f"{self.prefix}profile_curvature_max", Extreme(1 / sharp.value, sharp.theta)
+        for name, check in (
+            ("profile_radius_min", sharp),
+            ("pitch_radius_min", by.get("pitch_radius")),
+            ("hollow_radius_min", by.get("hollow_radius")),
+            ("pressure_angle_max", self._steepest()),
+        ):
+            if check is not None:
+                yield self.prefix + name, Extreme(check.value, check.theta)
+        yield from zip((f"{self.prefix}radius_min", f"{self.prefix}radius_max"), self.extents, strict=True)
+
+    def _steepest(self) -> Check | None:
+        """The larger of the pressure angles on the rise and on the return."""
+        some = [check for check in self.checks if check.name.startswith("pressure")]
+        return max(some, key=lambda check: check.value, default=None)
