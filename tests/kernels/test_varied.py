@@ -519,7 +519,7 @@ def test_parameters_that_cannot_be_varied_are_refused() -> None:
     carried = replace(compiled, passages=Passages((Passage(0.1, ("coupler-rocker",), 0.01),)))
     with pytest.raises(ModelError, match=r"varied\.passage"):
         Varied(carried, ["a"])
-    tables = {"curve": {"points": [[0, 0], [0.5, "s"], [1, 0.5], [2, 1]]}}
+    tables = {"curve": {"points": [[0, 0], ["s", 0.2], [1, 0.5], [2, 1]]}}
     motor = {"turns": "crank", "on": "frame", "position": "curve(t/(1 s))"}
     made = document(four_bar(parameters={"r": 0.2, "s": "r"}, tables=tables, drives={"motor": motor}))
     with pytest.raises(ModelError, match=r"varied\.table"):

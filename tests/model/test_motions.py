@@ -123,17 +123,6 @@ def test_wrong_laws(segments: list[Any], more: dict[str, Any], wanted: list[Any]
     assert found(*segments, **more) == wanted
 
 
-def test_a_law_varies_with_no_study() -> None:
-    from linkwright.kernels.varied import Varied
-    from linkwright.model.findings import ModelError
-
-    compiled, _ = examined({**CYCLOID, "rise": "h"}, BACK[0], {**BACK[1], "fall": "h"}, more={"parameters": {"h": 12}})
-    assert compiled is not None
-    with pytest.raises(ModelError) as error:
-        Varied(compiled, ["h"])
-    assert [finding.code for finding in error.value.findings] == ["varied.law"]
-
-
 def test_units_parameters_and_rates() -> None:
     """Bare numbers in the file's units; rates by the axis; expressions of parameters; u a pure number."""
     compiled, findings = examined(

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 from linkwright.laws import step5
 from linkwright.notation import MAX_ORDER, Jet
+from linkwright.notation.duals import Dual
 from notation.carriers import CARRIERS, assert_close, exact, on_floats, on_symbols
 
 ORDER = MAX_ORDER + 1
@@ -228,3 +229,17 @@ def test_functions_with_corners_on_symbols(x: float) -> None:
     ):
         row = [x, 0.7, -0.4]
         assert_close(on_symbols(f, row), on_floats(f, row))
+
+
+def test_a_power_with_a_slope() -> None:
+    """d/dn u^n = u^n log u, and its derivatives; 0 at u = 0, where it may grow without bound in the higher ones."""
+    jet = Jet([np.array([0.0, 0.4, 1.3]), np.ones(3), np.zeros(3), np.zeros(3)])
+    with np.errstate(all="ignore"):
+        found = (jet ** Dual(2.5, 1.0)).d
+    for order, entry in enumerate(found):
+        for i, u in enumerate((0.4, 1.3), start=1):
+            wanted = mpmath.diff(lambda v: v**2.5 * mpmath.log(v), u, order)
+            assert float(entry.slope[i]) == pytest.approx(float(wanted), rel=1e-10)
+            assert float(entry.value[i]) == pytest.approx(float(mpmath.diff(lambda v: v**2.5, u, order)), rel=1e-10)
+    assert [float(entry.slope[0]) for entry in found[:3]] == [0.0, 0.0, 0.0]
+    assert np.isnan(found[3].slope[0])

@@ -60,10 +60,12 @@ def disc(compiled: Compiled, name: str, parameters: Parameters | None = None) ->
     """A cam of a mechanism (SI), at the nominal parameters or at others (all of them, SI).
 
     Its angle theta is that at which the law is asked: the motor's, counted in the cam's sense, and the phase.
-    Raises KeyError where the mechanism has no such cam, ``NoFollower`` where it can't be made with the parameters.
+    Raises KeyError where the mechanism has no such cam, ``NoFollower`` or ``MotionError`` where it or its law can't be
+    made with the parameters.
     """
     drive, here = _read(compiled, name, parameters)
-    motion = compiled.motions[drive.cam.law]
+    law = compiled.motions[drive.cam.law]
+    motion = law.checked(parameters or law.nominal)
     follower = _follower(drive, here)
     follower.touch(Jet.constant(0.0, 0))  # which says what it can't reach
     turns = max(1, round(2 * pi / motion.period))

@@ -13,8 +13,10 @@ from linkwright.graph.cams import Seat, followings, seat, sense, slant, whole
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.seconds import other_side, second_seat
 from linkwright.kernels.law import Array, Law, Parameters
+from linkwright.kernels.motions import StatedMotion
 from linkwright.kernels.seconds import largest, misplaced
 from linkwright.laws import Motion
+from linkwright.laws.numbers import first
 from linkwright.model import units as u
 from linkwright.model.cams import Following
 from linkwright.model.findings import Finding
@@ -61,7 +63,7 @@ class CamLaw(Law):
         return replace(self, of=of, names=self.names | motor.names)
 
 
-def follower_law(quantities: Quantities, name: str, motion: Motion, motor: Law) -> CamLaw:
+def follower_law(quantities: Quantities, name: str, motion: StatedMotion, motor: Law) -> CamLaw:
     """The law of the follower of a cam, by the law of its motor."""
     drive = quantities.mechanism.drives[name]
     assert isinstance(drive, Following)
@@ -74,7 +76,7 @@ def follower_law(quantities: Quantities, name: str, motion: Motion, motor: Law) 
     def ride(angle: Jet, parameters: Parameters) -> Jet:
         geometry = Geometry(quantities, parameters)
         here = seat(geometry, drive)
-        lift = motion.on(factor * angle + geometry.number(drive.cam.phase, u.ANGLE))
+        lift = motion.given(parameters).on(factor * angle + geometry.number(drive.cam.phase, u.ANGLE))
         value: Jet = here.sign * lift + (here.offset + here.sign * here.start - turn)
         return value
 
@@ -101,7 +103,7 @@ class Noting(dict[str, float]):
         return super().__getitem__(name)
 
 
-def cam_faults(quantities: Quantities, motions: Mapping[str, Motion]) -> Iterator[Finding]:
+def cam_faults(quantities: Quantities, motions: Mapping[str, StatedMotion]) -> Iterator[Finding]:
     """Followers that can't stand on the base circle, faces askew, laws that don't go over a turn, second contacts that
     can't be placed."""
     geometry = Geometry(quantities, quantities.parameters)
@@ -109,17 +111,23 @@ def cam_faults(quantities: Quantities, motions: Mapping[str, Motion]) -> Iterato
         path: tuple[str, ...] = ("cams", name)
         motion = motions.get(drive.cam.law)
         if motion is not None:
-            turns = 2 * pi / motion.period
-            if abs(turns - round(turns)) > CLOSE * turns or not round(turns):
-                unit, size = quantities.unit_of(u.ANGLE)
-                data = {"law": drive.cam.law, "period": f"{motion.period / size:.6g}", "unit": unit}
-                yield Finding("cam.period", (*path, "law"), data)
+            yield from (finding for finding, _ in not_whole(quantities, drive.cam.law, motion, (*path, "law")))
         with np.errstate(all="ignore"):
             found = [*_askew(geometry, path, drive)]
             found += _reach(quantities, path, drive, seat(geometry, drive))
             if drive.paired and motion is not None and not found:
                 found = [*_second_faults(geometry, path, drive, motion)]
             yield from found
+
+
+def not_whole(q: Quantities, law: str, motion: Motion, path: tuple[str, ...]) -> Iterator[tuple[Finding, Any]]:
+    """That a law doesn't go over a turn in whole periods, and in which samples."""
+    turns = 2 * pi / motion.period
+    wrong = (np.abs(turns - np.round(turns)) > CLOSE * turns) | (np.round(turns) == 0)
+    if np.any(wrong):
+        unit, size = q.unit_of(u.ANGLE)
+        period = f"{first(motion.period, wrong) / size:.6g}"
+        yield Finding("cam.period", path, {"law": law, "period": period, "unit": unit}), wrong
 
 
 def _second_faults(geometry: Geometry, path: tuple[str, ...], drive: Following, motion: Motion) -> Iterator[Finding]:

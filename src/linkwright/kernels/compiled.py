@@ -18,11 +18,11 @@ from linkwright.kernels.cams import cam_faults
 from linkwright.kernels.follow import Follower
 from linkwright.kernels.law import Law
 from linkwright.kernels.laws import action_tables, drive_laws, values_at
-from linkwright.kernels.motions import motion_laws
+from linkwright.kernels.motions import StatedMotion, motion_laws
 from linkwright.kernels.passages import Passage, Passages, unwrapped
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.supply import Supply
-from linkwright.laws import Motion, TableLaw
+from linkwright.kernels.tables import StatedTable
 from linkwright.model.check import check_names, check_values
 from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.mechanism import Mechanism
@@ -44,8 +44,8 @@ class Compiled:
     structure: Structure
     assembly: Assembly
     laws: dict[str, Law]
-    tables: dict[str, TableLaw] = field(default_factory=dict)  # those that loads and springs ask
-    motions: dict[str, Motion] = field(default_factory=dict)  # the motion laws, that drives ask
+    tables: dict[str, StatedTable] = field(default_factory=dict)  # those that loads and springs ask
+    motions: dict[str, StatedMotion] = field(default_factory=dict)  # the motion laws, that drives ask
     kernel: str = "numpy"
     passages: Passages = field(default_factory=Passages)
     plane: LinkagePlane | None = None  # where a sketch of three coordinates lies in the vehicle
@@ -168,8 +168,8 @@ class Prepared:
     quantities: Quantities
     structure: Structure
     laws: dict[str, Law]
-    motions: dict[str, Motion]
-    tables: dict[str, TableLaw]
+    motions: dict[str, StatedMotion]
+    tables: dict[str, StatedTable]
     findings: list[Finding]
 
     @property
@@ -187,8 +187,8 @@ def prepare(mechanism: Mechanism, folder: Path | None = None, uses: Sequence[Pla
     quantities = Quantities(spelled.mechanism, uses)
     findings = [*names, *(f for f in quantities.findings if not _said(f, names))]
     laws: dict[str, Law] = {}
-    motions: dict[str, Motion] = {}
-    tables: dict[str, TableLaw] = {}
+    motions: dict[str, StatedMotion] = {}
+    tables: dict[str, StatedTable] = {}
     if not quantities.findings:
         motions, unmade = motion_laws(quantities)
         laws, wrong = drive_laws(quantities, folder, motions)

@@ -3,8 +3,8 @@
 The law of a cam says how it is to be cut, from the nominal dimensions. Of a cam that is cut, a deviation of the centre
 distance, the arm or the roller changes the lift instead: the follower rests where its roller's centre lies on the
 profile's own parallel. That is sought along the cut pitch curve, exactly, with all rates: by Newton's method on jets,
-which converges in all derivatives alike. Base circle and phase belong to the cam: their deviations are errors of its
-own.
+which converges in all derivatives alike. Base circle, phase and the numbers of the law belong to the cam: their
+deviations are errors of its own.
 
 A clearance is such a deviation too: of the places on the links that are put on a pin, of the slide's line. That of the
 cam's own place turns with the cam: the cam's centre then lies beside its pin. On a roller's own pin it acts as a roller
@@ -21,6 +21,7 @@ from linkwright.graph.geometry import Geometry
 from linkwright.kernels.cams import CamLaw, Noting
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.law import Parameters
+from linkwright.kernels.motions import StatedMotion
 from linkwright.laws import Motion
 from linkwright.model import units as u
 from linkwright.model.cams import Following
@@ -51,6 +52,7 @@ class _Pose:
     is that of the cam, from the place of the carrier that is put on the shaft's pin."""
 
     geometry: Geometry
+    motion: Motion
     here: Seat
     turned: Jet
     at: Jet
@@ -67,7 +69,7 @@ class _Cut:
 
     def __init__(self, compiled: Compiled, drive: Following, law: CamLaw) -> None:
         self.quantities, self.drive = compiled.quantities, drive
-        self.motion: Motion = compiled.motions[drive.cam.law]
+        self.motion: StatedMotion = compiled.motions[drive.cam.law]
         self.forward = sense(self.quantities, drive)
         nominal = self.quantities.parameters
         noted = Noting(nominal)
@@ -94,7 +96,8 @@ class _Cut:
         at = self.forward * turned + phase
         cam, point = self.drive.cam.cam, self.drive.shaft[0]
         beside = geometry.point(cam, point).minus(geometry.pinned(cam, point))
-        pose = _Pose(geometry, here, turned, at, phase, _turned(_vector(beside, at), turned))
+        moved = _turned(_vector(beside, at), turned)
+        pose = _Pose(geometry, self.motion.given(parameters), here, turned, at, phase, moved)
         found = (self.rolled if not plan.faced else self.faced if plan.turns else self.flat)(plan, pose)
         return found - self.turn
 
@@ -104,7 +107,7 @@ class _Cut:
         more, start, right = here.roller - plan.roller, at, Pair(here.way.y, -here.way.x)
         pivot = pose.from_cam(here.pivot)
         for step in range(STEPS + 1):
-            centre, way, bend = self.centre(plan, at)
+            centre, way, bend = self.centre(pose.motion, plan, at)
             across = centre.plus(way.perp.times(forward))
             parallel = centre.plus(across.times(more / across.dot(across).sqrt()))
             past = way.minus(centre.perp.times(forward))
@@ -124,15 +127,15 @@ class _Cut:
         if not here.turns:
             height: Jet = here.sign * _along(point.plus(pose.centre), here.way) + here.offset
             return height
-        angle = here.home + here.sign * (here.start + self.motion.on(start))
+        angle = here.home + here.sign * (here.start + pose.motion.on(start))
         meant, arm = Vec(angle.cos(), angle.sin()), point.minus(pivot)
         beyond: Jet = meant.cross(arm).arctan2(meant.dot(arm))
         found: Jet = beyond + angle + (here.offset - here.home)
         return found
 
-    def centre(self, plan: Seat, at: Jet) -> tuple[Vec, Vec, Vec]:
+    def centre(self, motion: Motion, plan: Seat, at: Jet) -> tuple[Vec, Vec, Vec]:
         """The roller's centre from the shaft as planned, in the carrier, and its derivatives by the law's angle."""
-        lift, slope, bend = self.motion.on(at) + plan.start, self.motion.on(at, 1), self.motion.on(at, 2)
+        lift, slope, bend = motion.on(at) + plan.start, motion.on(at, 1), motion.on(at, 2)
         if not plan.turns:
             right = Pair(plan.way.y, -plan.way.x)
             aside = _vector(Pair(plan.aside * right.x, plan.aside * right.y), at)
@@ -149,7 +152,7 @@ class _Cut:
         c, s = call("cos", tilt), call("sin", tilt)
         normal = Pair(c * ahead.x - s * ahead.y, s * ahead.x + c * ahead.y)
         askew = call("arctan2", plan.way.cross(normal), plan.way.dot(normal))
-        reach = self.motion.on(pose.at - self.forward * askew) + plan.base + _along(pose.centre, normal)
+        reach = pose.motion.on(pose.at - self.forward * askew) + plan.base + _along(pose.centre, normal)
         height: Jet = here.sign * (reach + here.aside * s) / c + here.offset
         return height
 
@@ -158,8 +161,8 @@ class _Cut:
         here, at = pose.here, pose.at
         away, planned = pose.from_cam(here.pivot), _vector(plan.pivot.minus(plan.shaft), at)
         for step in range(STEPS + 1):
-            swing = plan.home + plan.sign * (plan.start + self.motion.on(at))
-            rate = plan.sign * self.motion.on(at, 1)
+            swing = plan.home + plan.sign * (plan.start + pose.motion.on(at))
+            rate = plan.sign * pose.motion.on(at, 1)
             angle = swing + pose.turned - self.forward * (at - pose.phase)
             if step == STEPS:
                 break

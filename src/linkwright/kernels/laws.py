@@ -11,13 +11,15 @@ import numpy as np
 
 from linkwright.kernels.cams import follower_law
 from linkwright.kernels.law import Array, Law, Parameters
-from linkwright.kernels.motions import rate_unit
-from linkwright.laws import DEGREES, Motion, OutsideTable, TableLaw
+from linkwright.kernels.motion_faults import jump
+from linkwright.kernels.motions import StatedMotion
+from linkwright.kernels.tables import StatedTable, stated_values
+from linkwright.laws import DEGREES, OutsideTable
 from linkwright.model import units as u
 from linkwright.model.cams import Following
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, nodes
-from linkwright.model.findings import Finding, ModelError, Term
+from linkwright.model.findings import Finding, ModelError
 from linkwright.model.mechanism import Table
 from linkwright.model.quantities import Quantities, column_unit
 from linkwright.notation import MAX_ORDER, Jet
@@ -27,7 +29,7 @@ MAX_ROWS = 100_000
 
 
 def drive_laws(
-    quantities: Quantities, folder: Path | None, motions: Mapping[str, Motion]
+    quantities: Quantities, folder: Path | None, motions: Mapping[str, StatedMotion]
 ) -> tuple[dict[str, Law], list[Finding]]:
     """The law of each drive (value and rates, SI) over times (s), and what is wrong with them."""
     reader = _Reader(quantities, folder, motions)
@@ -39,12 +41,12 @@ def drive_laws(
     return laws, reader.findings
 
 
-def action_tables(quantities: Quantities, folder: Path | None) -> tuple[dict[str, TableLaw], list[Finding]]:
+def action_tables(quantities: Quantities, folder: Path | None) -> tuple[dict[str, StatedTable], list[Finding]]:
     """The tables that loads and springs ask, and what is wrong with them."""
     m = quantities.mechanism
     calls = [n for load in m.loads.values() for part, _ in load.parts for n in nodes(part.node) if isinstance(n, Call)]
     names = [*(call.name for call in calls), *(spring.table for spring in m.springs.values())]
-    tables: dict[str, TableLaw] = {}
+    tables: dict[str, StatedTable] = {}
     findings: list[Finding] = []
     for name in dict.fromkeys(name for name in names if name in m.tables):
         try:
@@ -60,10 +62,10 @@ def values_at(laws: dict[str, Law], time: float) -> dict[str, float]:
 
 
 class _Reader:
-    def __init__(self, quantities: Quantities, folder: Path | None, motions: Mapping[str, Motion]) -> None:
+    def __init__(self, quantities: Quantities, folder: Path | None, motions: Mapping[str, StatedMotion]) -> None:
         self.quantities, self.folder, self.motions = quantities, folder, motions
         self.findings: list[Finding] = []
-        self.tables: dict[str, TableLaw | None] = {}
+        self.tables: dict[str, StatedTable | None] = {}
 
     def law(self, name: str) -> Law | None:
         """A drive's law, tried at t = 0."""
@@ -102,7 +104,11 @@ class _Reader:
         return follower_law(self.quantities, name, self.motions[law], motor)
 
     def _law(self, of: Callable[[Array, Parameters, bool], Jet], *parts: Node) -> Law:
-        names = {n.text for part in parts for n in nodes(part) if isinstance(n, Name)}
+        every = [n for part in parts for n in nodes(part)]
+        names = {n.text for n in every if isinstance(n, Name)}
+        for n in every:
+            if isinstance(n, Call) and (function := self.motions.get(n.name) or self.tables.get(n.name)) is not None:
+                names |= function.names
         return Law(of, self.quantities.parameters, frozenset(names & self.quantities.parameters.keys()))
 
     def _constant(self, parts: list[Node]) -> Law:
@@ -125,10 +131,11 @@ class _Reader:
                 argument = evaluate(call.args[0], given, called)
                 x = argument if isinstance(argument, Jet) else Jet.constant(argument, ORDER)
                 if call.name in motions:
-                    return motions[call.name].on(x)
+                    return motions[call.name].given(parameters).on(x)
                 table = tables[call.name]
                 assert table is not None
-                return table(x) if strict else table.or_nan(x)
+                asked = table.given(parameters)
+                return asked(x) if strict else asked.or_nan(x)
 
             try:
                 with np.errstate(all="ignore"):
@@ -154,16 +161,9 @@ class _Reader:
 
     def _smooth(self, name: str, path: tuple[str | int, ...]) -> bool:
         """Whether the value and velocity of a motion law run on without jumps."""
-        law, quantities = self.quantities.mechanism.laws[name], self.quantities
-        for join in self.motions[name].joins:
-            if join.continuity < 1:
-                order = join.continuity + 1
-                (unit, size), (rate, one) = quantities.unit_of(law.axis), rate_unit(quantities, law, order)
-                at, jump = f"{join.at / size:.6g} {unit}", f"{join.jumps[order] / one:.6g} {rate}"
-                data = {"law": name, "what": Term(("law-value", "law-velocity")[order]), "at": at, "jump": jump}
-                self.findings.append(Finding("drive.law-jumps", path, data))
-                return False
-        return True
+        jumps = [*jump(self.quantities, name, self.motions[name], path)]
+        self.findings += jumps
+        return not jumps
 
     def _table(self, name: str, path: tuple[str | int, ...]) -> bool:
         if name not in self.tables:
@@ -199,7 +199,7 @@ def _must_be_finite(drive: str, t: Array, jet: Jet) -> None:
             raise ModelError([Finding("drive.not-finite", ("drives", drive, "position"), data)])
 
 
-def read_table(quantities: Quantities, name: str, folder: Path | None) -> TableLaw:
+def read_table(quantities: Quantities, name: str, folder: Path | None) -> StatedTable:
     """A table's interpolant in SI. Raises :class:`ModelError` naming what is wrong with it."""
     table: Table = quantities.mechanism.tables[name]
     path = ("tables", name)
@@ -226,7 +226,8 @@ def read_table(quantities: Quantities, name: str, folder: Path | None) -> TableL
         raise ModelError([Finding("table.not-closed", path, {})])
     if whole:
         points[-1, 1] = points[0, 1]
-    return TableLaw(points[:, 0], points[:, 1], degree, period)
+    values = stated_values(quantities, table)
+    return StatedTable(points[:, 0], points[:, 1], degree, period, values, quantities.parameters)
 
 
 def _file_rows(table: Table, name: str, folder: Path | None) -> tuple[list[list[float]], u.Dimension]:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import partial
 from math import isfinite, pi
 from typing import Any
 
 import numpy as np
 
+from linkwright.kernels.law import Parameters
 from linkwright.laws import (
     LAWS,
     Blend,
@@ -28,13 +31,16 @@ from linkwright.laws import (
     scca_by_widths,
     series,
 )
+from linkwright.laws.numbers import first, off, plain
 from linkwright.model import motions as stated
 from linkwright.model.expressions import Binary, Call, Name, Negative, Node, Number, evaluate
 from linkwright.model.fields import Expression
 from linkwright.model.findings import Finding, Term
 from linkwright.model.quantities import Quantities
+from linkwright.model.sampled import names_in
 from linkwright.model.units import PURE, Dimension
-from linkwright.notation import Jet
+from linkwright.notation import Jet, Scalar
+from linkwright.notation.duals import Dual, value_of
 
 CLOSE = 1e-9
 """How closely fractions must add up to 1."""
@@ -42,21 +48,94 @@ NARROWEST = 1e-6
 """The smallest fraction of a zone of acceleration that isn't zero."""
 EDGE = 1e-3
 """How near to an end of its way a law may be fastest."""
+KEPT = 8
+"""At how many sets of values of its parameters a law is kept."""
 
 
-def motion_laws(quantities: Quantities) -> tuple[dict[str, Motion], list[Finding]]:
+@dataclass(frozen=True)
+class StatedMotion(Motion):
+    """The motion of a law at the ``nominal`` parameters, of which its numbers hold those of some ``names``;
+    ``make(parameters, checked)`` gives it at others: floats, arrays (samples, 1) or duals."""
+
+    names: frozenset[str] = frozenset()
+    nominal: Mapping[str, float] = field(default_factory=dict)
+    make: Callable[[Parameters, bool], Motion] | None = None
+    _kept: dict[Any, Motion] = field(default_factory=dict, repr=False, compare=False)
+
+    def given(self, parameters: Parameters) -> Motion:
+        """At other parameters; what makes no sense there comes out as it may."""
+        if parameters is self.nominal or all(_same(parameters[name], self.nominal[name]) for name in self.names):
+            return self
+        key = tuple(_key(parameters[name]) for name in sorted(self.names))
+        if (made := self._kept.get(key)) is None:
+            assert self.make is not None
+            with np.errstate(all="ignore"):
+                made = self.make(parameters, False)
+            if len(self._kept) >= KEPT:
+                self._kept.clear()
+            self._kept[key] = made
+        return made
+
+    def checked(self, parameters: Parameters) -> Motion:
+        """At other parameters, all of them floats. Raises :class:`MotionError` where it makes no sense."""
+        assert self.make is not None
+        if unknown := [name for name in sorted(self.names) if not np.isfinite(parameters[name])]:
+            raise MotionError([Fault("value.not-finite", None, {"text": name}) for name in unknown])
+        return self if parameters is self.nominal else self.make(parameters, True)
+
+    def places_at(self, law: str, parameters: Parameters) -> dict[str, Scalar]:
+        """Where its pieces begin at other parameters, the end of the last, and the period: under names that no
+        parameter has."""
+        assert self.make is not None
+        with np.errstate(all="ignore"):
+            made = self.make(parameters, False)
+        places = [*(part.start for part in made.curve.parts), made.curve.stop, made.period]
+        return {f"{law}@{i}": place for i, place in enumerate(places)}
+
+
+def _same(value: Any, nominal: float) -> bool:
+    return not isinstance(value, Dual) and bool(np.all(value == nominal))
+
+
+def _key(value: Any) -> Any:
+    if isinstance(value, Dual):
+        return _key(value.value), _key(value.slope)
+    return (value.shape, value.tobytes()) if isinstance(value, np.ndarray) else value
+
+
+def motion_laws(quantities: Quantities) -> tuple[dict[str, StatedMotion], list[Finding]]:
     """The motion of each law of a mechanism (SI), and what is wrong with them."""
-    made: dict[str, Motion] = {}
+    made: dict[str, StatedMotion] = {}
     findings: list[Finding] = []
     for name, law in quantities.mechanism.laws.items():
-        reader = _Reader(quantities, law)
+        reader = Reader(quantities, law, quantities.parameters)
         if not all(isfinite(reader.number(number, of)) for _, number, of in law.numbers()):
             continue  # told where all numbers are looked at
         try:
-            made[name] = reader.motion()
+            nominal = reader.motion()
         except MotionError as error:
             findings += [reader.finding(name, fault) for fault in error.faults]
+            continue
+        names = {part for node in _trees(law) for part in names_in(node)} & quantities.parameters.keys()
+        made[name] = StatedMotion(
+            nominal.curve,
+            nominal.places,
+            nominal.beyond,
+            frozenset(names),
+            quantities.parameters,
+            partial(_made, quantities, law),
+        )
     return made, findings
+
+
+def _made(quantities: Quantities, law: stated.MotionLaw, parameters: Parameters, checked: bool) -> Motion:
+    return Reader(quantities, law, parameters).motion(checked)
+
+
+def _trees(law: stated.MotionLaw) -> list[Node]:
+    """All expressions of a law."""
+    formulas = [segment.formula.node for segment in law.segments if segment.formula is not None]
+    return [*(number.node for _, number, _ in law.numbers()), *formulas]
 
 
 def rate_unit(quantities: Quantities, law: stated.MotionLaw, order: int) -> tuple[str, float]:
@@ -67,29 +146,42 @@ def rate_unit(quantities: Quantities, law: stated.MotionLaw, order: int) -> tupl
 
 
 @dataclass
-class _Reader:
+class Reader:
+    """Makes the motion of a law at some parameters."""
+
     quantities: Quantities
     law: stated.MotionLaw
+    parameters: Parameters
 
-    def motion(self) -> Motion:
-        """Raises :class:`MotionError`."""
+    def motion(self, checked: bool = True) -> Motion:
+        """Raises :class:`MotionError`; of what is wrong with numbers only where they are ``checked``."""
+        self.checked = checked
         segments, faults = [], []
         for i, entry in enumerate(self.law.segments):
             try:
                 segments.append(self.segment(entry))
             except _WrongError as wrong:
-                faults.append(Fault(wrong.code, i, wrong.data))
+                faults.append(Fault(wrong.code, i, wrong.data, wrong.where))
         if faults:
             raise MotionError(faults)
         period = 2 * pi if self.law.over == "angle" and self.law.beyond != "hold" else None
         if self.law.period is not None:
             period = self.number(self.law.period, self.law.axis)
-        return motion(segments, self.number(self.law.start, self.law.value), period, self.law.beyond)
+        return motion(segments, self.number(self.law.start, self.law.value), period, self.law.beyond, checked)
 
-    def number(self, of: Expression, dimension: Dimension) -> float:
-        return self.quantities.value(of, dimension)
+    def number(self, of: Expression, dimension: Dimension) -> Scalar:
+        """A number at the parameters given."""
+        node = self.quantities.bind(of, dimension)
+        with np.errstate(all="ignore"):
+            value = evaluate(node, lambda name: self.parameters[name.text])
+        return float(value) if plain(value) else value
 
-    def numbers(self, of: tuple[Expression, ...] | None, dimension: Dimension = PURE) -> list[float]:
+    def refuse(self, code: str, where: Any, **data: Scalar) -> None:
+        """Refuse a segment ``where`` something is wrong, told with numbers."""
+        if np.any(where):
+            raise _WrongError(code, where, **{key: f"{first(value, where):.10g}" for key, value in data.items()})
+
+    def numbers(self, of: tuple[Expression, ...] | None, dimension: Dimension = PURE) -> list[Scalar]:
         return [self.number(each, dimension) for each in of or ()]
 
     def segment(self, s: stated.Segment) -> Segment:
@@ -99,11 +191,12 @@ class _Reader:
         if s.control is not None:
             degree = s.degree or 5
             if len(s.control) < degree + 1:
-                raise _WrongError("law.control", given=len(s.control), wanted=degree + 1)
-            return Shape(over, b_spline(self.numbers(s.control, value), degree))
+                raise _WrongError("law.control", True, given=len(s.control), wanted=degree + 1)
+            control = self.numbers(s.control, value)
+            return Shape(over, b_spline(control, degree), control[-1] - control[0])
         if s.harmonics is not None:
             rows = [self.numbers(row, value) for row in s.harmonics]
-            return Shape(over, series([a for a, _ in rows], [b for _, b in rows]))
+            return Shape(over, series([a for a, _ in rows], [b for _, b in rows]), 0.0)
         if s.fall is not None:
             return Rise(over, -self.number(s.fall, value), self.normalised(s), fall=True)
         assert s.rise is not None
@@ -113,7 +206,7 @@ class _Reader:
         via = tuple((self.number(x, axis), self.number(y, value)) for x, y in s.via or ())
         return Blend(over, lift, self.rates(s, s.from_), self.rates(s, s.to), via, stated.DEGREES.get(s.spline or ""))
 
-    def rates(self, s: stated.Segment, given: tuple[Expression, ...] | None) -> tuple[float | None, ...]:
+    def rates(self, s: stated.Segment, given: tuple[Expression, ...] | None) -> tuple[Scalar | None, ...]:
         """The rates at an end: those given, then those of the neighbour."""
         own = [self.number(rate, self.law.rate(k)) for k, rate in enumerate(given or (), start=1)]
         return (*own, *[None] * (stated.MATCHED.get(s.match or "", 0) - len(own)))
@@ -124,40 +217,45 @@ class _Reader:
             return self.formula(s.formula)
         if s.powers is not None:
             if len({*s.powers}) < len(s.powers):
-                raise _WrongError("law.powers")
+                raise _WrongError("law.powers", True)
             return of_powers(s.powers)
         law = LAWS[s.law] if s.law is not None else self.member(self.numbers(s.fractions))
         if s.skew is None:
             return law
         share = self.number(s.skew, PURE)
-        if not EDGE <= share <= 1 - EDGE or not law.symmetric:
-            raise _WrongError("law.skew", share=f"{share:.6g}")
+        if self.checked:
+            value = value_of(share)
+            self.refuse("law.skew", (value < EDGE) | (value > 1 - EDGE) | law.uneven, share=share)
         return law.skewed(share)
 
-    def member(self, fractions: list[float]) -> Law:
+    def member(self, fractions: list[Scalar]) -> Law:
         """A member of the SCCA family."""
-        fit = (
-            len(fractions) in (4, 7)
-            and abs(sum(fractions) - 1) < CLOSE
-            and all(f == 0 or f >= NARROWEST for f in fractions)
-        )
-        halves = (fractions[:3],) if len(fractions) == 4 else (fractions[:3], fractions[4:])
-        if not fit or any(sum(half) == 0 for half in halves):
-            raise _WrongError("law.fractions", count=len(fractions), sum=f"{sum(fractions):.10g}")
-        return Law((scca if len(fractions) == 4 else scca_by_widths)(*fractions).parts)
+        count, whole = len(fractions), sum(fractions)
+        if count not in (4, 7):
+            raise _WrongError("law.fractions", True, count=count, sum=f"{first(whole, True):.10g}")
+        if self.checked:
+            wrong = off(whole - 1.0, 1.0, CLOSE, fractions)
+            for fraction in map(value_of, fractions):
+                wrong = wrong | (fraction != 0) & (fraction < NARROWEST)
+            for half in (fractions[:3], fractions[4:])[: 1 if count == 4 else 2]:
+                wrong = wrong | (value_of(sum(half)) == 0)
+            self.refuse("law.fractions", wrong, count=count, sum=whole)
+        return Law((scca if count == 4 else scca_by_widths)(*fractions).parts)
 
     def formula(self, expression: Expression) -> Curve:
         node = self.quantities.formula(expression)
-        values = self.quantities.parameters
+        values = self.parameters
 
         def function(u: Jet) -> Jet:
             value = evaluate(node, lambda name: u if name.text == stated.ARGUMENT else values[name.text])
             return value if isinstance(value, Jet) else Jet.constant(value, u.order)
 
-        curve = Curve((Formula(function, lambda x: spelled(node, {**values, stated.ARGUMENT: x})),))
-        grid = np.linspace(0.0, 1.0, 257)
-        if not all(np.isfinite(curve.at(grid, order)).all() for order in range(3)):
-            raise _WrongError("law.not-smooth")
+        own = tuple(values[name] for name in sorted(names_in(node)) if name in values)
+        curve = Curve((Formula(function, lambda x: spelled(node, {**values, stated.ARGUMENT: x}), given=own),))
+        if self.checked:
+            grid = np.linspace(0.0, 1.0, 257)
+            smooth = [np.isfinite(value_of(curve.at(grid, order))).all(axis=-1, keepdims=True) for order in range(3)]
+            self.refuse("law.not-smooth", ~np.all(smooth, axis=0) & ~_unknown(own))
         return curve
 
     def finding(self, name: str, fault: Fault) -> Finding:
@@ -176,9 +274,14 @@ class _Reader:
 class _WrongError(ValueError):
     """A segment that can't be made."""
 
-    def __init__(self, code: str, **data: Any) -> None:
+    def __init__(self, code: str, where: Any, **data: Any) -> None:
         super().__init__(code)
-        self.code, self.data = code, data
+        self.code, self.where, self.data = code, where, data
+
+
+def _unknown(numbers: tuple[Scalar, ...]) -> Any:
+    """Of which samples some number is NaN."""
+    return np.any([np.isnan(np.atleast_2d(value_of(number))) for number in numbers], axis=0) if numbers else False
 
 
 def spelled(node: Node, values: dict[str, Any]) -> str:

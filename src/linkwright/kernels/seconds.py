@@ -27,7 +27,7 @@ def largest(drive: Following, motion: Motion) -> float:
 def sums(motion: Motion) -> NDArray[np.float64]:
     """Sums of two lifts (m) half a turn apart, all over a turn: one number where a yoke fits without play."""
     places = np.concatenate([np.linspace(0.0, pi, SAMPLES), motion.breaks])
-    return motion.at(places) + motion.at(places + pi)
+    return np.asarray(motion.at(places) + motion.at(places + pi))
 
 
 def misplaced(geometry: Geometry, path: tuple[str, ...], drive: Following, motion: Motion) -> Iterator[Finding]:

@@ -13,7 +13,7 @@ from linkwright.graph.graph import Graph
 from linkwright.kernels.cams import CamLaw
 from linkwright.kernels.law import Law, Parameters
 from linkwright.kernels.registry import KERNELS, Kernel
-from linkwright.laws import TableLaw
+from linkwright.kernels.tables import StatedTable
 from linkwright.model import units as u
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet, angles
@@ -28,7 +28,7 @@ class Supply:
     """Fills the input rows of loads and springs, from inputs in which the motion stands already."""
 
     def __init__(
-        self, graph: Graph, tables: Mapping[str, TableLaw], kernel: str, laws: Mapping[str, Law] | None = None
+        self, graph: Graph, tables: Mapping[str, StatedTable], kernel: str, laws: Mapping[str, Law] | None = None
     ) -> None:
         self.graph, self.tables = graph, tables
         self.cams = {name: law for name, law in (laws or {}).items() if isinstance(law, CamLaw)}
@@ -61,16 +61,17 @@ class Supply:
             x[self.rows["t"]] = t
         for name, turns in self.turns.items():
             x[self.rows[f"turns/{name}"]] = turns(x, t, p, at)
-        self.look_up(x, lambda kernel: kernel.run(x, p))
-        self.ride(x, dict(zip(self.graph.parameters, p, strict=True)))
+        given = dict(zip(self.graph.parameters, p, strict=True))
+        self.look_up(x, lambda kernel: kernel.run(x, p), given)
+        self.ride(x, given)
 
-    def look_up(self, x: Array, ask: Callable[[Kernel], Array]) -> None:
+    def look_up(self, x: Array, ask: Callable[[Kernel], Array], parameters: Parameters) -> None:
         """Put the answers of tables into ``x`` (inputs, ...); ``ask`` runs the kernel of the arguments."""
         for which, kernel in self.levels:
             answers = ask(kernel).reshape(len(which), 2, *x.shape[1:])
             for i, argument in zip(which, answers, strict=True):
                 lookup = self.graph.actions.lookups[i]
-                table = self.tables[lookup.table]
+                table = self.tables[lookup.table].given(parameters)
                 value = (table.integral if lookup.integral else table.or_nan)(Jet([*argument]))
                 x[self.rows[f"table/{i}/0"]], x[self.rows[f"table/{i}/1"]] = value.d
 

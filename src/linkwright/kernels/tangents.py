@@ -101,7 +101,7 @@ class Tangents:
                 own: Mapping[str, float | Dual] = {name: given[name] for name in asked}
                 for k, row in enumerate(law.at(t, own).d, start=size + i * graph.width):
                     x[k] = slope_of(row)
-        self._look_up(x)
+        self._look_up(x, given)
         supply = self.compiled.supply
         for name, cam in supply.cams.items():
             motor = supply.motor(cam)
@@ -116,14 +116,14 @@ class Tangents:
         every = frozenset(range(len(self.graph.inputs)))
         return self._varied.inputs(self.parameters[:, None], t, every, self.kernel)[:, 0]
 
-    def _look_up(self, x: Array) -> None:
+    def _look_up(self, x: Array, given: Mapping[str, float | Dual]) -> None:
         """Put the tangents of what tables answer into the inputs."""
         graph, supply, size = self.graph, self.compiled.supply, len(self.graph.inputs)
         for which, _ in supply.levels:
             y = self._engine(tuple(f"argument/{i}" for i in which), True).over(x, self.p)
             for i, (value, rate, slope, twist) in zip(which, y.reshape(len(which), 4, *x.shape[1:]), strict=True):
                 lookup = graph.actions.lookups[i]
-                table = supply.tables[lookup.table]
+                table = supply.tables[lookup.table].given(given)
                 ask = table.integral if lookup.integral else table.or_nan
                 answers = ask(Jet([Dual(value, slope), Dual(rate, twist)])).d
                 for k, answer in enumerate(answers):

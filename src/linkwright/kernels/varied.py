@@ -8,17 +8,19 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Hashable, Iterator, Sequence
-from itertools import chain
 from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.graph.cams import followings
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.failing import Failures, causes
+from linkwright.kernels.motion_faults import law_faults
 from linkwright.kernels.pursuit import MOST, Pursued, Pursuit
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.supply import Supply
+from linkwright.kernels.tables import fixed_parts, table_faults
 from linkwright.kernels.turning import turns_of
 from linkwright.model.check import check_values
 from linkwright.model.findings import Finding, raise_errors
@@ -60,16 +62,14 @@ class Varied:
         if self.names and self.compiled.passages.every:
             yield Finding("varied.passage", ("studies", "cycle", "through"), {"names": ", ".join(self.names)})
         for name, table in quantities.mechanism.tables.items():
-            cells = [*chain.from_iterable(table.points or ()), *([table.period] if table.period else [])]
-            held = {part for cell in cells for part in names_in(cell.node)} & self.varying
+            held = {part for node in fixed_parts(table) for part in names_in(node)} & self.varying
             if held:
                 yield Finding("varied.table", ("tables", name), {"table": name, "names": ", ".join(sorted(held))})
-        for name, law in quantities.mechanism.laws.items():
-            parts = [number.node for _, number, _ in law.numbers()]
-            parts += [segment.formula.node for segment in law.segments if segment.formula is not None]
-            held = {part for node in parts for part in names_in(node)} & self.varying
-            if held:
-                yield Finding("varied.law", ("laws", name), {"law": name, "names": ", ".join(sorted(held))})
+        for name, drive in followings(quantities).items():
+            held = {*self.compiled.motions[drive.cam.law].names} & self.varying
+            if drive.derived and held:
+                data = {"law": drive.cam.law, "cam": name, "names": ", ".join(sorted(held))}
+                yield Finding("varied.second", ("cams", name), data)
 
     def parameters(self, values: Array) -> Array:
         """All parameters (parameters, samples) from the values of the varied ones, (names, samples), both in SI.
@@ -77,7 +77,7 @@ class Varied:
         Those that are expressions of varied ones follow. A sample with which the model makes no sense comes out as NaN.
         """
         sampled = self._sampled(values)
-        check_values(sampled)
+        self._check(sampled)
         p = sampled.rows()
         p[:, sampled.wrong] = np.nan
         return p
@@ -85,7 +85,20 @@ class Varied:
     def faults(self, values: Array) -> list[Finding]:
         """What the model's own checks of numbers say of some samples, (names, samples): each fault once."""
         sampled = self._sampled(values)
-        return [*sampled.findings, *check_values(sampled)]
+        return [*sampled.findings, *self._check(sampled)]
+
+    def _check(self, sampled: Sampled) -> list[Finding]:
+        return [*check_values(sampled), *law_faults(sampled, self.compiled.motions), *table_faults(sampled)]
+
+    def joins(self, p: Array) -> dict[str, Array]:
+        """Where the pieces of laws that vary begin and end, and last their periods, under names that no parameter has:
+        (samples,) each."""
+        found: dict[str, Array] = {}
+        for law, motion in self.compiled.motions.items():
+            if motion.names & self.varying:
+                places = motion.places_at(law, {name: p[self.row[name], :, None] for name in motion.names})
+                found |= {name: np.broadcast_to(np.ravel(at), p.shape[1]) for name, at in places.items()}
+        return found
 
     def _sampled(self, values: Array) -> Sampled:
         given = dict(zip(self.names, np.asarray(values, dtype=float), strict=True))
@@ -222,8 +235,9 @@ class Varied:
             x[supply.rows[f"turns/{name}"]] = turns_of(
                 turns.kernel, home, x, t, p, lambda p, t: self.inputs(p, t, motion, kernel)
             )
-        supply.look_up(x, lambda of: of.over(x, p))
-        supply.ride(x, dict(zip(self.row, p[:, :, None], strict=True)))
+        given = dict(zip(self.row, p[:, :, None], strict=True))
+        supply.look_up(x, lambda of: of.over(x, p), given)
+        supply.ride(x, given)
 
 
 def _kept(made: dict[Key, Made], key: Key, make: Callable[[], Made]) -> Made:

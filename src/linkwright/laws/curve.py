@@ -11,9 +11,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.laws.pieces import Part
-from linkwright.notation import Jet
-from linkwright.notation.duals import Dual, value_of
+from linkwright.laws.numbers import backward, plain, settled
+from linkwright.laws.pieces import Part, Piece
+from linkwright.laws.stacked import Stack
+from linkwright.notation import Jet, Scalar
+from linkwright.notation.duals import Dual, slope_of, value_of
 
 Array = NDArray[np.float64]
 
@@ -21,6 +23,11 @@ SMOOTH = 4
 """The highest derivative whose continuity is looked at: value 0, velocity 1, acceleration 2, jerk 3, its rate 4."""
 ROUND_OFF = 1e-9
 """A jump smaller than this share of the derivative's natural size is round-off."""
+
+SMALL = 1 << 13
+"""Up to so many places of samples it is faster to let each pick its piece's numbers than to ask piece by piece."""
+FEW = 16
+"""Places of each piece at which the sizes of many samples are taken."""
 
 
 class Extreme(NamedTuple):
@@ -60,19 +67,29 @@ class Curve:
     parts: tuple[Part, ...]
 
     @property
-    def start(self) -> float:
+    def start(self) -> Scalar:
         return self.parts[0].start
 
     @property
-    def stop(self) -> float:
+    def stop(self) -> Scalar:
         return self.parts[-1].stop
+
+    @cached_property
+    def plain(self) -> bool:
+        """Whether all its numbers are floats."""
+        return all(part.plain for part in self.parts)
 
     @cached_property
     def _starts(self) -> Array:
         return np.array([part.start for part in self.parts[1:]])
 
-    def at(self, x: Any, order: int = 0) -> Array:
-        """A derivative by the argument, at places within the curve; at a join that of the piece behind it."""
+    def at(self, x: Any, order: int = 0) -> Any:
+        """A derivative by the argument, at places within the curve; at a join that of the piece behind it.
+
+        Of numbers of samples or with slopes it comes out as such, in the shape of the places with these in front.
+        """
+        if not self.plain:
+            return self._spread(np.atleast_1d(x), order)
         x = np.asarray(x, dtype=float)
         which = np.searchsorted(self._starts, x, side="right")
         found = np.full(x.shape, np.nan)
@@ -81,22 +98,49 @@ class Curve:
             found[here] = self.parts[i].at(x[here], order)
         return found
 
-    def moved(self, offset: float, width: float, scale: float = 1.0, base: float = 0.0) -> Curve:
+    def _spread(self, x: Array, order: int) -> Any:
+        """The same where pieces begin elsewhere in each sample: each is asked at the columns that some sample needs."""
+        which = np.zeros(x.shape, dtype=np.intp)
+        for part in self.parts[1:]:
+            which = which + (x >= value_of(part.start))
+        if self._stack is not None and which.size <= SMALL:
+            return self._stack.at(x, which, order)
+        found = []
+        for i, part in enumerate(self.parts):
+            here = which == i
+            some = here.any(axis=(*range(here.ndim - 1),))
+            if some.any():
+                found.append((some, here[..., some], part.at(x[..., some], order)))
+        values = _merged([(some, here, value_of(part)) for some, here, part in found], which.shape)
+        if not any(isinstance(part, Dual) for _, _, part in found):
+            return values
+        return Dual(values, _merged([(some, here, slope_of(part)) for some, here, part in found], which.shape))
+
+    @cached_property
+    def _stack(self) -> Stack | None:
+        """Its pieces side by side, unless a formula or a dual is among them."""
+        pieces = [part for part in self.parts if isinstance(part, Piece)]
+        slopes = any(isinstance(number, Dual) for piece in pieces for number in piece.numbers)
+        return None if slopes or len(pieces) < len(self.parts) else Stack(pieces)
+
+    def moved(self, offset: Scalar, width: Scalar, scale: Scalar = 1.0, base: Scalar = 0.0) -> Curve:
         """``base + scale * curve((x - offset) / width)``; a negative width runs it backwards."""
         parts = tuple(part.moved(offset, width, scale, base) for part in self.parts)
-        return Curve(parts[::-1] if width < 0 else parts)
+        return Curve(parts[::-1] if backward(width) else parts)
 
     def pieces(self, x: str = "x") -> tuple[tuple[float, float, str], ...]:
         """Start, stop and formula of each piece."""
         return tuple((part.start, part.stop, part.text(x)) for part in self.parts)
 
-    def ends(self) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    def ends(self) -> tuple[tuple[Scalar, ...], tuple[Scalar, ...]]:
         """The derivatives 0 to :data:`SMOOTH` at the start and at the end."""
         return rates(self.parts[0], self.start), rates(self.parts[-1], self.stop)
 
     @cached_property
-    def sizes(self) -> tuple[float, ...]:
-        """The natural size of each derivative, against which jumps are judged."""
+    def sizes(self) -> tuple[Any, ...]:
+        """The natural size of each derivative, against which jumps are judged; of samples up to the acceleration."""
+        if not self.plain:
+            return self._sizes()
         width, height = self.stop - self.start, self.extremes(0)
         span = max(abs(height[1].value - height[0].value), 1e-12 * max(abs(e.value) for e in height), 1e-300)
         found = [span]
@@ -104,6 +148,31 @@ class Curve:
             largest = max(float(np.abs(part.at(_grid(part), order)).max()) for part in self.parts)
             found.append(max(largest, span / width**order))
         return tuple(found)
+
+    def _sizes(self) -> tuple[Any, ...]:
+        """The same of each sample (samples, 1), from few places."""
+        rows = [self._looked(order, value_of) for order in range(3)]
+        span = np.ptp(rows[0], axis=-1, keepdims=True)
+        width = value_of(self.stop - self.start)
+        sizes = [span, *(np.abs(row).max(axis=-1, keepdims=True) for row in rows[1:])]
+        return tuple(np.maximum(np.maximum(size, span / width**k), 1e-300) for k, size in enumerate(sizes))
+
+    def jumps(self, step: Scalar, order: int, close: float) -> Any:
+        """Of each sample, whether a step of a derivative is more than round-off; that of a dual must not begin."""
+        wrong = np.abs(value_of(step)) > close * self.sizes[order]
+        if isinstance(step, Dual):
+            wrong = wrong | np.any(np.abs(step.slope) > close * np.abs(self._looked(order, slope_of)).max())
+        return wrong
+
+    def _looked(self, order: int, part_of: Any) -> Array:
+        """The values or slopes of a derivative at few places of each piece: (..., places)."""
+        share = np.linspace(0.0, 1.0, FEW + 1)
+        found = []
+        for part in self.parts:
+            places = value_of(part.start) + value_of(part.stop - part.start) * share
+            found.append(np.atleast_2d(part_of(part.at(places, order)) + 0.0 * places))
+        shape = np.broadcast_shapes(*(each.shape for each in found))
+        return np.concatenate([np.broadcast_to(each, shape) for each in found], axis=-1)
 
     def joins(self) -> Iterator[Join]:
         """The joins inside."""
@@ -123,17 +192,33 @@ class Curve:
 
 
 def composed(x: Jet, at: Any, order: int = 0) -> Jet:
-    """A function of a jet from ``at(places, order)``, the function's derivatives; the jet's entries may be duals."""
-    places = np.asarray(value_of(x.d[0]), dtype=float)
+    """A function of a jet from ``at(places, order)``, the function's derivatives; the jet's entries and what the
+    function gives may be duals."""
+    return x.chain(followed(x.d[0], at, order), lambda low: composed(low, at, order + 1))
+
+
+def followed(x: Any, at: Any, order: int) -> Any:
+    """``at(places, order)`` where the places may be duals."""
+    places = np.asarray(value_of(x), dtype=float)
     value: Any = at(places, order)
-    if isinstance(x.d[0], Dual):
-        value = Dual(value, at(places, order + 1) * x.d[0].slope)
-    return x.chain(value, lambda low: composed(low, at, order + 1))
+    if isinstance(x, Dual):
+        value = Dual(value_of(value), slope_of(value) + value_of(at(places, order + 1)) * x.slope)
+    return value
 
 
-def rates(part: Part, x: float) -> tuple[float, ...]:
-    """The derivatives 0 to :data:`SMOOTH` of a piece at one place."""
-    return tuple(float(part.at(np.asarray(x), order)) for order in range(SMOOTH + 1))
+def rates(part: Part, x: Scalar, highest: int = SMOOTH) -> tuple[Scalar, ...]:
+    """The derivatives 0 to ``highest`` of a piece at one place."""
+    at = np.asarray(x) if plain(x) else x
+    return tuple(settled(part.at(at, order)) for order in range(highest + 1))
+
+
+def _merged(found: list[tuple[Any, Any, Any]], shape: tuple[int, ...]) -> Array:
+    """Columns of several pieces put together."""
+    lead = np.broadcast_shapes(shape[:-1], *(np.shape(part)[:-1] for _, _, part in found))
+    merged = np.full((*lead, shape[-1]), np.nan)
+    for some, here, part in found:
+        merged[..., some] = np.where(here, part, merged[..., some])
+    return merged
 
 
 def _grid(part: Part) -> Array:

@@ -6,8 +6,10 @@ from collections.abc import Sequence
 from math import pi
 
 from linkwright.laws.curve import Curve
+from linkwright.laws.numbers import plain, settled
 from linkwright.laws.pieces import Piece, Wave
 from linkwright.laws.registry import register
+from linkwright.notation import Scalar
 
 
 def _cycloid(first: float, third: float) -> Curve:
@@ -33,8 +35,8 @@ def _freudenstein() -> Curve:
     return _cycloid(27 / 28, 1 / 84)
 
 
-def series(cosines: Sequence[float], sines: Sequence[float]) -> Curve:
+def series(cosines: Sequence[Scalar], sines: Sequence[Scalar]) -> Curve:
     """Sum of a_k (cos 2 pi k u - 1) + b_k sin 2 pi k u, k from 1: from 0 over one whole turn back to 0."""
-    waves = [Wave(a, 2.0 * k, True) for k, a in enumerate(cosines, start=1) if a]
-    waves += [Wave(b, 2.0 * k) for k, b in enumerate(sines, start=1) if b]
-    return Curve((Piece(0.0, 1.0, (-float(sum(cosines)),), tuple(waves)),))
+    waves = [Wave(a, 2.0 * k, True) for k, a in enumerate(cosines, start=1) if not plain(a) or a]
+    waves += [Wave(b, 2.0 * k) for k, b in enumerate(sines, start=1) if not plain(b) or b]
+    return Curve((Piece(0.0, 1.0, (-settled(sum(cosines)),), tuple(waves)),))

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, reduce
+from itertools import accumulate, pairwise
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.laws.curve import SMOOTH, Curve, Extreme, Join, composed
+from linkwright.laws.curve import ROUND_OFF, SMOOTH, Curve, Extreme, Join, composed, followed, rates
+from linkwright.laws.numbers import first, off, plain
+from linkwright.laws.pieces import Part
 from linkwright.laws.segments import Fault, MotionError, Segment
-from linkwright.notation import Jet
+from linkwright.notation import Jet, Scalar
+from linkwright.notation.duals import value_of
+from linkwright.notation.jets import call
 
 Array = NDArray[np.float64]
 
@@ -33,22 +38,31 @@ class Motion:
     """A value over an axis (angle or time) that starts at 0. Made by :func:`motion`."""
 
     curve: Curve
-    places: tuple[float, ...]  # where segments start, and the end
+    places: tuple[Scalar, ...]  # where segments start, and the end
     beyond: Beyond = "repeat"
 
     @property
-    def period(self) -> float:
+    def period(self) -> Scalar:
         """The length of all segments."""
         return self.places[-1]
 
     @property
-    def advance(self) -> float:
+    def advance(self) -> Scalar:
         """By how much one period ends above its start."""
+        if not self.plain:
+            return self.curve.parts[-1].at(self.period, 0) - self.curve.parts[0].at(0.0, 0)
         return float(self.curve.at(self.period) - self.curve.at(0.0))
 
-    def at(self, x: Any, order: int = 0) -> Array:
-        """A derivative by the axis at any places."""
+    @cached_property
+    def plain(self) -> bool:
+        """Whether all its numbers are floats."""
+        return self.curve.plain and plain(*self.places)
+
+    def at(self, x: Any, order: int = 0) -> Any:
+        """A derivative by the axis at any places; see :meth:`Curve.at`."""
         x = np.asarray(x, dtype=float)
+        if not self.plain:
+            return self._spread(x, order)
         if self.beyond == "hold":
             inside = (x >= 0) & (x <= self.period)
             found = self.curve.at(np.clip(x, 0.0, self.period), order)
@@ -58,6 +72,19 @@ class Motion:
         near = np.abs(whole) < FAR
         within = np.clip(np.where(near, x - np.where(near, whole, 0.0) * self.period, 0.0), 0.0, self.period)
         found = np.where(near, self.curve.at(within, order), np.nan)
+        return found + whole * self.advance if self.beyond == "advance" and order == 0 else found
+
+    def _spread(self, x: Array, order: int) -> Any:
+        """The same with a period that may be other in each sample, or have slopes."""
+        if self.beyond == "hold":
+            found = followed(_held(x, self.period), self.curve.at, order)
+            inside = (x >= 0) & (x <= value_of(self.period))
+            return found if order == 0 else call("where", inside, found, np.where(np.isnan(x), np.nan, 0.0))
+        with np.errstate(invalid="ignore"):
+            whole = np.floor_divide(x, value_of(self.period))
+        near = np.abs(whole) < FAR
+        within = _held(x - np.where(near, whole, 0.0) * self.period, self.period)
+        found = call("where", near, followed(within, self.curve.at, order), np.nan)
         return found + whole * self.advance if self.beyond == "advance" and order == 0 else found
 
     def __call__(self, x: Any) -> Any:
@@ -111,51 +138,91 @@ class Motion:
         return self.curve.extremes(order)
 
 
+def _held(x: Any, period: Scalar) -> Any:
+    """Places within a period."""
+    return call("fmin", call("fmax", x, 0.0), period)
+
+
 def motion(
-    segments: Sequence[Segment], start: float = 0.0, period: float | None = None, beyond: Beyond = "repeat"
+    segments: Sequence[Segment],
+    start: Scalar = 0.0,
+    period: Scalar | None = None,
+    beyond: Beyond = "repeat",
+    checked: bool = True,
 ) -> Motion:
     """Segments in sequence from the value ``start`` on; ``period`` is what they must add up to, where it is given.
 
-    Raises :class:`MotionError` with all that is wrong.
+    Raises :class:`MotionError` with all that is wrong; unless ``checked``, what makes no sense comes out as it may.
     """
-    faults = [Fault("law.over", i) for i, segment in enumerate(segments) if not SHORTEST <= segment.over <= LONGEST]
-    if faults:
-        raise MotionError(faults)
-    if faults := [Fault(code, i, data) for i, segment in enumerate(segments) for code, data in segment.faults()]:
-        raise MotionError(faults)
-    whole = sum(segment.over for segment in segments)
-    if period is not None and abs(whole - period) > CLOSE * period:
-        faults.append(Fault("law.period", None, {"sum": whole, "period": period}))
-    heights = np.cumsum([start, *(segment.lift for segment in segments)])
-    span = max(float(np.ptp(heights)), CLOSE * float(np.abs(heights).max()), max(abs(s.lift) for s in segments))
-    if beyond == "repeat" and abs(heights[-1] - heights[0]) > CLOSE * span:
-        faults.append(Fault("law.not-closed", None, {"start": float(heights[0]), "end": float(heights[-1])}))
+    if checked:
+        _check_each(segments)
     ends, unsettled = _ends(segments, beyond)
-    if faults or unsettled:
-        raise MotionError([*faults, *unsettled])
-    places = [0.0, *np.cumsum([segment.over for segment in segments]).tolist()]
+    if checked:
+        _raise([*_unequal(segments, start, period, beyond), *unsettled])
+    heights = [*accumulate((segment.lift for segment in segments), initial=start)]
+    places = [*accumulate((segment.over for segment in segments), initial=0.0)]
     if period is not None:
         places[-1] = period
-    if beyond == "repeat":
-        heights[-1] = heights[0]
     curves = [
-        segment.curve(*asked).moved(at, 1.0, 1.0, float(height))
+        segment.curve(*asked).moved(at, 1.0, 1.0, height)
         for segment, asked, at, height in zip(segments, ends, places, heights, strict=False)
     ]
     made = Motion(Curve(tuple(part for curve in curves for part in curve.parts)), tuple(places), beyond)
-    if faults := _unmirrored(segments, made):
+    if checked and (faults := _unmirrored(segments, curves, made)):
         raise MotionError(faults)
     return made
 
 
+def _check_each(segments: Sequence[Segment]) -> None:
+    """Raises what is wrong with segments by themselves."""
+    lengths = [value_of(segment.over) for segment in segments]
+    wrong = [~((x >= SHORTEST) & (x <= LONGEST)) & ~((np.ndim(x) > 0) & np.isnan(x)) for x in map(np.asarray, lengths)]
+    _raise([Fault("law.over", i, where=where) for i, where in enumerate(wrong)])
+    _raise([fault for i, segment in enumerate(segments) for fault in segment.faults(i)])
+
+
+def _unequal(segments: Sequence[Segment], start: Scalar, period: Scalar | None, beyond: Beyond) -> Iterator[Fault]:
+    """Segments that don't add up."""
+    if period is not None:
+        widths = [segment.over for segment in segments]
+        whole: Scalar = sum(widths)
+        wrong = off(whole - period, period, CLOSE, [*widths, period])
+        told = {"sum": first(whole, wrong), "period": first(period, wrong)} if np.any(wrong) else {}
+        yield Fault("law.period", None, told, wrong)
+    lifts = [segment.lift for segment in segments]
+    heights = [*accumulate(lifts, initial=start)]
+    if beyond == "repeat":
+        sizes = [value_of(height) for height in heights]
+        span = _most([_most(sizes) - _most(sizes, -1), CLOSE * _most(map(np.abs, sizes)), *map(_size, lifts)])
+        wrong = off(heights[-1] - heights[0], span, CLOSE, lifts)
+        told = {"start": first(heights[0], wrong), "end": first(heights[-1], wrong)} if np.any(wrong) else {}
+        yield Fault("law.not-closed", None, told, wrong)
+
+
+def _raise(faults: Sequence[Fault]) -> None:
+    if faults := [fault for fault in faults if np.any(fault.where)]:
+        raise MotionError(faults)
+
+
+def _size(number: Scalar) -> Any:
+    return np.abs(value_of(number))
+
+
+def _most(values: Iterable[Any], sign: int = 1) -> Any:
+    """The largest of some values, of each sample, or with -1 the smallest."""
+    return reduce(np.maximum if sign > 0 else np.minimum, values)
+
+
 def _ends(
     segments: Sequence[Segment], beyond: Beyond
-) -> tuple[list[tuple[tuple[float, ...], tuple[float, ...]]], list[Fault]]:
+) -> tuple[list[tuple[tuple[Scalar, ...], tuple[Scalar, ...]]], list[Fault]]:
     """The rates that each segment asks for at both ends, those of its neighbours where it leaves them open."""
-    known: list[list[dict[int, float]]] = []  # of each segment and end: rates by order
+    if all(rate is not None for segment in segments for end in segment.open for rate in end):
+        return [segment.open for segment in segments], []
+    known: list[list[dict[int, Scalar]]] = []  # of each segment and end: rates by order
     for segment in segments:
         own = [[rate for rate in end if rate is not None] for end in segment.open]
-        if any(None in end for end in segment.open):
+        if any(rate is None for end in segment.open for rate in end):
             known.append([{k: r for k, r in enumerate(end, start=1) if r is not None} for end in segment.open])
         else:
             known.append([dict(enumerate(end[1:], start=1)) for end in segment.curve(*own).ends()])
@@ -169,7 +236,7 @@ def _ends(
             outside = beyond == "hold" and not 0 <= other < count
             beside = at_rest if outside else known[other % count][1 - side]
             given = [beside.get(k) if rate is None else rate for k, rate in enumerate(end, start=1)]
-            if None in given:
+            if any(rate is None for rate in given):
                 faults.append(
                     Fault("law.open-end", i, {"side": "end" if side else "start", "other": other % count + 1})
                 )
@@ -178,12 +245,38 @@ def _ends(
     return found, faults
 
 
-def _unmirrored(segments: Sequence[Segment], made: Motion) -> list[Fault]:
+def _unmirrored(segments: Sequence[Segment], curves: Sequence[Curve], made: Motion) -> list[Fault]:
     """Laws that end with an acceleration where no mirror image of theirs goes on with it."""
-    jumps = {join.at for join in made.joins if abs(join.jumps[2]) > ALIKE * join.sizes[2]}
-    found = []
-    for i, segment in enumerate(segments):
-        ends = [at % made.period if made.beyond != "hold" else at for at in made.places[i : i + 2]]
-        if segment.mirrored and jumps & {*ends}:
-            found.append(Fault("law.end-acceleration", i, {"law": segment.mirrored}))
-    return found
+    if not any(segment.mirrored for segment in segments):
+        return []
+    still = (0.0,) * 3
+    ends = [tuple(rates(part, at, 2) for part, at in _outer(curve)) for curve in curves]
+    around = ((still, still),) if made.beyond == "hold" else ()
+    row = [*(around or ends[-1:]), *ends, *(around or ends[:1])]
+    jumps = [made.curve.jumps(after[0][2] - before[1][2], 2, ALIKE) for before, after in pairwise(row)]
+    return [
+        Fault("law.end-acceleration", i, {"law": segment.mirrored}, jumps[i] | jumps[i + 1])
+        for i, segment in enumerate(segments)
+        if segment.mirrored and np.any(jumps[i] | jumps[i + 1])
+    ]
+
+
+def _outer(curve: Curve) -> tuple[tuple[Part, Scalar], tuple[Part, Scalar]]:
+    """The pieces at its ends, with these."""
+    return (curve.parts[0], curve.start), (curve.parts[-1], curve.stop)
+
+
+def jumping(motion: Motion) -> Any:
+    """Of each sample, whether the value or velocity of a motion jumps somewhere."""
+    parts = motion.curve.parts
+    joins = [(rates(a, a.stop, 1), rates(b, b.start, 1)) for a, b in pairwise(parts)]
+    front, back = rates(parts[0], motion.curve.start, 1), rates(parts[-1], motion.curve.stop, 1)
+    if motion.beyond == "hold":
+        joins += [((front[0], 0.0), front), (back, (back[0], 0.0))]
+    else:
+        joins.append(((back[0] - (motion.advance if motion.beyond == "advance" else 0.0), back[1]), front))
+    wrong: Any = False
+    for before, after in joins:
+        for order, (a, b) in enumerate(zip(before, after, strict=True)):
+            wrong = wrong | motion.curve.jumps(b - a, order, ROUND_OFF)
+    return wrong

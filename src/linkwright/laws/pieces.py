@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import perm
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.notation import Jet
+from linkwright.laws.numbers import backward, largest, plain, zero
+from linkwright.notation import Jet, Scalar
+from linkwright.notation.duals import Dual, value_of
+from linkwright.notation.jets import call
 
 Array = NDArray[np.float64]
 
@@ -19,19 +22,23 @@ class Part(Protocol):
     """A smooth stretch of a curve from ``start`` to ``stop``."""
 
     @property
-    def start(self) -> float: ...
+    def start(self) -> Scalar: ...
 
     @property
-    def stop(self) -> float: ...
+    def stop(self) -> Scalar: ...
+
+    @property
+    def plain(self) -> bool:
+        """Whether all its numbers are floats."""
 
     @property
     def fineness(self) -> int:
         """In how many steps its turning points are told apart."""
 
-    def at(self, x: Array, order: int) -> Array:
-        """A derivative by the argument; order 0 is the value."""
+    def at(self, x: Any, order: int) -> Any:
+        """A derivative by the argument; order 0 is the value. The argument may be a number of the law's own."""
 
-    def moved(self, offset: float, width: float, scale: float, base: float) -> Part:
+    def moved(self, offset: Scalar, width: Scalar, scale: Scalar, base: Scalar) -> Part:
         """``base + scale * part((x - offset) / width)``; a negative width runs it backwards."""
 
     def text(self, x: str) -> str:
@@ -41,8 +48,8 @@ class Part(Protocol):
 class Wave(NamedTuple):
     """``amplitude * sin(rate pi x)``, or the cosine where ``even``."""
 
-    amplitude: float
-    rate: float
+    amplitude: Scalar
+    rate: Scalar
     even: bool = False
 
 
@@ -50,34 +57,44 @@ class Wave(NamedTuple):
 class Piece:
     """``sum powers[i] z^i + sum of waves in z`` with ``z = x - origin``."""
 
-    start: float
-    stop: float
-    powers: tuple[float, ...] = ()
+    start: Scalar
+    stop: Scalar
+    powers: tuple[Scalar, ...] = ()
     waves: tuple[Wave, ...] = ()
-    origin: float = 0.0
+    origin: Scalar = 0.0
+
+    @property
+    def numbers(self) -> tuple[Scalar, ...]:
+        """All of its numbers."""
+        waves = (number for wave in self.waves for number in wave[:2])
+        return (self.start, self.stop, self.origin, *self.powers, *waves)
+
+    @property
+    def plain(self) -> bool:
+        return plain(*self.numbers)
 
     @property
     def fineness(self) -> int:
-        halves = max((wave.rate for wave in self.waves), default=0.0) * (self.stop - self.start)
+        halves = max((largest(wave.rate * (self.stop - self.start)) for wave in self.waves), default=0.0)
         return 16 * (2 + len(self.powers) + int(halves))
 
-    def at(self, x: Array, order: int) -> Array:
+    def at(self, x: Any, order: int) -> Any:
         z = x - self.origin
-        total = np.zeros_like(z)
+        total = zero(z)
         for i in range(len(self.powers) - 1, order - 1, -1):
             total = total * z + perm(i, order) * self.powers[i]
         for amplitude, rate, even in self.waves:
             quarter = (order + even) % 4  # sin, cos, -sin, -cos
-            function = np.cos if quarter % 2 else np.sin
+            function = "cos" if quarter % 2 else "sin"
             size = amplitude * (rate * np.pi) ** order
-            total = total + (-size if quarter > 1 else size) * function(np.pi * (rate * z))
+            total = total + (-size if quarter > 1 else size) * call(function, np.pi * (rate * z))
         return total
 
-    def moved(self, offset: float, width: float, scale: float, base: float) -> Piece:
-        start, stop = sorted((offset + width * self.start, offset + width * self.stop))
+    def moved(self, offset: Scalar, width: Scalar, scale: Scalar, base: Scalar) -> Piece:
+        turned = -1.0 if backward(width) else 1.0
+        start, stop = (offset + width * end for end in (self.start, self.stop)[:: int(turned)])
         powers = [scale * c / width**i for i, c in enumerate(self.powers)] or [0.0]
-        powers[0] += base
-        turned = -1.0 if width < 0 else 1.0
+        powers[0] = powers[0] + base
         waves = tuple(Wave(scale * a * (1.0 if even else turned), r / abs(width), even) for a, r, even in self.waves)
         return Piece(start, stop, tuple(powers), waves, offset + width * self.origin)
 
@@ -110,32 +127,41 @@ class Formula:
 
     function: Callable[[Jet], Jet]
     words: Callable[[str], str]
-    offset: float = 0.0
-    width: float = 1.0
-    scale: float = 1.0
-    base: float = 0.0
+    offset: Scalar = 0.0
+    width: Scalar = 1.0
+    scale: Scalar = 1.0
+    base: Scalar = 0.0
+    given: tuple[Scalar, ...] = ()  # the values of the parameters that stand in it
 
     @property
-    def start(self) -> float:
-        return min(self.offset, self.offset + self.width)
+    def start(self) -> Scalar:
+        return self.offset + self.width if backward(self.width) else self.offset
 
     @property
-    def stop(self) -> float:
-        return max(self.offset, self.offset + self.width)
+    def stop(self) -> Scalar:
+        return self.offset if backward(self.width) else self.offset + self.width
+
+    @property
+    def plain(self) -> bool:
+        return plain(self.offset, self.width, self.scale, self.base, *self.given)
 
     @property
     def fineness(self) -> int:
         return 256
 
-    def at(self, x: Array, order: int) -> Array:
-        u = np.asarray((x - self.offset) / self.width, dtype=float)
-        jet = Jet([u, np.ones_like(u), *[np.zeros_like(u)] * max(0, order - 1)]).cut(order)
+    def at(self, x: Any, order: int) -> Any:
+        u: Any = (x - self.offset) / self.width
+        like = np.asarray(value_of(u), dtype=float)
+        start = Dual(like, u.slope) if isinstance(u, Dual) else like
+        jet = Jet([start, np.ones_like(like), *[np.zeros_like(like)] * max(0, order - 1)])
         with np.errstate(all="ignore"):
-            value = np.asarray(self.function(jet).d[order], dtype=float)
-        found = self.scale / self.width**order * np.broadcast_to(value, u.shape)
+            value = self.function(jet.cut(order)).d[order]
+        if self.plain:
+            value = np.broadcast_to(np.asarray(value, dtype=float), like.shape)
+        found = self.scale / self.width**order * value
         return found + self.base if order == 0 else found
 
-    def moved(self, offset: float, width: float, scale: float, base: float) -> Formula:
+    def moved(self, offset: Scalar, width: Scalar, scale: Scalar, base: Scalar) -> Formula:
         return Formula(
             self.function,
             self.words,
@@ -143,6 +169,7 @@ class Formula:
             width * self.width,
             scale * self.scale,
             base + scale * self.base,
+            self.given,
         )
 
     def text(self, x: str) -> str:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import perm, prod
 
-import numpy as np
-
 from linkwright.laws.curve import Curve
+from linkwright.laws.numbers import solve
 from linkwright.laws.pieces import Piece
 from linkwright.laws.registry import register
+from linkwright.notation import Scalar
 
-Condition = tuple[float, int, float]
+Condition = tuple[Scalar, int, Scalar]
 """Place, order of the derivative, its value there."""
 
 
@@ -19,8 +19,7 @@ def polynomial(conditions: Sequence[Condition]) -> Curve:
     """The polynomial of least degree over 0..1 that meets all conditions."""
     powers = range(len(conditions))
     rows = [[perm(p, order) * (x ** (p - order) if p >= order else 0.0) for p in powers] for x, order, _ in conditions]
-    found = np.linalg.solve(np.array(rows), np.array([value for _, _, value in conditions]))
-    return Curve((Piece(0.0, 1.0, tuple(map(float, found))),))
+    return Curve((Piece(0.0, 1.0, tuple(solve(rows, [value for _, _, value in conditions]))),))
 
 
 def of_powers(powers: Sequence[int]) -> Curve:

@@ -6,11 +6,16 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
 from linkwright.laws.curve import ROUND_OFF, SMOOTH, Curve, Extreme
+from linkwright.laws.numbers import plain
 from linkwright.laws.pieces import Part, Piece
+from linkwright.notation import Scalar
+from linkwright.notation.duals import value_of
+from linkwright.notation.jets import call
 from linkwright.notation.registry import Registry
 
 
@@ -45,7 +50,7 @@ class Law(Curve):
             return math.inf
         return max(abs(extreme.value) for extreme in self.peaks(order))
 
-    def skewed(self, share: float) -> Law:
+    def skewed(self, share: Scalar) -> Law:
         """A symmetric law with its greatest velocity at ``share`` of the way instead of the middle.
 
         2p s(u/2p) up to p and 1 - 2q s((1-u)/2q) behind it, q = 1 - p: the velocities meet, and the accelerations
@@ -58,18 +63,26 @@ class Law(Curve):
         second = [part.moved(1 - 2 * q, 2 * q, 2 * q, 1 - 2 * q) for part in behind]
         return Law((*first, *second), self.name, self.mirrored)
 
-    @cached_property
+    @property
     def symmetric(self) -> bool:
         """Whether s(u) + s(1 - u) = 1."""
+        return not np.any(self.uneven)
+
+    @cached_property
+    def uneven(self) -> Any:
+        """Of each sample, whether s(u) + s(1 - u) isn't 1."""
         u = np.linspace(0, 1, 101)
-        return bool(np.abs(self.at(u) + self.at(1 - u) - 1).max() < ROUND_OFF)
+        return np.any(np.abs(value_of(self.at(u) + self.at(1 - u)) - 1) >= ROUND_OFF, axis=-1, keepdims=not self.plain)
 
 
 def clipped(part: Part, low: float, high: float) -> Piece | None:
     """A piece of a closed form between two places, None where nothing of it lies there."""
     assert isinstance(part, Piece)
-    start, stop = max(part.start, low), min(part.stop, high)
-    return Piece(start, stop, part.powers, part.waves, part.origin) if start < stop else None
+    if plain(part.start, part.stop):
+        start, stop = max(part.start, low), min(part.stop, high)
+    else:
+        start, stop = (call("fmin", call("fmax", end, low), high) for end in (part.start, part.stop))
+    return Piece(start, stop, part.powers, part.waves, part.origin) if np.any(value_of(start < stop)) else None
 
 
 LAWS: Registry[Law] = Registry()

@@ -12,8 +12,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from linkwright.laws.curve import Curve
+from linkwright.laws.numbers import plain, settled
 from linkwright.laws.pieces import Piece, Wave
 from linkwright.laws.registry import LAWS, Law
+from linkwright.notation import Scalar
+from linkwright.notation.duals import value_of
+from linkwright.notation.jets import call
 
 MEMBERS: dict[str, tuple[float, float, float, float]] = {
     "parabolic": (0, 1, 0, 0),
@@ -29,12 +33,12 @@ MEMBERS: dict[str, tuple[float, float, float, float]] = {
 """Fractions b (sine), c (constant), d (cosine), z (zero) of the named members."""
 
 
-def scca(b: float, c: float, d: float, z: float) -> Curve:
+def scca(b: Scalar, c: Scalar, d: Scalar, z: Scalar) -> Curve:
     """The member of given fractions, b + c + d + z = 1."""
     return scca_by_widths(b / 2, c / 2, d / 2, z, d / 2, c / 2, b / 2)
 
 
-def scca_by_widths(*widths: float) -> Curve:
+def scca_by_widths(*widths: Scalar) -> Curve:
     """A member that needn't be symmetric, from the widths of its seven zones, whose sum is 1.
 
     Sine, constant, cosine with positive acceleration; zero; cosine, constant, sine with negative acceleration, whose
@@ -45,15 +49,18 @@ def scca_by_widths(*widths: float) -> Curve:
     # The acceleration of each zone, as amplitude, then share of a quarter wave (0: sine from 0, 1: cosine from 1).
     zones = [(1.0, 0), (1.0, None), (1.0, 1), (0.0, None), (-ratio, 0), (-ratio, None), (-ratio, 1)]
     pieces: list[Piece] = []
-    at = speed = value = 0.0
+    at: Scalar = 0.0
+    speed: Scalar = 0.0
+    value: Scalar = 0.0
     for i, ((size, kind), width) in enumerate(zip(zones, widths, strict=True)):
-        if width <= 0:
+        if plain(width) and width <= 0:
             continue
-        stop = 1.0 if not any(w > 0 for w in widths[i + 1 :]) else at + width
+        stop = 1.0 if not any(np.any(value_of(w) > 0) for w in widths[i + 1 :]) else at + width
         if kind is None:
             piece = Piece(at, stop, (value, speed, size / 2), (), at)
         else:
-            rate = 1 / (2 * width)
+            # Of a sample without this zone any rate will do.
+            rate = 1 / (2 * (width if plain(width) else call("where", value_of(width) == 0, 1.0, width)))
             omega = math.pi * rate
             amplitude = -size / omega**2
             # The integral of sin is -cos/w + 1/w, of cos it is sin/w.
@@ -63,13 +70,13 @@ def scca_by_widths(*widths: float) -> Curve:
                 else Piece(at, stop, (value - amplitude, speed), (Wave(amplitude, rate, True),), at)
             )
         pieces.append(piece)
-        speed += size * width * (1.0 if kind is None else 2 / math.pi)
-        value = float(piece.at(np.asarray(at + width), 0))
-        at += width
+        speed = speed + size * width * (1.0 if kind is None else 2 / math.pi)
+        value = settled(piece.at(np.asarray(at + width) if plain(at + width) else at + width, 0))
+        at = at + width
     return Curve(tuple(pieces)).moved(0.0, 1.0, 1 / value)
 
 
-def _gain(widths: Sequence[float]) -> float:
+def _gain(widths: Sequence[Scalar]) -> Scalar:
     """The velocity that an acceleration of 1 gives over sine, constant and cosine zones."""
     sine, constant, cosine = widths
     return 2 / math.pi * (sine + cosine) + constant

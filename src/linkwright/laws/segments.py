@@ -4,33 +4,39 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import reduce
 from itertools import pairwise
 from typing import Any, ClassVar, Protocol
 
 import numpy as np
 
 from linkwright.laws.curve import Curve
+from linkwright.laws.numbers import first, settled
 from linkwright.laws.pieces import Piece
 from linkwright.laws.polynomials import polynomial
 from linkwright.laws.registry import Law
 from linkwright.laws.splines import spline
+from linkwright.notation import Scalar
+from linkwright.notation.duals import value_of
 
 CLOSEST = 1e-6
 """How close to one another, over a segment, its points may lie."""
 MOST = 16
 """The most conditions that one polynomial may have; with more it swings, and round-off grows."""
 
-Rates = tuple[float | None, ...]
+Rates = tuple[Scalar | None, ...]
 """Derivatives from the first on; None where they are those of the neighbour."""
 
 
 @dataclass(frozen=True)
 class Fault:
-    """What is wrong with a motion: a code, the segment (None: the motion as a whole), the data of its sentence."""
+    """What is wrong with a motion: a code, the segment (None: the motion as a whole), the data of its sentence;
+    ``where`` says of which samples."""
 
     code: str
     segment: int | None = None
     data: dict[str, Any] = field(default_factory=dict)
+    where: Any = True
 
 
 class MotionError(ValueError):
@@ -49,20 +55,20 @@ class Segment(Protocol):
         """The name of its law where that ends with an acceleration, which only its mirror image takes on."""
 
     @property
-    def over(self) -> float: ...
+    def over(self) -> Scalar: ...
 
     @property
-    def lift(self) -> float:
+    def lift(self) -> Scalar:
         """How much further its end lies than its start."""
 
     @property
     def open(self) -> tuple[Rates, Rates]:
         """The rates at its start and end that it has by itself, or takes from its neighbours (None)."""
 
-    def faults(self) -> list[tuple[str, dict[str, Any]]]:
-        """What is wrong with it by itself."""
+    def faults(self, number: int) -> list[Fault]:
+        """What is wrong with it by itself; it has this number."""
 
-    def curve(self, start: Sequence[float], end: Sequence[float]) -> Curve:
+    def curve(self, start: Sequence[Scalar], end: Sequence[Scalar]) -> Curve:
         """From 0 at 0 to ``lift`` at ``over``; ``start`` and ``end`` are the rates asked for in :attr:`open`."""
 
 
@@ -70,15 +76,15 @@ class Segment(Protocol):
 class Dwell:
     """At rest."""
 
-    over: float
+    over: Scalar
     lift: ClassVar[float] = 0.0
     mirrored: ClassVar[str] = ""
     open: ClassVar[tuple[Rates, Rates]] = ((), ())
 
-    def faults(self) -> list[tuple[str, dict[str, Any]]]:
+    def faults(self, number: int) -> list[Fault]:
         return []
 
-    def curve(self, start: Sequence[float], end: Sequence[float]) -> Curve:
+    def curve(self, start: Sequence[Scalar], end: Sequence[Scalar]) -> Curve:
         return Curve((Piece(0.0, self.over, (0.0,)),))
 
 
@@ -86,8 +92,8 @@ class Dwell:
 class Rise:
     """By ``lift`` with a normalised law; ``fall`` runs the law backwards, as the mirror image of a rise."""
 
-    over: float
-    lift: float
+    over: Scalar
+    lift: Scalar
     law: Curve
     fall: bool = False
     open: ClassVar[tuple[Rates, Rates]] = ((), ())
@@ -96,13 +102,15 @@ class Rise:
     def mirrored(self) -> str:
         return self.law.name if isinstance(self.law, Law) and self.law.mirrored else ""
 
-    def faults(self) -> list[tuple[str, dict[str, Any]]]:
-        ends = self.law.at([0.0, 1.0])
-        if not np.allclose(ends, [0.0, 1.0], rtol=0, atol=1e-9):
-            return [("law.not-normal", {"start": f"{ends[0]:.6g}", "end": f"{ends[1]:.6g}"})]
-        return []
+    def faults(self, number: int) -> list[Fault]:
+        ends = value_of(self.law.at([0.0, 1.0]))
+        wrong = np.any(np.abs(ends - [0.0, 1.0]) > 1e-9, axis=-1, keepdims=not self.law.plain)
+        if not np.any(wrong):
+            return []
+        start, end = (f"{first(ends[..., i : i + 1] if np.ndim(wrong) else ends[i], wrong):.6g}" for i in range(2))
+        return [Fault("law.not-normal", number, {"start": start, "end": end}, wrong)]
 
-    def curve(self, start: Sequence[float], end: Sequence[float]) -> Curve:
+    def curve(self, start: Sequence[Scalar], end: Sequence[Scalar]) -> Curve:
         if self.fall:
             return self.law.moved(self.over, -self.over, -self.lift, self.lift)
         return self.law.moved(0.0, self.over, self.lift)
@@ -116,11 +124,11 @@ class Blend:
     (way from the start, value above that at the start).
     """
 
-    over: float
-    lift: float
+    over: Scalar
+    lift: Scalar
     start: Rates = (0.0, 0.0)
     end: Rates = (0.0, 0.0)
-    via: tuple[tuple[float, float], ...] = ()
+    via: tuple[tuple[Scalar, Scalar], ...] = ()
     degree: int | None = None
     mirrored: ClassVar[str] = ""
 
@@ -128,21 +136,22 @@ class Blend:
     def open(self) -> tuple[Rates, Rates]:
         return self.start, self.end
 
-    def faults(self) -> list[tuple[str, dict[str, Any]]]:
+    def faults(self, number: int) -> list[Fault]:
         places = [0.0, *(x for x, _ in self.via), self.over]
-        if any(b - a < CLOSEST * self.over for a, b in pairwise(places)):
-            return [("law.via", {})]
+        near = [value_of(b - a) < CLOSEST * value_of(self.over) for a, b in pairwise(places)]
+        if np.any(wrong := reduce(np.logical_or, near)):
+            return [Fault("law.via", number, where=wrong)]
         count = 2 + len(self.start) + len(self.end) + len(self.via)
         if self.degree is None and count > MOST:
-            return [("law.conditions", {"count": count, "limit": MOST})]
+            return [Fault("law.conditions", number, {"count": count, "limit": MOST})]
         half = ((self.degree or 0) - 1) // 2
         if self.degree and (len(self.start) != half or len(self.end) != half):
-            return [("law.end-rates", {"degree": self.degree, "wanted": half})]
+            return [Fault("law.end-rates", number, {"degree": self.degree, "wanted": half})]
         return []
 
-    def curve(self, start: Sequence[float], end: Sequence[float]) -> Curve:
+    def curve(self, start: Sequence[Scalar], end: Sequence[Scalar]) -> Curve:
         if self.degree:
-            x, y = np.array([(0.0, 0.0), *self.via, (self.over, self.lift)]).T
+            x, y = zip((0.0, 0.0), *self.via, (self.over, self.lift), strict=True)
             return spline(x, y, self.degree, start, end)
         # Solved over 0..1 for a lift of about 1, whatever the units.
         conditions = [(0.0, 0, 0.0), (1.0, 0, self.lift), *((x / self.over, 0, y) for x, y in self.via)]
@@ -153,19 +162,23 @@ class Blend:
 
 @dataclass(frozen=True)
 class Shape:
-    """A curve over 0..1 that begins at 0, stretched over the segment."""
+    """A curve over 0..1 that is stretched over the segment; ``rise`` says exactly how much further it ends."""
 
-    over: float
+    over: Scalar
     shape: Curve
+    rise: Scalar | None = None
     mirrored: ClassVar[str] = ""
     open: ClassVar[tuple[Rates, Rates]] = ((), ())
 
     @property
-    def lift(self) -> float:
-        return float(self.shape.at(1.0) - self.shape.at(0.0))
+    def lift(self) -> Scalar:
+        return self._end(1) - self._end(0) if self.rise is None else self.rise
 
-    def faults(self) -> list[tuple[str, dict[str, Any]]]:
+    def _end(self, side: int) -> Scalar:
+        return settled(self.shape.parts[-side].at(np.asarray(float(side)), 0))
+
+    def faults(self, number: int) -> list[Fault]:
         return []
 
-    def curve(self, start: Sequence[float], end: Sequence[float]) -> Curve:
-        return self.shape.moved(0.0, self.over, 1.0, -float(self.shape.at(0.0)))
+    def curve(self, start: Sequence[Scalar], end: Sequence[Scalar]) -> Curve:
+        return self.shape.moved(0.0, self.over, 1.0, -self._end(0))

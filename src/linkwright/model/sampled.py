@@ -61,6 +61,11 @@ class Sampled(Quantities):
         self.wrong |= wrong
         return bool(np.any(wrong))
 
+    def column(self, name: str) -> Any:
+        """A parameter: a number, or (samples, 1), NaN of those of which something is wrong already."""
+        value: Any = self.parameters[name]
+        return np.where(self.wrong, np.nan, value)[:, None] if isinstance(value, np.ndarray) else value
+
     def rows(self) -> Array:
         """All parameters, in their order: (parameters, samples)."""
         rows = [np.broadcast_to(value, self.samples) for value in self.parameters.values()]

@@ -69,6 +69,17 @@ class Dual:
     def __rpow__(self, base: Any) -> Dual:
         return _dual(base**self.jet)
 
+    def raised(self, base: Jet) -> Jet:
+        """``base ** self``; its slope by the power is base^power log(base), NaN where that grows without bound at 0."""
+        found, plain = base**self.value, Jet([value_of(d) for d in base.d])
+        power, start = plain**self.value, plain.d[0] == 0
+        log, grows, entries = Jet([np.where(start, 1.0, plain.d[0]), *plain.d[1:]]).log(), False, []
+        for k, more in enumerate((power * log).d):
+            grows = grows | (power.d[k] != 0)
+            slope = np.where(start & grows, np.nan, more) * self.slope
+            entries.append(Dual(value_of(found.d[k]), slope_of(found.d[k]) + slope))
+        return Jet(entries)
+
     def __abs__(self) -> Dual:
         return _dual(abs(self.jet))
 

@@ -125,6 +125,8 @@ class Jet:
             return (self.log() * power).exp()
         if isinstance(power, np.ndarray):
             return self._powers(power)
+        if (raised := getattr(power, "raised", None)) is not None:
+            return raised(self)  # type: ignore[no-any-return]
         if not isinstance(power, int | float | np.number):
             return (self.log() * Jet.constant(power, self.order)).exp()
         if power == 0:

@@ -22,6 +22,9 @@ class _Sample(Compiled):
         self.__dict__.update(varied.compiled.__dict__)
         self.quantities = copy(varied.compiled.quantities)
         self.quantities.parameters = dict(zip(varied.graph.parameters, p.tolist(), strict=True))
+        if not np.isnan(p).any():
+            own = self.quantities.parameters
+            self.motions = {name: law.given(own) for name, law in self.motions.items()}  # type: ignore[misc]
         self.varied, self.parameters, self.kernel = varied, p, kernel
 
     def evaluate(self, names: Sequence[str], t: Array, rates: bool = False) -> Array:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -56,16 +56,13 @@ def breaks(run: Run) -> Array:
     return np.unique(np.concatenate(found))
 
 
-def kinks(compiled: Compiled) -> list[Node]:
-    """What changes its sign where the law of a load, drive or cam has a kink, or another contact of a cam bears."""
+def kinks(compiled: Compiled, varied: Iterable[str] = ()) -> list[Node]:
+    """What changes its sign where the law of a load, drive or cam has a kink, or another contact of a cam bears;
+    ``varied`` are the names of joins that vary, as :meth:`linkwright.kernels.varied.Varied.joins` has them."""
     quantities, m = compiled.quantities, compiled.mechanism
-    laws = [*compiled.graph.actions.laws]
-    for name, drive in m.drives.items():
-        if drive.position is not None:
-            laws.append(quantities.bind(drive.position, quantities.drive_dimension(name)))
-    laws += [Call(drive.cam.law, (argument(quantities, drive),)) for drive in followings(quantities).values()]
+    laws = [*compiled.graph.actions.laws, *_positions(compiled)]
     found = dict.fromkeys(switch for law in laws for node in nodes(law) for switch in switches(node))
-    found |= dict.fromkeys(switch for law in laws for node in nodes(law) for switch in joins(compiled.motions, node))
+    found |= dict.fromkeys(law_joins(compiled, varied))
     paired = (name for name, drive in followings(quantities).items() if drive.paired)
     found |= dict.fromkeys(Name(f"{name}.force") for name in paired)  # the other contact bears
     functions = {*m.tables, *m.laws}
@@ -73,15 +70,35 @@ def kinks(compiled: Compiled) -> list[Node]:
     return [node for node in found if asked[node] <= {*compiled.tables}]  # not those of a drive's own table
 
 
-def joins(motions: Mapping[str, Motion], node: Node) -> list[Node]:
+def law_joins(compiled: Compiled, varied: Iterable[str] = ()) -> list[Node]:
+    """What changes its sign where a drive or cam passes a join of its motion law, in every period; ``varied`` as those
+    of :func:`kinks`."""
+    quantities = compiled.quantities
+    cams = [Call(drive.cam.law, (argument(quantities, drive),)) for drive in followings(quantities).values()]
+    calls = (node for law in (*_positions(compiled), *cams) for node in nodes(law))
+    return [way for node in calls for way in joins(compiled.motions, node, varied)]
+
+
+def _positions(compiled: Compiled) -> list[Node]:
+    """The laws of the drives that are expressions."""
+    quantities = compiled.quantities
+    drives = {name: drive.position for name, drive in compiled.mechanism.drives.items()}
+    return [quantities.bind(law, quantities.drive_dimension(n)) for n, law in drives.items() if law is not None]
+
+
+def joins(motions: Mapping[str, Motion], node: Node, varied: Iterable[str] = ()) -> list[Node]:
     """What changes its sign at the joins of a motion law, in every period."""
     if not isinstance(node, Call) or node.attribute is not None or node.name not in motions:
         return []
     motion, argument = motions[node.name], node.args[0]
-    rough = [Binary("-", argument, Number(join.at)) for join in motion.joins if join.continuity < ROUGH]
+    places: list[Node] = [Number(join.at) for join in motion.joins if join.continuity < ROUGH]
+    period: Node = Number(motion.period)
+    if own := [name for name in varied if name.startswith(f"{node.name}@")]:
+        places, period = [Name(name) for name in own[:-1]], Name(own[-1])
+    rough = [Binary("-", argument, place) for place in places]
     if motion.beyond == "hold":
         return [*rough]
-    turn = Number(np.pi / motion.period)
+    turn = Binary("/", Name("pi"), period)
     return [Call("sin", (Binary("*", way, turn),)) for way in rough]
 
 

@@ -58,6 +58,7 @@ class Bunch:
         self.quantities = Sampled(
             varied.compiled.quantities, {n: rows[n] for n in rows if n in varied.varying}, self.samples
         )
+        self.quantities.parameters |= varied.joins(p)  # type: ignore[arg-type]
         self._rows: dict[str, tuple[Array, Array]] = {}
         self._angles: dict[str, Array] = {}
         self.fast = np.zeros(self.samples, dtype=bool)

@@ -193,8 +193,10 @@ def expressed(
         if is_signal(call):
             return Jet([*rows[compiled.quantities.signals.find(call).text]])
         argument = evaluate(call.args[0], named, called)
-        return compiled.tables[call.name].or_nan(
-            argument if isinstance(argument, Jet) else Jet.constant(argument, order)
+        return (
+            compiled.tables[call.name]
+            .given(parameters)
+            .or_nan(argument if isinstance(argument, Jet) else Jet.constant(argument, order))
         )
 
     try:

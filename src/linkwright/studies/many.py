@@ -62,7 +62,7 @@ class Measuring:
         self.measures = {name: measures[name] for name in (measures if names is None else names)}
         self.trees = {key: tree for name in self.measures for key, tree in bound(self.quantities, name).items()}
         self.rows = self._rows()
-        self.kinks = kinks(run.compiled)
+        self.kinks = kinks(run.compiled, varied.joins(run.compiled.parameters[:, None]))
         self.single = [name for name, measure in self.measures.items() if self._singly(name, measure)]
         self.steps = self._steps()
         self.panels = self._panels()

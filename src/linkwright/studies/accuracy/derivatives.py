@@ -22,6 +22,7 @@ from linkwright.results.quadrature import gauss_points
 from linkwright.results.windows import intervals
 from linkwright.studies.accuracy.derivative import Derivative
 from linkwright.studies.accuracy.edges import Edges
+from linkwright.studies.accuracy.joins import Joins
 from linkwright.studies.accuracy.slopes import Slopes
 from linkwright.studies.accuracy.stretches import dwell, straightness
 from linkwright.studies.measures import Measurer, Probe
@@ -41,7 +42,7 @@ class Derivatives:
     """The derivatives of the measures of a run."""
 
     def __init__(self, run: Run, slopes: Slopes, names: Sequence[str]) -> None:
-        self.run, self.slopes, self.edges = run, slopes, Edges(slopes)
+        self.run, self.slopes, self.edges, self.joins = run, slopes, Edges(slopes), Joins(slopes)
         self.measurer = Measurer(run, names)
         self.trees = self.measurer.trees
         self.turning = dict(zip(self.trees, self.measurer.turning(), strict=True)) if self.trees else {}
@@ -60,9 +61,11 @@ class Derivatives:
         end = self.edges.end(window, time)
         return self.edges.jump(time) if end is None else end
 
-    def place(self, tree: Node, time: float, window: str | None) -> Array:
-        """The derivative of an expression's extreme at a place."""
+    def place(self, tree: Node, time: float, value: float, window: str | None) -> Array:
+        """The derivative of an expression's extreme at a place, of this value."""
         moves = self.moves(window, time)
+        if moves is None and (jumping := self.joins.extreme(tree, time, value)) is not None:
+            return jumping
         if moves is None and (kink := self.edges.kink(tree, time)) is not None:
             return kink[0]
         here = self.slopes.at([tree], np.array([time]))
@@ -75,7 +78,7 @@ class Derivatives:
         times, values = probe.candidates
         best = (sign * values).max()
         near = times[sign * values >= best - TIE * np.abs(values).max()]
-        slopes = np.stack([self.place(probe.node, float(time), window) for time in near])
+        slopes = np.stack([self.place(probe.node, float(time), sign * best, window) for time in near])
         apart = [slopes[0]]
         for slope in slopes[1:]:
             if all(np.abs(slope - one).max() > APART * np.abs(slopes).max() for one in apart):
@@ -113,6 +116,9 @@ class Derivatives:
                 if a < before and after < b and (moves := edges.jump((before + after) / 2)) is not None:
                     step = self._power(probe, before, power) - self._power(probe, after, power)
                     slope = slope + step * moves
+            for time, moves in self.joins.every:
+                if a < time < b and (sides := self.joins.sides(probe.node, time)) is not None:
+                    slope = slope + (sides[0][0] ** power - sides[0][1] ** power) * moves
         return total, slope, length, grows
 
     def _power(self, probe: Probe, time: float, power: int) -> float:

@@ -63,7 +63,7 @@ class Resting(Slopes):
 
     def __init__(self, gaps: Gaps, loads: Sequence[float]) -> None:
         self.run, self.gaps, self.loads, self.tangents = gaps.run, gaps, loads, gaps.tangents
-        self.count, self._given = 1 + len(gaps.held), gaps._given
+        self.count, self.given, self.joins = 1 + len(gaps.held), gaps.given, gaps.joins
 
     def at(self, trees: Sequence[Node], t: Array, rates: bool = True) -> Local:
         """Expressions bound to SI at times ``t`` (s), as those by deviations."""

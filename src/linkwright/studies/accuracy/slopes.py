@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,7 +38,14 @@ class Slopes:
     def __init__(self, run: Run, directions: Array, plays: Sequence[str] = ()) -> None:
         self.run, self.tangents = run, Tangents(run.compiled, directions, plays)
         self.count = self.tangents.count
-        self._given = self.tangents.given()
+        self.given: dict[str, Any] = self.tangents.given()
+        """The parameters, those that deviate as duals, and so the places of joins of motion laws."""
+        self.joins: list[str] = []
+        for law, motion in run.compiled.motions.items():
+            if any(isinstance(self.given[name], Dual) for name in motion.names):
+                places = motion.places_at(law, self.given)
+                self.joins += places
+                self.given |= places
 
     def at(self, trees: Sequence[Node], t: Array, rates: bool = True) -> Local:
         """Expressions bound to SI at times ``t`` (s); without ``rates`` these and their slopes are 0."""
@@ -52,7 +60,7 @@ class Slopes:
         }
         found = Local(*(np.zeros((len(trees), t.size)) for _ in "vr"), *(np.zeros(self._shape(trees, t)) for _ in "st"))
         for i, tree in enumerate(trees):
-            jet = expressed(self.run.compiled, tree, t, rows, kinds - 1, self._given)
+            jet = expressed(self.run.compiled, tree, t, rows, kinds - 1, self.given)
             for d, values, slopes in zip(jet.d, (found.value, found.rate), (found.slope, found.twist), strict=False):
                 values[i], slopes[i] = value_of(d), slope_of(d)
         return found
@@ -63,5 +71,5 @@ class Slopes:
     def constant(self, expression: Expression, dimension: Dimension) -> tuple[float, Array]:
         """An expression of parameters alone: its value and its slopes (deviations,)."""
         node = self.run.compiled.quantities.bind(expression, dimension)
-        number = evaluate(node, lambda name: self._given[name.text])
+        number = evaluate(node, lambda name: self.given[name.text])
         return float(value_of(number)), np.broadcast_to(np.ravel(slope_of(number)), self.count).astype(float)

@@ -16,6 +16,7 @@ from linkwright.studies.accuracy.clearance_options import check_clearances
 from linkwright.studies.accuracy.designing import add_allocation, add_calibration, check_design
 from linkwright.studies.accuracy.deviations import Shift
 from linkwright.studies.accuracy.figures import curves, figures
+from linkwright.studies.accuracy.lawful import check_laws
 from linkwright.studies.accuracy.monte_carlo import check_monte_carlo, monte_carlo
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, Figure
@@ -95,6 +96,7 @@ def _check(compiled: Compiled, options: AccuracyOptions) -> Iterator[Finding]:
         Varied(compiled, names)
     except ModelError as error:
         yield from error.findings
+    yield from check_laws(compiled, deviations)
     yield from check_monte_carlo(options, deviations)
     stop, findings = span(compiled, options.cycle)
     if not findings:

@@ -936,12 +936,12 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Vary the parameters of a motion without change points.",
     ),
     "varied.table": (
-        "The table {table} holds expressions of {names}, which vary; a table is the same for all samples.",
-        "Write the table's numbers out, or don't vary what it depends on.",
+        "The arguments or the period of the table {table} hold expressions of {names}, which vary.",
+        "Write these numbers out, or don't vary what they depend on; the table's values may vary.",
     ),
-    "varied.law": (
-        "The motion law {law} holds expressions of {names}, which vary; a motion law is the same for all samples.",
-        "Write its numbers out, or scale what the law gives in the drive's position: h*lift(...).",
+    "varied.second": (
+        "{names} vary in the law {law}, by whose largest lift the second contact of the cam {cam} is placed.",
+        "Give the place of the second contact under second, or don't vary the law.",
     ),
     "varied.values": (
         "{count} of {samples} samples have values that the model can't take; in the first one, {sample}: {what}",
@@ -990,6 +990,14 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "are those of the samples that have it.",
         "Narrow the tolerances, or change the dimensions so that the mechanism can be assembled with all of them. Take the "
         "plan random or latin for a confidence interval of the share.",
+    ),
+    "accuracy.law": (
+        "With a deviation of {names} alone the motion law {law} no longer adds up to its period, closes, or runs on.",
+        "Let others of its numbers follow: {{dwell: 360 deg - w}} beside {{rise: h, over: w}}, the same h to fall.",
+    ),
+    "accuracy.table": (
+        "With a deviation of {names} alone the table {table} no longer closes over its period.",
+        "Give its first and its last value the same expression.",
     ),
     "accuracy.vertices-fail": (
         "The search for the worst case met {lost} of {looked} places inside the tolerances at which the mechanism can't be "

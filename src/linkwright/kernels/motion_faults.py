@@ -1,0 +1,80 @@
+"""What is wrong with motion laws where a drive or a cam asks them, and with those of many samples."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+
+from linkwright.kernels.cams import not_whole
+from linkwright.kernels.motions import Reader, StatedMotion, rate_unit
+from linkwright.laws import Motion, MotionError
+from linkwright.laws.motion import jumping
+from linkwright.model.cams import Following
+from linkwright.model.expressions import Call, nodes
+from linkwright.model.findings import Finding, Term
+from linkwright.model.mechanism import Mechanism
+from linkwright.model.quantities import Quantities
+from linkwright.model.sampled import Sampled
+
+MOST = 8
+"""How often a law is made anew without the samples of which something was wrong."""
+
+
+def jump(quantities: Quantities, name: str, motion: Motion, path: tuple[str | int, ...]) -> Iterator[Finding]:
+    """The first jump of the value or velocity of a motion law, if there is one."""
+    law = quantities.mechanism.laws[name]
+    for join in motion.joins:
+        if join.continuity < 1:
+            order = join.continuity + 1
+            (unit, size), (rate, one) = quantities.unit_of(law.axis), rate_unit(quantities, law, order)
+            at, jump = f"{join.at / size:.6g} {unit}", f"{join.jumps[order] / one:.6g} {rate}"
+            data = {"law": name, "what": Term(("law-value", "law-velocity")[order]), "at": at, "jump": jump}
+            yield Finding("drive.law-jumps", path, data)
+            return
+
+
+def law_faults(sampled: Sampled, motions: Mapping[str, StatedMotion]) -> list[Finding]:
+    """What is wrong with the motion laws of many samples, each fault once; the samples are noted."""
+    askers, findings = asking(sampled.mechanism), []
+    for name, law in motions.items():
+        if not any(isinstance(sampled.parameters[own], np.ndarray) for own in law.names):
+            continue
+        for _ in range(MOST):  # the next kind of fault shows where no sample has those before
+            reader = Reader(sampled, sampled.mechanism.laws[name], {n: sampled.column(n) for n in sampled.parameters})
+            try:
+                with np.errstate(all="ignore"):
+                    found = [*_asked(sampled, name, law, reader.motion(), askers.get(name, []))]
+            except MotionError as error:
+                found = [(reader.finding(name, fault), fault.where) for fault in error.faults]
+            findings += [finding for finding, where in found if sampled.bad(np.ravel(where))]
+            if not found:
+                break
+    return findings
+
+
+def asking(m: Mechanism) -> dict[str, list[tuple[str, ...]]]:
+    """Of each law, the places of the drives and cams that ask it."""
+    found: dict[str, list[tuple[str, ...]]] = {}
+    for name, drive in m.drives.items():
+        if isinstance(drive, Following):
+            found.setdefault(drive.cam.law, []).append(("cams", name, "law"))
+        elif drive.position is not None:
+            for called in {n.name for n in nodes(drive.position.node) if isinstance(n, Call)} & m.laws.keys():
+                found.setdefault(called, []).append(("drives", name, "position"))
+    return found
+
+
+def _asked(
+    sampled: Sampled, name: str, law: StatedMotion, made: Motion, paths: list[tuple[str, ...]]
+) -> Iterator[tuple[Finding, Any]]:
+    """What is wrong with a law of samples for those that ask it, and in which samples."""
+    wrong = np.broadcast_to(np.ravel(jumping(made)), sampled.samples)
+    for path in paths:
+        if wrong.any():
+            own = {n: np.broadcast_to(sampled.parameters[n], sampled.samples)[wrong.argmax()] for n in law.names}
+            alone = law.given({n: float(value) for n, value in own.items()})
+            yield from ((finding, wrong) for finding in jump(sampled, name, alone, path))
+        if path[0] == "cams":
+            yield from not_whole(sampled, name, made, path)
