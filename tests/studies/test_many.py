@@ -314,14 +314,24 @@ def test_spans_of_their_own() -> None:
 
 
 def test_loads_that_act_in_windows() -> None:
-    """Their jumps are candidates of extremes."""
-    loads = {"push": {"on": "slider", "at": "C", "force": ["-r*1 N/mm", 0], "window": "w"}}
+    """Their jumps are candidates of extremes; two may meet, or lie at the end of the run or of a measure's window."""
+    push = {"on": "slider", "at": "C", "force": ["-r*1 N/mm", 0]}
+    loads = {name: push | {"window": name} for name in ("w", "late", "same")}
+    ends = {f"at_{end}": {"value": "motor.torque", "where": end, "window": "w"} for end in ("start", "end")}
     some = slider_cranks(
         loads=loads,
-        windows={"w": {"B.y": ["0.5*r", "2*r"]}},
-        measures={"torque": {"extremes": "motor.torque"}, "mean": {"mean": "motor.torque"}, "x": {"max": "B.x"}},
+        windows={"w": {"B.y": ["0.5*r", "2*r"]}, "late": ["0.3 s", "5 s"], "same": {"B.y": ["0.5*r", "3*r"]}},
+        measures={
+            "torque": {"extremes": "motor.torque"},
+            "mean": {"mean": "motor.torque"},
+            "rms": {"rms": "motor.torque", "window": "late"},
+            "inside": {"extremes": "motor.torque", "window": "w"},
+            "place": {"value": "B.x", "where": "max motor.torque"},
+            "x": {"max": "B.x"},
+            **ends,
+        },
     )
-    assert some.measuring.single == ["torque", "mean"]
+    assert not some.measuring.single
     some.check()
 
 

@@ -146,7 +146,7 @@ class Bunch:
     # Continuous angles.
 
     def _wrapped(self, name: str) -> bool:
-        return ":" not in name and self.run.compiled.graph.wrapped(name)
+        return not {":", "/"} & {*name} and self.run.compiled.graph.wrapped(name)
 
     def _track(self, name: str, angle: Array, rate: Array) -> Array:
         """An angle on the grid without jumps from its value at the start; NaN of a sample that turns too fast."""

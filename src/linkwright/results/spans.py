@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 
 from linkwright.model import units as u
 from linkwright.model.expressions import parse
+from linkwright.results.breaks import ASIDE
 from linkwright.results.bunch import Bunch, Who
 
 Array = NDArray[np.float64]
@@ -55,6 +57,74 @@ class Spans:
         if not self.high.size:
             return np.full(len(self.high), np.nan)
         return np.asarray(np.fmax.reduce(self.high, axis=1))
+
+
+class Windows:
+    """What windows mean in a bunch of samples; with ``jumps`` without the moments at which a load jumps."""
+
+    def __init__(self, bunch: Bunch, jumps: bool) -> None:
+        self.bunch = bunch
+        self.gaps = gaps(bunch) if jumps else None
+        self._known: dict[str | None, Spans] = {}
+
+    def __getitem__(self, name: str | None) -> Spans:
+        if name not in self._known:
+            found = spans(self.bunch, name)
+            self._known[name] = found if self.gaps is None else without(found, self.gaps)
+        return self._known[name]
+
+
+def gaps(bunch: Bunch) -> Spans:
+    """From right before to right after each jump of a load, at an end of the window in which it acts."""
+    every = np.arange(bunch.samples)
+    parts = []
+    for name in bunch.run.compiled.graph.actions.windows:
+        owner, a, b = spans(bunch, name).flat()
+        who = np.concatenate([owner, owner, every, every])
+        t = np.concatenate([a, b, np.full(bunch.samples, bunch.start), bunch.stop])
+        for share in ASIDE:
+            aside = share * bunch.length[who]
+            before, after = np.maximum(t - aside, bunch.start), np.minimum(t + aside, bunch.stop[who])
+            left, right = (bunch.values(f"window/{name}", who, side) for side in (before, after))
+            differ = left != right
+            parts.append((who[differ], before[differ], after[differ]))
+            who, t = who[~differ], t[~differ]
+    who, before, after = (np.concatenate(part) for part in zip(*parts, strict=True))
+    order = np.lexsort((before, who))
+    return _packed(who[order], before[order], after[order], bunch.samples)
+
+
+def without(some: Spans, gaps: Spans) -> Spans:
+    """Intervals less the gaps in them."""
+    samples = len(some.low)
+    owner, a, b = some.flat()
+    who, before, after = gaps.flat()
+    which, low, high = np.arange(owner.size), a, b
+    for own, span in each(owner, who, samples):
+        own, span = (part[(after[own] > a[span]) & (before[own] < b[span])] for part in (own, span))
+        which, low, high = (
+            np.append(whole, part)
+            for whole, part in (
+                (which, span),
+                (low, np.minimum(after[own], b[span])),
+                (high, np.maximum(before[own], a[span])),
+            )
+        )
+    # The parts of an interval begin at its start and behind each gap, and end before each gap and at its end.
+    starts, ends = np.lexsort((low, which)), np.lexsort((high, which))
+    whose, low, high = owner[which[starts]], low[starts], high[ends]
+    left = low < high
+    return _packed(whose[left], low[left], high[left], samples)
+
+
+def each(owner: Who, who: Who, samples: int) -> Iterator[tuple[Who, Who]]:
+    """Pairs of things of samples ``who`` with the intervals of these (``owner``, ascending), as indices into both:
+    those with the first interval of a sample, then with the second, and so on."""
+    counts = np.bincount(owner, minlength=samples)
+    first = np.cumsum(counts) - counts
+    for k in range(int(counts.max(initial=0)) if who.size else 0):
+        some = np.flatnonzero(counts[who] > k)
+        yield some, first[who[some]] + k
 
 
 def spans(bunch: Bunch, name: str | None) -> Spans:

@@ -6,8 +6,8 @@ needs. (A run of its own doubles its grid for itself; here two turning points of
 of the grid are missed.) Windows, jumps and corners follow each sample's own parameters.
 
 One sample after the other goes through a run of its own: ``dwell`` and ``straightness``; measures of instant centres;
-of forces, where loads act in windows only, and means of forces, where loads ask tables of straight lines; what the
-nominal run needs a very fine grid for; and all measures of samples that turn too fast for the grid.
+means of forces, where loads ask tables of straight lines; what the nominal run needs a very fine grid for; and all
+measures of samples that turn too fast for the grid.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from linkwright.model.mechanism import Measure
 from linkwright.results import Run
 from linkwright.results.breaks import kinks
 from linkwright.results.bunch import Bunch, What
-from linkwright.results.spans import spans
+from linkwright.results.spans import Windows
 from linkwright.results.stationary import fineness
 from linkwright.studies.means import CLOSE, FIRST_PANELS, MOST_PANELS, corners, mean
 from linkwright.studies.measures import bound
@@ -65,6 +65,7 @@ class Measuring:
         self.kinks = kinks(run.compiled, varied.joins(run.compiled.parameters[:, None]))
         self.single = [name for name, measure in self.measures.items() if self._singly(name, measure)]
         self.steps = self._steps()
+        self.jumping = self._jumping()
         self.panels = self._panels()
 
     # What the nominal run tells.
@@ -95,9 +96,9 @@ class Measuring:
             return True
         if all(signal.kinematic for signal in signals):
             return False
-        actions, tables = self.graph.actions, self.run.compiled.tables
-        straight = any(tables[lookup.table].degree == 1 and not lookup.integral for lookup in actions.lookups)
-        return bool(actions.windows) or (straight and measure.reduction in POWERS)
+        tables, lookups = self.run.compiled.tables, self.graph.actions.lookups
+        straight = any(tables[lookup.table].degree == 1 and not lookup.integral for lookup in lookups)
+        return straight and measure.reduction in POWERS
 
     def _steps(self) -> int:
         """The steps of the grid; measures that the nominal run needs a finer one for go to the others."""
@@ -114,15 +115,22 @@ class Measuring:
                 steps.append(finest)
         return max(steps)
 
+    def _jumping(self) -> bool:
+        """Whether something may jump that is measured of all samples together: forces do where a load's window ends."""
+        shared = [tree for name in self.measures if name not in self.single for tree in self._of(name)]
+        forces = any(not self.graph.signal(text).kinematic for text in self.run.signals_of(shared))
+        return forces and bool(self.graph.actions.windows)
+
     def _panels(self) -> dict[str, int]:
         """The panels of each mean; measures that need too many go to the others."""
         found: dict[str, int] = {}
         nominal = self.run.compiled.parameters[:, None]
         bunch = Bunch(self.varied, self.run, nominal, self.steps, kernel=self.kernel)
+        windows = Windows(bunch, self.jumping)
         for name, measure in self.measures.items():
             if measure.reduction not in POWERS or name in self.single:
                 continue
-            where, places = spans(bunch, measure.window), corners(bunch, self.trees[name], self.kinks)
+            where, places = windows[measure.window], corners(bunch, self.trees[name], self.kinks)
             panels, last = FIRST_PANELS, np.full(1, np.inf)
             while panels <= MOST_PANELS:
                 now, size = mean(bunch, self.trees[name], where, POWERS[measure.reduction], panels, places)

@@ -11,7 +11,7 @@ from linkwright.model.expressions import Call, Node, nodes
 from linkwright.results.breaks import switches
 from linkwright.results.bunch import Bunch, What, Who
 from linkwright.results.quadrature import panel_points
-from linkwright.results.spans import Spans
+from linkwright.results.spans import Spans, each
 from linkwright.studies.peaks import turns
 
 Array = NDArray[np.float64]
@@ -62,10 +62,7 @@ def mean(bunch: Bunch, what: What, spans: Spans, power: int, panels: int, kinks:
 def _inside(owner: Who, a: Array, b: Array, kinks: Corners, samples: int) -> Iterator[tuple[Who, Array]]:
     """The corners inside spans, with their spans: those of each sample's first span, then of the second, and so on."""
     who, t = kinks
-    counts = np.bincount(owner, minlength=samples)
-    first = np.cumsum(counts) - counts
-    for k in range(int(counts.max(initial=0)) if who.size else 0):
-        some = counts[who] > k
-        span, at = first[who[some]] + k, t[some]
+    for some, span in each(owner, who, samples):
+        at = t[some]
         inner = (at > a[span]) & (at < b[span])
         yield span[inner], at[inner]

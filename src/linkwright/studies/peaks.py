@@ -30,14 +30,18 @@ class Figures:
     times: Array
 
 
-def peaks(bunch: Bunch, what: What, asks: Sequence[tuple[Spans, float]]) -> list[Figures]:
-    """The largest values of a curve in some spans, or with the sign -1 the smallest; NaN where it isn't finite.
+def peaks(bunch: Bunch, what: What, asks: Sequence[tuple[Spans, float]], gaps: Spans | None = None) -> list[Figures]:
+    """The largest values of a curve in some spans, or with the sign -1 the smallest; NaN where it isn't finite. It may
+    jump in ``gaps`` that the spans leave out.
 
     Only brackets that may hold the extreme are searched: where it is concave a curve stays below its tangents.
     """
     value, rate = bunch.on_grid(what)
     found = turns(bunch, value, rate)
     limits = {sign: _limit(bunch, found, value, rate, sign) for sign in {sign for _, sign in asks}}
+    if gaps is not None:
+        broken = gaps.touched(found.who, bunch.t[found.who, found.before], bunch.t[found.who, found.after])
+        limits = {sign: np.where(broken, np.inf, limit) for sign, limit in limits.items()}
     ends, inside = {}, {}
     for spans in {id(spans): spans for spans, _ in asks}.values():
         who, a, b = spans.flat()

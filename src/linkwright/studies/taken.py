@@ -15,7 +15,7 @@ from linkwright.model.mechanism import Measure
 from linkwright.model.places import figure
 from linkwright.results.alone import alone
 from linkwright.results.bunch import Bunch
-from linkwright.results.spans import Spans, spans
+from linkwright.results.spans import Windows, spans
 from linkwright.studies.feasible import SINGULAR, TOUCH
 from linkwright.studies.means import corners, mean
 from linkwright.studies.measures import measure_all
@@ -55,8 +55,8 @@ class Taken:
 
     def __init__(self, measuring: Measuring, bunch: Bunch) -> None:
         self.measuring, self.bunch = measuring, bunch
-        self.windows: dict[str | None, Spans] = {}
         bunch.watch(measuring.watched)
+        self.windows = Windows(bunch, measuring.jumping)
 
     def many(self) -> Many:
         """All of them."""
@@ -75,16 +75,10 @@ class Taken:
                 many.met[name] = self.verdict(name, asked.measures[name], found)
         return many
 
-    def window(self, name: str | None) -> Spans:
-        """The spans that a window means."""
-        if name not in self.windows:
-            self.windows[name] = spans(self.bunch, name)
-        return self.windows[name]
-
     def failed(self) -> Mask:
         """Which samples can't be assembled all along their run, or come to a singular pose."""
         bunch = self.bunch
-        whole = self.window(None)
+        whole = spans(bunch, None)
         failed = np.asarray(np.isnan(bunch.p).any(axis=0))
         for row in self.measuring.rows:
             value, _ = bunch.on_grid(row)
@@ -103,7 +97,8 @@ class Taken:
             asks.setdefault(tree, {})[window, sign] = None
         found: dict[tuple[Node, str | None, float], Figures] = {}
         for tree, places in asks.items():
-            figures = peaks(self.bunch, tree, [(self.window(window), sign) for window, sign in places])
+            asked = [(self.windows[window], sign) for window, sign in places]
+            figures = peaks(self.bunch, tree, asked, self.windows.gaps)
             found |= {(tree, *place): figure for place, figure in zip(places, figures, strict=True)}
         return found
 
@@ -153,7 +148,7 @@ class Taken:
 
     def placed(self, name: str, measure: Measure) -> Figures:
         """A value at the place that `where` names."""
-        trees, window = self.measuring.trees, self.window(measure.window)
+        trees, window = self.measuring.trees, self.windows[measure.window]
         if f"{name} where" in trees:
             times = self.extremes[trees[f"{name} where"], measure.window, _sign(measure)].times
         else:
@@ -165,7 +160,7 @@ class Taken:
 
     def integral(self, name: str, measure: Measure) -> Figures:
         """A mean or what follows from one."""
-        asked, bunch, window = self.measuring, self.bunch, self.window(measure.window)
+        asked, bunch, window = self.measuring, self.bunch, self.windows[measure.window]
         places = corners(bunch, asked.trees[name], asked.kinks)
         power, panels = POWERS[measure.reduction], asked.panels[name]
         values, _ = mean(bunch, asked.trees[name], window, power, panels, places)
