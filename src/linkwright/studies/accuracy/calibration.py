@@ -109,6 +109,7 @@ class _Weighted:
         return np.concatenate([j, np.eye(z.size)]) if self.prior else j
 
 
+@np.errstate(over="ignore", invalid="ignore")  # of measured values as large as numbers get
 def fit(
     model: Model,
     data: Measurements,
@@ -145,8 +146,7 @@ def _near(work: _Weighted, z: Array) -> Array:
     """A minimum by a trust region: it takes shorter steps where the mechanism can't be put together."""
     from scipy.optimize import least_squares
 
-    with np.errstate(over="ignore"):  # measured values as large as numbers get: what they give is told by its size
-        return np.asarray(least_squares(work.residuals, z, work.jacobian, ftol=1e-6, xtol=1e-6, max_nfev=200).x)
+    return np.asarray(least_squares(work.residuals, z, work.jacobian, ftol=1e-6, xtol=1e-6, max_nfev=200).x)
 
 
 def _estimate(work: _Weighted, z: Array, threshold: float) -> tuple[Array, float]:
