@@ -13,7 +13,7 @@ of another radius.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 from linkwright.graph.cams import Seat, followings, seat, sense, slant, whole
@@ -29,8 +29,9 @@ from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet, Pair, Scalar, Vec
 from linkwright.notation.jets import call, is_zero
 
-STEPS = 4
-"""Newton's steps from the angle of the cam: deviations are small, and each step squares what is left."""
+ORDERS = (0, 0, 0, 1, 3)
+"""The orders of Newton's steps from the angle of the cam. Deviations are small, and each step squares what is left; of
+derivatives it doubles the number that are right."""
 
 
 def cut(compiled: Compiled) -> Compiled:
@@ -103,48 +104,66 @@ class _Cut:
 
     def rolled(self, plan: Seat, pose: _Pose) -> Jet:
         """With a roller or an edge: its centre on the parallel to the cut pitch curve."""
-        here, at, forward = pose.here, pose.at, self.forward
-        more, start, right = here.roller - plan.roller, at, Pair(here.way.y, -here.way.x)
+        here, motion, forward = pose.here, pose.motion, self.forward
+        more, right = here.roller - plan.roller, Pair(here.way.y, -here.way.x)
         pivot = pose.from_cam(here.pivot)
-        for step in range(STEPS + 1):
-            centre, way, bend = self.centre(pose.motion, plan, at)
+
+        def spun(vector: Vec, at: Jet) -> Vec:
+            """From the pose in which the law is asked at an angle to that of the cam."""
+            return _turned(vector, pose.turned - forward * (at - pose.phase))
+
+        def place(at: Jet, centre: Vec, way: Vec) -> Vec:
             across = centre.plus(way.perp.times(forward))
-            parallel = centre.plus(across.times(more / across.dot(across).sqrt()))
+            return spun(centre.plus(across.times(more / across.dot(across).sqrt())), at)
+
+        def step(at: Jet) -> Jet:
+            centre, way = self.centre(motion, plan, at)
             past = way.minus(centre.perp.times(forward))
             if not is_zero(more):
-                bent = bend.minus(way.perp.times(2 * forward)).minus(centre)
+                bent = self.bend(motion, plan, at).minus(way.perp.times(2 * forward)).minus(centre)
                 size = past.dot(past)
                 past = past.times(1.0 - (forward * more) * past.cross(bent) / (size * size.sqrt()))
-            spin = pose.turned - forward * (at - pose.phase)
-            point, past = _turned(parallel, spin), _turned(past, spin)
-            if step == STEPS:
-                break
+            point, past = place(at, centre, way), spun(past, at)
             if here.turns:
                 arm = point.minus(pivot)
-                at = at - (arm.dot(arm) - here.reach * here.reach) / (2 * arm.dot(past))
-            else:
-                at = at - (_along(point.plus(pose.centre), right) - here.aside) / _along(past, right)
+                off: Jet = (arm.dot(arm) - here.reach * here.reach) / (2 * arm.dot(past))
+                return off
+            aside: Jet = (_along(point.plus(pose.centre), right) - here.aside) / _along(past, right)
+            return aside
+
+        at = _solved(step, pose.at)
+        point = place(at, *self.centre(motion, plan, at))
         if not here.turns:
             height: Jet = here.sign * _along(point.plus(pose.centre), here.way) + here.offset
             return height
-        angle = here.home + here.sign * (here.start + pose.motion.on(start))
+        angle = here.home + here.sign * (here.start + motion.on(pose.at))
         meant, arm = Vec(angle.cos(), angle.sin()), point.minus(pivot)
         beyond: Jet = meant.cross(arm).arctan2(meant.dot(arm))
         found: Jet = beyond + angle + (here.offset - here.home)
         return found
 
-    def centre(self, motion: Motion, plan: Seat, at: Jet) -> tuple[Vec, Vec, Vec]:
-        """The roller's centre from the shaft as planned, in the carrier, and its derivatives by the law's angle."""
-        lift, slope, bend = motion.on(at) + plan.start, motion.on(at, 1), motion.on(at, 2)
+    def centre(self, motion: Motion, plan: Seat, at: Jet) -> tuple[Vec, Vec]:
+        """The roller's centre from the shaft as planned, in the carrier, and its derivative by the law's angle."""
+        lift, slope = motion.on(at) + plan.start, motion.on(at, 1)
         if not plan.turns:
             right = Pair(plan.way.y, -plan.way.x)
             aside = _vector(Pair(plan.aside * right.x, plan.aside * right.y), at)
-            along = [Vec(part * plan.way.x, part * plan.way.y) for part in (lift, slope, bend)]
-            return along[0].plus(aside), along[1], along[2]
+            return Vec(lift * plan.way.x, lift * plan.way.y).plus(aside), Vec(slope * plan.way.x, slope * plan.way.y)
+        arm = self.arm(plan, lift)
+        return _vector(plan.pivot.minus(plan.shaft), at).plus(arm), arm.perp.times(plan.sign * slope)
+
+    def bend(self, motion: Motion, plan: Seat, at: Jet) -> Vec:
+        """The second derivative of the roller's centre."""
+        slope, bend = motion.on(at, 1), motion.on(at, 2)
+        if not plan.turns:
+            return Vec(bend * plan.way.x, bend * plan.way.y)
+        arm = self.arm(plan, motion.on(at) + plan.start)
+        return arm.perp.times(plan.sign * bend).minus(arm.times(slope * slope))
+
+    def arm(self, plan: Seat, lift: Jet) -> Vec:
+        """From a swinging follower's pivot to its roller."""
         angle = plan.home + plan.sign * lift
-        arm = Vec(angle.cos(), angle.sin()).times(plan.reach)
-        bent = arm.perp.times(plan.sign * bend).minus(arm.times(slope * slope))
-        return _vector(plan.pivot.minus(plan.shaft), at).plus(arm), arm.perp.times(plan.sign * slope), bent
+        return Vec(angle.cos(), angle.sin()).times(plan.reach)
 
     def flat(self, plan: Seat, pose: _Pose) -> Jet:
         """With a sliding flat face: the tangent of the profile in the face's direction."""
@@ -158,18 +177,23 @@ class _Cut:
 
     def faced(self, plan: Seat, pose: _Pose) -> Jet:
         """With a swinging flat face: a tangent of the profile, by its distance from the shaft over its direction."""
-        here, at = pose.here, pose.at
-        away, planned = pose.from_cam(here.pivot), _vector(plan.pivot.minus(plan.shaft), at)
-        for step in range(STEPS + 1):
-            swing = plan.home + plan.sign * (plan.start + pose.motion.on(at))
-            rate = plan.sign * pose.motion.on(at, 1)
-            angle = swing + pose.turned - self.forward * (at - pose.phase)
-            if step == STEPS:
-                break
-            height, slope = self.distance(planned, plan, swing)
-            own, tilt = self.distance(away, here, angle)
-            at = at - (own - height) / (tilt * (rate - self.forward) - slope * rate)
-        found: Jet = angle + (here.offset - here.home)
+        here, motion = pose.here, pose.motion
+        away, planned = pose.from_cam(here.pivot), _vector(plan.pivot.minus(plan.shaft), pose.at)
+
+        def swing(at: Jet) -> tuple[Jet, Jet]:
+            """The face's angle as planned, and its own."""
+            angle = plan.home + plan.sign * (plan.start + motion.on(at))
+            return angle, angle + pose.turned - self.forward * (at - pose.phase)
+
+        def step(at: Jet) -> Jet:
+            rate = plan.sign * motion.on(at, 1)
+            (height, slope), (own, tilt) = (
+                self.distance(pivot, seat, angle)
+                for pivot, seat, angle in zip((planned, away), (plan, here), swing(at), strict=True)
+            )
+            return (own - height) / (tilt * (rate - self.forward) - slope * rate)
+
+        found: Jet = swing(_solved(step, pose.at))[1] + (here.offset - here.home)
         return found
 
     def distance(self, pivot: Vec, seat: Seat, angle: Jet) -> tuple[Jet, Jet]:
@@ -188,6 +212,15 @@ def _plays(quantities: Quantities, drive: Following) -> Iterator[str]:
         yield from (f"{pin.name}/{link}/{axis}" for link, point in at if (link, point) in pin.members for axis in "xy")
     if drive.joint is not None:
         yield from (f"{drive.joint}/normal", f"{drive.joint}/tilt")
+
+
+def _solved(step: Callable[[Jet], Jet], guess: Jet) -> Jet:
+    """The root to which Newton's steps lead, with all its derivatives."""
+    at = Jet(guess.d[:1])
+    for order in ORDERS:
+        at = Jet([*at.d, *guess.d[len(at.d) : order + 1]])
+        at = at - step(at)
+    return at
 
 
 def _along(vector: Vec, axis: Pair | Vec) -> Jet:

@@ -162,7 +162,7 @@ class Varied:
             out = np.empty((len(kernel.program.outputs), samples, times))
         used = kernel.program.used[0]
         if t.ndim == 1 and not self._own(used):
-            kernel.over(self._drives(p, t), p, out)
+            kernel.over(self._drives(p, t, used=used), p, out)
         else:
             self._gather(p, used, kernel.name)
             for some in _chunks(samples, times):
@@ -179,20 +179,25 @@ class Varied:
     def inputs(self, p: Array, t: Array, used: frozenset[int], kernel: str) -> Array:
         """The per-pose inputs at times ``t`` (times,) or (samples, times), as far as they are ``used``: (inputs,
         samples, times)."""
-        x = self._drives(p, t, (p.shape[1], t.shape[-1]))
         first = len(self.graph.motion_inputs)
-        actions = any(row >= first for row in used)
-        if (pursued := self._pursuer(used, kernel)) is not None:
+        actions, pursued = any(row >= first for row in used), self._pursuer(used, kernel)
+        x = self._drives(p, t, (p.shape[1], t.shape[-1]), None if actions or pursued else used)
+        if pursued is not None:
             x[pursued.rows] = pursued.coordinates(x, p, t)
         if actions:
             self._supply(x, p, t, kernel)
         return x
 
-    def _drives(self, p: Array, t: Array, shape: tuple[int, ...] | None = None) -> Array:
-        """The inputs with the drives' values and rates and the branches alone: (inputs, *shape)."""
+    def _drives(
+        self, p: Array, t: Array, shape: tuple[int, ...] | None = None, used: frozenset[int] | None = None
+    ) -> Array:
+        """The inputs with the drives' values and rates and the branches alone: (inputs, *shape); of the drives all, or
+        those alone of which rows are ``used``."""
         x = np.full((len(self.graph.inputs), *(shape or t.shape)), np.nan)
         nominal, width = self.compiled.quantities.parameters, self.graph.width
         for i, drive in enumerate(self.graph.drives):
+            if used is not None and used.isdisjoint(range(i * width, (i + 1) * width)):
+                continue
             law = self.compiled.laws[drive]
             given: dict[str, float | Array] = {name: nominal[name] for name in law.names - self.varying}
             given |= {name: p[self.row[name], :, None] for name in law.names & self.varying}
