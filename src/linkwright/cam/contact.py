@@ -79,7 +79,7 @@ def reach(look: Look) -> Jet:
 
 def on_face(disc: Disc) -> Figure:
     """Where on a flat face the cam touches it (m): of a swinging one from the foot of its pivot's perpendicular towards
-    its free end, of a sliding one from the line of the slide's way through the shaft."""
+    its free end, of a sliding one from the slide's way through the shaft to the left of it."""
     pivot = getattr(disc.follower, "distance", 0.0)
     return lambda look: dot((look.centre[0] - pivot, look.centre[1]), (-look.along[1], look.along[0]))
 

@@ -149,7 +149,14 @@ def _follower(
     shapes, circles = [], []
     places = [tuple(float(v) for v in plane.at(*(ride.centre[:, 0] / size))) for ride in rides]
     for ride, (cx, cy) in zip(rides, places, strict=True):
-        if follower.faced:
+        if follower.faced and follower.turns:
+            normal = np.array(ride.normal)
+            foot = np.array(pivot) + (ride.centre[:, 0] - pivot) @ normal * normal
+            along = ride.centre[:, 0] - foot
+            end = ride.centre[:, 0] + 0.5 * follower.base * along / np.hypot(*along)
+            (fx, fy), (ex, ey) = (tuple(float(v) for v in plane.at(*(place / size))) for place in (foot, end))
+            shapes.append(f"M{px:.2f} {py:.2f}L{fx:.2f} {fy:.2f}L{ex:.2f} {ey:.2f}")
+        elif follower.faced:
             tx, ty = -ride.normal[1], ride.normal[0]
             reach = 0.8 * follower.base * scale
             shapes.append(f"M{cx - reach * tx:.2f} {cy + reach * ty:.2f}L{cx + reach * tx:.2f} {cy - reach * ty:.2f}")

@@ -275,3 +275,23 @@ def test_a_key_wrong_in_form_hides_no_other() -> None:
     data = heat_seal(**sound)
     data["studies"]["cam"]["cam"] = 3  # of which cam should it be true?
     assert {one.path[2] for one in findings(data)} == {"cam"}
+
+
+@pytest.mark.parametrize(("guide", "sense"), [("sliding", 1), ("sliding", -1), ("swinging", 1)])
+def test_between_which_places_a_face_is_touched(guide: str, sense: int) -> None:
+    """In closed form: on a slide s' to the right of the shaft's line where the cam turns counter-clockwise."""
+    data = pair(guide, "face", sense=sense) | {"studies": {"cam": {}}}
+    outcome = study(data)
+    found = {figure.name: figure for figure in outcome.figures}
+    look = outcome.disc.look(np.linspace(0, TURN, 7201))
+    if guide == "sliding":
+        place = sense * np.broadcast_to(look.lift.d[1], look.theta.shape) * -1.0
+    else:
+        follower: Any = outcome.disc.follower
+        psi = follower.start + look.lift.d[0]
+        place = follower.distance * np.cos(psi) / (1 + outcome.disc.sense * look.lift.d[1])
+    assert found["face_near"].value == pytest.approx(place.min(), abs=1e-7)
+    assert found["face_far"].value == pytest.approx(place.max(), abs=1e-7)
+    data["studies"]["cam"]["require"] = {"face_far": "<= 1 m", "pitch_radius_min": ">= 1 mm"}
+    (finding,) = findings(data)
+    assert (finding.code, finding.path[-1]) == ("cam.no-figure", "pitch_radius_min")

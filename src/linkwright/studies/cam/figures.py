@@ -16,8 +16,12 @@ FIGURES = {
     "pressure_angle_max": u.ANGLE,
     "radius_min": u.LENGTH,
     "radius_max": u.LENGTH,
+    "face_near": u.LENGTH,
+    "face_far": u.LENGTH,
 }
 """Those of a disc; what it doesn't have is left out."""
+OF_FACE, OF_ROLLER = {"face_near", "face_far"}, {"pitch_radius_min", "hollow_radius_min"}
+"""Those that only a flat face, and that only a roller or an edge may have."""
 SECOND = "second_"
 """What the names begin with that are of the second disc."""
 

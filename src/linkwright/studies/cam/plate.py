@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.cam.checks import Check
+from linkwright.cam.contact import on_face
 from linkwright.cam.disc import TURN, Disc, Look
 from linkwright.cam.extremes import Extreme, extremes
 from linkwright.cam.nc.path import Element
@@ -126,6 +127,14 @@ class Plate:
 
         return extremes(self.disc, away)
 
+    @cached_property
+    def face(self) -> tuple[Extreme, Extreme]:
+        """Between which places a flat face is touched (m), as :func:`linkwright.cam.contact.on_face` counts them."""
+        near, far = extremes(self.disc, on_face(self.disc))
+        if self.disc.follower.turns or self.frame.mirror > 0:
+            return near, far
+        return Extreme(-far.value, far.theta), Extreme(-near.value, near.theta)
+
     def figures(self) -> Iterator[tuple[str, Extreme]]:
         """The figures that it has, by name; those of the checks have been found there."""
         by = {check.name: check for check in self.checks}
@@ -140,6 +149,8 @@ class Plate:
             if check is not None:
                 yield self.prefix + name, Extreme(check.value, check.theta)
         yield from zip((f"{self.prefix}radius_min", f"{self.prefix}radius_max"), self.extents, strict=True)
+        if self.disc.follower.faced:
+            yield from zip((f"{self.prefix}face_near", f"{self.prefix}face_far"), self.face, strict=True)
 
     def _steepest(self) -> Check | None:
         """The larger of the pressure angles on the rise and on the return."""

@@ -21,7 +21,7 @@ from linkwright.model.fields import Expression
 from linkwright.model.findings import Finding, Term
 from linkwright.model.quantities import LARGEST
 from linkwright.model.unknown import unknown
-from linkwright.studies.cam.figures import FIGURES, Range, closed_by, every
+from linkwright.studies.cam.figures import FIGURES, OF_FACE, OF_ROLLER, SECOND, Range, closed_by, every
 from linkwright.studies.cam.force_numbers import Asked, given, known, read
 from linkwright.studies.cam.milled import as_finding
 from linkwright.studies.cam.options import PATH, CamNc, CamOptions
@@ -229,6 +229,8 @@ class Reader:
         figures = every(turns) | known(self.disc)
         there = FIGURES.keys() | closed_by(self.closed, turns)
         there |= given(self.compiled, self.name, self.disc, self.options.forces)
+        absent = OF_ROLLER if self.disc.follower.faced else OF_FACE
+        there -= absent | {SECOND + name for name in absent}
         for name, requirement in self.options.require.items():
             if name not in figures:
                 self.findings.append(unknown("measure", (*PATH, "require", name), name, figures))

@@ -78,7 +78,8 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
     "cam.no-figure": (
         "{name} isn't among this study's figures.",
         "Add forces, with width for the Hertz pressure and spring where the follower is closed by form; only a roller "
-        "has a speed, and only closed: conjugate or yoke has a second contact, a span or a play.",
+        "has a speed, only a flat face has face_near and face_far and never a pitch curve or a hollow, and only closed: "
+        "conjugate or yoke has a second contact, a span or a play.",
     ),
     "cam.load-name": (
         "'{name}' is a parameter, and in a cam's load also the cam's {name}.",
