@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import math
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -93,19 +94,28 @@ def test_both_flanks_are_offsets_of_the_pitch_curve(by: float) -> None:
     assert shapely.distance(drawn.exterior, places).max() < 1e-6
 
 
-def test_the_solid_read_back() -> None:
-    """Volume against the exact area, to 1e-6, at a tolerance of 1e-5 mm; the contour within it; one valid solid."""
-    b = pytest.importorskip("build123d")
-    blank = Blank(12.0, bore=10.0, hub=18.0, height=8.0, key_width=6.0, key_depth=2.8, key_angle=0.3)
-    text = step(solid(contour(DISC, 1e-8), blank))
-    import tempfile
-    from pathlib import Path
-
-    with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "cam.step").write_bytes(text)
-        read = b.import_step(str(Path(folder) / "cam.step"))
-    (found,) = read.solids()
+def read_back(text: bytes, folder: Path) -> Any:
+    """The one valid solid of a STEP file."""
+    (folder / "cam.step").write_bytes(text)
+    (found,) = pytest.importorskip("build123d").import_step(str(folder / "cam.step")).solids()
     assert found.is_valid
+    return found
+
+
+def test_a_groove_in_a_plate_read_back(tmp_path: Path) -> None:
+    """Volume against the exact areas; the floor of the groove lies between its flanks, at its depth below the face."""
+    blank = Blank(20.0, bore=10.0, hub=15.0, height=6.0, radius=100.0, groove=9.0)
+    found = read_back(step(solid(contour(DISC, 1e-6), blank, contour(DISC, 1e-6, 0.02))), tmp_path)
+    inner, outer = (1e6 * area(DISC, by) for by in (-0.02, 0.02))
+    assert found.volume == pytest.approx(blank.volume(inner, outer), rel=1e-5)
+    (floor,) = [face for face in found.faces() if abs(face.center().Z - 11.0) < 1e-6 and abs(face.normal_at().Z) > 0.99]
+    assert floor.area == pytest.approx(outer - inner, rel=1e-4)
+
+
+def test_the_solid_read_back(tmp_path: Path) -> None:
+    """Volume against the exact area, to 1e-6, at a tolerance of 1e-5 mm; the contour within it; one valid solid."""
+    blank = Blank(12.0, bore=10.0, hub=18.0, height=8.0, key_width=6.0, key_depth=2.8, key_angle=0.3)
+    found = read_back(step(solid(contour(DISC, 1e-8), blank)), tmp_path)
     assert found.volume == pytest.approx(blank.volume(1e6 * area(DISC)), rel=1e-6)
     bottom = min(found.faces(), key=lambda face: face.center().Z)
     places = [p for edge in bottom.outer_wire().edges() for p in (edge @ 0.0, edge @ 0.3, edge @ 0.8)]

@@ -17,7 +17,8 @@ from linkwright.model.machine import needed
 class Blank:
     """All in mm. The plate reaches from z = 0 to ``thickness``; the hub, of radius ``hub``, on beyond it to ``height``
     above the plate. The keyway is ``key_width`` wide and reaches ``key_depth`` beyond the bore, in the direction
-    ``key_angle`` (rad) of the cam's frame. 0 is for what there isn't."""
+    ``key_angle`` (rad) of the cam's frame. A ``groove`` is so deep, on the side of the hub, in a plate of the radius
+    ``radius``. 0 is for what there isn't."""
 
     thickness: float
     bore: float = 0.0
@@ -26,6 +27,8 @@ class Blank:
     key_width: float = 0.0
     key_depth: float = 0.0
     key_angle: float = 0.0
+    radius: float = 0.0
+    groove: float = 0.0
 
     @property
     def hollow(self) -> float:
@@ -39,19 +42,29 @@ class Blank:
         sector = self.bore**2 * math.asin(half / self.bore)
         return math.pi * self.bore**2 + self.key_width * reach - (half * corner + sector)
 
-    def volume(self, area: float) -> float:
-        """The volume (mm3) of a cam whose profile has an area (mm2) and holds the hub."""
-        return (area - self.hollow) * self.thickness + (math.pi * self.hub**2 - self.hollow) * self.height * bool(
-            self.hub
-        )
+    def volume(self, area: float, outer: float | None = None) -> float:
+        """The volume (mm3) of a cam whose profile has an area (mm2) and holds the hub; of a groove cam with that within
+        the ``outer`` flank."""
+        hub = (math.pi * self.hub**2 - self.hollow) * self.height * bool(self.hub)
+        if outer is None:
+            return (area - self.hollow) * self.thickness + hub
+        return (math.pi * self.radius**2 - self.hollow) * self.thickness - (outer - area) * self.groove + hub
 
 
-def solid(elements: Sequence[Element], blank: Blank) -> Any:
-    """The solid (a build123d ``Part``) within a closed contour. Raises ModelError where build123d isn't installed."""
+def solid(elements: Sequence[Element], blank: Blank, outer: Sequence[Element] = ()) -> Any:
+    """The solid (a build123d ``Part``) within a closed contour, or with a groove from there to an ``outer`` one. Raises
+    ModelError where build123d isn't installed."""
     b = needed("build123d", "cad")
-    edges = [_edge(b, element) for element in elements]
-    made = b.extrude(b.make_face(b.Wire(edges)), amount=blank.thickness, dir=(0, 0, 1))
+
+    def plate(elements: Sequence[Element], thick: float) -> Any:
+        return b.extrude(b.make_face(b.Wire([_edge(b, element) for element in elements])), thick, dir=(0, 0, 1))
+
     high = blank.thickness
+    if outer:
+        slot = plate(outer, blank.groove) - plate(elements, blank.groove)
+        made = b.extrude(b.Circle(blank.radius), amount=high) - b.Pos(0, 0, high - blank.groove) * slot
+    else:
+        made = plate(elements, high)
     if blank.hub and blank.height:
         made += b.Pos(0, 0, high) * b.extrude(b.Circle(blank.hub), amount=blank.height)
         high += blank.height

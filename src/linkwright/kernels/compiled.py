@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +34,7 @@ from linkwright.model.spelled import Spelled, spell_out
 from linkwright.structure import Cluster, Group, Structure, Topology, decompose
 
 Array = NDArray[np.float64]
+Made = TypeVar("Made")
 
 
 @dataclass
@@ -52,11 +54,19 @@ class Compiled:
     folder: Path | None = None  # where the files of its tables lie
     _kernels: dict[tuple[tuple[str, ...], bool], Kernel] = field(default_factory=dict)
     _nodes: dict[tuple[Passage, tuple[str, ...], bool], Array] = field(default_factory=dict, init=False)
+    _kept: dict[object, Any] = field(default_factory=dict, init=False)
 
     def __post_init__(self) -> None:
         self.graph = Graph(self.quantities, self.structure)
         self.parameters = np.array([self.quantities.parameters[name] for name in self.graph.parameters])
         self._supplied()
+
+    def kept(self, key: object, make: Callable[[], Made]) -> Made:
+        """What others derive of it, made once for a key."""
+        if key not in self._kept:
+            self._kept[key] = make()
+        made: Made = self._kept[key]
+        return made
 
     def _supplied(self) -> None:
         """What follows the motion to give inputs of the program, at the start of it."""

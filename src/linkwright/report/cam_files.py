@@ -73,6 +73,8 @@ def cam_dxf(outcome: CamOutcome) -> str | None:
         circles["BORE"] = [(0.0, 0.0, blank.bore)]
     if blank is not None and blank.hub:
         circles["HUB"] = [(0.0, 0.0, blank.hub)]
+    if blank is not None and blank.radius:
+        circles["PLATE"] = [(0.0, 0.0, blank.radius)]
     layers: dict[str, Sequence[Element]] = {}
     curves: dict[str, Sequence[Spline]] = {}
     for plate in made:
@@ -85,9 +87,9 @@ def cam_dxf(outcome: CamOutcome) -> str | None:
 def cam_step(outcome: CamOutcome, plate: Plate) -> bytes | None:
     """The solid in mm; nothing where build123d isn't installed, or no blank is stated."""
     blank = outcome.stated.blank
-    if blank is None or not plate.made or not plate.fits or find_spec("build123d") is None:
+    if blank is None or plate.volume is None or not plate.fits or find_spec("build123d") is None:
         return None
-    return step(solid(plate.contour, blank))
+    return step(solid(plate.contour, blank, plate.flank))
 
 
 def motion_text(outcome: CamOutcome) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from typing import Any
 
 import pytest
@@ -32,6 +33,30 @@ def test_a_groove_and_what_is_written_of_it() -> None:
     assert error.count("<polyline") >= 4
     assert "(slot, ramp" in str(FILES["cam_fanuc.nc"](job.cam))
     assert FILES["cam_siemens.mpf"](job.cam) is None
+
+
+@pytest.mark.parametrize(
+    ("closed", "blank", "code"),
+    [
+        ("groove", {}, "cam.groove-blank"),
+        ("force", {"radius": 100, "groove": 8}, "cam.groove-blank"),
+        ("groove", {"radius": 100, "groove": 12}, "cam.groove-deep"),
+        ("groove", {"radius": 100}, "cam.together"),
+    ],
+)
+def test_plates_that_hold_no_groove(closed: str, blank: dict[str, Any], code: str) -> None:
+    found = findings(heat_seal({"closed": closed}, blank={"thickness": 12, **blank}))
+    assert [finding.code for finding in found] == [code]
+
+
+def test_the_plate_around_a_groove() -> None:
+    """Its outer flank reaches to 95.852 mm, a roller's diameter beyond the profile's 55.852 mm."""
+    for radius, codes in ((95.8, ["cam.plate"]), (95.9, [])):
+        outcome = performed(heat_seal(GROOVE, blank={"thickness": 12, "radius": radius, "groove": 8})).cam
+        assert outcome is not None and [finding.code for finding in outcome.failures] == codes
+        assert (FILES["cam.step"](outcome) is None) == bool(codes)
+    slot = outcome.first.outer_area - outcome.area
+    assert outcome.first.volume == pytest.approx(0.012 * math.pi * radius**2 * 1e-6 - 0.008 * slot, rel=1e-12)
 
 
 @pytest.mark.parametrize(

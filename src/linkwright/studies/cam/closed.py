@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from linkwright.cam.closing import Closing, groove, yoke
 from linkwright.cam.disc import Disc
+from linkwright.cam.pairs import disc as disc_of
 from linkwright.cam.pairs import second
 from linkwright.kernels import Compiled
 
@@ -18,6 +19,11 @@ CLOSINGS: dict[str, Callable[[Compiled, str, Disc], Closing | None]] = {
 """By the word of the file; ``None`` for a force."""
 
 
-def closing(compiled: Compiled, name: str, disc: Disc) -> Closing | None:
-    """What keeps the follower of a cam on."""
-    return CLOSINGS[compiled.mechanism.cams[name].closed](compiled, name, disc)
+def held(compiled: Compiled, name: str) -> tuple[Disc, Closing | None]:
+    """A cam and what keeps its follower on, made once: the check of a study and its run look for the same extremes."""
+
+    def made() -> tuple[Disc, Closing | None]:
+        disc = disc_of(compiled, name)
+        return disc, CLOSINGS[compiled.mechanism.cams[name].closed](compiled, name, disc)
+
+    return compiled.kept((held, name), made)

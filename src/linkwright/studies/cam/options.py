@@ -71,10 +71,12 @@ class CamBlank(Frozen):
     key_width: Expression | None = Field(None, description="width of the keyway; with key_depth and bore")
     key_depth: Expression | None = Field(None, description="how far the keyway reaches beyond the bore")
     key_angle: Expression = Field(Expression(0), description="direction of the keyway in the cam's own frame")
+    radius: Expression | None = Field(None, description="of the plate that a groove is milled into; with groove")
+    groove: Expression | None = Field(None, description="depth of the groove")
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
-        for some in (("hub", "height"), ("key_width", "key_depth")):
+        for some in (("hub", "height"), ("key_width", "key_depth"), ("radius", "groove")):
             if sum(key in given for key in some) == 1:
                 yield "cam.together", {"keys": ", ".join(some)}
         if "key_width" in given and "bore" not in given:

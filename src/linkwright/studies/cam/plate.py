@@ -31,10 +31,11 @@ class Plate:
     """A disc and what is made of it; SI, but for what the machine tool gets (mm).
 
     ``elements`` is the contour in the disc's axes, which ``frame`` puts into the link's, ``outer`` the other flank of a
-    groove, ``curves`` both as splines where these are asked for, ``area`` (m2) that within the profile; all are missing
-    where there is no profile. ``smallest`` is the base circle (m) that ``size`` asks for, ``None`` where none keeps the
-    limits. ``path`` is where the file states it, ``second`` whether it is the second one of a pair, ``steps`` those of
-    its turn in tables and charts; ``fits`` whether bore and hub lie within the profile.
+    groove, ``curves`` both as splines where these are asked for, ``area`` (m2) that within the profile, ``outer_area``
+    that within the outer flank; all are missing where there is no profile. ``smallest`` is the base circle (m) that
+    ``size`` asks for, ``None`` where none keeps the limits. ``path`` is where the file states it, ``second`` whether it
+    is the second one of a pair, ``steps`` those of its turn in tables and charts; ``fits`` whether bore and hub lie
+    within the profile, and a groove within its plate.
     """
 
     disc: Disc
@@ -49,6 +50,7 @@ class Plate:
     outer: list[Element] = field(default_factory=list)
     curves: list[list[Spline]] = field(default_factory=list)
     area: float = math.nan
+    outer_area: float | None = None
     fits: bool = True
     milled: list[Milled] = field(default_factory=list)
 
@@ -61,7 +63,9 @@ class Plate:
     def volume(self) -> float | None:
         """Of the solid (m3), from the exact area."""
         blank = self.stated.blank
-        return None if blank is None or not self.made else 1e-9 * blank.volume(1e6 * self.area)
+        if blank is None or not self.made or (blank.groove and self.outer_area is None):
+            return None
+        return 1e-9 * blank.volume(1e6 * self.area, None if self.outer_area is None else 1e6 * self.outer_area)
 
     @property
     def prefix(self) -> str:
@@ -120,9 +124,16 @@ class Plate:
     @cached_property
     def extents(self) -> tuple[Extreme, Extreme]:
         """The least and the largest distance of the profile from the cam's centre (m)."""
+        return self._away(-self.disc.follower.radius)
 
+    @cached_property
+    def outer_extents(self) -> tuple[Extreme, Extreme]:
+        """The same of the outer flank of a groove."""
+        return self._away(self.disc.follower.radius)
+
+    def _away(self, offset: float) -> tuple[Extreme, Extreme]:
         def away(look: Look) -> Jet:
-            x, y = (p - self.disc.follower.radius * n for p, n in zip(look.pitch, look.normal, strict=True))
+            x, y = (p + offset * n for p, n in zip(look.pitch, look.normal, strict=True))
             return (x * x + y * y).sqrt()
 
         return extremes(self.disc, away)

@@ -156,7 +156,7 @@ class Reader:
         if b is None:
             return None
 
-        keys = ("thickness", "bore", "hub", "height", "key_width", "key_depth")
+        keys = ("thickness", "bore", "hub", "height", "key_width", "key_depth", "radius", "groove")
         stated = {key: of for key in keys if (of := getattr(b, key)) is not None}
         lengths = {key: MM * self._number(of, u.LENGTH, "blank", key) for key, of in stated.items()}
         turned = self._number(b.key_angle, u.ANGLE, "blank", "key_angle", least=None)
@@ -165,6 +165,10 @@ class Reader:
             self.findings.append(Finding("cam.keyway", (*PATH, "blank", "key_width")))
         elif made.hub and made.hub <= made.bore + made.key_depth:
             self.findings.append(Finding("cam.hub", (*PATH, "blank", "hub")))
+        if (self.closed == "groove") != ("groove" in stated):
+            self.findings.append(Finding("cam.groove-blank", (*PATH, "blank"), {"closed": self.closed}))
+        elif made.groove >= made.thickness:
+            self.findings.append(Finding("cam.groove-deep", (*PATH, "blank", "groove")))
         return made
 
     def _job(self) -> Job | None:

@@ -11,15 +11,15 @@ from linkwright.cam.closing import Conjugate
 from linkwright.cam.contour import area, contour
 from linkwright.cam.disc import Disc
 from linkwright.cam.nc.path import Sharp
-from linkwright.cam.pairs import disc as disc_of
 from linkwright.cam.pairs import frame
 from linkwright.cam.sizing import feasible, resized, smallest
+from linkwright.cam.solid import Blank
 from linkwright.cam.splines import splines
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.findings import Finding, Term
 from linkwright.model.unknown import unknown
-from linkwright.studies.cam.closed import closing
+from linkwright.studies.cam.closed import held
 from linkwright.studies.cam.figures import Figure, every
 from linkwright.studies.cam.force_findings import press
 from linkwright.studies.cam.milled import milled, seen
@@ -62,8 +62,7 @@ class CamStudy:
         name, findings = chosen(compiled, options)
         if name is None:
             return findings
-        disc = disc_of(compiled, name)
-        reader = Reader(compiled, options, name, disc, closing(compiled, name, disc))
+        reader = Reader(compiled, options, name, *held(compiled, name))
         reader.read()
         return reader.findings
 
@@ -98,14 +97,13 @@ class CamStudy:
 
 def _begun(compiled: Compiled, options: CamOptions, name: str) -> CamOutcome:
     """The disc or discs, and what is asked of them."""
-    disc, path = disc_of(compiled, name), ("cams", name)
-    held = closing(compiled, name, disc)
-    stated = Reader(compiled, options, name, disc, held).read()
+    path, (disc, close) = ("cams", name), held(compiled, name)
+    stated = Reader(compiled, options, name, disc, close).read()
     axes = frame(compiled, name)
     plates = [Plate(disc, axes, stated, path, options.steps)]
-    if isinstance(held, Conjugate):
-        plates.append(Plate(held.disc, axes.mirrored, stated, (*path, "second"), options.steps, second=True))
-    return CamOutcome(compiled, options, name, stated, plates, held)
+    if isinstance(close, Conjugate):
+        plates.append(Plate(close.disc, axes.mirrored, stated, (*path, "second"), options.steps, second=True))
+    return CamOutcome(compiled, options, name, stated, plates, close)
 
 
 def _closes(outcome: CamOutcome) -> None:
@@ -193,16 +191,23 @@ def _shape(outcome: CamOutcome, plate: Plate) -> None:
         outcome.failures.append(Finding("cam.sharp", path, data))
         return
     plate.area = area(disc)
-    blank = stated.blank
-    if blank is not None:
-        least = plate.extents[0].value
-        reach = max(blank.hub, math.hypot(blank.bore + blank.key_depth, blank.key_width / 2)) / 1e3
-        if reach >= least:
-            unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
-            lengths = {"reach": f"{reach / size:.6g}", "least": f"{least / size:.6g}", "unit": unit}
-            profile = {"profile": plate.of(Term("cam-profile"))}
-            plate.fits = False
-            outcome.failures.append(Finding("cam.blank", (*PATH, "blank"), lengths | profile))
+    plate.outer_area = area(disc, disc.follower.radius) if plate.outer else None
+    if stated.blank is not None:
+        unfit = [*_unfit(outcome, plate, stated.blank)]
+        plate.fits = not unfit
+        outcome.failures += unfit
+
+
+def _unfit(outcome: CamOutcome, plate: Plate, blank: Blank) -> Iterator[Finding]:
+    """What of the blank doesn't fit the contour."""
+    unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
+    least = plate.extents[0].value
+    reach = max(blank.hub, math.hypot(blank.bore + blank.key_depth, blank.key_width / 2)) / 1e3
+    if reach >= least:
+        lengths = {"reach": f"{reach / size:.6g}", "least": f"{least / size:.6g}", "unit": unit}
+        yield Finding("cam.blank", (*PATH, "blank"), lengths | {"profile": plate.of(Term("cam-profile"))})
+    if plate.outer and (most := plate.outer_extents[1].value) >= blank.radius / 1e3:
+        yield Finding("cam.plate", (*PATH, "blank", "radius"), {"most": f"{most / size:.6g}", "unit": unit})
 
 
 def mending(disc: Disc, limits: Limits) -> float | None:

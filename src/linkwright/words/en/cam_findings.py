@@ -21,6 +21,18 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "The hub has no wall around bore and keyway.",
         "Give a larger hub or a smaller bore; both are stated by their radii.",
     ),
+    "cam.groove-blank": (
+        "Only a groove is milled into a plate of its own radius; this cam is closed by {closed}.",
+        "With closed: groove give radius of the plate and groove, its depth; else leave both out.",
+    ),
+    "cam.groove-deep": (
+        "The groove is as deep as the plate is thick.",
+        "Give a thicker plate, or a groove that is less deep.",
+    ),
+    "cam.plate": (
+        "The groove's outer flank reaches {most} {unit} from the centre; the plate doesn't hold it.",
+        "Give a radius larger than that.",
+    ),
     "cam.blank": (
         "Hub, bore or keyway reach {reach} {unit} from the centre, and the {profile} comes as near as {least} {unit}.",
         "Make them smaller (they are stated by their radii), or the base circle larger.",
