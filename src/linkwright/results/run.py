@@ -73,6 +73,11 @@ class Run:
         """The times (s) at which a force may have a jump or a kink, ascending."""
         return breaks.breaks(self)
 
+    @cached_property
+    def sides(self) -> Array:
+        """The times (s) right before and right after all that may make a signal jump, ascending."""
+        return breaks.sides(self)
+
     def evaluate(self, names: Sequence[str], t: Array) -> Array:
         """The named signals at times ``t`` (s): (names, times), SI, angles continuous over the run."""
         y = self.compiled.evaluate(names, t)
