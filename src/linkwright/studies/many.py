@@ -122,11 +122,6 @@ class Measuring:
         forces = any(not self.graph.signal(text).kinematic for text in self.run.signals_of(shared))
         return forces and bool(self.graph.actions.windows)
 
-    def jumps(self, tree: Node) -> bool:
-        """Whether an expression may jump at a join of a law: positions and velocities don't."""
-        signals = (self.graph.signal(text) for text in self.run.signals_of([tree]))
-        return any(not signal.kinematic or signal.dimension.time < -1 for signal in signals)
-
     def _panels(self) -> dict[str, int]:
         """The panels of each mean; measures that need too many go to the others."""
         found: dict[str, int] = {}

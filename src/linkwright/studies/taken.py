@@ -98,7 +98,7 @@ class Taken:
         for tree, window, sign in self.wanted():
             asks.setdefault(tree, {})[window, sign] = None
         found: dict[tuple[Node, str | None, float], Figures] = {}
-        jumping = [tree for tree in asks if self.sides is not None and self.measuring.jumps(tree)]
+        jumping = [tree for tree in asks if self.sides is not None and self.measuring.run.may_jump(tree)]
         beside = self.sides.candidates(self.bunch, jumping) if self.sides is not None and jumping else {}
         for tree, places in asks.items():
             asked = [(self.windows[window], sign) for window, sign in places]
