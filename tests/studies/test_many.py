@@ -27,7 +27,7 @@ from linkwright.results import Run
 from linkwright.studies.cycle import CycleOptions, span
 from linkwright.studies.many import Many, Measuring, measure_many
 from linkwright.studies.measures import MeasureResult, bound, measure_all
-from studies.models import four_bar, slider_crank
+from studies.models import UNITS, four_bar, slider_crank
 from studies.test_measures import SIGNALS
 
 Array = NDArray[np.float64]
@@ -333,6 +333,65 @@ def test_loads_that_act_in_windows() -> None:
     )
     assert not some.measuring.single
     some.check()
+
+
+def crank(position: str, **sections: Any) -> dict[str, Any]:
+    """One link that a drive turns, over a second."""
+    return {
+        "units": UNITS,
+        "links": {
+            "frame": {"points": {"A": [0, 0]}},
+            "crank": {"points": {"A": [0, 0], "B": [100, 0]}, "mass": 1, "shape": "rod A-B"},
+        },
+        "drives": {"motor": {"turns": "crank", "on": "frame", "position": position}},
+        "studies": {"cycle": {"duration": "1 s", "samples": 60}},
+        **sections,
+    }
+
+
+def test_extremes_right_beside_the_joins_of_laws() -> None:
+    """A cubic polynomial's jerk is -12 h/w^3 all over, a cycloid's 4 pi^2 h/w^3 at its ends (and minus that of a fall):
+    extremes on one side of a jump, where the rate needn't change its sign."""
+    turn, h, w = 2 * np.pi, np.radians([20.0, 20.6, 19.0]), np.radians([90.0, 87.3, 95.0])
+    dwell = {"dwell": "180-w"}
+    for kind, jerks in (({"from": [0], "to": [0]}, (-12, 12)), ({"law": "cycloidal"}, (-(turn**2), turn**2))):
+        segments = [{"rise": "h", "over": "w", **kind}, dwell, {"rise": "-h", "over": "w", **kind}, dwell]
+        some = batch(
+            crank(
+                "push(360 deg*t/(1 s) + 200 deg)",
+                parameters={"h": "20 deg", "w": "90 deg"},
+                laws={"push": {"over": "angle", "of": "angle", "segments": segments}},
+                measures={"jerk": {"extremes": "crank.jerk"}, "torque": {"extremes": "motor.torque"}},
+            ),
+            h=h,
+            w=w,
+        )
+        assert not some.measuring.single
+        many = some.check()
+        for label, factor in zip(("min", "max"), jerks, strict=True):
+            found = many.figures["jerk"][label].values
+            assert found == pytest.approx(factor * h / w**3 * turn**3, rel=1e-8)
+
+
+def test_an_extreme_between_a_jump_and_the_next_place_of_the_grid() -> None:
+    """The torque -a t - k s (s - d), s from 0.5 s on only: largest 0.2 ms behind the jump of its rate and falling again
+    at the next place of any grid."""
+    loads = {"ramp": {"on": "crank", "torque": "a*t/(1 s)"}, "hill": {
+        "on": "crank", "torque": "b + k*(t/(1 s) - 0.5)*(t/(1 s) - 0.5006)", "window": "late"}}  # fmt: skip
+    a, k = np.array([200.0, 202.0]), np.array([1e6, 0.99e6])
+    some = batch(
+        crank(
+            "360 deg*t/(1 s)",
+            parameters={"a": "200 N*m", "b": "1 N*m", "k": "1e6 N*m"},
+            loads=loads,
+            windows={"late": ["0.5 s", "2 s"]},
+            measures={"top": {"max": "motor.torque", "window": "late"}},
+        ),
+        a=a,
+        k=k,
+    )
+    place = 3e-4 - a / (2 * k)
+    assert some.check().figures["top"][""].values == near(-1 - a / 2 + k * place**2)
 
 
 # What fails, what isn't met.

@@ -94,22 +94,34 @@ class Bunch:
         value, rate = self._at(what, who, t, 1)
         return value, rate
 
+    def all_rates(self, what: Sequence[What], who: Who, t: Array) -> list[tuple[Array, Array]]:
+        """The same of several curves, whose signals are computed together."""
+        rows, given = self._looked(what, who, t, 1), self._given(who)
+        return [(y[0], y[1]) for y in (self._combined(one, t, rows, given, 1) for one in what)]
+
     def values(self, what: What, who: Who, t: Array) -> Array:
         """A curve at times of some samples: (n,)."""
         return self._at(what, who, t, 0)[0]
 
     def _at(self, what: What, who: Who, t: Array, order: int) -> tuple[Array, ...]:
-        names, rows = self.names([what]), {}
         if not t.size:
             return (t,) * (order + 1)
+        return self._combined(what, t, self._looked([what], who, t, order), self._given(who), order)
+
+    def _looked(self, what: Sequence[What], who: Who, t: Array, order: int) -> dict[str, tuple[Array, ...]]:
+        """The rows that some curves are made of, at times of some samples."""
+        names, rows = self.names(what), {}
         if names:
             for name, row in zip(names, self._asked(names, who, t, bool(order)), strict=True):
                 if self._wrapped(name):
                     row[0] += 2 * np.pi * whole_turns(row[0], self._near(name, who, t))
                 rows[name] = tuple(row)
+        return rows
+
+    def _given(self, who: Who) -> dict[str, Any]:
+        """The parameters of some samples."""
         own = self.quantities.parameters.items()
-        given = {name: value[who] if isinstance(value, np.ndarray) else value for name, value in own}
-        return self._combined(what, t, rows, given, order)
+        return {name: value[who] if isinstance(value, np.ndarray) else value for name, value in own}
 
     def _asked(self, names: Sequence[str], who: Who, t: Array, rates: bool) -> Array:
         """Rows at times of some samples: (names, 1 or 2, n)."""

@@ -73,6 +73,16 @@ class Run:
         """The times (s) at which a force may have a jump or a kink, ascending."""
         return breaks.breaks(self)
 
+    @cached_property
+    def sides(self) -> Array:
+        """The times (s) right before and right after all that may make a signal jump, ascending."""
+        return breaks.sides(self)
+
+    def may_jump(self, node: Node) -> bool:
+        """Whether an expression may jump at a join of a law: positions and velocities don't."""
+        signals = (self.compiled.graph.signal(text) for text in self.signals_of([node]))
+        return any(not signal.kinematic or signal.dimension.time < -1 for signal in signals)
+
     def evaluate(self, names: Sequence[str], t: Array) -> Array:
         """The named signals at times ``t`` (s): (names, times), SI, angles continuous over the run."""
         y = self.compiled.evaluate(names, t)

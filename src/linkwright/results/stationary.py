@@ -19,8 +19,11 @@ NOISE = 1e-10
 """A rate below this share of its largest magnitude doesn't count as a sign."""
 
 
-def stationary(rates: Callable[[Array], tuple[Array, Array]], start: float, stop: float, steps: int) -> list[Array]:
-    """The times in ``start`` .. ``stop`` at which each row's rate changes sign, to round-off.
+def stationary(
+    rates: Callable[[Array], tuple[Array, Array]], start: float, stop: float, steps: int, sides: Array | None = None
+) -> list[Array]:
+    """The times in ``start`` .. ``stop`` at which each row's rate changes sign, to round-off; where a row may jump,
+    it is looked at from both ``sides`` of that.
 
     ``rates(t)`` gives (values, rates), each (rows, times). The grid starts near ``steps`` and is doubled until each
     row's count of brackets has stayed the same twice; rows that only vary by round-off have none.
@@ -29,7 +32,7 @@ def stationary(rates: Callable[[Array], tuple[Array, Array]], start: float, stop
     def look(t: Array) -> list[Array]:
         return [_brackets(t, v, s) for v, s in zip(*rates(t), strict=True)]
 
-    return _roots(lambda at: rates(at)[1], _settled(look, start, stop, steps))
+    return _roots(lambda at: rates(at)[1], _settled(look, start, stop, steps, sides))
 
 
 def fineness(rates: Callable[[Array], tuple[Array, Array]], start: float, stop: float, steps: int) -> list[int]:
@@ -60,12 +63,15 @@ def crossings(values: Callable[[Array], Array], start: float, stop: float, steps
     return _roots(lambda at: values(at)[None, :], brackets)[0]
 
 
-def _settled(look: Callable[[Array], list[Array]], start: float, stop: float, steps: int) -> list[Array]:
+def _settled(
+    look: Callable[[Array], list[Array]], start: float, stop: float, steps: int, more: Array | None = None
+) -> list[Array]:
     """The brackets that ``look`` finds on a grid, doubled until their counts have stayed the same twice."""
     counts: list[list[int]] = []
     steps = min(max(steps, FIRST_STEPS), LATEST_FIRST)
     while True:
-        brackets = look(np.linspace(start, stop, steps + 1))
+        t = np.linspace(start, stop, steps + 1)
+        brackets = look(t if more is None else np.union1d(t, more))
         counts.append([len(b) for b in brackets])
         if (len(counts) > 2 and counts[-1] == counts[-2] == counts[-3]) or steps >= MAX_STEPS:
             return brackets

@@ -22,7 +22,7 @@ from linkwright.kernels.varied import Varied
 from linkwright.model.expressions import Node, parse
 from linkwright.model.mechanism import Measure
 from linkwright.results import Run
-from linkwright.results.breaks import kinks
+from linkwright.results.breaks import kinks, law_joins
 from linkwright.results.bunch import Bunch, What
 from linkwright.results.spans import Windows
 from linkwright.results.stationary import fineness
@@ -62,7 +62,8 @@ class Measuring:
         self.measures = {name: measures[name] for name in (measures if names is None else names)}
         self.trees = {key: tree for name in self.measures for key, tree in bound(self.quantities, name).items()}
         self.rows = self._rows()
-        self.kinks = kinks(run.compiled, varied.joins(run.compiled.parameters[:, None]))
+        varying = varied.joins(run.compiled.parameters[:, None])
+        self.kinks, self.joins = kinks(run.compiled, varying), law_joins(run.compiled, varying)
         self.single = [name for name, measure in self.measures.items() if self._singly(name, measure)]
         self.steps = self._steps()
         self.jumping = self._jumping()

@@ -73,7 +73,8 @@ class Probe:
     def candidates(self) -> tuple[Array, Array]:
         """Times and values among which the extremes are: stationary points, window ends, both sides of jumps."""
         sides = self.run.jumps
-        inside = [t for t in (*self.stationary, *sides.ravel()) if any(a < t < b for a, b in self.intervals)]
+        beside = self.run.sides if self.run.may_jump(self.node) else ()
+        inside = [t for t in (*self.stationary, *beside) if any(a < t < b for a, b in self.intervals)]
         # Of a jump, a stationary point or an end of the window only has a side, the inner one.
         for before, after in sides:
             inside = [t for t in inside if not before < t < after]
@@ -222,7 +223,7 @@ class Measurer:
     def turning(self) -> list[Array]:
         """The stationary times of every expression, all searched for together."""
         run, trees = self.run, list(self.trees.values())
-        return stationary(partial(run.all_rates, trees), run.start, run.stop, run.grid)
+        return stationary(partial(run.all_rates, trees), run.start, run.stop, run.grid, run.sides)
 
     def one(self, name: str, measure: Measure, turning: dict[str, Array]) -> MeasureResult:
         quantities = self.run.compiled.quantities

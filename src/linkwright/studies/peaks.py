@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from linkwright.results.bunch import Bunch, Changes, What, Who, changes
 from linkwright.results.spans import Spans
+from linkwright.studies.sides import Candidates
 
 Array = NDArray[np.float64]
 
@@ -30,9 +31,15 @@ class Figures:
     times: Array
 
 
-def peaks(bunch: Bunch, what: What, asks: Sequence[tuple[Spans, float]], gaps: Spans | None = None) -> list[Figures]:
+def peaks(
+    bunch: Bunch,
+    what: What,
+    asks: Sequence[tuple[Spans, float]],
+    gaps: Spans | None = None,
+    beside: Candidates | None = None,
+) -> list[Figures]:
     """The largest values of a curve in some spans, or with the sign -1 the smallest; NaN where it isn't finite. It may
-    jump in ``gaps`` that the spans leave out.
+    jump in ``gaps`` that the spans leave out, and between candidates from ``beside``.
 
     Only brackets that may hold the extreme are searched: where it is concave a curve stays below its tangents.
     """
@@ -57,6 +64,8 @@ def peaks(bunch: Bunch, what: What, asks: Sequence[tuple[Spans, float]], gaps: S
         wanted |= spans.touched(found.who, low, high) & ~(limits[sign] < (best - slack)[found.who])
     who, t = bunch.turning(what, found, wanted)
     height = bunch.values(what, who, t)
+    if beside is not None:
+        who, t, height = (np.concatenate(part) for part in zip((who, t, height), beside, strict=True))
     figures = []
     for spans, sign in asks:
         own = spans.within(who, t)

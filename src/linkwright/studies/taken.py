@@ -20,6 +20,7 @@ from linkwright.studies.feasible import SINGULAR, TOUCH
 from linkwright.studies.means import corners, mean
 from linkwright.studies.measures import measure_all
 from linkwright.studies.peaks import Figures, peaks
+from linkwright.studies.sides import sides
 
 if TYPE_CHECKING:
     from linkwright.studies.many import Measuring
@@ -57,6 +58,7 @@ class Taken:
         self.measuring, self.bunch = measuring, bunch
         bunch.watch(measuring.watched)
         self.windows = Windows(bunch, measuring.jumping)
+        self.sides = sides(bunch, measuring.joins, self.windows.gaps)
 
     def many(self) -> Many:
         """All of them."""
@@ -96,9 +98,11 @@ class Taken:
         for tree, window, sign in self.wanted():
             asks.setdefault(tree, {})[window, sign] = None
         found: dict[tuple[Node, str | None, float], Figures] = {}
+        jumping = [tree for tree in asks if self.sides is not None and self.measuring.run.may_jump(tree)]
+        beside = self.sides.candidates(self.bunch, jumping) if self.sides is not None and jumping else {}
         for tree, places in asks.items():
             asked = [(self.windows[window], sign) for window, sign in places]
-            figures = peaks(self.bunch, tree, asked, self.windows.gaps)
+            figures = peaks(self.bunch, tree, asked, self.windows.gaps, beside.get(tree))
             found |= {(tree, *place): figure for place, figure in zip(places, figures, strict=True)}
         return found
 

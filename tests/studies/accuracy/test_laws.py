@@ -94,6 +94,32 @@ def test_derivatives_of_measures_cross_joins_that_move() -> None:
             assert derivative.places[0] * start == pytest.approx(wanted * start, abs=2e-6 * np.abs(figure).max()), name
 
 
+@pytest.mark.parametrize("start", ["(w/2 - 10 deg)/k", "1 s"])
+def test_the_jump_of_a_load_at_a_join_counts_once(start: str) -> None:
+    """The load sets in in the middle of a rise, where two pieces of its law join: with the join or at a fixed time."""
+    segments = [{"rise": "h", "over": "w", "law": "modified_trapezoid"}, {"dwell": "180-w"}]
+    segments += [{"fall": "h", "over": "w", "law": "cycloidal"}, {"dwell": "180-w"}]
+    data = swinging(
+        segments,
+        loads={"push": {"on": "arm", "torque": 5, "window": "late"}},
+        windows={"late": [start, "5 s"]},
+        measures={"mean": {"mean": "motor.torque"}, "rms": {"rms": "motor.torque"}},
+    )
+    data["parameters"] = {**PARAMETERS, "w": "100 deg", "b": 0}
+    base = compiled_from(data)
+    run, row = Run(base, 0.0, 8.2, 200), base.graph.parameters.index("w")
+    exact = Derivatives(run, Slopes(run, np.eye(len(base.parameters))[:, [row]]), ["mean", "rms"])
+    w = float(base.parameters[row])
+    found = []
+    for offset in OFFSETS:
+        data["parameters"]["w"] = f"{float(w * (1 + 1e-4 * offset))!r} rad"
+        there = measure_all(Run(compiled_from(data), 0.0, 8.2, 200))[0]
+        found.append([result.found[0].value for result in there])
+    wanted = WEIGHTS @ np.array(found) / 1e-4
+    for name, slope in zip(("mean", "rms"), wanted, strict=True):
+        assert exact.of(name)[0].places[0] * w == pytest.approx(slope, abs=1e-5 * abs(found[0][1]))
+
+
 def checked(data: dict[str, Any]) -> list[tuple[str, Any]]:
     document = parse_document(data)
     assert document is not None

@@ -117,6 +117,8 @@ class Derivatives:
                     step = self._power(probe, before, power) - self._power(probe, after, power)
                     slope = slope + step * moves
             for time, moves in self.joins.every:
+                if self.edges.jump(time) is not None:
+                    continue  # the jump there is that of a load
                 if a < time < b and (sides := self.joins.sides(probe.node, time)) is not None:
                     slope = slope + (sides[0][0] ** power - sides[0][1] ** power) * moves
         return total, slope, length, grows
