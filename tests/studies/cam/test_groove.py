@@ -42,6 +42,7 @@ def test_a_groove_and_what_is_written_of_it() -> None:
     ("nc", "code"),
     [
         ({"cutter": 20.5}, "nc.wide-cutter"),
+        ({"cutter": 4, "allowance": 4.1}, "nc.allowance"),
         ({"compensation": True, "cutter": 15, "lead": 25, "post": "fanuc"}, "nc.groove-lead"),
     ],
 )

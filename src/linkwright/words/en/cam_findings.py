@@ -152,6 +152,11 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "roller's is {roller} mm.",
         "Take a larger base circle, or a smaller roller.",
     ),
+    "nc.allowance": (
+        "The passes beside the groove's middle leave {allowance} mm to the last ones, more than the cutter's radius, "
+        "{cutter} mm.",
+        "Give a smaller allowance.",
+    ),
     "nc.groove-lead": (
         "With cutter compensation the leads' radius must exceed the cutter's, {cutter} mm; such don't fit into the groove "
         "of a roller of {roller} mm.",
