@@ -77,6 +77,8 @@ def highest_speed(disc: Disc, loads: Loads, contact: float = 0.0) -> Sized | Non
     drivable(Side(disc))
     if _wanting(disc, loads, (0.0, 0.0), contact).value > CLOSE * abs(loads.preload):
         return None
+    if not loads.inertia:
+        return Sized(math.inf, 0.0, math.inf)
 
     def asked(look: Look) -> Jet:
         """The inertia's share of what holds the follower at rest, over w^2."""

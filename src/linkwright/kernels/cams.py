@@ -151,7 +151,9 @@ def _askew(geometry: Geometry, path: tuple[str, ...], drive: Following) -> Itera
 
 
 def _reach(q: Quantities, path: tuple[str, ...], drive: Following, here: Seat) -> Iterator[Finding]:
-    """A follower that doesn't reach the base circle."""
+    """A follower that doesn't reach the base circle; what has no value is told by itself."""
+    if np.isnan(here.level):
+        return
     unit, size = q.unit_of(u.LENGTH)
 
     def told(code: str, **lengths: Any) -> Finding:

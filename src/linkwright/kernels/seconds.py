@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import pi
+from math import isnan, pi
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,8 +31,11 @@ def sums(motion: Motion) -> NDArray[np.float64]:
 
 
 def misplaced(geometry: Geometry, path: tuple[str, ...], drive: Following, motion: Motion) -> Iterator[Finding]:
-    """A second contact that doesn't stay on the other side, or leaves its disc no base circle."""
+    """A second contact that doesn't stay on the other side, or leaves its disc no base circle; numbers without a value
+    are told by themselves."""
     q, (start, base) = geometry.quantities, rest(geometry, drive, largest(drive, motion))
+    if isnan(start + base):
+        return
     least, most = (extreme.value for extreme in motion.extremes(0))
     stop, (low, high) = start + most - least, room(drive)
 

@@ -188,11 +188,11 @@ def _check_row(c: dict[str, Any]) -> list[str]:
 
 
 def _nc_row(post: str, m: dict[str, Any]) -> list[str]:
-    error = [_n(m["lift_error"]), _n(m["tolerance"]), m["unit"]]
+    error = ["–" if m["lift_error"] is None else f"{m['lift_error']:.3g}", _n(m["tolerance"]), m["unit"]]
     speed = "–" if m["velocity_error"] is None else f"{m['velocity_error']:.3g} {m['unit']}/{m['angle_unit']}"
     off = [f"{m['gouge_mm']:.3g}", f"{m['rest_mm']:.3g}"]
     if "play_mm" in m:
-        off.append(" .. ".join("–" if play is None else f"{play:.3g}" for play in m["play_mm"]))
+        off.append(" .. ".join("–" if play is None else f"{play:.2g}" for play in m["play_mm"]))
     return [post, *error, speed, *off, f"{m['time_s']:.0f}", str(m["lines"]), _word(m["written"])]
 
 

@@ -62,7 +62,8 @@ def over(
     theta: Array | None = None,
     second: bool = False,
 ) -> Chart:
-    """Lines over the cam angle, limits across; ``second``: the second line is that of a second disc or contact."""
+    """Lines over the cam angle, limits across; ``second``: the second line is that of a second disc or contact,
+    or of the outer flank."""
     angle, deg = outcome.compiled.quantities.unit_of(u.ANGLE)
     x = (outcome.first.theta if theta is None else theta) / deg
     known = np.concatenate([*(line[np.isfinite(line)] for line in lines), np.array([*limits, 0.0])])
@@ -71,7 +72,8 @@ def over(
     shapes = [axes.line(ends, np.full(2, limit), "limit") for limit in limits]
     kinds = cycle(("mean", "shift" if second else "line"))
     shapes += [axes.line(x, line, kind) for line, kind in zip(lines, kinds, strict=False)]
-    title = named(say("cam.chart.with-second", what=name) if second else name, unit)
+    which = "flank" if outcome.stated.limits.groove else "second"
+    title = named(say(f"cam.chart.with-{which}", what=name) if second else name, unit)
     return {"title": title, "drawing": axes.drawing(shapes, title)}
 
 

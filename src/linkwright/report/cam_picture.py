@@ -60,7 +60,9 @@ def picture(outcome: CamOutcome, turning: bool = True) -> str:
     first, rides = outcome.first, contacts(outcome)
     follower = first.disc.follower
     discs = [(plate, flipped(plate.look.offset(-plate.disc.follower.radius), plate.second)) for plate in outcome.plates]
-    curves = [curve for plate, curve in discs if plate.made] + [flipped(p.look.offset(0.0), p.second) for p, _ in discs]
+    outer = [first.look.offset(follower.radius)] if first.outer else []
+    curves = [*outer, *(curve for plate, curve in discs if plate.made)]
+    curves += [flipped(p.look.offset(0.0), p.second) for p, _ in discs]
     far = max(float(np.hypot(*curve).max()) for curve in curves)
     pivot = (getattr(follower, "distance", 0.0), 0.0)
     reach = [(ride.centre + sign * ride.roller, sign) for ride in rides for sign in (1, -1)]
@@ -83,13 +85,14 @@ def picture(outcome: CamOutcome, turning: bool = True) -> str:
             cam.append(f'<polygon class="{kind}" points="{path(curve)}"/>')
         if plate.disc.follower.radius:
             cam.append(f'<polygon class="pitch" points="{path(flipped(plate.look.offset(0.0), plate.second))}"/>')
+    cam += [f'<polygon class="flank" points="{path(curve)}"/>' for curve in outer]
     worst = next((f for f in outcome.figures if f.name == "profile_curvature_max"), None)
     if worst is not None:
         (x,), (y,) = plane.at(*(first.disc.look(np.array([worst.theta])).offset(-follower.radius) / size))
         cam.append(f'<circle class="worst" cx="{x:.2f}" cy="{y:.2f}" r="3"/>')
     turned = _spin(f"{-first.disc.sense * 360} {ox:.2f} {oy:.2f}", f"0 {ox:.2f} {oy:.2f}") if turning else ""
     rider, moved = _follower(outcome, plane, size, rides, pivot)
-    kinds = ["base", *(["profile"] if outcome.made else [])]
+    kinds = ["base", *(["profile"] if outcome.made else []), *(["flank"] if outer else [])]
     kinds += ["second"] if outcome.second is not None and outcome.second.made else []
     kinds += [*(["pitch"] if follower.radius else []), "follower", *(["worst"] if worst else [])]
     legend = [(kind, say(f"cam.kind.{kind}")) for kind in kinds]

@@ -41,7 +41,8 @@ def cam_shapes(compiled: Compiled, size: float) -> Shapes:
         except (NoFollower, NoContact):
             continue
         for plate, where in plates:
-            draw(drive.cam.cam, where.placed(plate.look(turn).offset(-plate.follower.radius)))
+            for flank in (-1, 1) if drive.cam.closed == "groove" else (-1,):
+                draw(drive.cam.cam, where.placed(plate.look(turn).offset(flank * plate.follower.radius)))
         touches = [touch(geometry, drive)]
         if drive.paired:
             touches.append(second_touch(geometry, drive, largest(drive, compiled.motions[drive.cam.law])))

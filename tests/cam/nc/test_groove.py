@@ -140,6 +140,14 @@ def test_nothing_is_plunged_into_the_full() -> None:
     assert max(slope) == pytest.approx(min(slope), rel=0.2)  # of lengths in the file's digits
 
 
+@pytest.mark.parametrize("start", range(0, 360, 30))
+def test_coarse_digits_leave_the_leads(start: int) -> None:
+    """Round-off puts their ends up to 0.7 digits beyond the flank."""
+    work = Groove(DISC, replace(JOB, cutter=10.0, tolerance=4e-4, decimals=2, start=math.radians(start)))
+    for one in work.beside():
+        assert np.abs(work.offset(np.array([one.entry]))).max() < work.cleared / 2
+
+
 def test_the_feed_is_kept_at_the_flanks() -> None:
     """The centre of the cutter is slower than the flank around which it goes inside, faster outside."""
     work = Groove(SMALL, replace(LITTLE, allowance=0.3))

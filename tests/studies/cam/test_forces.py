@@ -86,6 +86,12 @@ def test_lift_off_is_told_with_what_mends_it() -> None:
     assert finding.code == "cam.spring" and "no rate does" in finding.mend
 
 
+def test_a_follower_without_mass_stays_on_at_any_speed() -> None:
+    found = figures(study({"inertia": 0, "speed": "60 rpm", "spring": {"preload": "0.1 N*m"}}))
+    assert math.isinf(found["lift_off_speed"]) and found["contact_force_min"] > 0
+    assert math.isinf(figures(study({"inertia": 0, "speed": "60 rpm"}))["lift_off_speed"])
+
+
 def test_limits_and_requirements() -> None:
     limits = {"hertz": "20 MPa", "torque": "0.1 N*m"}
     asked = GIVEN | {"width": 10, "limits": limits}

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from typing import Any
 
+import numpy as np
 import pytest
 
 from helpers.heat_seal import NC, findings, heat_seal, performed
@@ -13,6 +15,8 @@ from linkwright.cam.nc.posts import Grbl, Post
 from linkwright.report.cam import cam_tables
 from linkwright.report.cam_charts import charts
 from linkwright.report.cam_files import FILES
+from linkwright.report.cam_picture import picture, still
+from linkwright.report.cam_shapes import cam_shapes
 
 GROOVE = {"closed": "groove"}
 
@@ -63,12 +67,42 @@ def test_the_plate_around_a_groove() -> None:
     ("nc", "code"),
     [
         ({"cutter": 20.5}, "nc.wide-cutter"),
+        ({"cutter": 4, "allowance": 4.1}, "nc.allowance"),
         ({"compensation": True, "cutter": 15, "lead": 25, "post": "fanuc"}, "nc.groove-lead"),
     ],
 )
 def test_what_does_not_fit_into_a_groove(nc: dict[str, Any], code: str) -> None:
     (finding,) = findings(heat_seal(GROOVE, nc=NC | nc))
     assert finding.code == code and finding.what and finding.mend
+
+
+def test_an_undercut_outer_flank_is_told_once_with_what_mends_it() -> None:
+    turns = {"sense": "counter-clockwise", "roller": 12, "base": 40}
+    law = ({"rise": 25, "over": 25}, {"dwell": 155}, {"fall": 25, "over": 60}, {"dwell": 120})
+
+    def groove(**cam: float) -> dict[str, Any]:
+        data = heat_seal(GROOVE | turns | cam, nc=NC, steps=90)
+        data["laws"]["swing"]["segments"] = [{"law": "cycloidal"} | one if "over" in one else one for one in law]
+        return data
+
+    job = performed(groove())
+    (finding,) = job.found
+    assert finding.code == "cam.undercut" and "outer flank" in finding.what
+    assert not FILES["cam_grbl.nc"](job.cam)  # type: ignore[arg-type]
+    base = float(str(finding.data["base"]).split()[0])
+    assert not performed(groove(base=base)).found and performed(groove(base=0.999 * base)).found
+
+
+def test_both_flanks_are_drawn() -> None:
+    outcome = performed(heat_seal(GROOVE)).cam
+    assert outcome is not None
+    assert len(cam_shapes(outcome.compiled, 1.0)["cam"]) == 2
+    for text in (picture(outcome), still(outcome)):
+        (flank,) = re.findall(r'<polygon class="flank" points="([^"]+)"', text)
+        (profile,) = re.findall(r'<polygon class="profile" points="([^"]+)"', text)
+        wide = [np.ptp([float(p.split(",")[0]) for p in line.split()]) for line in (profile, flank)]
+        (roller,) = re.findall(r'<circle class="follower"[^>]* r="([0-9.]+)"', text)[:1]
+        assert wide[1] - wide[0] == pytest.approx(4 * float(roller), abs=0.1)  # a roller's width on either side
 
 
 def test_a_wrong_depth_is_never_written(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -206,6 +206,16 @@ def test_what_is_wrong_is_said_at_once() -> None:
     }
 
 
+@pytest.mark.parametrize(("key", "second"), [("second", {"base": "1/0"}), ("second", {"at": "C", "roller": "1/0"})])
+def test_what_has_no_value_is_told_alone(key: str, second: dict[str, Any]) -> None:
+    data = closed_pair("swinging", "roller")
+    data["cams"]["rider"][key] = second
+    assert [finding.code for finding in findings(data)] == ["value.not-finite"]
+    data = closed_pair("swinging", "roller")
+    data["cams"]["rider"]["base"] = "1/0"
+    assert [finding.code for finding in findings(data)] == ["value.not-finite"]
+
+
 def yoked(touch: str, fall: float = math.pi) -> dict[str, Any]:
     data = pair("sliding", touch, closed="yoke")
     rise, back = ({key: 0.008, "over": over, "law": "poly_345"} for key, over in (("rise", math.pi), ("fall", fall)))

@@ -56,6 +56,8 @@ def _groove(disc: Disc, job: Job) -> Iterator[Fault]:
         yield Fault("nc.undercut-outer", 0, data | {"roller": f"{roller:.4g}"})
         return
     work = Groove(disc, job)
+    if (left := work.room - work.cleared) > cutter:
+        yield Fault("nc.allowance", 0, {"allowance": f"{left:.4g}", "cutter": f"{cutter:.4g}"})
     if job.compensation and job.lead > cutter and any(work.finishing_lead(flank) is None for flank in (-1, 1)):
         yield Fault("nc.groove-lead", 0, {"cutter": f"{cutter:.4g}", "roller": f"{roller:.4g}"})
 

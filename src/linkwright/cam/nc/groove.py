@@ -28,7 +28,7 @@ FLANKS = {-1: "inner", 1: "outer"}
 SPOTS = 7200
 """Places of the pitch curve by which it is told how far beside it something lies."""
 NEAR = 1e-3
-"""How well that is told (mm)."""
+"""How well that is told (mm), a digit at the best."""
 MORE = 1.25
 """Leads bring the cutter so many times as far in as it must be, if that fits."""
 LEAST = 10
@@ -131,13 +131,13 @@ class Groove:
         """The radius of both leads: the job's, or what brings the cutter in from where nothing is left ``uncut`` (mm),
         or the largest for which it, ``aside`` of them, stays between ``least`` and ``far`` beside the pitch curve,
         towards the flank; ``None`` where there is none."""
-        both = ends(route, share(route, self.job.overlap))
+        both, near = ends(route, share(route, self.job.overlap)), max(NEAR, self.unit)
 
         def fits(radius: float) -> bool:
             made = leads(both, radius, -flank, self.job.decimals)
             places = np.concatenate([_gone(lead, aside, k > 0) for k, lead in enumerate(made)])
             beside = flank * self.offset(places)
-            return bool(beside.max() <= far + NEAR and beside.min() >= least - NEAR)
+            return bool(beside.max() <= far + near and beside.min() >= least - near)
 
         low, high = max(aside * (1 + NEAR), LEAST * self.unit), max(self.job.lead, MORE * uncut)
         if high <= low or not fits(low):

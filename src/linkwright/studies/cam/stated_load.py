@@ -39,6 +39,10 @@ MOST = 256
 """The most corners of a table that are taken for joins; more are so slight that nobody misses them."""
 SEEN = 1440
 """The steps of a turn at which a load must have a value."""
+LOOKS, FINER = 4, 65
+"""A pole is looked at so many times, each time at so many places of the step in which it is."""
+LEAP = 1e-3
+"""What leaps by less than this share of the largest load is no pole."""
 SLACK = 1e-12
 """By this share of its range a table may be asked for more, which is round-off."""
 
@@ -165,10 +169,32 @@ class _Reader:
         for start, stop in self._pieces(made.joins):
             steps = max(8, math.ceil(SEEN * (stop - start) / TURN))
             theta = inside(np.linspace(start, stop, steps + 1), start, stop)
-            values = rows(made.load(self.disc.look(theta)).d[0], theta.size)
+            values, _ = self._told(made.load, theta)
             bad = ~(np.abs(values) < LARGEST)
             if bad.any():
                 raise self._wrong("cam.load-not-finite", float(theta[bad][0]))
+            if (pole := self._pole(made.load, theta)) is not None:
+                raise self._wrong("cam.load-not-finite", pole)
+
+    def _told(self, load: Load, theta: Array) -> tuple[Array, Array]:
+        """A load and its rate by the cam angle."""
+        jet = load(self.disc.look(theta))
+        return rows(jet.d[0], theta.size), rows(jet.d[1], theta.size)
+
+    def _pole(self, load: Load, theta: Array) -> float | None:
+        """Where a load leaps against its rate however near one looks, as across a pole; ``None`` where it doesn't."""
+        least = 0.0
+        for _ in range(LOOKS):
+            values, rates = self._told(load, theta)
+            leap, step = np.diff(values), np.diff(theta)
+            least = least or LEAP * float(np.abs(values).max())
+            against = np.maximum(rates[1:] * leap, rates[:-1] * leap) < 0
+            steep = np.maximum(np.abs(rates[1:]), np.abs(rates[:-1])) * step > np.abs(leap) / 2
+            found = np.flatnonzero(against & steep & (np.abs(leap) > least))
+            if not found.size:
+                return None
+            theta = np.linspace(theta[found[0]], theta[found[0] + 1], FINER)
+        return float(theta[0])
 
     def _wrong(self, code: str, theta: float, **data: str) -> ModelError:
         unit, size = self._unit(u.ANGLE)

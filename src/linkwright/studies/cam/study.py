@@ -40,6 +40,8 @@ NAMED = {
     "hollow_radius": Term("check-hollow_radius"),
     "groove_radius": Term("check-groove_radius"),
 }
+MILLED = {"nc.concave": "hollow_radius", "nc.undercut-outer": "groove_radius"}
+"""What is told of NC code where a check, which tells what mends it, hasn't failed for it."""
 JUMPS = (Term("law-velocity"), Term("jump-acceleration"), Term("jump-jerk"))
 """What jumps first, by the class of the law."""
 UP = 1 + 1e-6
@@ -129,10 +131,11 @@ def _mill(outcome: CamOutcome, plate: Plate) -> None:
     if plate.second:
         name = f"{job.name[:17]}_SECOND"
         job, told = replace(job, name=name, number=job.number % 9999 + 1), ["SECOND DISC", *told]
-    hollow = any(check.name == "hollow_radius" and not check.kept for check in plate.checks)
+    broken = {check.name for check in plate.checks if not check.kept}
+    known = {code for code, name in MILLED.items() if name in broken}
     plate.milled, found = milled(plate.disc, job, nc.post, outcome.options.steps, told)
     for finding in found:
-        if hollow and finding.code == "nc.concave":
+        if finding.code in known:
             continue
         if plate.second:
             if finding in (*outcome.failures, *outcome.warnings):
@@ -227,6 +230,9 @@ def _failed(outcome: CamOutcome, plate: Plate, check: Check) -> Finding:
     if check.name == "play":
         return _loose(outcome)
     data = _place(outcome, plate, check)
+    if check.name == "groove_radius":
+        data |= _base(outcome, plate, Limits(groove=True)) | {"disc": Term("cam-flank"), "roller": Term("or-roller")}
+        return Finding("cam.undercut", plate.path, data)
     if check.name == "hollow_radius":
         limits = replace(Limits(), cutter=check.limit)
         data |= {"profile": plate.of(Term("cam-profile"))}

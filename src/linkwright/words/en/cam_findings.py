@@ -73,7 +73,7 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
     ),
     "cam.knife": (
         "An edge has no radius, and no contact pressure that could be told.",
-        "Give the follower a roller.",
+        "Give the follower a roller, or leave width out.",
     ),
     "cam.no-roller": (
         "This follower has no roller that could turn.",
@@ -90,8 +90,8 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
     "cam.no-figure": (
         "{name} isn't among this study's figures.",
         "Add forces, with width for the Hertz pressure and spring where the follower is closed by form; only a roller "
-        "has a speed, only a flat face has face_near and face_far and never a pitch curve or a hollow, and only closed: "
-        "conjugate or yoke has a second contact, a span or a play.",
+        "has a speed, only a flat face has face_near and face_far and never a pitch curve or a hollow. A second disc is "
+        "that of closed: conjugate, a span and a play are those of closed: yoke.",
     ),
     "cam.load-name": (
         "'{name}' is a parameter, and in a cam's load also the cam's {name}.",
@@ -165,10 +165,15 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "roller's is {roller} mm.",
         "Take a larger base circle, or a smaller roller.",
     ),
+    "nc.allowance": (
+        "The passes beside the groove's middle leave {allowance} mm to the last ones, more than the cutter's radius, "
+        "{cutter} mm.",
+        "Give a smaller allowance.",
+    ),
     "nc.groove-lead": (
         "With cutter compensation the leads' radius must exceed the cutter's, {cutter} mm; such don't fit into the groove "
         "of a roller of {roller} mm.",
-        "Take a smaller cutter (two thirds of the roller's radius at the most), or leave compensation out.",
+        "Take a smaller cutter (somewhat less than two thirds of the roller's radius, with an allowance still less), or leave compensation out.",
     ),
     "nc.no-compensation": (
         "The control {post} has no cutter compensation.",
@@ -284,6 +289,7 @@ CAM_TERMS = {
     "jump-jerk": "jerk",
     "cam-first": "cam",
     "cam-second": "second disc",
+    "cam-flank": "outer flank of the groove",
     "cam-profile": "profile",
     "of-second": "{what} of the second disc",
     "base-between": "{base}, with {between} between both contacts",

@@ -41,6 +41,7 @@ CAMS: dict[str, str] = {
     "cam.chart.torque": "Torque on the shaft",
     "cam.chart.hertz": "Hertz pressure",
     "cam.chart.with-second": "{what} (dotted: the second one)",
+    "cam.chart.with-flank": "{what} (dotted: the outer flank)",
     "cam.chart.tool": "The cutter's path",
     "cam.chart.error": "Error of the lift on the cam as milled ({post}), at its bottom and top",
     "cam.chart.error-groove": "Error of the lift in the groove as milled ({post}), on both flanks, at their bottom and top",
