@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, Field
+from pydantic import BeforeValidator, Field, WithJsonSchema
 
 from linkwright.cam.nc.posts import POSTS
 from linkwright.model.fields import Expression, Frozen, FrozenDict, Requirement
@@ -29,6 +29,11 @@ def _posts(raw: Any) -> Any:
             raise fault("nc.no-post", known=", ".join(POSTS))
         return tuple(dict.fromkeys(names))
     return raw
+
+
+CONTROL = {"type": "string", "enum": [*POSTS]}
+POST = {"anyOf": [CONTROL, {"type": "array", "items": CONTROL}]}
+"""The schema of one control or a list of them."""
 
 
 class CamLimits(Frozen):
@@ -86,7 +91,7 @@ class CamBlank(Frozen):
 class CamNc(Frozen):
     """How the cam is milled, and for which controls."""
 
-    post: Annotated[tuple[str, ...], BeforeValidator(_posts)] = Field(
+    post: Annotated[tuple[str, ...], BeforeValidator(_posts), WithJsonSchema(POST)] = Field(
         description=f"the control or a list of them: {', '.join(POSTS)}"
     )
     cutter: Expression = Field(description="radius of the cutter; of a groove the roller's at the most")
