@@ -469,9 +469,15 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Move the second contact further away from the shaft, or take a smaller second roller.",
     ),
     "cam.lifts-off": (
-        "The follower of the cam {cam} lifts off: it would have to be pulled with {force} {of} t = {time} s ({drive} = "
+        "The follower of the cam {cam} lifts off: it would have to be pulled with {force} {of} at t = {time} s ({drive} = "
         "{value} {unit}).",
         "Add a spring or a stronger one, turn slower, or say closed: groove (conjugate, yoke) where form holds it.",
+    ),
+    "cam.locks": (
+        "The follower of the cam {cam} locks at t = {time} s ({drive} = {value} {unit}): the pressure angle reaches 90 deg, "
+        "and no force along the common normal moves the follower on.",
+        "Take a smaller lift, or another pivot, arm or base circle, so that the contact's normal stays off the square to "
+        "the follower's way.",
     ),
     "cam.loose": (
         "The yoke of the cam {cam} has up to {play} {unit} of play; forces are those of one without.",
@@ -1056,7 +1062,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "study.no-value": (
         "In {count} of {samples} samples a measure or signal has no finite value, though their motion can be followed; the "
         "first one is sample {sample}.",
-        "Look for a singular pose, a division by zero or a window that isn't reached; or narrow the ranges.",
+        "Look for a singular pose, a cam that locks its follower, a division by zero or a window that isn't reached; or "
+        "narrow the ranges.",
     ),
     "study.none": (
         "The file asks for no study.",
