@@ -951,7 +951,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "varied.values": (
         "{count} of {samples} samples have values that the model can't take; in the first one, {sample}: {what}",
-        "Narrow the ranges of the varied parameters.",
+        "Narrow the ranges of the varied parameters, or let what must fit them follow as an expression of them.",
     ),
     "varied.drive": (
         "In {count} of {samples} samples the law of {drive} has no finite value; in the first one, {sample}, at "
