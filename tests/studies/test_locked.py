@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 
 import linkwright as lw
+from helpers.cams import pair
+from linkwright.model.findings import Term
 
 AWAY, ARM, PITCH = 60.0, 50.0, 28.0
 START = math.degrees(math.acos((AWAY**2 + ARM**2 - PITCH**2) / (2 * AWAY * ARM)))
@@ -47,6 +49,18 @@ def test_a_follower_locks_where_its_arm_lies_along_the_line_from_pivot_to_shaft(
     assert job.cycle is not None
     assert not job.cycle.measures
     assert not lw.run(rocker(152.0)).found  # START + 152 deg < 180 deg
+
+
+def test_a_face_that_turns_as_fast_as_the_cam_loses_its_contact() -> None:
+    data = pair("swinging", "face", -1)
+    for segment in data["laws"]["lift"]["segments"]:
+        segment |= {key: segment[key] / 0.14 for key in ("rise", "fall") if key in segment}
+    data["drives"]["motor"]["start"] = -0.4
+    data["studies"] = {"cycle": {"turns": "1 motor", "samples": 60}}
+    (finding,) = [f for f in lw.run(lw.Document.model_validate(data)).found if f.code == "cam.locks"]
+    x = (float(finding.data["value"]) + 0.4) / 1.7
+    assert 1 / 1.7 * 140 * (x * (1 - x)) ** 3 == pytest.approx(1, abs=1e-4)  # the slope of poly_4567
+    assert finding.data["why"] == Term("face-fast")
 
 
 def test_samples_in_which_a_follower_locks_have_no_figures() -> None:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.cams import followings
 from linkwright.kernels import Compiled
-from linkwright.model.findings import Finding
+from linkwright.model.findings import Finding, Term
 from linkwright.results import Run
 from linkwright.studies.feasible import SINGULAR, drive_value, row_of
 
@@ -46,6 +47,9 @@ def locked(run: Run) -> list[Finding]:
                 time = middle
             else:
                 good = middle
-        data = {"cam": name, "time": f"{time:.6g}"} | drive_value(run, time)
+        before = run.compiled.evaluate([row], np.array([good]))[0, 0]
+        # Where a face turns as fast as the cam, the contact goes to infinity: the angle jumps by half a turn there.
+        why = Term("face-fast" if np.cos(before) > 0.5 else "normal-square")
+        data: dict[str, Any] = {"cam": name, "why": why, "time": f"{time:.6g}"} | drive_value(run, time)
         found[name] = Finding("cam.locks", ("cams", name), data)
     return [*found.values()]

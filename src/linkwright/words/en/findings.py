@@ -474,10 +474,9 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Add a spring or a stronger one, turn slower, or say closed: groove (conjugate, yoke) where form holds it.",
     ),
     "cam.locks": (
-        "The follower of the cam {cam} locks at t = {time} s ({drive} = {value} {unit}): the pressure angle reaches 90 deg, "
-        "and no force along the common normal moves the follower on.",
-        "Take a smaller lift, or another pivot, arm or base circle, so that the contact's normal stays off the square to "
-        "the follower's way.",
+        "The follower of the cam {cam} locks at t = {time} s ({drive} = {value} {unit}): {why}.",
+        "Take a smaller lift or a longer way for it; or another pivot, arm or base circle, by which the normal stays off "
+        "the square to the follower's way.",
     ),
     "cam.loose": (
         "The yoke of the cam {cam} has up to {play} {unit} of play; forces are those of one without.",
