@@ -16,6 +16,7 @@ from linkwright.model.findings import Finding, ModelError, Term
 from linkwright.results import Result, Run, certify
 from linkwright.studies.acting import lifted, loose, outside, undefined
 from linkwright.studies.feasible import near, singular, strokes, unassembled
+from linkwright.studies.locked import locked
 from linkwright.studies.measures import MeasureResult, measure_all
 from linkwright.studies.outputs import powerless
 from linkwright.studies.registry import register
@@ -109,6 +110,8 @@ class Cycle:
             return CycleOutcome(Result(run, gaps))
         if poses := singular(run, code):
             return CycleOutcome(Result(run, poses))
+        if stops := locked(run):
+            return CycleOutcome(Result(run, stops))
         if dead := powerless(run):
             return CycleOutcome(Result(run, dead))
         if undecided := undefined(run):

@@ -57,7 +57,7 @@ def stuck(run: Run) -> list[Finding]:
     return findings
 
 
-def _row(run: Run, row: str, more: Sequence[float] = ()) -> tuple[Array, Array]:
+def row_of(run: Run, row: str, more: Sequence[float] = ()) -> tuple[Array, Array]:
     """Times and values of a row, on a grid that holds its turning points and some more times."""
 
     def rates(share: Array) -> tuple[Array, Array]:
@@ -81,7 +81,7 @@ def gaps(run: Run, row: str, ends: Sequence[float]) -> list[tuple[float, float, 
 
     ``ends`` are those of the gaps of earlier groups, where this one's reach may stop while it is negative.
     """
-    t, reach = _row(run, row, ends)
+    t, reach = row_of(run, row, ends)
     bad = reach < -TOUCH
     edges = np.flatnonzero(np.diff(np.concatenate([[False], bad, [False]]).astype(int)))
     gaps = []
@@ -150,7 +150,7 @@ def singular(run: Run, code: str = "motion.singular") -> list[Finding]:
             continue
         vague: list[float] = []
         if group.has_span:
-            s, span = _row(run, f"span:{group.label}")
+            s, span = row_of(run, f"span:{group.label}")
             vague = [float(s[i]) for i in _lowest(span, SINGULAR * span.max())]
         touches = [time for time, _ in touching(run, group.label) if not _passed(run, group.label, time)]
         findings += [_singular(run, code, group.label, time, 0.0) for time in sorted({*touches, *vague})]
@@ -188,7 +188,7 @@ def overrun(run: Run) -> Iterator[tuple[tuple[str, ...], float, dict[str, Any]]]
         if cylinder.length is None:
             continue
         low, high = (quantities.value(edge, u.LENGTH) for edge in cylinder.length)
-        t, length = _row(run, f"{name}.s")
+        t, length = row_of(run, f"{name}.s")
         for at, over, limit in (
             (int(np.argmin(length)), low - length.min(), low),
             (int(np.argmax(length)), length.max() - high, high),
@@ -207,7 +207,7 @@ def _passed(run: Run, group: str, time: float) -> bool:
 
 def touching(run: Run, group: str, limit: float = TOUCH) -> list[tuple[float, float]]:
     """Where a group's reach comes within a limit of zero: time and reach at the lowest place of each such stretch."""
-    t, reach = _row(run, f"reach:{group}")
+    t, reach = row_of(run, f"reach:{group}")
     return [(float(t[i]), float(reach[i])) for i in _lowest(reach, limit)]
 
 

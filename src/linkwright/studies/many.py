@@ -26,6 +26,7 @@ from linkwright.results.breaks import kinks, law_joins
 from linkwright.results.bunch import Bunch, What
 from linkwright.results.spans import Windows
 from linkwright.results.stationary import fineness
+from linkwright.studies.locked import angles
 from linkwright.studies.means import CLOSE, FIRST_PANELS, MOST_PANELS, corners, mean
 from linkwright.studies.measures import bound
 from linkwright.studies.peaks import Figures
@@ -77,7 +78,8 @@ class Measuring:
         found = [f"reach:{group.label}" for group in structure.groups if group.modes > 1]
         found += [f"span:{group.label}" for group in structure.groups if group.has_span]
         labels = [*(group.label for group in structure.groups), *(cluster.label for cluster in structure.clusters)]
-        return found + [f"determinant:{label}" for label in labels]
+        found += [f"determinant:{label}" for label in labels]
+        return found + [row for row, _ in angles(self.run.compiled)]
 
     def _of(self, name: str) -> list[Node]:
         """The expressions of a measure, that of its window among them."""

@@ -18,6 +18,7 @@ from linkwright.results import Run
 from linkwright.studies.asked import Sampling
 from linkwright.studies.feasible import singular, unassembled
 from linkwright.studies.histograms import coarse, fine, histogram, reach
+from linkwright.studies.locked import locked
 from linkwright.studies.measures import bound
 from linkwright.studies.sample_kept import Kept, tabled
 from linkwright.studies.sample_work import SampleTask, SampleWork, table_files
@@ -101,7 +102,7 @@ def refused(nominal: Run, options: Sampling, names: Iterable[str]) -> list[Findi
     if found and options.cycle.through == "keep":
         path, data = ("studies", options.study), {"names": ", ".join(names)}
         return carried(nominal)[1] or [Finding("varied.passage", path, data)]
-    return found
+    return found or locked(nominal)
 
 
 def chosen(nominal: Run, options: Sampling) -> Choice:

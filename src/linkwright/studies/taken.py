@@ -17,6 +17,7 @@ from linkwright.results.alone import alone
 from linkwright.results.bunch import Bunch
 from linkwright.results.spans import Windows, spans
 from linkwright.studies.feasible import SINGULAR, TOUCH
+from linkwright.studies.locked import square
 from linkwright.studies.means import corners, mean
 from linkwright.studies.measures import measure_all
 from linkwright.studies.peaks import Figures, peaks
@@ -84,6 +85,9 @@ class Taken:
         failed = np.asarray(np.isnan(bunch.p).any(axis=0))
         for row in self.measuring.rows:
             value, _ = bunch.on_grid(row)
+            if ".pressure" in row:
+                failed |= square(value).any(axis=1)
+                continue
             least, limit = np.abs(value).min(axis=1), SINGULAR
             if row.startswith("reach:"):
                 least, limit = peaks(bunch, row, [(whole, -1.0)])[0].values, TOUCH

@@ -51,6 +51,15 @@ def found(document: lw.Document, folder: Path | None = None, **options: Any) -> 
     return made, [note.code for note in notes]
 
 
+@pytest.mark.parametrize(("given", "codes"), [("s", []), ("2*s", []), ("s - s", ["accuracy.sigma"])])
+def test_a_sigma_tells_the_unit_of_its_parameter_before_the_file_is_read(given: str, codes: list[str]) -> None:
+    studies = {"cycle": {"turns": "1 motor", "samples": 60}}
+    asked = {"file": "later.csv", "parameters": ["a"], "sigma": {"P.x": given}}
+    studies["accuracy"] = {"outputs": ["P.x"], "samples": 0, "calibrate": asked}
+    parameters = {"a": {"value": 40, "tolerance": 0.05}, "b": 120, "c": 80, "d": 100, "s": 0.005}
+    assert [finding.code for finding in lw.check(model(parameters, studies=studies))] == codes
+
+
 def deviations(made: Calibration) -> dict[str, float]:
     return {one.name: one.deviation / one.size for one in made.estimates}
 

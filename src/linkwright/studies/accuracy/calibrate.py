@@ -29,7 +29,7 @@ from linkwright.studies.accuracy.calibrated import Calibration, Confounded, Esti
 from linkwright.studies.accuracy.calibration import Fit, Measurements, TooFew, Unusable, fit, scaling
 from linkwright.studies.accuracy.chained import derivatives, derived
 from linkwright.studies.accuracy.contributors import Contributors
-from linkwright.studies.accuracy.measured import PATH, Column, Sheet, read, read_file, sigmas, times
+from linkwright.studies.accuracy.measured import PATH, Column, Sheet, check_sigmas, read, read_file, sigmas, times
 
 Array = NDArray[np.float64]
 
@@ -77,6 +77,8 @@ def check_calibrate(compiled: Compiled, options: Calibrate, contributors: Contri
         yield from findings
         if sheet is not None:
             yield from _check_sheet(run, options, contributors, sheet)
+    else:
+        yield from check_sigmas(compiled, options.sigma)
 
 
 def _check_sheet(run: Run, options: Calibrate, contributors: Contributors, sheet: Sheet) -> Iterator[Finding]:

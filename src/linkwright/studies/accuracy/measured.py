@@ -304,8 +304,21 @@ def _same(run: Run, sheet: Sheet, t: Array) -> bool:
 
 def sigmas(compiled: Compiled, sheet: Sheet, given: Mapping[str, Expression]) -> tuple[Array, list[Finding]]:
     """The standard deviation of each output in SI, NaN where none is given, and what is wrong with them."""
-    found, findings = np.full(len(sheet.outputs), np.nan), [*_unknown(sheet, given)]
-    for i, column in enumerate(sheet.outputs):
+    found, findings = _sigmas(compiled, sheet.outputs, given)
+    return found, [*_unknown(sheet, given), *findings]
+
+
+def check_sigmas(compiled: Compiled, given: Mapping[str, Expression]) -> list[Finding]:
+    """What is wrong with the standard deviations of a file's columns before it is read; that tells their units too."""
+    outputs = _columns(compiled, [(name, None) for name in given], None, (*PATH, "sigma"))[1]
+    return _sigmas(compiled, outputs, given)[1]
+
+
+def _sigmas(
+    compiled: Compiled, outputs: Sequence[Column], given: Mapping[str, Expression]
+) -> tuple[Array, list[Finding]]:
+    found, findings = np.full(len(outputs), np.nan), list[Finding]()
+    for i, column in enumerate(outputs):
         if (expression := given.get(column.text)) is None:
             continue
         path = (*PATH, "sigma", column.text)

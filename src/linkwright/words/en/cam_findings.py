@@ -283,6 +283,8 @@ CAM_TERMS = {
     "no-rate": "; with the present one no rate does",
     "a-length": "a length of the follower",
     "no-base": "none of up to twenty times as large",
+    "normal-square": "the pressure angle reaches 90 deg, and no force along the common normal moves the follower on",
+    "face-fast": "its face turns as fast as the cam, and the contact runs off along it",
     "cam-positive": "more than 0",
     "cam-zero": "0 or more",
     "jump-acceleration": "acceleration",

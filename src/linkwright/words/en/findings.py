@@ -469,9 +469,14 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Move the second contact further away from the shaft, or take a smaller second roller.",
     ),
     "cam.lifts-off": (
-        "The follower of the cam {cam} lifts off: it would have to be pulled with {force} {of} t = {time} s ({drive} = "
+        "The follower of the cam {cam} lifts off: it would have to be pulled with {force} {of} at t = {time} s ({drive} = "
         "{value} {unit}).",
         "Add a spring or a stronger one, turn slower, or say closed: groove (conjugate, yoke) where form holds it.",
+    ),
+    "cam.locks": (
+        "The follower of the cam {cam} locks at t = {time} s ({drive} = {value} {unit}): {why}.",
+        "Take a smaller lift or a longer way for it; or another pivot, arm or base circle, by which the normal stays off "
+        "the square to the follower's way.",
     ),
     "cam.loose": (
         "The yoke of the cam {cam} has up to {play} {unit} of play; forces are those of one without.",
@@ -945,7 +950,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "varied.values": (
         "{count} of {samples} samples have values that the model can't take; in the first one, {sample}: {what}",
-        "Narrow the ranges of the varied parameters.",
+        "Narrow the ranges of the varied parameters, or let what must fit them follow as an expression of them.",
     ),
     "varied.drive": (
         "In {count} of {samples} samples the law of {drive} has no finite value; in the first one, {sample}, at "
@@ -1056,7 +1061,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "study.no-value": (
         "In {count} of {samples} samples a measure or signal has no finite value, though their motion can be followed; the "
         "first one is sample {sample}.",
-        "Look for a singular pose, a division by zero or a window that isn't reached; or narrow the ranges.",
+        "Look for a singular pose, a cam that locks its follower, a division by zero or a window that isn't reached; or "
+        "narrow the ranges.",
     ),
     "study.none": (
         "The file asks for no study.",

@@ -1,0 +1,55 @@
+"""Where the contact of a cam holds its follower fast: the common normal is square to the follower's way."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.graph.cams import followings
+from linkwright.kernels import Compiled
+from linkwright.model.findings import Finding, Term
+from linkwright.results import Run
+from linkwright.studies.feasible import SINGULAR, drive_value, row_of
+
+Array = NDArray[np.float64]
+
+
+def angles(compiled: Compiled) -> Iterator[tuple[str, str]]:
+    """The pressure angles of all contacts, with their cams."""
+    for name, drive in followings(compiled.quantities).items():
+        yield f"{name}.pressure", name
+        if drive.paired:
+            yield f"{name}.pressure_second", name
+
+
+def square(pressure: Array) -> NDArray[np.bool_]:
+    """Whether a contact holds its follower fast at a pressure angle (rad), or would have to draw it up."""
+    return ~(np.cos(pressure) > SINGULAR)
+
+
+def locked(run: Run) -> list[Finding]:
+    """A finding for each cam whose follower locks, where it first does so: the contact's force has no bound there."""
+    found: dict[str, Finding] = {}
+    for row, name in angles(run.compiled):
+        t, pressure = row_of(run, row)
+        bad = square(pressure)
+        if not bad.any() or name in found:
+            continue
+        first = int(np.argmax(bad))
+        time = float(t[first])
+        good = float(t[first - 1]) if first else time
+        for _ in range(60):
+            middle = 0.5 * (good + time)
+            if square(run.compiled.evaluate([row], np.array([middle]))[0])[0]:
+                time = middle
+            else:
+                good = middle
+        before = run.compiled.evaluate([row], np.array([good]))[0, 0]
+        # Where a face turns as fast as the cam, the contact goes to infinity: the angle jumps by half a turn there.
+        why = Term("face-fast" if np.cos(before) > 0.5 else "normal-square")
+        data: dict[str, Any] = {"cam": name, "why": why, "time": f"{time:.6g}"} | drive_value(run, time)
+        found[name] = Finding("cam.locks", ("cams", name), data)
+    return [*found.values()]
