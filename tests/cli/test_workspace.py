@@ -39,24 +39,33 @@ def test_the_study_alone(file: Path, tmp_path: Path) -> None:
     assert {path.name for path in (tmp_path / "out").iterdir()} - {"workspace.dxf"} == files
 
 
-def test_interrupted_it_writes_what_is_done(
-    file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """The first of three regions interrupts the rest."""
-    study = {"point": "E", "chord": 1e-3, "for": {"b": [30, 35, 20]}}
+def interrupted(
+    study: dict[str, Any], where: str, file: Path, out: Path, monkeypatch: pytest.MonkeyPatch
+) -> dict[str, Any]:
+    """The summary of a study with an interrupt ``where`` in the code of the workspace."""
     lw.save(lw.load(file).model_copy(update={"studies": {"workspace": study}}), file)
 
     def interrupting(*given: Any) -> Any:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("linkwright.studies.workspace.together.wait", interrupting)
-    monkeypatch.setattr("sys.argv", ["linkwright", "workspace", str(file), "--out", str(tmp_path / "out")])
+    monkeypatch.setattr(f"linkwright.studies.workspace.{where}", interrupting)
+    monkeypatch.setattr("sys.argv", ["linkwright", "workspace", str(file), "--out", str(out)])
     with pytest.raises(SystemExit) as ended:
         main()
     assert ended.value.code == 130
+    summary: dict[str, Any] = json.loads((out / "summary.json").read_text())
+    assert [f["code"] for f in summary["findings"]] == ["workspace.stopped"]
+    return summary
+
+
+def test_interrupted_it_writes_what_is_done(
+    file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The first of three regions interrupts the rest."""
+    study = {"point": "E", "chord": 1e-3, "for": {"b": [30, 35, 20]}}
+    summary = interrupted(study, "together.wait", file, tmp_path / "out", monkeypatch)
     assert "1 of 3 regions" in capsys.readouterr().err
-    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
-    assert not summary["done"] and [f["code"] for f in summary["findings"]] == ["workspace.stopped"]
+    assert not summary["done"]
     assert [region["b"] for region in summary["workspace"]["regions"]] == [30]
     assert "E" in (tmp_path / "out" / "workspace.svg").read_text()
     with pytest.raises(Stopped):
@@ -69,18 +78,7 @@ def test_interrupted_after_its_regions_it_keeps_them_and_the_maps(
 ) -> None:
     """The interrupt comes while the figures are fitted in."""
     study = {"point": "E", "chord": 1e-3, "quality": {"steps": 20}, "fits": {"table": {"circle": 5}}}
-    lw.save(lw.load(file).model_copy(update={"studies": {"workspace": study}}), file)
-
-    def interrupted(*given: Any) -> Any:
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr("linkwright.studies.workspace.required.RequiredFits.perform", interrupted)
-    monkeypatch.setattr("sys.argv", ["linkwright", "workspace", str(file), "--out", str(tmp_path / "out")])
-    with pytest.raises(SystemExit) as ended:
-        main()
-    assert ended.value.code == 130
-    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
-    assert [f["code"] for f in summary["findings"]] == ["workspace.stopped"]
+    summary = interrupted(study, "required.RequiredFits.perform", file, tmp_path / "out", monkeypatch)
     assert len(summary["workspace"]["regions"]) == len(summary["workspace"]["quality"]) == 1
     assert "fits" not in summary["workspace"] and (tmp_path / "out" / "workspace_maps.csv").exists()
 

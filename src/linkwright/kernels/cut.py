@@ -120,7 +120,7 @@ class _Cut:
             centre, way = self.centre(motion, plan, at)
             past = way.minus(centre.perp.times(forward))
             if not is_zero(more):
-                bent = self.bend(motion, plan, at).minus(way.perp.times(2 * forward)).minus(centre)
+                bent = self.bend(motion, plan, at, centre, way).minus(way.perp.times(2 * forward)).minus(centre)
                 size = past.dot(past)
                 past = past.times(1.0 - (forward * more) * past.cross(bent) / (size * size.sqrt()))
             point, past = place(at, centre, way), spun(past, at)
@@ -149,21 +149,17 @@ class _Cut:
             right = Pair(plan.way.y, -plan.way.x)
             aside = _vector(Pair(plan.aside * right.x, plan.aside * right.y), at)
             return Vec(lift * plan.way.x, lift * plan.way.y).plus(aside), Vec(slope * plan.way.x, slope * plan.way.y)
-        arm = self.arm(plan, lift)
+        angle = plan.home + plan.sign * lift
+        arm = Vec(angle.cos(), angle.sin()).times(plan.reach)
         return _vector(plan.pivot.minus(plan.shaft), at).plus(arm), arm.perp.times(plan.sign * slope)
 
-    def bend(self, motion: Motion, plan: Seat, at: Jet) -> Vec:
-        """The second derivative of the roller's centre."""
-        slope, bend = motion.on(at, 1), motion.on(at, 2)
+    def bend(self, motion: Motion, plan: Seat, at: Jet, centre: Vec, way: Vec) -> Vec:
+        """The second derivative of the roller's ``centre``, whose first one is ``way``."""
+        bend = motion.on(at, 2)
         if not plan.turns:
             return Vec(bend * plan.way.x, bend * plan.way.y)
-        arm = self.arm(plan, motion.on(at) + plan.start)
-        return arm.perp.times(plan.sign * bend).minus(arm.times(slope * slope))
-
-    def arm(self, plan: Seat, lift: Jet) -> Vec:
-        """From a swinging follower's pivot to its roller."""
-        angle = plan.home + plan.sign * lift
-        return Vec(angle.cos(), angle.sin()).times(plan.reach)
+        arm = centre.minus(_vector(plan.pivot.minus(plan.shaft), at))
+        return arm.perp.times(plan.sign * bend).minus(arm.times(way.dot(way) / (plan.reach * plan.reach)))
 
     def flat(self, plan: Seat, pose: _Pose) -> Jet:
         """With a sliding flat face: the tangent of the profile in the face's direction."""

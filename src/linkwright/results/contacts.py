@@ -29,13 +29,13 @@ def contact(r: Reports, drive: Following, second: bool = False) -> tuple[Array, 
     turn = r.rows[f"{drive.motor}.angle"] * drive.turned  # of the cam on its carrier
     forward = cam.sense or ("clockwise" if _backward(r, drive) else "counter-clockwise")
     forward_sign = 1.0 if forward == "counter-clockwise" else -1.0
-    lift = r.compiled.motions[cam.law]
-    slope = forward_sign * lift.at(forward_sign * turn + number(cam.phase, u.ANGLE), 1)  # by the cam's angle
+    lift, asked = r.compiled.motions[cam.law], forward_sign * turn + number(cam.phase, u.ANGLE)
+    slope = forward_sign * lift.at(asked, 1)  # by the cam's angle
     shaft = r.at(drive.on, r.geometry.point(drive.on, drive.shaft[1]))
     at = r.at(drive.link, r.geometry.point(drive.link, cam.touches))
     face = _direction(r, drive, cam.face) if cam.face is not None else None
     if second:
-        at, face = _second(r, drive, shaft, at, face, lift.at(forward_sign * turn + number(cam.phase, u.ANGLE)))
+        at, face = _second(r, drive, shaft, at, face, lift.at(asked))
     if drive.pivot is not None:
         pivot = r.at(drive.on, r.geometry.point(drive.on, drive.pivot[1]))
         moved = -drive.side * slope * _quarter(at - pivot)

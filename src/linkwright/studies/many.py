@@ -62,7 +62,7 @@ class Measuring:
         measures = self.quantities.mechanism.measures
         self.measures = {name: measures[name] for name in (measures if names is None else names)}
         self.trees = {key: tree for name in self.measures for key, tree in bound(self.quantities, name).items()}
-        self.rows = self._rows()
+        self.rows, self.pressures = self._rows(), [row for row, _ in angles(run.compiled)]
         varying = varied.joins(run.compiled.parameters[:, None])
         self.kinks, self.joins = kinks(run.compiled, varying), law_joins(run.compiled, varying)
         self.single = [name for name, measure in self.measures.items() if self._singly(name, measure)]
@@ -78,8 +78,7 @@ class Measuring:
         found = [f"reach:{group.label}" for group in structure.groups if group.modes > 1]
         found += [f"span:{group.label}" for group in structure.groups if group.has_span]
         labels = [*(group.label for group in structure.groups), *(cluster.label for cluster in structure.clusters)]
-        found += [f"determinant:{label}" for label in labels]
-        return found + [row for row, _ in angles(self.run.compiled)]
+        return found + [f"determinant:{label}" for label in labels]
 
     def _of(self, name: str) -> list[Node]:
         """The expressions of a measure, that of its window among them."""
@@ -164,7 +163,7 @@ class Measuring:
     def watched(self) -> list[What]:
         """All curves that are looked at on the grid."""
         trees = [tree for name in self.measures if name not in self.single for tree in self._of(name)]
-        return [*dict.fromkeys(trees), *self.rows]
+        return [*dict.fromkeys(trees), *self.rows, *self.pressures]
 
 
 def _joined(parts: Sequence[Many]) -> Many:

@@ -85,15 +85,14 @@ class Taken:
         failed = np.asarray(np.isnan(bunch.p).any(axis=0))
         for row in self.measuring.rows:
             value, _ = bunch.on_grid(row)
-            if ".pressure" in row:
-                failed |= square(value).any(axis=1)
-                continue
             least, limit = np.abs(value).min(axis=1), SINGULAR
             if row.startswith("reach:"):
                 least, limit = peaks(bunch, row, [(whole, -1.0)])[0].values, TOUCH
             elif row.startswith("span:"):
                 limit = SINGULAR * value.max(axis=1)
             failed |= ~(least > limit) | ((value > 0).any(axis=1) & (value < 0).any(axis=1))
+        for row in self.measuring.pressures:
+            failed |= square(bunch.on_grid(row)[0]).any(axis=1)
         return failed
 
     def all_extremes(self) -> dict[tuple[Node, str | None, float], Figures]:

@@ -26,7 +26,7 @@ from linkwright.studies.cam.milled import milled, seen
 from linkwright.studies.cam.options import PATH, CamOptions
 from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.studies.cam.plate import Plate
-from linkwright.studies.cam.stated import Reader
+from linkwright.studies.cam.stated import Reader, Stated
 from linkwright.studies.registry import register
 from linkwright.studies.site import NOWHERE, Site
 
@@ -64,9 +64,7 @@ class CamStudy:
         name, findings = chosen(compiled, options)
         if name is None:
             return findings
-        reader = Reader(compiled, options, name, *held(compiled, name))
-        reader.read()
-        return reader.findings
+        return _read(compiled, options, name)[1]
 
     def run(self, compiled: Compiled, options: CamOptions, site: Site = NOWHERE) -> CamOutcome:
         """All that is asked of the cam; nothing is made of a disc that is undercut."""
@@ -97,10 +95,20 @@ class CamStudy:
         return outcome
 
 
+def _read(compiled: Compiled, options: CamOptions, name: str) -> tuple[Stated, list[Finding]]:
+    """The numbers of the options and what is wrong with them, read once for check and run."""
+
+    def made() -> tuple[Stated, list[Finding]]:
+        reader = Reader(compiled, options, name, *held(compiled, name))
+        return reader.read(), reader.findings
+
+    return compiled.kept((_read, name, options), made)
+
+
 def _begun(compiled: Compiled, options: CamOptions, name: str) -> CamOutcome:
     """The disc or discs, and what is asked of them."""
     path, (disc, close) = ("cams", name), held(compiled, name)
-    stated = Reader(compiled, options, name, disc, close).read()
+    stated, _ = _read(compiled, options, name)
     axes = frame(compiled, name)
     plates = [Plate(disc, axes, stated, path, options.steps)]
     if isinstance(close, Conjugate):
