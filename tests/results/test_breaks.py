@@ -10,7 +10,7 @@ import pytest
 from helpers.compiled import compiled_from
 from helpers.examples import UNITS
 from linkwright.results import Run, certify
-from linkwright.studies.measures import measure_all
+from linkwright.measures import measure_all
 
 
 def wheel(**sections: Any) -> dict[str, Any]:

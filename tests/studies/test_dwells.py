@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from linkwright.results.stationary import stationary
-from linkwright.studies.dwells import Course
+from linkwright.measures.dwells import Course
 from studies.models import measured, slider_crank
 
 

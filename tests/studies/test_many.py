@@ -26,7 +26,7 @@ from linkwright.model.units import si_text
 from linkwright.results import Run
 from linkwright.studies.cycle import CycleOptions, span
 from linkwright.studies.many import Many, Measuring, measure_many
-from linkwright.studies.measures import MeasureResult, bound, measure_all
+from linkwright.measures import MeasureResult, bound, measure_all
 from studies.models import UNITS, four_bar, slider_crank
 from studies.test_measures import SIGNALS
 

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from linkwright.studies.measures import RULES
+from linkwright.measures import RULES
 from studies.models import at, cycle_of, four_bar, job_of, measured, refused, slider_crank, slider_x, value
 
 R, L, E = 50.0, 160.0, 20.0

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from scipy.optimize import minimize_scalar
 from scipy.special import ellipe
 
-from linkwright.studies.paths import hull, straightness, strip
+from linkwright.measures.paths import hull, straightness, strip
 from studies.models import four_bar, job_of, measured, slider_crank, trammel, value
 
 R, L, E = 50.0, 160.0, 20.0  # mm of the slider-crank

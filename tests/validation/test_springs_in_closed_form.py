@@ -63,7 +63,7 @@ def test_a_damper_dissipates_pi_c_w_x_squared_a_cycle() -> None:
     c, x, w = 7.0, 0.2, 2 * np.pi
     data = block(f"1 + {x}*sin(({w!r} rad/s)*t)", springs={"d": {"from": "O", "to": "P", "damping": c}})
     data["measures"] = {"mean": {"mean": "push.power"}, "damper": {"mean": "d.power"}}
-    from linkwright.studies.measures import measure_all
+    from linkwright.measures import measure_all
 
     measures, _ = measure_all(Run(compiled_from(data), 0.0, 1.0, 20))
     work = np.pi * c * w * x**2
@@ -184,7 +184,7 @@ def test_a_force_only_on_the_way_out_works_once_a_turn() -> None:
             "rod": {"extremes": "force(rod, slide).x"},
         },
     }
-    from linkwright.studies.measures import measure_all
+    from linkwright.measures import measure_all
 
     run = Run(compiled_from(data), 0.0, 2 * np.pi / 10, 50)
     certificate = certify(run)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from pathlib import PurePosixPath, PureWindowsPath
 from typing import Annotated, Any, Literal
 
@@ -163,19 +164,40 @@ Window = Annotated[
     Discriminator(lambda raw: "signal" if isinstance(raw, Mapping) else "time"),
 ]
 
-WHERE = re.compile(r"^\s*(?:(max|min)\s+(\S.*)|(start)|(end))\s*$", re.S)
-"""How a place of a value is written: ``max E.x``, ``min E.x``, ``start``, ``end``."""
+_INSTANT = re.compile(
+    r"^\s*(?:(?P<extreme>max|min)\s+(?P<of>\S.*)|(?P<end>start|end)|(?P<signal>[^=]+)=(?P<level>[^=]+))\s*$", re.S
+)
+
+
+@dataclass(frozen=True)
+class Instant:
+    """When a value is taken: at the ``max`` or ``min`` of an expression, at ``start`` or ``end``, or where an expression
+    (a signal less its level) is ``zero``."""
+
+    kind: str
+    expression: str = ""
+
+    @classmethod
+    def read(cls, text: str) -> Instant | None:
+        """As a file writes it: ``max E.x``, ``min E.x``, ``start``, ``end``, ``motor.angle = 24 deg``."""
+        match = _INSTANT.match(text)
+        if match is None:
+            return None
+        if match["extreme"]:
+            return cls(match["extreme"], match["of"])
+        return cls(match["end"]) if match["end"] else cls("zero", f"({match['signal']}) - ({match['level'].strip()})")
+
 
 REDUCTIONS = ("span", "max", "min", "extremes", "mean", "rms", "value", "path", "straightness", "dwell")
 
 
 def _where(raw: Any) -> str:
     text = short_text(raw)
-    match = WHERE.match(text)
-    if match is None:
+    instant = Instant.read(text)
+    if instant is None:
         raise fault("measure.bad-where", given=text[:60])
-    if match[2]:
-        parse_text(match[2])
+    if instant.expression:
+        parse_text(instant.expression)
     return text
 
 
@@ -200,8 +222,8 @@ class Measure(Frozen):
     value: Expression | None = Field(None, description="value at one instant; with where")
     where: Annotated[str, BeforeValidator(_where)] | None = Field(
         None,
-        description="the instant of a value: 'max E.x', 'min E.x', 'start' or 'end'",
-        examples=["max E.x", "min E.x", "start", "end"],
+        description="the instant of a value: 'max E.x', 'min E.x', 'motor.angle = 24 deg', 'start' or 'end'",
+        examples=["max E.x", "min E.x", "motor.angle = 24 deg", "start", "end"],
     )
     path: Name | None = Field(None, description="the length of this point's path")
     straightness: Name | None = Field(
@@ -234,6 +256,11 @@ class Measure(Frozen):
     def reduction(self) -> str:
         """The name of the reduction."""
         return next(name for name in REDUCTIONS if getattr(self, name) is not None)
+
+    @property
+    def instant(self) -> Instant | None:
+        """When a value is taken."""
+        return None if self.where is None else Instant.read(self.where)
 
     @property
     def point(self) -> str | None:

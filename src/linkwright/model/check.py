@@ -6,7 +6,6 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from linkwright.model.actions import WHERE
 from linkwright.model.expressions import FUNCTIONS
 from linkwright.model.findings import Finding, Term
 from linkwright.model.mechanism import FRAME, Mechanism
@@ -16,7 +15,7 @@ from linkwright.model.tolerances import tolerance_faults
 from linkwright.model.unknown import near, unknown
 from linkwright.model.values import check_values
 
-__all__ = ["FRAME", "WHERE", "check_names", "check_values"]
+__all__ = ["FRAME", "check_names", "check_values"]
 
 
 def check_names(m: Mechanism) -> list[Finding]:

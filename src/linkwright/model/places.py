@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from linkwright.model import units as u
-from linkwright.model.actions import WHERE, Measure
+from linkwright.model.actions import Measure
 from linkwright.model.dimensions import Wanted, argument, value
 from linkwright.model.fields import Expression, FrozenDict, Position
 from linkwright.model.mechanism import Mechanism, Spring
@@ -231,5 +231,5 @@ def _measure(m: Mechanism, name: str, measure: Measure) -> Iterator[Place]:
         wanted = u.SPEED if measure.path else u.LENGTH
         yield Place((*at, measure.reduction), measure.signal, wanted, Scope.SIGNALS)
     yield from (Place((*at, "wrap"), edge, figure(name, measure)) for edge in measure.wrap or ())
-    if measure.where and (match := WHERE.match(measure.where)) and match[2]:
-        yield Place((*at, "where"), Expression(match[2]), instant(name), Scope.SIGNALS)
+    if (when := measure.instant) and when.expression:
+        yield Place((*at, "where"), Expression(when.expression), instant(name), Scope.SIGNALS)

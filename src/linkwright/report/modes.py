@@ -10,10 +10,10 @@ from typing import TypedDict
 import numpy as np
 
 from linkwright.graph.modes import Mode
+from linkwright.measures.paths import hull
 from linkwright.model import units as u
 from linkwright.structure import FRAME
 from linkwright.studies import ModesOutcome
-from linkwright.studies.paths import hull
 from linkwright.words import say
 
 

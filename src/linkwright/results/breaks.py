@@ -24,8 +24,8 @@ ASIDE = (1e-11, 1e-10, 1e-9, 1e-8)
 """How far from a jump its two sides are looked at, over the run's length: the first at which they differ."""
 ROUGH = 3
 """The continuity from which on a join of a motion law hinders nothing: the jerk runs on."""
-MOST = 1 << 13
-"""The most kinks of a table that are sought; more are so slight that quadrature doesn't need them."""
+MOST = 1 << 16
+"""The most kinks of a table that are sought."""
 
 
 def jumps(run: Run) -> Array:
@@ -51,7 +51,7 @@ def breaks(run: Run) -> Array:
     for i, lookup in enumerate(actions.lookups):
         table = run.compiled.tables[lookup.table]
         if table.degree == 1 and not lookup.integral:
-            found.append(knots(_argument(run, i), table, run.start, run.stop, run.grid))
+            found.append(knots(argument_of(run, i), table, run.start, run.stop, run.grid))
     found += [_zeros(run, node) for node in kinks(run.compiled)]
     return np.unique(np.concatenate(found))
 
@@ -71,7 +71,7 @@ def kinks(compiled: Compiled, varied: Iterable[str] = ()) -> list[Node]:
     """What changes its sign where the law of a load, drive or cam has a kink, or another contact of a cam bears;
     ``varied`` are the names of joins that vary, as :meth:`linkwright.kernels.varied.Varied.joins` has them."""
     quantities, m = compiled.quantities, compiled.mechanism
-    laws = [*compiled.graph.actions.laws, *_positions(compiled)]
+    laws = [*compiled.graph.actions.laws, *positions(compiled)]
     found = dict.fromkeys(switch for law in laws for node in nodes(law) for switch in switches(node))
     found |= dict.fromkeys(law_joins(compiled, varied))
     paired = (name for name, drive in followings(quantities).items() if drive.paired)
@@ -86,11 +86,11 @@ def law_joins(compiled: Compiled, varied: Iterable[str] = ()) -> list[Node]:
     of :func:`kinks`."""
     quantities = compiled.quantities
     cams = [Call(drive.cam.law, (argument(quantities, drive),)) for drive in followings(quantities).values()]
-    calls = (node for law in (*_positions(compiled), *cams) for node in nodes(law))
+    calls = (node for law in (*positions(compiled), *cams) for node in nodes(law))
     return [way for node in calls for way in joins(compiled.motions, node, varied)]
 
 
-def _positions(compiled: Compiled) -> list[Node]:
+def positions(compiled: Compiled) -> list[Node]:
     """The laws of the drives that are expressions."""
     quantities = compiled.quantities
     drives = {name: drive.position for name, drive in compiled.mechanism.drives.items()}
@@ -129,7 +129,7 @@ def switches(node: Node) -> list[Node]:
     return [node.args[0]] if node.name == "abs" else []
 
 
-def _argument(run: Run, lookup: int) -> Callable[[Array], Array]:
+def argument_of(run: Run, lookup: int) -> Callable[[Array], Array]:
     """What a table is asked for, at times."""
 
     def argument(t: Array) -> Array:

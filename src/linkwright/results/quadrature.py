@@ -13,8 +13,8 @@ def gauss_points(edges: Array) -> tuple[Array, Array]:
     return panel_points(edges[:-1], edges[1:])
 
 
-def panel_points(lows: Array, highs: Array) -> tuple[Array, Array]:
-    """The same on panels given by their ends, those of a panel together."""
-    nodes, weights = np.polynomial.legendre.leggauss(8)
+def panel_points(lows: Array, highs: Array, points: int = 8) -> tuple[Array, Array]:
+    """The same on panels given by their ends, those of a panel together, with any number of ``points`` a panel."""
+    nodes, weights = np.polynomial.legendre.leggauss(points)
     h = (highs - lows)[:, None]
     return (lows[:, None] + h * (nodes + 1) / 2).ravel(), (h * weights / 2).ravel()

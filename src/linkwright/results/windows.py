@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.model import units as u
-from linkwright.model.expressions import parse
+from linkwright.model.expressions import Node, parse
 from linkwright.results.stationary import crossings
 
 if TYPE_CHECKING:
@@ -60,3 +60,19 @@ def _within(run: Run, text: str, low: float, high: float, turning: bool) -> list
         else:
             found.append((float(a), float(b)))
     return found
+
+
+def passing(run: Run, node: Node, spans: list[Interval], turning: bool) -> Array:
+    """The times (s) in some intervals at which an expression is zero, ascending; with ``turning`` also any whole turns
+    from it."""
+
+    def value(t: Array) -> Array:
+        found = np.asarray(run.jets(node, t).d[0])
+        return np.sin(found / 2) if turning else found
+
+    ends = np.array([edge for span in spans for edge in span])
+    size = float(np.abs(value(np.linspace(run.start, run.stop, 65))).max(initial=0.0))
+    at_ends = ends[np.abs(value(ends)) <= 1e-12 * max(size, 1.0 if turning else 0.0)]
+    crossed = crossings(value, run.start, run.stop, run.grid)
+    inside = [t for t in crossed.tolist() if any(a < t < b for a, b in spans)]
+    return np.unique(np.concatenate([at_ends, inside]))

@@ -1,12 +1,12 @@
 """Studies: what a model file asks to be done with its mechanism."""
 
+from linkwright.measures import MeasureResult
 from linkwright.studies import cycle, limits, modes, sweeping  # noqa: F401  (each registers itself)
 from linkwright.studies.accuracy.study import AccuracyStudy  # noqa: F401
 from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.studies.cam.study import CamStudy  # noqa: F401
 from linkwright.studies.cycle import CycleOptions, CycleOutcome
 from linkwright.studies.limits import LimitsOptions, LimitsOutcome
-from linkwright.studies.measures import MeasureResult
 from linkwright.studies.modes import ModesOptions, ModesOutcome, find_modes
 from linkwright.studies.registry import STUDIES, Task, read_studies
 from linkwright.studies.sampling import Interrupted

@@ -10,6 +10,7 @@ import numpy as np
 from pydantic import Field, ValidationError, ValidationInfo, model_validator
 
 from linkwright.kernels import Compiled
+from linkwright.measures import MeasureResult, measure_all
 from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen, fault
 from linkwright.model.findings import Finding, ModelError, Term
@@ -17,7 +18,6 @@ from linkwright.results import Result, Run, certify
 from linkwright.studies.acting import lifted, loose, outside, undefined
 from linkwright.studies.feasible import near, singular, strokes, unassembled
 from linkwright.studies.locked import locked
-from linkwright.studies.measures import MeasureResult, measure_all
 from linkwright.studies.outputs import powerless
 from linkwright.studies.registry import register
 from linkwright.studies.site import NOWHERE, Site

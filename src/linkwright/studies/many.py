@@ -1,6 +1,6 @@
 """The measures of many samples of a mechanism at once.
 
-They are those of :mod:`linkwright.studies.measures`, to round-off. Extremes and places are root-found on exact rates
+They are those of :mod:`linkwright.measures`, to round-off. Extremes and places are root-found on exact rates
 in brackets of a grid, means integrated on panels; the grid is twice and the panels twice as fine as the nominal run
 needs. (A run of its own doubles its grid for itself; here two turning points of a sample that lie between two places
 of the grid are missed.) Windows, jumps and corners follow each sample's own parameters.
@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.kernels.varied import Varied
+from linkwright.measures import bound
 from linkwright.model.expressions import Node, parse
 from linkwright.model.mechanism import Measure
 from linkwright.results import Run
@@ -28,7 +29,6 @@ from linkwright.results.spans import Windows
 from linkwright.results.stationary import fineness
 from linkwright.studies.locked import angles
 from linkwright.studies.means import CLOSE, FIRST_PANELS, MOST_PANELS, corners, mean
-from linkwright.studies.measures import bound
 from linkwright.studies.peaks import Figures
 from linkwright.studies.taken import EXTREMES, LABELS, POWERS, Many, Taken
 

@@ -13,13 +13,13 @@ from linkwright.blocks import UNIT, Carried, Threads, carry
 from linkwright.blocks.runners import opened
 from linkwright.kernels import KERNELS
 from linkwright.kernels.choice import Choice, choose
+from linkwright.measures import bound
 from linkwright.model.findings import Finding, ModelError
 from linkwright.results import Run
 from linkwright.studies.asked import Sampling
 from linkwright.studies.feasible import singular, unassembled
 from linkwright.studies.histograms import coarse, fine, histogram, reach
 from linkwright.studies.locked import locked
-from linkwright.studies.measures import bound
 from linkwright.studies.sample_kept import Kept, tabled
 from linkwright.studies.sample_work import SampleTask, SampleWork, table_files
 from linkwright.studies.site import Site

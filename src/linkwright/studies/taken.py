@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model.check import WHERE
+from linkwright.measures import measure_all
 from linkwright.model.expressions import Node
 from linkwright.model.mechanism import Measure
 from linkwright.model.places import figure
@@ -19,7 +19,6 @@ from linkwright.results.spans import Windows, spans
 from linkwright.studies.feasible import SINGULAR, TOUCH
 from linkwright.studies.locked import square
 from linkwright.studies.means import corners, mean
-from linkwright.studies.measures import measure_all
 from linkwright.studies.peaks import Figures, peaks
 from linkwright.studies.sides import sides
 
@@ -159,7 +158,8 @@ class Taken:
         if f"{name} where" in trees:
             times = self.extremes[trees[f"{name} where"], measure.window, _sign(measure)].times
         else:
-            times = window.first if (measure.where or "").strip() == "start" else window.last
+            assert measure.instant is not None
+            times = window.first if measure.instant.kind == "start" else window.last
         who = np.flatnonzero(np.isfinite(times))
         values = np.full_like(times, np.nan)
         values[who] = self.bunch.values(trees[name], who, times[who])
@@ -200,6 +200,5 @@ class Taken:
 
 
 def _sign(measure: Measure) -> float:
-    match = WHERE.match(measure.where or "")
-    assert match is not None
-    return 1.0 if match[1] == "max" else -1.0
+    assert measure.instant is not None
+    return 1.0 if measure.instant.kind == "max" else -1.0

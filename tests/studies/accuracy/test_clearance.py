@@ -29,7 +29,7 @@ from linkwright.studies.accuracy.outcome import AccuracyOutcome
 from linkwright.studies.accuracy.slopes import Slopes
 from linkwright.studies.accuracy.stated import contributors
 from linkwright.studies.many import Measuring
-from linkwright.studies.measures import measure_all
+from linkwright.measures import measure_all
 from studies.models import TURN, four_bar, slider_crank
 
 Array = NDArray[np.float64]

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.measures import bound
 from linkwright.model.expressions import parse
 from linkwright.model.findings import Finding, Term
 from linkwright.model.mechanism import Measure
@@ -16,7 +17,6 @@ from linkwright.studies.accuracy.clearance import PATH, Plays
 from linkwright.studies.accuracy.derivatives import Derivatives
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, Figure, PlayEffect
-from linkwright.studies.measures import bound
 
 Array = NDArray[np.float64]
 Effects = dict[tuple[str, str], PlayEffect]

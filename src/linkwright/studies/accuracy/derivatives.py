@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model.check import WHERE
+from linkwright.measures import Measurer, Probe
 from linkwright.model.expressions import Node
 from linkwright.model.mechanism import REDUCTIONS, Measure
 from linkwright.results import Run
@@ -25,7 +25,6 @@ from linkwright.studies.accuracy.edges import Edges
 from linkwright.studies.accuracy.joins import Joins
 from linkwright.studies.accuracy.slopes import Slopes
 from linkwright.studies.accuracy.stretches import dwell, straightness
-from linkwright.studies.measures import Measurer, Probe
 
 Array = NDArray[np.float64]
 
@@ -45,7 +44,6 @@ class Derivatives:
         self.run, self.slopes, self.edges, self.joins = run, slopes, Edges(slopes), Joins(slopes)
         self.measurer = Measurer(run, names)
         self.trees = self.measurer.trees
-        self.turning = dict(zip(self.trees, self.measurer.turning(), strict=True)) if self.trees else {}
 
     def of(self, name: str) -> list[Derivative]:
         """Those of a measure's figures, in their order."""
@@ -54,7 +52,7 @@ class Derivatives:
 
     def probe(self, key: str, window: str | None) -> Probe:
         """An expression over a window."""
-        return Probe(self.run, self.trees[key], intervals(self.run, window), self.turning[key])
+        return self.measurer.probe(key, window)
 
     def moves(self, window: str | None, time: float) -> Array | None:
         """How a time moves with the deviations that is an end of a window or of a load."""
@@ -87,16 +85,17 @@ class Derivatives:
 
     def instant(self, name: str, measure: Measure) -> tuple[float, Array]:
         """The place of a value and its derivative."""
-        match, spans = WHERE.match(measure.where or ""), intervals(self.run, measure.window)
-        assert match is not None
-        if match[1]:
-            probe = self.probe(f"{name} where", measure.window)
-            time = (probe.top() if match[1] == "max" else probe.bottom()).time
-            assert time is not None
-        else:
-            time = spans[0][0] if match[3] else spans[-1][1]
+        when, spans = measure.instant, intervals(self.run, measure.window)
+        assert when is not None
+        key = f"{name} where"
+        time, _ = self.measurer.instant(name, measure, spans)
+        if when.kind == "zero":
+            here = self.slopes.at([self.trees[key]], np.array([time]))
+            return time, np.asarray(-here.slope[0, :, 0] / here.rate[0, 0])
+        if not when.expression:
+            time = spans[0][0] if when.kind == "start" else spans[-1][1]
         moves = self.moves(measure.window, time)
-        return time, self.edges.turn(probe.node, time) if moves is None else moves
+        return time, self.edges.turn(self.trees[key], time) if moves is None else moves
 
     def integral(self, name: str, window: str | None, power: int) -> tuple[float, Array, float, Array]:
         """The integral of a power of an expression over a window with its derivative; the window's length likewise."""

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.measures import measure_all
 from linkwright.model.expressions import parse
 from linkwright.results import Run
 from linkwright.studies.accuracy.contributors import Contributors
@@ -15,7 +16,6 @@ from linkwright.studies.accuracy.outcome import Curve, Figure
 from linkwright.studies.accuracy.slopes import Slopes
 from linkwright.studies.accuracy.stacking import larger, shares, spread, worst
 from linkwright.studies.figures import columns
-from linkwright.studies.measures import measure_all
 
 Array = NDArray[np.float64]
 

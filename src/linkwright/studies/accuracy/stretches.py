@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.measures.paths import around
+from linkwright.measures.rules import dwelling
 from linkwright.model.mechanism import Measure
 from linkwright.studies.accuracy.derivative import Derivative
 
@@ -27,7 +29,7 @@ def straightness(found: Derivatives, name: str, measure: Measure) -> list[Deriva
     the two. (Without a chord the width is stationary in the strip's direction.)
     """
     window, point = measure.window, str(measure.point)
-    _, across, times = found.probe(name, window).strip(point)
+    _, across, times = around(found.run, point, found.probe(name, window).intervals)
     names = [f"{point}.{axis}" for axis in ("x", "y", "vx", "vy")]
     values, slopes = found.slopes.tangents.evaluate(names, times)
     place, speed, moved = values[0] + 1j * values[1], values[2] + 1j * values[3], slopes[0] + 1j * slopes[1]
@@ -61,7 +63,7 @@ def dwell(found: Derivatives, name: str, measure: Measure) -> list[Derivative]:
     assert measure.within is not None
     kind = quantities.dimensions.dimension(measure.signal.node)
     width, wider = slopes.constant(measure.within, kind)
-    start, stop = probe.dwell(measure)
+    start, stop = dwelling(probe, measure)
     inside = [t for t in probe.stationary if start < t < stop and not found.edges.same(t, start)]
     times = np.array([start, stop, *(t for t in inside if not found.edges.same(t, stop))])
     here = slopes.at([probe.node], times)

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.results import Run
 from linkwright.results.stationary import stationary
 
 Array = NDArray[np.float64]
@@ -89,3 +90,16 @@ def hull(points: Path) -> Path:
             side.append(p)
         sides += side[:-1]
     return np.array(sides or ordered)
+
+
+def around(run: Run, point: str, intervals: list[Interval]) -> tuple[float, complex, Array]:
+    """The narrowest strip that holds a point's path over some intervals, as :func:`narrowest` gives it."""
+
+    def plane(*names: str) -> Callable[[Array], Path]:
+        def along(t: Array) -> Path:
+            x, y = run.evaluate([f"{point}.{name}" for name in names], t)
+            return np.asarray(x + 1j * y)
+
+        return along
+
+    return narrowest(plane("x", "y"), plane("vx", "vy"), intervals, max(run.grid, 100))

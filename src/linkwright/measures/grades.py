@@ -1,0 +1,27 @@
+"""How sure a reported number is: enclosed, searched or sampled."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+
+class Kind(Enum):
+    """*Enclosed*: proven by intervals. *Searched*: on exact rates between the steps of a grid. *Sampled*: the value at
+    one given time."""
+
+    ENCLOSED = "enclosed"
+    SEARCHED = "searched"
+    SAMPLED = "sampled"
+
+
+@dataclass(frozen=True)
+class Grade:
+    """A kind, and the ``width`` (s) below which a feature may hide from a search; ``None`` of the others."""
+
+    kind: Kind
+    width: float | None = None
+
+
+SAMPLED = Grade(Kind.SAMPLED)
+ENCLOSED = Grade(Kind.ENCLOSED)

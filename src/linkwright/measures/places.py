@@ -1,0 +1,208 @@
+"""The places of a run at which expressions need a close look.
+
+*Cuts* are zeros of break functions, kinks of loads, joins of laws, knots of tables: between two of them an expression
+is smooth. *Narrow* places are where a break function, or the radicand or determinant of a group, nearly vanishes: what
+is divided by it changes fast there, over the width in which it doubles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.measures.features import Feature, Find, Kind, features
+from linkwright.measures.search import Pieces, Rates, turning, zeros
+from linkwright.model.expressions import Call, Name, Node, nodes
+from linkwright.results import Run
+from linkwright.results.breaks import ASIDE, argument_of, knots, positions
+
+Array = NDArray[np.float64]
+
+HALVINGS = 44
+"""How often the distance to a narrow place is halved, from a step of the grid on."""
+CLOSEST = 4e-12
+"""The nearest that is looked at beside a place, over the run's length."""
+SHARE = 0.2
+"""Nearer than this share of the width over which a break function doubles nothing changes fast any more."""
+LOW = 0.2
+"""A least magnitude above this share of the usual one isn't narrow."""
+TOUCH = 1e-6
+"""A break function that comes this near to zero, over its largest value, may touch it."""
+MOST = 1 << 10
+"""The most narrow places of one break function that are looked at closely."""
+BETWEEN = np.array([0.0, 0.25, 0.5, 0.75])
+"""Where between the knots of a table is looked, as shares."""
+
+
+@dataclass(frozen=True)
+class Hard:
+    """A time (s) at which expressions need not be continuous: the break functions that may vanish there."""
+
+    time: float
+    features: tuple[Feature, ...]
+
+
+@dataclass
+class Places:
+    """The places of a run for some expressions (bound to SI): ``hard`` ones of each, the ``pieces`` between all cuts.
+
+    ``settled``: whether the searches for them have stood still.
+    """
+
+    run: Run
+    trees: Sequence[Node]
+    hard: dict[Node, list[Hard]] = field(default_factory=dict)
+    pieces: Pieces = field(init=False)
+    settled: bool = True
+
+    def __post_init__(self) -> None:
+        run = self.run
+        self._zeros: dict[Feature, Array] = {}
+        self._cuts: list[Array] = [run.breaks]
+        self._more: list[Array] = []
+        self._tables()
+        own = {tree: features(tree, self._find) for tree in self.trees}
+        acting = [feature for tree in _acting(run) for feature in features(tree, self._find)]
+        self._search([*dict.fromkeys([*(f for some in own.values() for f in some), *acting])])
+        self.hard = {tree: self._hard(some) for tree, some in own.items()}
+        self.pieces = self._pieces()
+
+    @property
+    def _find(self) -> Find:
+        return self.run.compiled.quantities.signals.find
+
+    def _tables(self) -> None:
+        """Knots of tables: linear ones cut, of others the grid is to see each stretch between two."""
+        run, tables = self.run, self.run.compiled.tables
+        for i, lookup in enumerate(run.compiled.graph.actions.lookups):
+            table = tables[lookup.table]
+            if table.degree > 1:
+                self._between(knots(argument_of(run, i), table, run.start, run.stop, run.grid))
+        for tree in self.trees:
+            for node in nodes(tree):
+                if isinstance(node, Call) and node.attribute is None and node.name in tables:
+                    table, argument = tables[node.name], node.args[0]
+                    at = knots(lambda t, a=argument: _values(run, a, t), table, run.start, run.stop, run.grid)
+                    self._cuts.append(at) if table.degree == 1 else self._between(at)
+
+    def _between(self, at: Array) -> None:
+        edges = np.unique(np.concatenate([[self.run.start], at, [self.run.stop]]))
+        self._more.append((edges[:-1, None] + np.diff(edges)[:, None] * BETWEEN).ravel())
+
+    def _search(self, found: list[Feature]) -> None:
+        """Search for zeros and narrow places of break functions, inner ones first, and of the groups' radicands."""
+        rows, left = _groups(self.run), found
+        inner = {f: {g.node for g in features(f.node, self._find)} for f in found}
+        while left or rows:
+            waiting = {f.node for f in left}
+            now = [f for f in left if not (inner[f] & waiting) - {f.node}] or left
+            left = [f for f in left if f not in now]
+            self._level(now, rows)
+            rows = []
+
+    def _level(self, some: list[Feature], rows: list[str]) -> None:
+        run, pieces = self.run, self._pieces()
+        trees = [f.node for f in some]
+
+        def rates(t: Array) -> tuple[Array, Array]:
+            parts = [run.compiled.rates(rows, t)] if rows else []
+            parts += [run.all_rates(trees, t)] if trees else []
+            values, slopes = (np.concatenate(part) for part in zip(*parts, strict=True))
+            return values, slopes
+
+        if not rows and not trees:
+            return
+        turned = turning(rates, pieces, run.grid)
+        self.settled &= all(turned.settled)
+        crossed = zeros(rates, pieces, turned, run.grid)
+        cuts = (pieces.before + pieces.after) / 2
+        corners = np.concatenate([[run.start, run.stop], np.clip(cuts, run.start, run.stop)])
+        usual = np.abs(rates(np.linspace(run.start, run.stop, 257))[0])
+        for i, row in enumerate([*rows, *some]):
+            known = usual[i][np.isfinite(usual[i])]
+            if not known.size or not known.max() > 0:
+                continue
+            least = np.union1d(turned.times[i], corners)
+            size = np.abs(_row(rates, i, least))
+            near = least[size < LOW * np.median(known)]
+            if isinstance(row, Feature):
+                touched = least[size <= TOUCH * known.max()]
+                self._zeros[row] = np.union1d(crossed[i], touched)
+                self._cuts.append(self._zeros[row] if row.kind.hard else crossed[i])
+                near = near if row.kind is Kind.KINK else np.union1d(near, crossed[i])
+            if near.size:
+                self._more.append(self._narrow(rates, i, near, turned.width))
+
+    def _narrow(self, rates: Rates, i: int, places: Array, step: float) -> Array:
+        """Times beside narrow places, nearer and nearer, down to where the break function doesn't change any more."""
+        run = self.run
+        if places.size > MOST:
+            self.settled = False
+            places = places[:MOST]
+        away = 2.0 * step * 0.5 ** np.arange(HALVINGS)
+        away = away[away > CLOSEST * (run.stop - run.start)]
+        t = places[:, None, None] + np.array([-1.0, 1.0])[:, None] * away
+        inside = (t >= run.start) & (t <= run.stop)
+        here = np.abs(_row(rates, i, places))[:, None, None]
+        beside = np.abs(_row(rates, i, np.where(inside, t, places[:, None, None]).ravel())).reshape(t.shape)
+        wide = away * (beside < 2.0 * here)
+        width = np.nanmax(np.where(inside, wide, 0.0), axis=2, keepdims=True)
+        return np.asarray(t[inside & (away >= SHARE * width)])
+
+    def _hard(self, some: list[Feature]) -> list[Hard]:
+        """The places of an expression's own break functions, those at one time together."""
+        at = sorted((float(t), k) for k, f in enumerate(some) if f.kind.hard for t in self._zeros.get(f, ()))
+        near, found = 2 * ASIDE[0] * (self.run.stop - self.run.start), list[tuple[float, list[int]]]()
+        for t, k in at:
+            if found and t - found[-1][0] <= near:
+                found[-1][1].append(k)
+            else:
+                found.append((t, [k]))
+        return [Hard(t, tuple(some[k] for k in which)) for t, which in found]
+
+    def _pieces(self) -> Pieces:
+        """What lies between all cuts known so far."""
+        run = self.run
+        aside = ASIDE[0] * (run.stop - run.start)
+        cuts = np.unique(np.concatenate(self._cuts))
+        before, after = cuts - aside, cuts + aside
+        if run.jumps.size:
+            inside = ((cuts[:, None] >= run.jumps[:, 0]) & (cuts[:, None] <= run.jumps[:, 1])).any(axis=1)
+            before = np.concatenate([before[~inside], run.jumps[:, 0]])
+            after = np.concatenate([after[~inside], run.jumps[:, 1]])
+            order = np.argsort(before)
+            before, after = before[order], after[order]
+        apart = np.append(True, before[1:] > np.maximum.accumulate(after)[:-1]) if before.size else np.empty(0, bool)
+        first = np.flatnonzero(apart)
+        after = np.maximum.reduceat(after, first) if first.size else after
+        low, high = np.clip(before[apart], run.start, run.stop), np.clip(after, run.start, run.stop)
+        return Pieces(run.start, run.stop, low, high, np.concatenate([*self._more, np.empty(0)]))
+
+
+def _row(rates: Rates, i: int, t: Array) -> Array:
+    return rates(t)[0][i]
+
+
+def _values(run: Run, node: Node, t: Array) -> Array:
+    return np.asarray(run.jets(node, t.ravel()).d[0]).reshape(t.shape)
+
+
+def _groups(run: Run) -> list[str]:
+    """The rows that vanish where a group is singular: rates and forces are divided by them."""
+    structure = run.compiled.structure
+    rows = [f"reach:{g.label}" if g.modes > 1 else f"determinant:{g.label}" for g in structure.groups]
+    rows += [f"span:{g.label}" for g in structure.groups if g.has_span]
+    return rows + [f"determinant:{cluster.label}" for cluster in structure.clusters]
+
+
+def _acting(run: Run) -> Iterator[Node]:
+    """The expressions that act on the mechanism: of loads, and of drives whose laws are expressions."""
+    known = {*run.compiled.tables}
+    for tree in (*run.compiled.graph.actions.laws, *positions(run.compiled)):
+        calls = {n.name for n in nodes(tree) if isinstance(n, Call) and n.attribute is None}
+        functions = {*run.compiled.mechanism.tables, *run.compiled.mechanism.laws}
+        if calls & functions <= known and not any(n == Name("sketch") for n in nodes(tree)):
+            yield tree

@@ -1,0 +1,223 @@
+"""An expression over the intervals of a window: its extremes, one-sided limits included, and its integrals."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.measures.means import Edge, Mean, mean
+from linkwright.measures.places import Hard, Places
+from linkwright.measures.search import Turning, turning
+from linkwright.measures.sides import Side, Sides
+from linkwright.model.expressions import Node
+from linkwright.results import Run
+from linkwright.results.breaks import ASIDE
+from linkwright.results.windows import Interval
+
+Array = NDArray[np.float64]
+
+
+class Peak(NamedTuple):
+    """An extreme: its value (SI; infinite where the expression is unbounded), its time (s), and the side, "before" or
+    "after", from which it is approached where it isn't reached."""
+
+    value: float
+    time: float
+    side: str
+
+
+@dataclass(frozen=True)
+class Limits:
+    """A place at which an expression has limits from before and after, as a break function vanishes there."""
+
+    time: float
+    before: Side
+    after: Side
+
+
+class Search:
+    """What expressions (bound to SI) do over a run, searched for together."""
+
+    def __init__(self, run: Run, trees: Sequence[Node]) -> None:
+        self.run, self.trees = run, [*dict.fromkeys(trees)]
+        self.places = Places(run, self.trees)
+        self.turned: Turning = turning(lambda t: run.all_rates(self.trees, t), self.places.pieces, run.grid)
+        self._limits: dict[Node, list[Limits]] = {}
+
+    def stationary(self, node: Node) -> Array:
+        """The times (s) at which an expression turns, ascending."""
+        return self.turned.times[self.trees.index(node)]
+
+    def settled(self, node: Node) -> bool:
+        """Whether nothing more was found on the last, finer grids."""
+        return self.places.settled and self.turned.settled[self.trees.index(node)]
+
+    def limits(self, node: Node) -> list[Limits]:
+        """The places at which an expression may have other values on both sides, or none."""
+        if node not in self._limits:
+            found = self._vanishing(node) + self._passed(node)
+            self._limits[node] = sorted(found, key=lambda place: place.time)
+        return self._limits[node]
+
+    def _vanishing(self, node: Node) -> list[Limits]:
+        groups: dict[tuple[object, ...], list[Hard]] = {}
+        for hard in self.places.hard[node]:
+            groups.setdefault(hard.features, []).append(hard)
+        found = []
+        for some in groups.values():
+            sides = Sides(self.run, node, some[0].features)
+            times = np.array([hard.time for hard in some])
+            for hard, before, after in zip(some, sides.at(times, -1), sides.at(times, 1), strict=True):
+                if before[1] or after[1]:
+                    found.append(Limits(hard.time, before[0], after[0]))
+        return found
+
+    def _passed(self, node: Node) -> list[Limits]:
+        """Change points through which the run is carried, where forces may grow without bound."""
+        times = np.array([p.time for p in self.run.compiled.passages.every])
+        inside = times[(times >= self.run.start) & (times <= self.run.stop)]
+        if not inside.size:
+            return []
+        unknown = ~np.isfinite(np.asarray(self.run.jets(node, inside).d[0]))
+        sides = Sides(self.run, node, ())
+        return [Limits(float(t), sides.compared(float(t), -1), sides.compared(float(t), 1)) for t in inside[unknown]]
+
+
+@dataclass
+class Probe:
+    """An expression over the intervals of a window."""
+
+    search: Search
+    node: Node
+    intervals: list[Interval]
+
+    @property
+    def run(self) -> Run:
+        """The run."""
+        return self.search.run
+
+    @property
+    def stationary(self) -> Array:
+        """The times (s) at which the expression turns, over the whole run."""
+        return self.search.stationary(self.node)
+
+    def values(self, t: Array) -> Array:
+        """The expression at times, SI."""
+        return np.asarray(self.run.jets(self.node, t).d[0])
+
+    @cached_property
+    def near(self) -> float:
+        """Times this near (s) are one place."""
+        return 2 * ASIDE[0] * (self.run.stop - self.run.start)
+
+    @cached_property
+    def limits(self) -> list[Limits]:
+        """Places with one-sided limits inside or at an end of an interval."""
+        every = self.search.limits(self.node)
+        return [p for p in every if any(a - self.near <= p.time <= b + self.near for a, b in self.intervals)]
+
+    @cached_property
+    def peaks(self) -> list[Peak]:
+        """Among which the extremes are: turning points, cuts, ends of the window, limits towards places."""
+        run, pieces = self.run, self.search.places.pieces
+        cuts = np.concatenate([pieces.before, (pieces.before + pieces.after) / 2, pieces.after])
+        inside = np.concatenate([self.stationary, cuts])
+        inside = inside[np.logical_or.reduce([(a < inside) & (inside < b) for a, b in self.intervals])]
+        # Of a jump, a turning point or an end of the window only has a side, the inner one.
+        for before, after in run.jumps:
+            inside = inside[~((before < inside) & (inside < after))]
+        ends = [edge for a, b in self.intervals for edge in (inner(run, a, 1), inner(run, b, 0))]
+        times = np.unique(np.concatenate([inside, ends]))
+        for place in self.limits:
+            times = times[np.abs(times - place.time) > self.near]
+        found = [Peak(value, time, "") for value, time in zip(self.values(times).tolist(), times.tolist(), strict=True)]
+        for place in self.limits:
+            for name, side, sign in (("before", place.before, -1), ("after", place.after, 1)):
+                beside = place.time + sign * 2 * self.near
+                if any(a <= beside <= b for a, b in self.intervals):
+                    found.append(Peak(side.value, place.time, name))
+        return found
+
+    @property
+    def candidates(self) -> tuple[Array, Array]:
+        """Times and values among which the extremes are."""
+        peaks = sorted((peak.time, peak.value) for peak in self.peaks)
+        return np.array([time for time, _ in peaks]), np.array([value for _, value in peaks])
+
+    def finite(self) -> bool:
+        """Whether the expression has a value all over the intervals, but for places where it is unbounded."""
+        pieces = self.search.places.pieces
+        t = pieces.grid(self.run.grid)
+        t = t[~np.isin(t, np.concatenate([pieces.before, pieces.after]))]
+        for a, b in self.intervals:
+            t = np.concatenate([t, np.linspace(a, b, 9)])
+        t = t[np.logical_or.reduce([(t >= a) & (t <= b) for a, b in self.intervals])]
+        for place in self.search.limits(self.node):
+            t = t[np.abs(t - place.time) > self.near]
+        return bool(np.isfinite(self.values(t)).all())
+
+    def undecided(self) -> list[float]:
+        """The times (s) at which it isn't known whether the expression is bounded."""
+        return [peak.time for peak in self.peaks if np.isnan(peak.value)]
+
+    def length(self) -> float:
+        """How long the intervals are together (s)."""
+        return sum(b - a for a, b in self.intervals)
+
+    def top(self) -> Peak:
+        """The largest value, the first of equals."""
+        return max(self.peaks, key=lambda peak: (peak.value, -peak.time))
+
+    def bottom(self) -> Peak:
+        """The smallest value, the first of equals."""
+        return min(self.peaks, key=lambda peak: (peak.value, peak.time))
+
+    def mean(self, power: int = 1, rule: int = 0) -> Mean:
+        """The mean of a power over the intervals, by one of two rules on nodes of its own."""
+        beside = sum(edge.integral(power) for stretch in self.stretches for edge in stretch)
+        return mean(self.values, self._panels(), beside, self.length(), power, self.run.grid // 4, rule)
+
+    def _panels(self) -> Callable[[int], list[Array]]:
+        """The edges of panels on each stretch between places with one-sided limits, by the number of panels a run."""
+        run, pieces = self.run, self.search.places.pieces
+        turning = np.concatenate([self.stationary, run.breaks, (pieces.before + pieces.after) / 2, pieces.more])
+
+        def edges(panels: int) -> list[Array]:
+            found = []
+            for a, b in self.stretches:
+                count = max(4, int(np.ceil(panels * (b.time - a.time) / (run.stop - run.start))))
+                inside = turning[(a.time + a.width < turning) & (turning < b.time - b.width)]
+                t = np.linspace(a.time + a.width, b.time - b.width, count + 1)
+                found.append(np.union1d(t, inside))
+            return found
+
+        return edges
+
+    @cached_property
+    def stretches(self) -> list[tuple[Edge, Edge]]:
+        """The intervals cut at places with one-sided limits, the ends with what lies between them and the panels."""
+        found = []
+        for a, b in self.intervals:
+            inner_places = [p for p in self.limits if a - self.near <= p.time <= b + self.near]
+            marks: list[tuple[float, Side | None, Side | None]] = [(a, None, None)]
+            for p in inner_places:
+                if abs(p.time - a) <= self.near:
+                    marks[0] = (a, None, p.after)
+                elif abs(p.time - b) > self.near:
+                    marks.append((p.time, p.before, p.after))
+            last = next((p.before for p in inner_places if abs(p.time - b) <= self.near), None)
+            marks.append((b, last, None))
+            for (low, _, after), (high, before, _) in pairwise(marks):
+                found.append((Edge.beside(low, after, high - low), Edge.beside(high, before, high - low)))
+        return found
+
+
+def inner(run: Run, edge: float, side: int) -> float:
+    """An end of an interval, moved off a jump there to the interval's side (0 before, 1 after)."""
+    return next((float(pair[side]) for pair in run.jumps if pair[0] <= edge <= pair[1]), edge)

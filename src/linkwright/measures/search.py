@@ -1,0 +1,164 @@
+"""Turning points and zeros of functions of time between places at which they need not be continuous.
+
+Exact rates are looked at on a grid; a change of their sign between two points of one piece brackets a turning point.
+The grid is doubled until the brackets' counts, or the extremes, have stood still. What is looked at besides equal
+steps (refinement beside near-singular poses, both sides of places) belongs to it at every level.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.results.stationary import Rows, bracketed
+
+Array = NDArray[np.float64]
+Rates = Callable[[Array], tuple[Array, Array]]
+"""Values and rates of rows at times: (rows, times) each."""
+
+FIRST_STEPS, MAX_STEPS = 1 << 6, 1 << 15
+FINEST = 1 << 18
+"""The finest grid of runs that need a fine one from the start."""
+STILL = 1e-11
+"""A row whose rates let it vary by less than this share of its size only varies by round-off."""
+GAIN = 1e-15
+"""A rate counts where over the width around it it makes more than this share of the value there ..."""
+USUAL = 0.9
+"""... or of the magnitude below which this share of the values lies."""
+SETTLED = 1e-12
+"""Extremes that change by less than this share of the range have stood still."""
+INSIDE = np.array([0.05, 0.25, 0.5, 0.75, 0.95])
+"""Where each piece is looked at besides, as shares of it."""
+
+
+@dataclass(frozen=True)
+class Pieces:
+    """A run ``start`` .. ``stop`` (s) cut at places; ``before`` and ``after`` are the sides of the cuts, ascending.
+
+    ``more`` are further times to look at.
+    """
+
+    start: float
+    stop: float
+    before: Array
+    after: Array
+    more: Array
+
+    def grid(self, steps: int) -> Array:
+        """Equal steps, the further times, the sides, and a few times inside each piece, however short it is."""
+        lows, highs = np.append(self.start, self.after), np.append(self.before, self.stop)
+        inner = lows[:, None] + np.maximum(highs - lows, 0.0)[:, None] * INSIDE
+        t = np.union1d(np.linspace(self.start, self.stop, steps + 1), np.concatenate([self.more, inner.ravel()]))
+        i = np.searchsorted(self.after, t)
+        last = np.minimum(i, self.after.size - 1)
+        if self.after.size:
+            t = t[(i == self.after.size) | (t <= self.before[last])]
+        t = np.union1d(t, np.concatenate([self.before, self.after]))
+        return t[(t >= self.start) & (t <= self.stop)]
+
+    def number(self, t: Array) -> Rows:
+        """The piece to which each time belongs."""
+        return np.searchsorted(self.after, t, side="right")
+
+
+@dataclass(frozen=True)
+class Turning:
+    """The times (s, ascending) at which each row turns, whether its search has stood still, and the width (s) of the
+    steps on which it ended."""
+
+    times: list[Array]
+    settled: list[bool]
+    width: float
+
+
+def turning(rates: Rates, pieces: Pieces, steps: int, still: Array | float = 0.0) -> Turning:
+    """The turning points of rows between the cuts.
+
+    ``still`` (rows,) is a size to which round-off is compared where a row is smaller itself.
+    """
+    steps, most = _first(steps)
+    counts: list[list[int]] = []
+    levels: list[list[Array]] = []
+    while True:
+        t = pieces.grid(steps)
+        levels = [*levels[-1:], _turns(t, *rates(t), pieces.number(t), still)]
+        counts.append([len(found) for found in levels[-1]])
+        standing = [len(counts) > 2 and len({c[row] for c in counts[-3:]}) == 1 for row in range(len(counts[0]))]
+        if all(standing) or steps >= most:
+            break
+        steps *= 2
+    times = _roots(lambda at: rates(at)[1], levels[-1])
+    if not all(standing):
+        before = _roots(lambda at: rates(at)[1], levels[0])
+        standing = [s or _same(rates, row, before[row], times[row]) for row, s in enumerate(standing)]
+    return Turning(times, standing, (pieces.stop - pieces.start) / steps)
+
+
+def zeros(rates: Rates, pieces: Pieces, turned: Turning, steps: int) -> list[Array]:
+    """The zeros of each row at which it changes sign, from its turning points: between two of them there is one at
+    most."""
+    found = []
+    grid = pieces.grid(_first(steps)[0])
+    t = np.union1d(grid, np.concatenate([*turned.times, grid[:0]]))
+    values, number = rates(t)[0], pieces.number(t)
+    exact = []
+    for row in values:
+        known = ~np.isnan(row) & (row != 0)
+        at, sign, piece = t[known], np.sign(row[known]), number[known]
+        change = np.flatnonzero((sign[:-1] != sign[1:]) & (piece[:-1] == piece[1:]))
+        found.append(np.stack([at[change], at[change + 1]], axis=1))
+        exact.append(t[row == 0] if np.count_nonzero(row == 0) <= row.size // 2 else t[:0])
+    roots = _roots(lambda at: rates(at)[0], found)
+    return [np.union1d(r, e) if e.size else r for r, e in zip(roots, exact, strict=True)]
+
+
+def _first(steps: int) -> tuple[int, int]:
+    first = min(max(steps, FIRST_STEPS), FINEST // 4)
+    return first, max(MAX_STEPS, 4 * first)
+
+
+def _turns(t: Array, values: Array, slopes: Array, number: Rows, still: Array | float) -> list[Array]:
+    """Brackets (n, 2) in which each row's rate clearly changes sign inside one piece."""
+    width = np.gradient(t) if t.size > 1 else np.ones(1)
+    floors = np.broadcast_to(still, len(values))
+    found = []
+    for value, slope, floor in zip(values, slopes, floors, strict=True):
+        known = np.isfinite(value) & np.isfinite(slope)
+        at, size, rate, piece = t[known], np.abs(value[known]), slope[known], number[known]
+        if not at.size or not np.abs(rate).max() * (t[-1] - t[0]) > STILL * max(size.max(), floor):
+            found.append(np.empty((0, 2)))
+            continue
+        usual = max(float(np.quantile(size, USUAL)), floor)
+        clear = np.abs(rate) * width[known] > GAIN * np.maximum(size, usual)
+        at, sign, piece = at[clear], np.sign(rate[clear]), piece[clear]
+        change = np.flatnonzero((sign[:-1] != sign[1:]) & (piece[:-1] == piece[1:]))
+        found.append(np.stack([at[change], at[change + 1]], axis=1))
+    return found
+
+
+def _roots(f: Callable[[Array], Array], brackets: list[Array]) -> list[Array]:
+    """One root in each bracket of each row, all at once."""
+    rows = np.repeat(np.arange(len(brackets)), [len(b) for b in brackets])
+    if rows.size == 0:
+        return [np.empty(0) for _ in brackets]
+
+    def chosen(t: Array, row: Rows) -> Array:
+        return np.asarray(f(t)[row, np.arange(t.size)])
+
+    x = bracketed(chosen, rows, *np.concatenate(brackets).T)
+    return [np.sort(x[rows == row]) for row in range(len(brackets))]
+
+
+def _same(rates: Rates, row: int, before: Array, now: Array) -> bool:
+    """Whether turning points of two levels have the same extremes."""
+    if not before.size or not now.size:
+        return not before.size and not now.size
+    ends = []
+    for times in (before, now):
+        value = rates(times)[0][row]
+        ends.append((float(np.nanmin(value)), float(np.nanmax(value))))
+    (a, b), (c, d) = ends
+    return max(abs(a - c), abs(b - d)) <= SETTLED * max(abs(c), abs(d))

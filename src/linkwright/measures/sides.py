@@ -1,0 +1,230 @@
+"""One-sided limits of expressions at places where they need not be continuous.
+
+Signals (or, of those that are quotients, their numerators) are smooth beside the place: a polynomial through exact
+values and rates at a few times on one side gives each its germ with errors, and the expression's arithmetic goes on
+with germs. The orders of what vanishes then say what the expression does there. Where germs don't decide, such as for
+logarithms, values at distances that are halved again and again do, or nothing does.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.measures.features import Feature, denominator
+from linkwright.measures.germs import EPS, TERMS, Germ, Undecided
+from linkwright.model.expressions import FUNCTIONS, Binary, Call, Name, Node, evaluate, is_signal
+from linkwright.model.trees import children
+from linkwright.results import Run
+
+Array = NDArray[np.float64]
+
+NODES = 6
+"""Times at which values and rates are taken for a polynomial of :data:`TERMS` coefficients."""
+FITS = 1e-11
+"""A polynomial that misses by no more than this share of the values stands for the signal."""
+NEARER = 9
+"""How often the stretch is cut down to a fifth until it fits."""
+LOOKS = 36
+"""Distances at which values are compared where germs don't decide."""
+ALIKE = 1e-7
+"""Values that change by less than this share at the nearest distances have a limit."""
+
+
+@dataclass(frozen=True)
+class Side:
+    """What an expression does towards a time from one side: its limit (infinite with its sign, NaN where it isn't
+    known), the exponent of s with which it grows there (negative of a pole, 0 where it has a limit or grows like a
+    logarithm), and its germ where that is known."""
+
+    value: float
+    exponent: Fraction = Fraction(0)
+    germ: Germ | None = None
+
+    @property
+    def decided(self) -> bool:
+        """Whether it is known what the expression does."""
+        return not math.isnan(self.value)
+
+    def integral(self, width: float, power: int) -> float:
+        """The integral of a power from the place to the distance ``width`` (s); infinite or NaN where it diverges."""
+        if self.exponent * power <= -1:
+            return self.value**power
+        if self.germ is None:
+            return self.value**power * width if math.isfinite(self.value) else math.nan
+        germ = self.germ**power if power > 1 else self.germ
+        exponents = [float(germ.low + k * germ.step) + 1.0 for k in range(germ.c.size)]
+        return sum(c * width**e / e for c, e in zip(germ.c.tolist(), exponents, strict=True) if e > 0)
+
+
+UNKNOWN = Side(math.nan)
+
+
+def _stencil() -> tuple[Array, Array, Array]:
+    """Places in 0..1, the matrix from values and rates there to coefficients, and that from these back."""
+    x = (1 - np.cos(np.pi * (np.arange(NODES) + 0.5) / NODES)) / 2
+    powers = np.arange(TERMS)
+    back = np.concatenate([x[:, None] ** powers, powers * x[:, None] ** np.maximum(powers - 1, 0)])
+    return x, np.linalg.pinv(back), back
+
+
+X, FIT, BACK = _stencil()
+
+
+class Sides:
+    """One-sided limits of some expressions of a run, with their break functions."""
+
+    def __init__(self, run: Run, node: Node, some: Sequence[Feature]) -> None:
+        self.run, self.node, self.features = run, node, some
+        self.trees = [node, *(feature.node for feature in some)]
+        self.atoms: dict[Node, Node | None] = {}
+        for tree in self.trees:
+            self._collect(tree)
+        self._numbers = run.compiled.quantities.parameters
+
+    def _collect(self, node: Node) -> None:
+        """The parts that are smooth beside a place: signals (with what they are divided by), tables, steps."""
+        if is_signal(node):
+            assert isinstance(node, Name | Call)
+            divisor = denominator(self.run.compiled.quantities.signals.find(node))
+            self.atoms[node] = divisor
+            if divisor is not None:
+                self._collect(divisor)
+        elif isinstance(node, Call) and (node.name not in FUNCTIONS or node.name == "step5"):
+            self.atoms[node] = None
+        else:
+            for child in children(node):
+                self._collect(child)
+
+    def at(self, times: Array, side: int) -> list[tuple[Side, bool]]:
+        """Towards each time from before (-1) or after (1): the limit, and whether any break function vanishes there."""
+        if not times.size:
+            return []
+        fits = self._fitted(times, side)
+        return [self._one(float(t), side, fits[i]) for i, t in enumerate(times)]
+
+    def _one(self, time: float, side: int, atoms: dict[Node, Germ]) -> tuple[Side, bool]:
+        try:
+            vanishing = [self._germ(f.node, time, side, atoms).leading() for f in self.features]
+            touched = any(lead is None or lead[0] > 0 for lead in vanishing)
+        except (Undecided, ZeroDivisionError):
+            touched = True
+        if not touched:
+            return UNKNOWN, False
+        try:
+            germ = self._germ(self.node, time, side, atoms)
+            value, exponent = germ.limit()
+            if not math.isnan(value):
+                return Side(value, min(exponent, Fraction(0)), germ), True
+        except (Undecided, ZeroDivisionError, OverflowError):
+            pass
+        return self.compared(time, side), True
+
+    def _germ(self, node: Node, time: float, side: int, atoms: dict[Node, Germ]) -> Germ:
+        """The germ of an expression from those of its atoms."""
+
+        def germ(part: Node) -> Germ:
+            if part in atoms:
+                return atoms[part]
+            if isinstance(part, Name) and part.text == "t":
+                c, e = np.zeros(TERMS), np.zeros(TERMS)
+                c[0], c[1], e[0] = time, side, EPS * max(abs(time), 1e-300)
+                return Germ(c, e)
+            if isinstance(part, Call) and part.attribute is None:
+                found = FUNCTIONS[part.name].apply(*(germ(arg) for arg in part.args))
+            elif isinstance(part, Binary):
+                placed = {Name("left"): germ(part.left), Name("right"): germ(part.right)}
+                found = evaluate(Binary(part.op, Name("left"), Name("right")), placed.__getitem__)
+            elif children(part):
+                found = -germ(children(part)[0])
+            else:
+                found = evaluate(part, lambda name: self._numbers[name.text])
+            return found if isinstance(found, Germ) else Germ.constant(float(found), 0.5 * EPS * abs(float(found)))
+
+        return germ(node)
+
+    def _fitted(self, times: Array, side: int) -> list[dict[Node, Germ]]:
+        """The atoms' germs at each time, on stretches that are cut down until a polynomial fits."""
+        atoms = list(self.atoms)
+        found: list[dict[Node, Germ]] = [{} for _ in times]
+        reach = self._room(times, side)
+        left = np.arange(times.size) if atoms else np.empty(0, dtype=int)
+        for attempt in range(NEARER):
+            if not left.size:
+                break
+            t = times[left, None] + side * reach[left, None] * X
+            values, slopes = self._smooth(atoms, t.ravel())
+            data = np.concatenate(
+                [values.reshape(len(atoms), *t.shape), side * reach[left, None] * slopes.reshape(len(atoms), *t.shape)],
+                axis=2,
+            )
+            c = data @ FIT.T
+            miss = np.abs(c @ BACK.T - data).max(axis=2)
+            size = np.abs(data[:, :, :NODES]).max(axis=2) + 1e-300
+            good = (miss <= FITS * size).all(axis=0) | (attempt == NEARER - 1)
+            noise = 4 * EPS * np.abs(data) + 2 * miss[:, :, None]
+            noise += EPS * np.abs(times[left])[None, :, None] / reach[left][None, :, None] * np.abs(c[:, :, 1:2])
+            e = noise @ np.abs(FIT).T
+            scale = reach[left, None] ** -np.arange(TERMS)
+            for k in np.flatnonzero(good):
+                germs = (Germ(c[i, k] * scale[k], e[i, k] * scale[k]) for i in range(len(atoms)))
+                found[left[k]] = dict(zip(atoms, germs, strict=True))
+            left = left[~good]
+            reach[left] /= 5.0
+        for some in found:
+            self._divided(some)
+        return found
+
+    def _divided(self, atoms: dict[Node, Germ]) -> None:
+        """Signals that are quotients: their numerators over their denominators."""
+        for node, divisor in self.atoms.items():
+            if divisor is not None and node in atoms:
+                try:
+                    atoms[node] = atoms[node] / self._germ(divisor, 0.0, 1, atoms)
+                except Undecided:
+                    atoms[node] = Germ.constant(math.nan, math.inf)
+
+    def _smooth(self, atoms: Sequence[Node], t: Array) -> tuple[Array, Array]:
+        """Values and rates of the atoms, of quotients those of their numerators."""
+        products = [node if (by := self.atoms[node]) is None else Binary("*", node, by) for node in atoms]
+        return self.run.all_rates(products, t)
+
+    def _room(self, times: Array, side: int) -> Array:
+        """How far (s) a polynomial may reach: a step of the grid, half the way to the next break of a load or law."""
+        run = self.run
+        room = np.full(times.size, (run.stop - run.start) / max(run.grid, 64))
+        aside = 1e-9 * (run.stop - run.start)
+        breaks = np.concatenate([run.breaks, [run.start, run.stop]])
+        for i, t in enumerate(times):
+            ahead = side * (breaks - t)
+            ahead = ahead[ahead > aside]
+            room[i] = min(room[i], float(ahead.min(initial=np.inf)) / 2)
+        return room
+
+    def compared(self, time: float, side: int) -> Side:
+        """The limit from values at distances that are halved."""
+        run = self.run
+        away = self._room(np.array([time]), side)[0] * 0.5 ** np.arange(LOOKS)
+        away = away[away > 1e-12 * (run.stop - run.start)]
+        with np.errstate(all="ignore"):
+            values = np.asarray(run.jets(self.node, time + side * away).d[0])
+            if away.size < 8:
+                return UNKNOWN
+            steps = np.diff(values)[-8:]
+            last = float(values[-1])
+            ratio = np.abs(values[-8:] / values[-9:-1]) if values.size > 8 else np.zeros(8)
+            if np.isinf(last) or (np.isfinite(ratio).all() and ratio.min() > 1.05):
+                power = Fraction(-math.log2(float(np.clip(np.median(ratio), 1.0, 2.0**50)))).limit_denominator(12)
+                return Side(math.copysign(math.inf, last), min(power, Fraction(-1, 12)))
+            if not np.isfinite(values[-9:]).all():
+                return UNKNOWN
+            alike = np.abs(steps).max() <= ALIKE * max(float(np.abs(values[-9:]).max()), 1e-300)
+            if alike or np.abs(steps[-1]) < 0.8 * np.abs(steps[0]) * 0.9:
+                return Side(last)
+            even = np.abs(steps).min() > 0.5 * np.abs(steps).max() and (np.sign(steps) == np.sign(steps[0])).all()
+            return Side(math.copysign(math.inf, float(steps[-1])), Fraction(0)) if even else UNKNOWN
