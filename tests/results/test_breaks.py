@@ -9,8 +9,8 @@ import pytest
 
 from helpers.compiled import compiled_from
 from helpers.examples import UNITS
-from linkwright.results import Run, certify
 from linkwright.measures import measure_all
+from linkwright.results import Run, certify
 
 
 def wheel(**sections: Any) -> dict[str, Any]:

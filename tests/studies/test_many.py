@@ -20,13 +20,13 @@ from numpy.typing import NDArray
 from kernels.test_varied import class_four, platform
 from linkwright.kernels import Compiled, compile_mechanism
 from linkwright.kernels.varied import Varied
+from linkwright.measures import MeasureResult, bound, measure_all
 from linkwright.model.document import load, replaced
 from linkwright.model.mechanism import REDUCTIONS, Document
 from linkwright.model.units import si_text
 from linkwright.results import Run
 from linkwright.studies.cycle import CycleOptions, span
 from linkwright.studies.many import Many, Measuring, measure_many
-from linkwright.measures import MeasureResult, bound, measure_all
 from studies.models import UNITS, four_bar, slider_crank
 from studies.test_measures import SIGNALS
 

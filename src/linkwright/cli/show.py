@@ -171,7 +171,7 @@ def _table(*columns: str) -> Table:
     return table
 
 
-_NOTHING: MeasureValue = {"label": "", "value": None, "at": ""}
+_NOTHING: MeasureValue = {"label": "", "value": None, "text": "", "at": "", "grade": ""}
 
 
 def _measures(done: Job) -> None:
@@ -179,16 +179,18 @@ def _measures(done: Job) -> None:
     if not done.cycle.measures:
         return
     time_unit, second = done.cycle.result.run.compiled.quantities.unit_of(TIME)
-    table = _table("measure", "value", "unit", "at", "requirement", "verdict")
+    table = _table("measure", "value", "unit", "at", "requirement", "verdict", "grade")
     for m in done.cycle.measures:
         entry = measure(m, second, time_unit)
         verdict = {True: f"[green]{say('cli.met')}[/]", False: f"[bold red]{say('cli.not_met')}[/]", None: ""}
         for i, value in enumerate(entry["values"] or [_NOTHING]):
             name = " ".join(filter(None, (m.name, value["label"])))
-            number = "-" if value["value"] is None else f"{value['value']:.7g}"
+            number = value["text"] or ("-" if value["value"] is None else f"{value['value']:.7g}")
             last = (entry["requirement"] or "", verdict[m.verdict]) if i == 0 else ("", "")
-            table.add_row(escape(name), number, escape(m.unit), escape(value["at"]), escape(last[0]), last[1])
-    out.print(table)
+            table.add_row(
+                escape(name), number, escape(m.unit), escape(value["at"]), escape(last[0]), last[1], value["grade"]
+            )
+    wide.print(table)
     out.print()
 
 

@@ -1,5 +1,6 @@
 """Measures: numbers taken of a run, with the places where expressions break, searches, grades and their check."""
 
+from linkwright.measures.check import misfit
 from linkwright.measures.found import Found, MeasureResult
 from linkwright.measures.grades import Grade
 from linkwright.measures.measure import Measurer, bound, instants, measure_all
@@ -17,4 +18,5 @@ __all__ = [
     "bound",
     "instants",
     "measure_all",
+    "misfit",
 ]

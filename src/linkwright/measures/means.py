@@ -43,10 +43,11 @@ class Edge:
 
 @dataclass(frozen=True)
 class Mean:
-    """A mean and how much it changed on the last doubling of panels, over the mean magnitude."""
+    """A mean, how much it changed on the last doubling of panels over the mean magnitude, and that ``size``."""
 
     value: float
     change: float
+    size: float
 
     @property
     def settled(self) -> bool:
@@ -72,7 +73,7 @@ def mean(
     ``ends`` is the integral over what lies between the panels and singular places.
     """
     if not math.isfinite(ends):
-        return Mean(ends, 0.0)
+        return Mean(ends, 0.0, abs(ends))
     factor, points = RULES[rule]
     panels, last = max(16, int(first * factor)), math.inf
     while True:
@@ -84,5 +85,5 @@ def mean(
         size = (float(np.abs(height) @ weight) + abs(ends)) / length
         change = abs(now - last) / size if size > 0 else 0.0
         if not change > CLOSE or panels >= MOST_PANELS:
-            return Mean(now, change)
+            return Mean(now, change, size)
         panels, last = panels * 2, now

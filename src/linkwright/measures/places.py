@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -85,7 +86,7 @@ class Places:
             for node in nodes(tree):
                 if isinstance(node, Call) and node.attribute is None and node.name in tables:
                     table, argument = tables[node.name], node.args[0]
-                    at = knots(lambda t, a=argument: _values(run, a, t), table, run.start, run.stop, run.grid)
+                    at = knots(partial(_values, run, argument), table, run.start, run.stop, run.grid)
                     self._cuts.append(at) if table.degree == 1 else self._between(at)
 
     def _between(self, at: Array) -> None:
@@ -183,7 +184,7 @@ class Places:
 
 
 def _row(rates: Rates, i: int, t: Array) -> Array:
-    return rates(t)[0][i]
+    return np.asarray(rates(t)[0][i])
 
 
 def _values(run: Run, node: Node, t: Array) -> Array:

@@ -23,6 +23,10 @@ from linkwright.results.windows import Interval
 Array = NDArray[np.float64]
 
 
+BEYOND = 1e-6
+"""Nearer to a pole than this share of the run, values may overflow."""
+
+
 class Peak(NamedTuple):
     """An extreme: its value (SI; infinite where the expression is unbounded), its time (s), and the side, "before" or
     "after", from which it is approached where it isn't reached."""
@@ -159,7 +163,8 @@ class Probe:
             t = np.concatenate([t, np.linspace(a, b, 9)])
         t = t[np.logical_or.reduce([(t >= a) & (t <= b) for a, b in self.intervals])]
         for place in self.search.limits(self.node):
-            t = t[np.abs(t - place.time) > self.near]
+            far = np.isinf([place.before.value, place.after.value]).any()
+            t = t[np.abs(t - place.time) > (BEYOND * (self.run.stop - self.run.start) if far else self.near)]
         return bool(np.isfinite(self.values(t)).all())
 
     def undecided(self) -> list[float]:

@@ -171,8 +171,8 @@ _INSTANT = re.compile(
 
 @dataclass(frozen=True)
 class Instant:
-    """When a value is taken: at the ``max`` or ``min`` of an expression, at ``start`` or ``end``, or where an expression
-    (a signal less its level) is ``zero``."""
+    """When a value is taken: at the ``max`` or ``min`` of an expression, at ``start`` or ``end``, or where an
+    expression (a signal less its level) is ``zero``."""
 
     kind: str
     expression: str = ""

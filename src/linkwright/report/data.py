@@ -143,11 +143,14 @@ class Plot(TypedDict):
 
 
 class MeasureValue(TypedDict):
-    """One figure of a measure; ``label`` tells the ends of extremes apart, ``at`` says where it happens."""
+    """One number of a measure; ``label`` tells the ends of extremes apart, ``at`` says where it happens, ``grade`` how
+    sure it is; ``text`` stands for a value that is no number."""
 
     label: str
     value: float | None
+    text: str
     at: str
+    grade: str
 
 
 class Measure(TypedDict):

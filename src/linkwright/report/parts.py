@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import linkwright
+from linkwright.measures import Grade, MeasureResult
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.model.units import TIME
@@ -31,7 +32,7 @@ from linkwright.report.workspace_parts import FILES as WORKSPACE_FILES
 from linkwright.report.workspace_picture import areas
 from linkwright.results import Result
 from linkwright.results.netcdf import netcdf_bytes
-from linkwright.studies import CycleOutcome, LimitsOutcome, MeasureResult, SweepOutcome
+from linkwright.studies import CycleOutcome, LimitsOutcome, SweepOutcome
 from linkwright.studies.accuracy.outcome import AccuracyOutcome
 from linkwright.words import say
 
@@ -90,8 +91,10 @@ def measure(m: MeasureResult, second: float, time_unit: str) -> Measure:
         "values": [
             {
                 "label": say(f"measure.{f.label}") if f.label else "",
-                "value": f.value / m.size,
-                "at": "" if f.time is None else say("measure.at", time=f"{f.time / second:.6g} {time_unit}"),
+                "value": None if f.unbounded else f.value / m.size,
+                "text": say("measure.unbounded") if f.unbounded else "",
+                "at": "" if f.time is None else _at(f.side, f"{f.time / second:.6g} {time_unit}"),
+                "grade": grade_text(f.grade, second, time_unit),
             }
             for f in m.found
         ],
@@ -99,6 +102,16 @@ def measure(m: MeasureResult, second: float, time_unit: str) -> Measure:
         "requirement": m.requirement,
         "verdict": m.verdict,
     }
+
+
+def _at(side: str, time: str) -> str:
+    return say(f"measure.at.{side}" if side else "measure.at", time=time)
+
+
+def grade_text(grade: Grade, second: float, time_unit: str) -> str:
+    """How sure a number is, with the width below which a search may miss features."""
+    width = "" if grade.width is None else f"{grade.width / second:.2g} {time_unit}"
+    return say(f"grade.{grade.kind.value}", width=width)
 
 
 PARTS: dict[str, Part] = {
@@ -149,6 +162,10 @@ PARTS: dict[str, Part] = {
 """By study, in the order in which they stand in summary and report."""
 
 
+SCHEMA = 2
+"""The version of the layout of ``summary.json``: 2 has grades, and ``null`` with ``unbounded`` where 1 had numbers."""
+
+
 def drawn(outcomes: Mapping[str, Any]) -> Result | None:
     """What the report of some outcomes draws."""
     results = (part.result(outcomes[name]) for name, part in PARTS.items() if name in outcomes)
@@ -166,7 +183,7 @@ def found(outcomes: Mapping[str, Any]) -> list[Finding]:
 def summary(document: Document, outcomes: Mapping[str, Any], findings: list[Finding]) -> dict[str, Any]:
     """What ``summary.json`` holds: name, verdict, the entries of each study, all findings of the file and its run."""
     done = bool(outcomes) and all(outcome.done for outcome in outcomes.values())
-    data: dict[str, Any] = {"linkwright": linkwright.__version__, "name": document.name, "done": done}
+    data: dict[str, Any] = {"schema": SCHEMA, "linkwright": linkwright.__version__, "name": document.name, "done": done}
     for name, part in PARTS.items():
         if name in outcomes:
             entry = part.summary(outcomes[name])

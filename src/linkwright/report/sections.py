@@ -83,23 +83,25 @@ def stage(data: ReportData) -> str:
 
 def measures(data: ReportData) -> str:
     """Measures with value, unit, where it happens, requirement and verdict."""
-    heads = ("measure", "value", "where", "requirement", "verdict")
+    heads = ("measure", "value", "where", "grade", "requirement", "verdict")
     return _table(data, "measures", heads, (_measure(measure, data) for measure in data["measures"]))
 
 
 def _measure(measure: Measure, data: ReportData) -> Sequence[str]:
     verdict = measure["verdict"]
     words = data["words"]
+    unit = f'<span class="unit">{_unit(measure["unit"])}</span>'
     values = "".join(
         f'<span class="line"><span class="end">{escape(entry["label"])}</span> '
-        f'<b>{_number(entry["value"])}</b> <span class="unit">{_unit(measure["unit"])}</span></span>'
+        f"<b>{escape(entry['text']) or _number(entry['value'])}</b> {unit}</span>"
         for entry in measure["values"]
     )
     where = "".join(f'<span class="line">{escape(entry["at"])}</span>' for entry in measure["values"])
     text = f'<span class="note">{escape(measure["text"])}</span>' if measure["text"] else ""
     judged = "–" if verdict is None else _mark(verdict, words["report.pass" if verdict else "report.fail"])
     requirement = escape(measure["requirement"]) if measure["requirement"] else "–"
-    return (f"<b>{escape(measure['name'])}</b>{text}", values, where, requirement, judged)
+    grades = "".join(f'<span class="line">{escape(entry["grade"])}</span>' for entry in measure["values"])
+    return (f"<b>{escape(measure['name'])}</b>{text}", values, where, grades, requirement, judged)
 
 
 def certificate(data: ReportData) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from linkwright.measures import Grade
 from linkwright.model.units import TIME
 from linkwright.results import Certificate, Result
 from linkwright.studies import CycleOutcome, MeasureResult
@@ -28,15 +29,34 @@ def cycle_entry(outcome: CycleOutcome) -> dict[str, Any]:
 
 def measure_entry(m: MeasureResult, second: float, time_unit: str) -> dict[str, Any]:
     """One measure: ``value`` (or ``min`` and ``max``) and ``unit``, where it happens, and its verdict."""
-    entry: dict[str, Any] = {(f.label or "value"): f.value / m.size for f in m.found}
+    entry: dict[str, Any] = {(f.label or "value"): None if f.unbounded else f.value / m.size for f in m.found}
     entry["unit"] = m.unit
-    places = {f.label: f.time / second for f in m.found if f.time is not None}
-    if places:
-        entry["at"] = places.get("", places)
+
+    def put(key: str, each: dict[str, Any]) -> None:
+        """What is known of a measure's numbers: of the only one itself, of several by their labels."""
+        if each:
+            entry[key] = each.get("", each)
+
+    put("at", {f.label: f.time / second for f in m.found if f.time is not None})
+    if "at" in entry:
         entry["at_unit"] = time_unit
+    far = [f for f in m.found if f.unbounded]
+    put("unbounded", {f.label: {"side": f.side, "t": (f.time or 0.0) / second, "to": _sign(f.value)} for f in far})
+    put("approached", {f.label: f.side for f in m.found if f.side and not f.unbounded})
+    put("grade", {f.label: grade_entry(f.grade, second) for f in m.found})
     if m.requirement is not None:
         entry |= {"require": m.requirement, "met": m.verdict}
     return entry
+
+
+def _sign(value: float) -> str:
+    return "+infinity" if value > 0 else "-infinity"
+
+
+def grade_entry(grade: Grade, second: float) -> dict[str, Any]:
+    """How sure a number is: ``kind``, and of a searched one the ``width`` below which features may be missed."""
+    entry: dict[str, Any] = {"kind": grade.kind.value}
+    return entry if grade.width is None else entry | {"width": grade.width / second}
 
 
 def certificate_entry(result: Result, second: float, time_unit: str) -> dict[str, Any] | None:
@@ -49,6 +69,7 @@ def certificate_entry(result: Result, second: float, time_unit: str) -> dict[str
         "equilibrium": c.equilibrium,
         "power": c.power,
         "work": c.work,
+        "measures": c.measures,
     }
     entry |= {"mobility": c.mobility, "gruebler": c.gruebler, "rank": c.rank, "loops": c.loops}
     if c.nearest is not None:

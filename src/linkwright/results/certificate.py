@@ -17,6 +17,7 @@ from linkwright.words import say
 
 Array = NDArray[np.float64]
 
+RESIDUALS = ("closure", "equilibrium", "power", "work")
 PROVEN = 1e-9
 """A residual below this holds: far under any drawing tolerance, far over round-off."""
 
@@ -55,6 +56,7 @@ class Certificate:
     followed: dict[str, tuple[int, float]]  # of groups solved by Newton: steps of the path, largest correction
     poses: int
     choice: Choice  # of the kernel, and why
+    measures: float | None = None  # the worst contradiction to a reported measure; None without measures
 
     @property
     def kernel(self) -> str:
@@ -64,7 +66,7 @@ class Certificate:
     @property
     def residuals(self) -> dict[str, float]:
         """The relative residuals by name, those that say something."""
-        every = {name: getattr(self, name) for name in ("closure", "equilibrium", "power", "work")}
+        every = {name: getattr(self, name) for name in (*RESIDUALS, "measures")}
         return {name: value for name, value in every.items() if value is not None}
 
     def sound(self, tolerance: float = PROVEN) -> bool:

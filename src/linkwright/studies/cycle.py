@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 import numpy as np
 from pydantic import Field, ValidationError, ValidationInfo, model_validator
 
 from linkwright.kernels import Compiled
-from linkwright.measures import MeasureResult, measure_all
+from linkwright.measures import Measurer, MeasureResult, misfit
 from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen, fault
 from linkwright.model.findings import Finding, ModelError, Term
@@ -116,10 +116,15 @@ class Cycle:
             return CycleOutcome(Result(run, dead))
         if undecided := undefined(run):
             return CycleOutcome(Result(run, undecided))
-        result = Result(run, certificate=certify(run))
-        measures, faults = measure_all(run)
+        certificate = certify(run)
+        result = Result(run, certificate=certificate)
+        measurer = Measurer(run, [*compiled.mechanism.measures])
+        measures = measurer.all()
+        result.certificate = replace(certificate, measures=misfit(measurer, measures))
+        faults = [finding for finding in measurer.findings if finding.severity == "error"]
         result.failures += [*unproven(result), *faults, *strokes(run)]
-        notes = [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
+        notes = [finding for finding in measurer.findings if finding not in faults]
+        notes += [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
         return CycleOutcome(result, measures, [*notes, *outside(run), *lifted(run), *loose(run)])
 
 
@@ -128,6 +133,7 @@ CHECKS = {
     "equilibrium": Term("equilibrium"),
     "power": Term("power"),
     "work": Term("work"),
+    "measures": Term("measures"),
 }
 
 

@@ -16,6 +16,7 @@ from scipy.optimize import brentq
 from helpers.compiled import compiled_from
 from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
+from linkwright.measures import measure_all
 from linkwright.model.document import load, plain
 from linkwright.model.expressions import Node, parse
 from linkwright.results import Run
@@ -29,7 +30,6 @@ from linkwright.studies.accuracy.outcome import AccuracyOutcome
 from linkwright.studies.accuracy.slopes import Slopes
 from linkwright.studies.accuracy.stated import contributors
 from linkwright.studies.many import Measuring
-from linkwright.measures import measure_all
 from studies.models import TURN, four_bar, slider_crank
 
 Array = NDArray[np.float64]

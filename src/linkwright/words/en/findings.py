@@ -795,7 +795,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "measure.bad-where": (
         "'{given}' doesn't name an instant.",
-        "Write where: max SIGNAL, min SIGNAL, start or end.",
+        "Write one of: max SIGNAL, min SIGNAL, SIGNAL = VALUE (such as motor.angle = 24 deg), start, end.",
     ),
     "measure.unit": (
         "The figure is in {wanted}; it can't be shown in {unit}.",
@@ -813,6 +813,31 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The measure {name} has no finite value.",
         "Check its expression for a division by zero or a root of a negative number; is the mechanism at a singular pose, "
         "or an instant centre at infinity or without a motion?",
+    ),
+    "measure.unbounded": (
+        "The measure {name} is unbounded: {signal} grows without limit towards t = {time}.",
+        "Choose a window without that instant, or measure the numerator and the denominator separately.",
+    ),
+    "measure.diverges": (
+        "The measure {name} has no value: the integral of {signal} diverges at t = {time}.",
+        "Choose a window without that instant.",
+    ),
+    "measure.undecided": (
+        "{signal} may be unbounded near t = {time}; round-off hides which, so the measure {name} has no value.",
+        "Choose a window without that instant, or write the expression with fewer cancelling terms.",
+    ),
+    "measure.two-values": (
+        "The measure {name} has two values: {signal} jumps at t = {time}, where it is to be taken.",
+        "Take the value a little earlier or later.",
+    ),
+    "measure.no-instant": (
+        "The measure {name} has no value: the run doesn't reach the place that its 'where' names.",
+        "Correct 'where' or the window, or let the study run longer.",
+    ),
+    "measure.unsettled": (
+        "The search for {name} ended at its finest grid ({width}) and still changed: digits or narrow peaks may be "
+        "missing.",
+        "Confine the measure to a window, or let the study run for a shorter time.",
     ),
     "study.unknown": (
         "There is no study called '{name}'.",
@@ -1780,6 +1805,7 @@ _TERMS: dict[str, str] = {
     "equilibrium": "the equilibrium of the links",
     "power": "the balance of power",
     "work": "the balance of work and energy",
+    "measures": "the check of the measures",
     "unknown-share": "an unknown share",
     "shorter": "shorter",
     "longer": "longer",

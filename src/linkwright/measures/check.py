@@ -1,0 +1,78 @@
+"""The check of measures: what can refute reported numbers, from values that their search didn't use.
+
+Values at the run's samples and on a second, incommensurate grid have to lie within reported extremes; means lie between
+the extremes, and no root mean square is larger than the largest magnitude; means by another rule on other nodes agree.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.measures.found import MeasureResult
+from linkwright.measures.measure import Measurer
+
+Array = NDArray[np.float64]
+
+GOLDEN = (np.sqrt(5.0) - 1) / 2
+LEAST = 1000
+"""The fewest points of the second grid."""
+BEYOND = {"max": ("", None), "min": (None, ""), "extremes": ("max", "min")}
+"""The labels of the largest and the smallest value by reduction."""
+POWERS = {"mean": 1, "path": 1, "rms": 2}
+
+
+def misfit(measurer: Measurer, results: Sequence[MeasureResult]) -> float | None:
+    """The worst contradiction to reported measures, relative to their range or size; ``None`` without measures."""
+    run, known = measurer.run, [result for result in results if result.found and result.measure.wrap is None]
+    if not known:
+        return None
+    count = max(LEAST, 2 * run.steps)
+    second = run.start + (run.stop - run.start) * np.mod(GOLDEN * np.arange(1, count + 1), 1.0)
+    t = np.sort(np.concatenate([run.t, second]))
+    trees = [measurer.trees[result.name] for result in known]
+    values = run.all_rates(trees, t)[0]
+    worst = [0.0]
+    for result, row in zip(known, values, strict=True):
+        worst += [_extremes(measurer, result, t, row), _mean(measurer, result)]
+    return max(worst)
+
+
+def _extremes(measurer: Measurer, result: MeasureResult, t: Array, row: Array) -> float:
+    """By how much values exceed reported extremes, over the range."""
+    labels = BEYOND.get(result.measure.reduction)
+    reported = {found.label: found.value for found in result.found}
+    probe = measurer.probe(result.name, result.measure.window)
+    inside = np.logical_or.reduce([(t >= a) & (t <= b) for a, b in probe.intervals])
+    for before, after in measurer.run.jumps:
+        inside &= (t <= before) | (t >= after)
+    some = row[inside & np.isfinite(row)]
+    if result.measure.reduction == "span" and some.size:
+        span = reported[""]
+        return float((np.ptp(some) - span) / span) if span > 0 and np.isfinite(span) else 0.0
+    if labels is None or not some.size:
+        return 0.0
+    high, low = (None if label is None else reported[label] for label in labels)
+    range_ = float(np.ptp(some)) or float(np.abs(some).max()) or 1.0
+    over = 0.0 if high is None else float(some.max()) - high
+    under = 0.0 if low is None else low - float(some.min())
+    return max(over, under, 0.0) / range_
+
+
+def _mean(measurer: Measurer, result: MeasureResult) -> float:
+    """How far a mean lies outside the extremes of what is averaged, and from that of another rule, over its size."""
+    power = POWERS.get(result.measure.reduction)
+    if power is None:
+        return 0.0
+    probe = measurer.probe(result.name, result.measure.window)
+    reported = result.found[0].value / (probe.length() if result.measure.reduction == "path" else 1.0)
+    other = probe.mean(power, rule=1)
+    off = abs(reported**power - other.value) / other.size if other.size > 0 else 0.0
+    low, high = probe.bottom().value, probe.top().value
+    if power == 2:
+        low, high = 0.0, max(abs(low), abs(high))
+    size = max(abs(low), abs(high))
+    outside = max(low - reported, reported - high, 0.0) / size if 0 < size < np.inf else 0.0
+    return max(off, outside)
