@@ -22,6 +22,8 @@ from linkwright.notation.angles import MAX_TURN, whole_turns
 Array = NDArray[np.float64]
 
 MAX_STEPS = 1 << 15
+MOST = 1 << 22
+"""The most places of an angle that are kept; one that turns on and on beyond them is NaN."""
 
 
 class Supply:
@@ -112,18 +114,25 @@ class Turns:
             self.angle = self.kernel.run(at(self.t), p)[0]
             if self.home is not None:
                 self.angle = self.angle + 2 * np.pi * whole_turns(self.angle, self.home)
-        steps, last = 32, float(self.t[-1])
-        while to > last:
+        steps, last, end = 32, float(self.t[-1]), to
+        while end > last:
             grid = np.linspace(last, to, steps + 1)
             angle, omega = self.kernel.run(at(grid), p)
             known = np.isfinite(angle) & np.isfinite(omega)
             grid, angle, omega = grid[known], angle[known], omega[known]
             turned, largest = angles.steps(grid, angle, omega)
-            if steps < MAX_STEPS and largest > MAX_TURN:
-                steps *= 2
-                continue
+            if largest > MAX_TURN:
+                if steps < MAX_STEPS:
+                    steps *= 2
+                    continue
+                if self.t.size < MOST and to - last > 1e-13 * abs(end):
+                    to = (last + to) / 2
+                    continue
+                path = np.full(grid.size - 1, np.nan)  # it turns too often to be followed
+                self.t, self.angle = np.append(self.t, [*grid[1:], end]), np.append(self.angle, [*path, np.nan])
+                return
             # What can't be followed leaves the angle where it was.
             self.t = np.concatenate([self.t, grid[1:], [to]])
             path = self.angle[-1] + np.cumsum(turned)
             self.angle = np.concatenate([self.angle, path, (path if path.size else self.angle)[-1:]])
-            return
+            last, to = to, end

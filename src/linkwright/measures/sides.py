@@ -54,7 +54,7 @@ class Side:
     def integral(self, width: float, power: int) -> float:
         """The integral of a power from the place to the distance ``width`` (s); infinite or NaN where it diverges."""
         if self.exponent * power <= -1:
-            return float(self.value**power)
+            return float(np.power(self.value, power))
         if self.germ is None:
             return self.value**power * width if math.isfinite(self.value) else math.nan
         germ = self.germ**power if power > 1 else self.germ

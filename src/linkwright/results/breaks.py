@@ -56,17 +56,6 @@ def breaks(run: Run) -> Array:
     return np.unique(np.concatenate(found))
 
 
-def sides(run: Run) -> Array:
-    """The times right before and right after all that may make a signal jump, and inside the run's ends, ascending."""
-    aside = ASIDE[0] * (run.stop - run.start)
-    found = [_zeros(run, node) for node in law_joins(run.compiled)]
-    if not found:
-        return np.unique(run.jumps)
-    places = np.concatenate([[run.start, run.stop], *found])
-    both = np.concatenate([places - aside, places + aside, run.jumps.ravel()])
-    return np.unique(both[(both >= run.start) & (both <= run.stop)])
-
-
 def kinks(compiled: Compiled, varied: Iterable[str] = ()) -> list[Node]:
     """What changes its sign where the law of a load, drive or cam has a kink, or another contact of a cam bears;
     ``varied`` are the names of joins that vary, as :meth:`linkwright.kernels.varied.Varied.joins` has them."""

@@ -18,7 +18,9 @@ from linkwright.results import breaks
 
 Array = NDArray[np.float64]
 
-MAX_GRID = 1 << 17
+MAX_GRID = 1 << 18
+NARROWEST = 1e-13
+"""Steps of an angle narrower than this share of the run aren't halved any more."""
 BLIND = 1e-6
 """The share of the run around a change point in which rates have lost their digits."""
 LOOK = 1 << 14
@@ -33,6 +35,9 @@ class Run:
         self.rows: dict[str, tuple[Array, Array]] = {}
         """Rows that were looked at closely: times with all turning points, and values."""
         self.change_points: tuple[float, ...] = ()
+        self.lost: set[str] = set()
+        """Angles that turn too often to be followed: they are NaN."""
+        self._repeating: set[str] = set()
         self._angles: dict[str, tuple[Array, Array]] = {}
 
     @cached_property
@@ -72,11 +77,6 @@ class Run:
     def breaks(self) -> Array:
         """The times (s) at which a force may have a jump or a kink, ascending."""
         return breaks.breaks(self)
-
-    @cached_property
-    def sides(self) -> Array:
-        """The times (s) right before and right after all that may make a signal jump, ascending."""
-        return breaks.sides(self)
 
     def may_jump(self, node: Node) -> bool:
         """Whether an expression may jump at a join of a law: positions and velocities don't."""
@@ -136,7 +136,12 @@ class Run:
         grid, angle = self._angles[name]
         if not grid.size:
             return np.full_like(wrapped, np.nan)
-        near = np.interp(t, grid, angle)
+        if name in self._repeating:
+            length = grid[-1] - grid[0]
+            whole = np.floor((t - grid[0]) / length)
+            near = np.interp(t - whole * length, grid, angle) + whole * (angle[-1] - angle[0])
+        else:
+            near = np.interp(t, grid, angle)
         return wrapped + 2 * np.pi * whole_turns(wrapped, near)
 
     def place(self, share: Array) -> tuple[Array, Array]:
@@ -151,19 +156,57 @@ class Run:
         return away
 
     def _track(self, name: str) -> tuple[Array, Array]:
-        """The continuous angle on a grid fine enough that no step turns further than :data:`MAX_TURN`."""
-        count = max(self.steps, 64)
+        """The continuous angle on a grid fine enough that no step turns further than :data:`MAX_TURN`; over one turn of
+        the drive where a run with very many turns repeats itself."""
+        if (grid := self._followed(name, 1.0)) is not None:
+            return grid
+        if (turn := self._turn_of_drive()) is not None:
+            share = turn / (self.stop - self.start)
+            if (grid := self._followed(name, share)) is not None:
+                self._repeating.add(name)
+                return grid
+        self.lost.add(name)
+        return np.empty(0), np.empty(0)
+
+    def _turn_of_drive(self) -> float | None:
+        """How long (s) the only drive that moves takes for a turn, at constant speed; ``None`` otherwise."""
+        if self.compiled.followers or self.compiled.passages.every:
+            return None
+        t, turning = np.linspace(self.start, self.stop, 17), []
+        for name, law in self.compiled.laws.items():
+            rates = [np.broadcast_to(d, t.shape) for d in law(t).d[1:3]]
+            if rates[0].any() or rates[1].any():
+                if rates[1].any() or np.ptp(rates[0]) or not self.compiled.mechanism.prescribed(name).turns:
+                    return None
+                turning.append(2 * np.pi / abs(float(rates[0][0])))
+        return turning[0] if len(turning) == 1 and turning[0] < self.stop - self.start else None
+
+    def _followed(self, name: str, part: float) -> tuple[Array, Array] | None:
+        """The continuous angle over the first ``part`` of the run, on a grid that is halved where a step turns too far;
+        ``None`` where it turns too often."""
         names = [name, name.replace(".angle", ".omega")]
+        share = np.linspace(0.0, part, max(self.steps, 64) + 1)
+        grid, slope = self.place(share)
+        angle, omega = self.compiled.evaluate(names, grid)
         while True:
-            share = np.linspace(0.0, 1.0, count + 1)
-            grid, slope = self.place(share)
-            angle, omega = self.compiled.evaluate(names, grid)
             known = np.isfinite(angle) & np.isfinite(omega) & self.clear(grid)
-            share, grid, angle, omega = share[known], grid[known], angle[known], omega[known] * slope[known]
-            turned, largest = angles.steps(share, angle, omega)
-            if count >= MAX_GRID or largest < MAX_TURN:
+            share, grid, angle, omega, slope = (row[known] for row in (share, grid, angle, omega, slope))
+            if not grid.size:
+                return grid, angle
+            rate = omega * slope
+            far = np.abs(np.diff(share) * (rate[1:] + rate[:-1]) / 2)
+            wide = np.flatnonzero((far >= MAX_TURN) & (np.diff(share) > NARROWEST * part))
+            if not wide.size:
+                turned, _ = angles.steps(share, angle, rate)
                 return grid, np.concatenate([angle[:1], angle[:1] + np.cumsum(turned)])
-            count *= 2
+            if far.sum() / MAX_TURN > MAX_GRID or share.size > MAX_GRID:
+                return None
+            middle = (share[wide] + share[wide + 1]) / 2
+            more, steepness = self.place(middle)
+            own = self.compiled.evaluate(names, more)
+            order = np.argsort(np.concatenate([share, middle]), kind="stable")
+            pairs = ((share, middle), (grid, more), (angle, own[0]), (omega, own[1]), (slope, steepness))
+            share, grid, angle, omega, slope = (np.concatenate(pair)[order] for pair in pairs)
 
 
 def combined(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,19 +20,25 @@ NOISE = 1e-10
 
 
 def stationary(
-    rates: Callable[[Array], tuple[Array, Array]], start: float, stop: float, steps: int, sides: Array | None = None
+    rates: Callable[[Array], tuple[Array, Array]],
+    start: float,
+    stop: float,
+    steps: int,
+    scales: Sequence[float] | None = None,
 ) -> list[Array]:
-    """The times in ``start`` .. ``stop`` at which each row's rate changes sign, to round-off; where a row may jump,
-    it is looked at from both ``sides`` of that.
+    """The times in ``start`` .. ``stop`` at which each row's rate changes sign, to round-off. ``scales`` (rows,) are
+    the sizes of what cancels in each row where the row itself is smaller.
 
     ``rates(t)`` gives (values, rates), each (rows, times). The grid starts near ``steps`` and is doubled until each
     row's count of brackets has stayed the same twice; rows that only vary by round-off have none.
     """
 
     def look(t: Array) -> list[Array]:
-        return [_brackets(t, v, s) for v, s in zip(*rates(t), strict=True)]
+        values, slopes = rates(t)
+        least = np.zeros(len(values)) if scales is None else scales
+        return [_brackets(t, v, s, scale) for v, s, scale in zip(values, slopes, least, strict=True)]
 
-    return _roots(lambda at: rates(at)[1], _settled(look, start, stop, steps, sides))
+    return _roots(lambda at: rates(at)[1], _settled(look, start, stop, steps))
 
 
 def fineness(rates: Callable[[Array], tuple[Array, Array]], start: float, stop: float, steps: int) -> list[int]:
@@ -63,23 +69,21 @@ def crossings(values: Callable[[Array], Array], start: float, stop: float, steps
     return _roots(lambda at: values(at)[None, :], brackets)[0]
 
 
-def _settled(
-    look: Callable[[Array], list[Array]], start: float, stop: float, steps: int, more: Array | None = None
-) -> list[Array]:
+def _settled(look: Callable[[Array], list[Array]], start: float, stop: float, steps: int) -> list[Array]:
     """The brackets that ``look`` finds on a grid, doubled until their counts have stayed the same twice."""
     counts: list[list[int]] = []
     steps = min(max(steps, FIRST_STEPS), LATEST_FIRST)
     while True:
         t = np.linspace(start, stop, steps + 1)
-        brackets = look(t if more is None else np.union1d(t, more))
+        brackets = look(t)
         counts.append([len(b) for b in brackets])
         if (len(counts) > 2 and counts[-1] == counts[-2] == counts[-3]) or steps >= MAX_STEPS:
             return brackets
         steps *= 2
 
 
-def _brackets(t: Array, values: Array, slopes: Array) -> Array:
-    size, swing = _largest(values), _largest(slopes) * (t[-1] - t[0])
+def _brackets(t: Array, values: Array, slopes: Array, scale: float = 0.0) -> Array:
+    size, swing = max(_largest(values), scale), _largest(slopes) * (t[-1] - t[0])
     if not swing > 1e-11 * size:
         return np.empty((0, 2))
     return _sign_changes(t, slopes)

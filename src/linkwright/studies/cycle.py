@@ -121,6 +121,7 @@ class Cycle:
         measurer = Measurer(run, [*compiled.mechanism.measures])
         measures = measurer.all()
         result.certificate = replace(certificate, measures=misfit(measurer, measures))
+        measurer.findings += lost(run)
         faults = [finding for finding in measurer.findings if finding.severity == "error"]
         result.failures += [*unproven(result), *faults, *strokes(run)]
         notes = [finding for finding in measurer.findings if finding not in faults]
@@ -145,6 +146,12 @@ def unproven(result: Result) -> list[Finding]:
         data = {"check": CHECKS[name], "figure": f"{figure:.1e}" if figure == figure else Term("unknown-share")}
         found.append(Finding("motion.unproven", ("studies", "cycle"), data))
     return found
+
+
+def lost(run: Run) -> list[Finding]:
+    """A finding for each angle that turns too often to be followed."""
+    names = sorted(name.partition(".")[0] for name in run.lost)
+    return [Finding("motion.too-many-turns", ("links", name), {"name": name}) for name in names]
 
 
 def span(compiled: Compiled, options: CycleOptions) -> tuple[float, list[Finding]]:

@@ -9,6 +9,8 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.measures.features import features
+from linkwright.measures.probe import Limits, Search
 from linkwright.model.expressions import Node
 from linkwright.model.units import Dimension
 from linkwright.results import Run
@@ -99,9 +101,11 @@ class Touch:
     time: float
 
 
-def turning(run: Run, rates: Callable[[Array], tuple[Array, Array]]) -> list[Array]:
+def turning(
+    run: Run, rates: Callable[[Array], tuple[Array, Array]], scales: Sequence[float] | None = None
+) -> list[Array]:
     """The times at which each row's rate changes sign, also at ends where the motion may go on, but not where a
-    change point may give it a kink."""
+    change point may give it a kink; ``scales`` as for :func:`stationary`."""
     low, high = run.looked if isinstance(run, Sweep) else (0.0, 1.0)
 
     def scaled(share: Array) -> tuple[Array, Array]:
@@ -116,7 +120,7 @@ def turning(run: Run, rates: Callable[[Array], tuple[Array, Array]]) -> list[Arr
 
     with np.errstate(all="ignore"):
         caps = [CAP * _usual(rows) for rows in scaled(np.linspace(0.0, 1.0, 258)[1:-1])]
-        found = stationary(capped, low, high, run.grid)
+        found = stationary(capped, low, high, run.grid, scales)
     tiny = SAME * (run.stop - run.start)
     kept = []
     for shares in found:
@@ -183,10 +187,15 @@ def courses(run: Run, signals: Signals, full: bool = False, forward: bool = True
         return []
     trees = [node for node, _ in signals.values()]
     with np.errstate(all="ignore"):
-        places = turning(run, partial(run.all_rates, trees))
+        # At unit speed of the drive, rates are of the size of what moves.
+        size = run.compiled.graph.size
+        scales = [size**d.length if d.mass == 0 else 0.0 for _, d in signals.values()]
+        places = turning(run, partial(run.all_rates, trees), scales)
+        broken = Search(run, [tree for tree in trees if features(tree, run.compiled.quantities.signals.find)])
         found = []
         for (name, (node, dimension)), times in zip(signals.items(), places, strict=True):
-            found.append(_Course(run, node, times, full, forward).read(name, dimension))
+            limits = broken.limits(node) if node in broken.trees else []
+            found.append(_Course(run, node, times, full, forward, limits).read(name, dimension))
     return found
 
 
@@ -197,6 +206,12 @@ class _Course:
     times: Array
     full: bool
     forward: bool
+    limits: list[Limits]
+
+    def __post_init__(self) -> None:
+        near = 1e-10 * (self.run.stop - self.run.start)
+        for place in self.limits:
+            self.times = self.times[np.abs(self.times - place.time) > near]
 
     def values(self, t: Array) -> Array:
         return np.array(self.run.jets(self.node, t).d[0])
@@ -210,8 +225,9 @@ class _Course:
                 if run.dead[side]:
                     ends[side] = self.limit(run, side)
         seams, at_seams = self.seams()
-        times = np.concatenate([self.times, [run.start, run.stop], seams])
-        values = np.concatenate([inner, ends, at_seams])
+        times = np.concatenate([self.times, [run.start, run.stop], seams, *([p.time, p.time] for p in self.limits)])
+        sides = [[p.before.value, p.after.value] for p in self.limits]
+        values = np.concatenate([inner, ends, at_seams, *sides])
         known = ~np.isnan(values)
         times, values = times[known], values[known]
         if not values.size:

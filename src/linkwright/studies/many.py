@@ -6,8 +6,9 @@ needs. (A run of its own doubles its grid for itself; here two turning points of
 of the grid are missed.) Windows, jumps and corners follow each sample's own parameters.
 
 One sample after the other goes through a run of its own: ``dwell`` and ``straightness``; measures of instant centres;
-means of forces, where loads ask tables of straight lines; what the nominal run needs a very fine grid for; and all
-measures of samples that turn too fast for the grid.
+means of forces, where loads ask tables of straight lines; values at a place that a signal reaches; what the nominal run
+needs a very fine grid for, or gives otherwise; measures of samples in which one of their break functions vanishes or
+nearly does; and all measures of samples that turn too fast for the grid, or come near to a singular pose.
 """
 
 from __future__ import annotations
@@ -19,7 +20,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.kernels.varied import Varied
-from linkwright.measures import bound
+from linkwright.measures import MeasureResult, bound, measure_all
+from linkwright.measures.features import features
 from linkwright.model.expressions import Node, parse
 from linkwright.model.mechanism import Measure
 from linkwright.results import Run
@@ -38,6 +40,8 @@ Array = NDArray[np.float64]
 
 MOST_STEPS = 1 << 12
 """The finest grid that samples share."""
+ALIKE = 1e-9
+"""How near a measure of one sample is to be to that of a run of its own, over its size."""
 CHUNK = 1 << 17
 """Poses of the grid that are looked at together."""
 
@@ -69,6 +73,7 @@ class Measuring:
         self.steps = self._steps()
         self.jumping = self._jumping()
         self.panels = self._panels()
+        self.single += self._apart()
 
     # What the nominal run tells.
 
@@ -92,6 +97,8 @@ class Measuring:
     def _singly(self, name: str, measure: Measure) -> bool:
         """Whether a measure is taken of one sample after the other."""
         if measure.reduction not in (*EXTREMES, *POWERS, "value"):
+            return True
+        if measure.instant is not None and measure.instant.kind == "zero":
             return True
         signals = [self.graph.signal(text) for text in self.run.signals_of(self._of(name))]
         if any(signal.kind == "pole" for signal in signals):
@@ -145,6 +152,23 @@ class Measuring:
                 found[name] = panels
         return found
 
+    def _apart(self) -> list[str]:
+        """The measures for which the shared grid is too coarse already at the nominal parameters: what is taken of
+        these together differs from the run's own measures."""
+        shared = [name for name in self.measures if name not in self.single]
+        nominal = Bunch(self.varied, self.run, self.run.compiled.parameters[:, None], self.steps, kernel=self.kernel)
+        many = Taken(self, nominal).many()
+        if not shared or many.failed.any():
+            return []
+        own = {result.name: result for result in measure_all(self.run, shared)[0]}
+        return [name for name in shared if not _alike(own[name], many.figures[name])]
+
+    def hard(self, name: str) -> list[Node]:
+        """The break functions of a measure at whose zeros it need not be continuous."""
+        find = self.quantities.signals.find
+        found = [feature for tree in self._of(name) for feature in features(tree, find)]
+        return [feature.node for feature in found if feature.kind.hard]
+
     # Many samples.
 
     def of(self, p: Array, stop: Array | None = None) -> Many:
@@ -163,7 +187,17 @@ class Measuring:
     def watched(self) -> list[What]:
         """All curves that are looked at on the grid."""
         trees = [tree for name in self.measures if name not in self.single for tree in self._of(name)]
-        return [*dict.fromkeys(trees), *self.rows, *self.pressures]
+        breaking = [node for name in self.measures if name not in self.single for node in self.hard(name)]
+        return [*dict.fromkeys([*trees, *breaking]), *self.rows, *self.pressures]
+
+
+def _alike(own: MeasureResult, found: dict[str, Figures]) -> bool:
+    """Whether a measure of a run and that of one sample agree."""
+    known = {f.label: f.value for f in own.found}
+    size = max((abs(value) for value in known.values()), default=0.0)
+    return {*known} == {*found} and all(
+        abs(known[label] - float(figures.values[0])) <= ALIKE * size for label, figures in found.items()
+    )
 
 
 def _joined(parts: Sequence[Many]) -> Many:

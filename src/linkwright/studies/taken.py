@@ -14,7 +14,7 @@ from linkwright.model.expressions import Node
 from linkwright.model.mechanism import Measure
 from linkwright.model.places import figure
 from linkwright.results.alone import alone
-from linkwright.results.bunch import Bunch
+from linkwright.results.bunch import Bunch, What
 from linkwright.results.spans import Windows, spans
 from linkwright.studies.feasible import SINGULAR, TOUCH
 from linkwright.studies.locked import square
@@ -26,6 +26,9 @@ if TYPE_CHECKING:
     from linkwright.studies.many import Measuring
 
 Mask = NDArray[np.bool_]
+
+STEEP = 3.0
+"""A curve whose neighbours are so many times its least magnitude on the grid comes too near to zero for it."""
 
 LABELS = {"extremes": ("min", "max")}
 BOTH = {"min": -1.0, "max": 1.0}
@@ -68,7 +71,10 @@ class Taken:
         for name, measure in asked.measures.items():
             many.figures[name] = self.blank(measure) if name in asked.single else self.figures(name, measure)
         self.singly(many, asked.single, ~many.failed)
-        self.singly(many, [name for name in asked.measures if name not in asked.single], self.bunch.fast & ~many.failed)
+        near = self.bunch.fast | self.close([row for row in asked.rows if not row.startswith("span:")])
+        for name in asked.measures:
+            if name not in asked.single:
+                self.singly(many, [name], (near | self.close(asked.hard(name))) & ~many.failed)
         for name, found in many.figures.items():
             for figures in found.values():
                 unknown = many.failed | ~np.isfinite(figures.values)
@@ -76,6 +82,18 @@ class Taken:
             if name in self.bunch.quantities.mechanism.require:
                 many.met[name] = self.verdict(name, asked.measures[name], found)
         return many
+
+    def close(self, what: Sequence[What]) -> Mask:
+        """In which samples some curve changes its sign, or comes so near to zero that the grid is too coarse there."""
+        found = np.zeros(self.bunch.samples, dtype=bool)
+        for curve in what:
+            value, _ = self.bunch.on_grid(curve)
+            size = np.abs(value)
+            least = np.where(np.isfinite(size), size, np.inf)[:, 1:-1].argmin(axis=1) + 1
+            around = np.stack([np.take_along_axis(size, (least + k)[:, None], axis=1)[:, 0] for k in (-1, 0, 1)])
+            found |= (value > 0).any(axis=1) & (value < 0).any(axis=1)
+            found |= ~(around.max(axis=0) <= STEEP * around[1]) | (size[:, [0, -1]].min(axis=1) < around[1] / STEEP)
+        return found
 
     def failed(self) -> Mask:
         """Which samples can't be assembled all along their run, or come to a singular pose."""

@@ -814,6 +814,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Check its expression for a division by zero or a root of a negative number; is the mechanism at a singular pose, "
         "or an instant centre at infinity or without a motion?",
     ),
+    "motion.too-many-turns": (
+        "'{name}' turns too often in this run for its angle to be followed without gaps.",
+        "Let the study run for a shorter time; a run whose only drive turns at constant speed has no such limit.",
+    ),
     "measure.unbounded": (
         "The measure {name} is unbounded: {signal} grows without limit towards t = {time}.",
         "Choose a window without that instant, or measure the numerator and the denominator separately.",
