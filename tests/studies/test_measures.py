@@ -348,12 +348,23 @@ def test_a_measure_without_a_finite_value_fails_the_run(signal: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "signal", ["pole(slider, frame).x", "pole(rod, frame).x", "abs(pole(rod, frame).y)", "pole(rod, frame).u"]
+    ("signal", "code"),
+    [
+        ("pole(slider, frame).x", "measure.not-finite"),
+        ("abs(pole(rod, frame).y)", "measure.unbounded"),
+        ("pole(rod, frame).u", "measure.unbounded"),
+    ],
 )
-def test_an_instant_centre_at_infinity_is_no_figure(signal: str) -> None:
+def test_an_instant_centre_at_infinity_is_no_figure(signal: str, code: str) -> None:
     """The slider's is there all the time; the rod's for two instants of a turn, where its turning reverses."""
     job = job_of(slider_crank(measures={"m": {"extremes": signal}}))
-    assert [f.code for f in job.cycle.failures] == ["measure.not-finite"]
+    assert [f.code for f in job.cycle.failures] == [code]
+
+
+def test_an_instant_centre_that_goes_to_infinity_along_a_line_stays_on_it() -> None:
+    """The rod's lies on the crank's line and above the slider: there x is that of C, also where y is unbounded."""
+    data = slider_crank()
+    assert value(data, label="max", extremes="pole(rod, frame).x") == near(value(data, max="C.x"), 1e-9)
 
 
 def test_an_instant_centre_in_a_window_without_infinity() -> None:

@@ -17,6 +17,8 @@ from linkwright.measures.measure import Measurer
 Array = NDArray[np.float64]
 
 GOLDEN = (np.sqrt(5.0) - 1) / 2
+ROUND_OFF = 64 * float(np.finfo(float).eps)
+"""Values this near, over what is usual of their dimension, are the same."""
 LEAST = 1000
 """The fewest points of the second grid."""
 BEYOND = {"max": ("", None), "min": (None, ""), "extremes": ("max", "min")}
@@ -41,24 +43,24 @@ def misfit(measurer: Measurer, results: Sequence[MeasureResult]) -> float | None
 
 
 def _extremes(measurer: Measurer, result: MeasureResult, t: Array, row: Array) -> float:
-    """By how much values exceed reported extremes, over the range."""
-    labels = BEYOND.get(result.measure.reduction)
-    reported = {found.label: found.value for found in result.found}
+    """By how much values exceed reported extremes beyond their round-off, over the range."""
     probe = measurer.probe(result.name, result.measure.window)
-    inside = np.logical_or.reduce([(t >= a) & (t <= b) for a, b in probe.intervals])
-    for before, after in measurer.run.jumps:
-        inside &= (t <= before) | (t >= after)
-    some = row[inside & np.isfinite(row)]
-    if result.measure.reduction == "span" and some.size:
-        span = reported[""]
-        return float((np.ptp(some) - span) / span) if span > 0 and np.isfinite(span) else 0.0
-    if labels is None or not some.size:
+    some = row[probe.counting(t) & np.isfinite(row)]
+    reported = {found.label: found.value for found in result.found}
+    reduction = result.measure.reduction
+    if not some.size or not (reduction in BEYOND or reduction == "span"):
         return 0.0
-    high, low = (None if label is None else reported[label] for label in labels)
-    range_ = float(np.ptp(some)) or float(np.abs(some).max()) or 1.0
-    over = 0.0 if high is None else float(some.max()) - high
-    under = 0.0 if low is None else low - float(some.min())
-    return max(over, under, 0.0) / range_
+    if reduction == "span":
+        over = float(np.ptp(some)) - reported[""]
+    else:
+        high, low = (None if label is None else reported[label] for label in BEYOND[reduction])
+        over = max(
+            -np.inf if high is None else float(some.max()) - high, -np.inf if low is None else low - float(some.min())
+        )
+    if over <= 0:
+        return 0.0
+    over -= ROUND_OFF * max(float(np.abs(some).max()), measurer.run.usual(result.dimension))
+    return max(over, 0.0) / (float(np.ptp(some)) or 1.0)
 
 
 def _mean(measurer: Measurer, result: MeasureResult) -> float:

@@ -20,7 +20,7 @@ UNSETTLED = 1e-9
 """A mean that still changes by more than this share of the mean magnitude has not converged."""
 MOST_PANELS = 1 << 14
 BESIDE = 1e-6
-"""How much of a stretch beside a singular place is taken from the germ."""
+"""How much of a stretch beside a place with a limit but without a germ is taken to have that limit."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,9 @@ class Edge:
     @classmethod
     def beside(cls, time: float, side: Side | None, length: float) -> Edge:
         """The end of a stretch of some length."""
-        return cls(time, 0.0 if side is None else BESIDE * length, side)
+        if side is None:
+            return cls(time, 0.0, None)
+        return cls(time, min(side.radius, length / 8) if side.germ is not None else BESIDE * length, side)
 
     def integral(self, power: int) -> float:
         """That of a power over the width."""

@@ -80,9 +80,9 @@ class Measurer:
         try:
             found = self.found(name, measure)
         except Unmeasured as why:
-            self._note(why.code, name, why.time)
+            self._flag(why.code, name, why.time)
         if far := [one for one in found if one.unbounded]:
-            self._note("measure.unbounded", name, far[0].time)
+            self._flag("measure.unbounded", name, far[0].time)
         if measure.wrap is not None:
             low, high = (quantities.value(edge, dimension) for edge in measure.wrap)
             found = tuple(
@@ -104,7 +104,7 @@ class Measurer:
         if any(np.isnan(one.value) for one in found):
             raise Unmeasured("measure.not-finite")
         if not reducer.settled:
-            self._note("measure.unsettled", name, None, "warning")
+            self._flag("measure.unsettled", name, None, "warning")
         return found
 
     def placed(self, name: str, measure: Measure, probe: Probe) -> Found:
@@ -144,7 +144,7 @@ class Measurer:
         if undecided := probe.undecided():
             raise Unmeasured("measure.undecided", undecided[0])
 
-    def _note(self, code: str, name: str, time: float | None, severity: str = "error") -> None:
+    def _flag(self, code: str, name: str, time: float | None, severity: str = "error") -> None:
         text, second = self.run.compiled.quantities.unit_of(TIME)
         data = {"name": name, "signal": self.measures[name].subject, "width": f"{self.search.turned.width:.3g} s"}
         data["time"] = "-" if time is None else f"{time / second:.6g} {text}"

@@ -138,21 +138,40 @@ class Probe:
             inside = inside[~((before < inside) & (inside < after))]
         ends = [edge for a, b in self.intervals for edge in (inner(run, a, 1), inner(run, b, 0))]
         times = np.unique(np.concatenate([inside, ends]))
-        for place in self.limits:
-            times = times[np.abs(times - place.time) > self.near]
+        times = self._away(times)
         found = [Peak(value, time, "") for value, time in zip(self.values(times).tolist(), times.tolist(), strict=True)]
         for place in self.limits:
             for name, side, sign in (("before", place.before, -1), ("after", place.after, 1)):
                 beside = place.time + sign * 2 * self.near
                 if any(a <= beside <= b for a, b in self.intervals):
                     found.append(Peak(side.value, place.time, name))
+                if side.removable:
+                    s, values = side.near()
+                    t = place.time + sign * s
+                    inside = np.logical_or.reduce([(a <= t) & (t <= b) for a, b in self.intervals])
+                    found += [Peak(v, at, "") for v, at in zip(values[inside], t[inside], strict=True)]
         return found
+
+    def _away(self, t: Array) -> Array:
+        """The times at which the expression's values count: not at places with limits, nor where germs are better."""
+        for place in self.limits:
+            before, after = place.before.removable, place.after.removable
+            off = t - place.time
+            t = t[(off < -max(before, self.near)) | (off > max(after, self.near))]
+        return t
 
     @property
     def candidates(self) -> tuple[Array, Array]:
         """Times and values among which the extremes are."""
         peaks = sorted((peak.time, peak.value) for peak in self.peaks)
         return np.array([time for time, _ in peaks]), np.array([value for _, value in peaks])
+
+    def counting(self, t: Array) -> NDArray[np.bool_]:
+        """Which times lie in the intervals, on a side of each jump, where the expression's values count."""
+        inside = np.logical_or.reduce([(t >= a) & (t <= b) for a, b in self.intervals])
+        for before, after in self.run.jumps:
+            inside &= (t <= before) | (t >= after)
+        return np.asarray(inside & np.isin(t, self._away(t)))
 
     def finite(self) -> bool:
         """Whether the expression has a value all over the intervals, but for places where it is unbounded."""
@@ -163,8 +182,7 @@ class Probe:
             t = np.concatenate([t, np.linspace(a, b, 9)])
         t = t[np.logical_or.reduce([(t >= a) & (t <= b) for a, b in self.intervals])]
         for place in self.search.limits(self.node):
-            far = np.isinf([place.before.value, place.after.value]).any()
-            t = t[np.abs(t - place.time) > (BEYOND * (self.run.stop - self.run.start) if far else self.near)]
+            t = t[np.abs(t - place.time) > BEYOND * (self.run.stop - self.run.start)]
         return bool(np.isfinite(self.values(t)).all())
 
     def undecided(self) -> list[float]:

@@ -30,6 +30,10 @@ FITS = 1e-11
 """A polynomial that misses by no more than this share of the values stands for the signal."""
 NEARER = 9
 """How often the stretch is cut down to a fifth until it fits."""
+VALID = 0.05
+"""The share of the stretch on which a germ stands for the expression ..."""
+LOOKED = 65
+"""... looked at in so many places."""
 LOOKS = 36
 """Distances at which values are compared where germs don't decide."""
 ALIKE = 1e-7
@@ -40,21 +44,35 @@ ALIKE = 1e-7
 class Side:
     """What an expression does towards a time from one side: its limit (infinite with its sign, NaN where it isn't
     known), the exponent of s with which it grows there (negative of a pole, 0 where it has a limit or grows like a
-    logarithm), and its germ where that is known."""
+    logarithm), and its germ, where that is known, which stands for it up to the distance ``radius`` (s)."""
 
     value: float
     exponent: Fraction = Fraction(0)
     germ: Germ | None = None
+    radius: float = 0.0
 
     @property
     def decided(self) -> bool:
         """Whether it is known what the expression does."""
         return not math.isnan(self.value)
 
+    @property
+    def removable(self) -> float:
+        """The distance (s) up to which its germ has more digits than its values: terms that vanish cancel there."""
+        return self.radius if self.germ is not None and math.isfinite(self.value) else 0.0
+
+    def near(self) -> tuple[Array, Array]:
+        """Distances (s) up to there, and the germ's values."""
+        assert self.germ is not None
+        s = np.linspace(0.0, self.radius, LOOKED)[1:]
+        exponents = [float(self.germ.low + k * self.germ.step) for k in range(self.germ.c.size)]
+        return s, np.asarray(sum(c * s**e for c, e in zip(self.germ.c.tolist(), exponents, strict=True)))
+
     def integral(self, width: float, power: int) -> float:
         """The integral of a power from the place to the distance ``width`` (s); infinite or NaN where it diverges."""
         if self.exponent * power <= -1:
-            return float(np.power(self.value, power))
+            grown: float = np.power(self.value, power)
+            return grown
         if self.germ is None:
             return self.value**power * width if math.isfinite(self.value) else math.nan
         germ = self.germ**power if power > 1 else self.germ
@@ -106,9 +124,9 @@ class Sides:
         if not times.size:
             return []
         fits = self._fitted(times, side)
-        return [self._one(float(t), side, fits[i]) for i, t in enumerate(times)]
+        return [self._one(float(t), side, *fits[i]) for i, t in enumerate(times)]
 
-    def _one(self, time: float, side: int, atoms: dict[Node, Germ]) -> tuple[Side, bool]:
+    def _one(self, time: float, side: int, atoms: dict[Node, Germ], reach: float) -> tuple[Side, bool]:
         try:
             vanishing = [self._germ(f.node, time, side, atoms).leading() for f in self.features]
             touched = any(lead is None or lead[0] > 0 for lead in vanishing)
@@ -120,7 +138,7 @@ class Sides:
             germ = self._germ(self.node, time, side, atoms)
             value, exponent = germ.limit()
             if not math.isnan(value):
-                return Side(value, min(exponent, Fraction(0)), germ), True
+                return Side(value, min(exponent, Fraction(0)), germ, VALID * reach), True
         except (Undecided, ZeroDivisionError, OverflowError):
             pass
         return self.compared(time, side), True
@@ -148,8 +166,8 @@ class Sides:
 
         return germ(node)
 
-    def _fitted(self, times: Array, side: int) -> list[dict[Node, Germ]]:
-        """The atoms' germs at each time, on stretches that are cut down until a polynomial fits."""
+    def _fitted(self, times: Array, side: int) -> list[tuple[dict[Node, Germ], float]]:
+        """The atoms' germs at each time with the stretch (s) that they hold on, cut down until a polynomial fits."""
         atoms = list(self.atoms)
         found: list[dict[Node, Germ]] = [{} for _ in times]
         reach = self._room(times, side)
@@ -178,7 +196,7 @@ class Sides:
             reach[left] /= 5.0
         for some in found:
             self._divided(some)
-        return found
+        return list(zip(found, reach.tolist(), strict=True))
 
     def _divided(self, atoms: dict[Node, Germ]) -> None:
         """Signals that are quotients: their numerators over their denominators."""

@@ -92,7 +92,7 @@ def measure(m: MeasureResult, second: float, time_unit: str) -> Measure:
             {
                 "label": say(f"measure.{f.label}") if f.label else "",
                 "value": None if f.unbounded else f.value / m.size,
-                "text": say("measure.unbounded") if f.unbounded else "",
+                "text": say("value.unbounded") if f.unbounded else "",
                 "at": "" if f.time is None else _at(f.side, f"{f.time / second:.6g} {time_unit}"),
                 "grade": grade_text(f.grade, second, time_unit),
             }

@@ -39,6 +39,7 @@ class Run:
         """Angles that turn too often to be followed: they are NaN."""
         self._repeating: set[str] = set()
         self._angles: dict[str, tuple[Array, Array]] = {}
+        self._usual: dict[Dimension, float] | None = None
 
     @cached_property
     def grid(self) -> int:
@@ -128,6 +129,20 @@ class Run:
     def dimension(self, name: str) -> Dimension:
         """The dimension of a signal."""
         return self.compiled.graph.signal(name).dimension
+
+    def usual(self, dimension: Dimension) -> float:
+        """The largest magnitude of the mechanism's signals of a dimension, at a few times of the run (SI); 0 without
+        one. What cancels in an expression is of this size."""
+        if self._usual is None:
+            signals = self.compiled.quantities.signals.all()
+            t = np.linspace(self.start, self.stop, 17)
+            values = np.abs(self.compiled.evaluate([signal.text for signal in signals], t))
+            self._usual = {}
+            for signal, row in zip(signals, values, strict=True):
+                largest = float(row[np.isfinite(row)].max(initial=0.0))
+                key = signal.dimension.physical
+                self._usual[key] = max(largest, self._usual.get(key, 0.0))
+        return self._usual.get(dimension.physical, 0.0)
 
     def _continuous(self, name: str, t: Array, wrapped: Array) -> Array:
         """Add whole turns so that the angle runs on without jumps from its value at the start of the run."""

@@ -161,7 +161,8 @@ class Measuring:
         if not shared or many.failed.any():
             return []
         own = {result.name: result for result in measure_all(self.run, shared)[0]}
-        return [name for name in shared if not _alike(own[name], many.figures[name])]
+        sizes = {name: float(np.abs(nominal.on_grid(self.trees[name])[0]).max()) for name in shared}
+        return [name for name in shared if not _alike(own[name], many.figures[name], sizes[name])]
 
     def hard(self, name: str) -> list[Node]:
         """The break functions of a measure at whose zeros it need not be continuous."""
@@ -191,10 +192,10 @@ class Measuring:
         return [*dict.fromkeys([*trees, *breaking]), *self.rows, *self.pressures]
 
 
-def _alike(own: MeasureResult, found: dict[str, Figures]) -> bool:
-    """Whether a measure of a run and that of one sample agree."""
+def _alike(own: MeasureResult, found: dict[str, Figures], size: float) -> bool:
+    """Whether a measure of a run and that of one sample agree; ``size`` is that of the expression."""
     known = {f.label: f.value for f in own.found}
-    size = max((abs(value) for value in known.values()), default=0.0)
+    size = max(size, *(abs(value) for value in known.values()), 0.0)
     return {*known} == {*found} and all(
         abs(known[label] - float(figures.values[0])) <= ALIKE * size for label, figures in found.items()
     )

@@ -125,7 +125,7 @@ TEXTS: dict[str, str] = {
     "measure.at": "t = {time}",
     "measure.at.before": "before t = {time}",
     "measure.at.after": "after t = {time}",
-    "measure.unbounded": "unbounded",
+    "value.unbounded": "unbounded",
     "grade.enclosed": "enclosed",
     "grade.searched": "searched ({width})",
     "grade.sampled": "sampled",
