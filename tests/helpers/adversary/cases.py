@@ -47,6 +47,9 @@ class Case:
     width: float
     share: float
     """The width over the length of the run."""
+    f: Tree | None = field(default=None, compare=False, repr=False)
+    """The expression itself, over the span (s) that it is taken over."""
+    span: tuple[float, float] | None = None
 
 
 @dataclass
@@ -149,7 +152,7 @@ def clock_case(family: str, name: str, d: Draw) -> tuple[Case, tuple[float, floa
     if reduction == "value":
         return top(family, name, d, made, f, b, share), window
     measure, numbers = reduced(reduction, f.text, b, d.length)
-    return Case(family, name, measure, numbers, made.width, share), window
+    return Case(family, name, measure, numbers, made.width, share, f, _plain(span)), window
 
 
 def sound(b: Bounds) -> bool:
@@ -201,26 +204,34 @@ def integrated(
         f = f + g
         integral = made.integral and (lambda a, b, part=made.integral: part(a, b) + of_g(a, b))  # type: ignore[misc]
     share = made.width / d.length
-    singular = [mark for mark in made.marks if a <= mark.time <= b]
-    if reduction in made.diverging and not singular and not (made.integral and reduction == "mean"):
-        # The pole lies outside the window: integrate numerically, finer towards it.
-        value = numeric(f, made.marks, a, b, 1 if reduction == "mean" else 2)
-        value = value if reduction == "mean" else mpmath.sqrt(value)
-        return Case(family, name, {reduction: f.text}, {"": Wanted(float(value), _integral_tolerance(
-            f, made.marks, span, float(value)))}, made.width, share)
+    singular = any(a <= mark.time <= b for mark in made.marks)
+
+    def case(number: Wanted) -> Case:
+        return Case(family, name, {reduction: f.text}, {"": number}, made.width, share, f, _plain(span))
+
     if reduction in made.diverging and singular:
-        return Case(family, name, {reduction: f.text}, {"": Wanted(made.diverging[reduction])}, made.width, share)
-    whole = (integral if reduction == "mean" else made.square)(a, b) / (b - a)  # type: ignore[misc]
-    value = whole if reduction == "mean" else mpmath.sqrt(whole)
-    number = Wanted(float(value), _integral_tolerance(f, made.marks, span, float(value)))
-    return Case(family, name, {reduction: f.text}, {"": number}, made.width, share)
+        return case(Wanted(made.diverging[reduction]))
+    closed = integral if reduction == "mean" else made.square
+    power = 1 if reduction == "mean" else 2
+    # Without a closed form the pole lies outside the window.
+    value = closed(a, b) / (b - a) if closed else numeric(f, made.marks, a, b, power)
+    value = value if power == 1 else mpmath.sqrt(value)
+    return case(Wanted(float(value), _integral_tolerance(f, made.marks, span, float(value))))
+
+
+def _plain(span: tuple[Any, Any]) -> tuple[float, float]:
+    return float(span[0]), float(span[1])
 
 
 def _integral_tolerance(f: Tree, marks: tuple[Mark, ...], span: tuple[Any, Any], value: float) -> float:
     t, values = grid(f, [span], marks)
     fine = np.isfinite(values)
     size = np.trapezoid(np.abs(values[fine]), t[fine]) / float(span[1] - span[0])
-    return float(RELATIVE * max(size, abs(value)) + ROUNDS * ROUND * size + 1e-15)
+    some = t[:: max(1, t.size // 80)]
+    noise = np.array([f.noise(at) for at in some])
+    known = np.isfinite(noise)
+    carried = np.trapezoid(noise[known], some[known]) / float(span[1] - span[0])
+    return float(RELATIVE * max(size, abs(value)) + ROUNDS * (carried + ROUND * size) + 1e-15)
 
 
 def numeric(f: Tree, marks: tuple[Mark, ...], a: Any, b: Any, power: int) -> Any:
@@ -248,11 +259,9 @@ def numeric(f: Tree, marks: tuple[Mark, ...], a: Any, b: Any, power: int) -> Any
 _GAUSS = [(mpf(float(x)), mpf(float(w))) for x, w in zip(*np.polynomial.legendre.leggauss(16), strict=True)]
 
 
-def top(
-    family: str, name: str, d: Draw, made: Feature, f: Tree, b: Bounds, share: float
-) -> Case | Any:
+def top(family: str, name: str, d: Draw, made: Feature, f: Tree, b: Bounds, share: float) -> Case:
     """The time at which a narrow peak is highest (or lowest)."""
-    label, one = max((("max", b.high), ("min", b.low)), key=lambda pair: abs(pair[1].value - 0.0))
+    label, one = max((("max", b.high), ("min", b.low)), key=lambda pair: abs(pair[1].value))
     tolerance = d.w * (1e-5 + math.sqrt(ROUNDS * one.noise / max(b.size, 1e-300))) + 1e-12 * d.length
     measure = {"value": "t", "where": f"{label} {f.text}"}
     return Case(family, name, measure, {"": Wanted(one.time, tolerance)}, made.width, share)

@@ -200,10 +200,10 @@ def other_peak(d: Draw) -> Feature:
 
 def removable(d: Draw) -> Feature:
     """0/0 with a finite limit."""
-    height, k, marks = d.sign() * d.uniform(1, 5), 1 / d.w, (Mark(mpf(d.a), d.w),)
+    height, k, marks = d.sign() * d.uniform(1, 5), d.log(0.3, 2.3) / d.length, (Mark(mpf(d.a), d.w),)
     kind = d.pick("sinc", "cosc", "square", "exp", "cancelled", "over sine", "squares", "narrow")
     if kind == "sinc":
-        return Feature(height * d.w * (call("sin", k * d.u) / d.u), marks, 3.7 * d.w)
+        return Feature(height / k * (call("sin", k * d.u) / d.u), marks, 3.7 / k)
     if kind == "cosc":
         return Feature(height * (1.0 - call("cos", d.u)) / d.u**2, marks, d.length)
     if kind == "exp":

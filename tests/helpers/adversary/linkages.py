@@ -137,7 +137,8 @@ def four_bar_batch(seed: int, source: random.Random, count: int) -> Batch:
             continue
         measure, numbers = reduced(d.pick("extremes", "extremes", "max", "min", "span"), f.text, b_, length)
         name = f"m{len(batch.cases)}"
-        batch.add(Case(f"four-bar {kind}", name, measure, numbers, width, width / length))
+        case = Case(f"four-bar {kind}", name, measure, numbers, width, width / length, f, (0.0, length))
+        batch.add(case)
     return batch
 
 
@@ -321,7 +322,8 @@ def guide_batch(seed: int, source: random.Random, count: int) -> Batch:
         if not sound(b):
             continue
         measure, numbers = reduced(d.pick("extremes", "max", "min", "span"), form.text, b, length)
-        case = Case("guide's arm", f"m{len(batch.cases)}", measure, numbers, 2 * gain, 2 * gain / length)
+        name, width, span = f"m{len(batch.cases)}", 2 * gain, window or (0.0, length)
+        case = Case("guide's arm", name, measure, numbers, width, width / length, form, span)
         batch.add(case, window)
     return batch
 

@@ -160,17 +160,22 @@ def _peaks(
     tops = np.flatnonzero((padded[1:-1] >= padded[:-2]) & (padded[1:-1] >= padded[2:]) & np.isfinite(y))
     if not tops.size:
         return []
-    finite = y[np.isfinite(y)]
-    best = y[tops].max()
-    close = best - np.maximum(1e-2 * (best - np.median(finite)), 1e-300)
-    tops = tops[np.argsort(-y[tops], kind="stable")][:6]
+    # Highest first. Round-off may have made some of them: only exact values count, until no other can be higher.
+    middle = float(np.median(y[np.isfinite(y)]))
+    exact: list[tuple[Any, int]] = []
+    for i in tops[np.argsort(-y[tops], kind="stable")]:
+        best = max((value for value, _ in exact), default=-mp.inf)
+        if y[i] < best - 0.05 * abs(best - middle):
+            break
+        value = sign * f.exact(t[i])
+        if mpmath.isfinite(value):
+            exact.append((value, int(i)))
     found: list[tuple[Any, Any]] = []
-    for i in tops[y[tops] >= close]:
+    for _, i in sorted(exact, reverse=True)[:4]:
         a, b = next(span for span in spans if float(span[0]) <= t[i] <= float(span[1]))
         left, right = max(a, mpmath.mpf(t[max(i - 2, 0)])), min(b, mpmath.mpf(t[min(i + 2, t.size - 1)]))
-        if any(left <= at <= right for _, at in found):
-            continue
-        found.append(climb(f, left, mpmath.mpf(t[i]), right, sign))
+        if not any(left <= at <= right for _, at in found):
+            found.append(climb(f, left, mpmath.mpf(t[i]), right, sign))
     return [one for one in found if mpmath.isfinite(one[0])]
 
 
