@@ -53,10 +53,10 @@ class Germ:
     def leading(self) -> tuple[Fraction, float] | None:
         """Exponent and coefficient of the first term that isn't zero; ``None`` where all known ones are."""
         for k, (c, e) in enumerate(zip(self.c.tolist(), self.e.tolist(), strict=True)):
+            if not math.isfinite(c) or SMALL * e < abs(c) <= SURE * e:
+                raise Undecided
             if abs(c) > SURE * e:
                 return self.low + k * self.step, c
-            if abs(c) > SMALL * e:
-                raise Undecided
         return None
 
     def stripped(self) -> Germ:
@@ -66,6 +66,14 @@ class Germ:
             raise Undecided
         k = int((lead[0] - self.low) / self.step)
         return Germ(self.c[k:], self.e[k:], lead[0], self.step)
+
+    def __call__(self, s: Array) -> Array:
+        """Its values at distances s > 0."""
+        total = np.zeros_like(s)
+        for k, c in enumerate(self.c.tolist()):
+            if c:
+                total = total + c * s ** float(self.low + k * self.step)
+        return total
 
     @property
     def sign(self) -> float:

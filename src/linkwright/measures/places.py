@@ -130,7 +130,9 @@ class Places:
             size = np.abs(_row(rates, i, least))
             near = least[size < LOW * np.median(known)]
             if isinstance(row, Feature):
-                touched = least[size <= TOUCH * known.max()]
+                apart = 2 * ASIDE[0] * (run.stop - run.start)
+                alone = (np.abs(least[:, None] - crossed[i]) > apart).all(axis=1)
+                touched = least[(size <= TOUCH * known.max()) & alone]
                 self._zeros[row] = np.union1d(crossed[i], touched)
                 self._cuts.append(self._zeros[row] if row.kind.hard else crossed[i])
                 near = near if row.kind is Kind.KINK else np.union1d(near, crossed[i])

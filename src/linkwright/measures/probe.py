@@ -130,8 +130,8 @@ class Probe:
     def peaks(self) -> list[Peak]:
         """Among which the extremes are: turning points, cuts, ends of the window, limits towards places."""
         run, pieces = self.run, self.search.places.pieces
-        cuts = np.concatenate([pieces.before, (pieces.before + pieces.after) / 2, pieces.after])
-        inside = np.concatenate([self.stationary, cuts])
+        centres = (pieces.before + pieces.after) / 2
+        inside = np.concatenate([self.stationary, centres])
         inside = inside[np.logical_or.reduce([(a < inside) & (inside < b) for a, b in self.intervals])]
         # Of a jump, a turning point or an end of the window only has a side, the inner one.
         for before, after in run.jumps:
@@ -139,18 +139,35 @@ class Probe:
         ends = [edge for a, b in self.intervals for edge in (inner(run, a, 1), inner(run, b, 0))]
         times = np.unique(np.concatenate([inside, ends]))
         times = self._away(times)
+        sharp = 4 * float(np.finfo(float).eps) * max(abs(run.start), abs(run.stop))
         found = [Peak(value, time, "") for value, time in zip(self.values(times).tolist(), times.tolist(), strict=True)]
+        found += self._beside(centres)
         for place in self.limits:
             for name, side, sign in (("before", place.before, -1), ("after", place.after, 1)):
-                beside = place.time + sign * 2 * self.near
-                if any(a <= beside <= b for a, b in self.intervals):
+                if any(place.time - a > sharp if sign < 0 else b - place.time > sharp for a, b in self._at(place.time)):
                     found.append(Peak(side.value, place.time, name))
-                if side.removable:
-                    s, values = side.near()
+                for a, b in self._at(place.time) if side.removable else ():
+                    s, values = side.near(place.time - a if sign < 0 else b - place.time)
                     t = place.time + sign * s
-                    inside = np.logical_or.reduce([(a <= t) & (t <= b) for a, b in self.intervals])
-                    found += [Peak(v, at, "") for v, at in zip(values[inside], t[inside], strict=True)]
+                    found += [Peak(v, at, "") for v, at in zip(values.tolist(), t.tolist(), strict=True) if s[-1] > 0]
         return found
+
+    def _beside(self, centres: Array) -> list[Peak]:
+        """Both sides of cuts: where the expression goes towards each, along its rate there."""
+        pieces, found = self.search.places.pieces, []
+        for name, sides in (("before", pieces.before), ("after", pieces.after)):
+            kept = np.logical_or.reduce([(a < sides) & (sides < b) for a, b in self.intervals])
+            kept &= np.isin(sides, self._away(sides))
+            t, centre = sides[kept], centres[kept]
+            if t.size:
+                jet = self.run.jets(self.node, t)
+                values = np.asarray(jet.d[0] + np.nan_to_num(jet.d[1]) * (centre - t))
+                found += [Peak(v, at, name) for v, at in zip(values.tolist(), centre.tolist(), strict=True)]
+        return found
+
+    def _at(self, time: float) -> list[Interval]:
+        """The intervals in which a time lies, or at whose ends it is."""
+        return [(a, b) for a, b in self.intervals if a - self.near <= time <= b + self.near]
 
     def _away(self, t: Array) -> Array:
         """The times at which the expression's values count: not at places with limits, nor where germs are better."""
@@ -203,7 +220,8 @@ class Probe:
 
     def mean(self, power: int = 1, rule: int = 0) -> Mean:
         """The mean of a power over the intervals, by one of two rules on nodes of its own."""
-        beside = sum(edge.integral(power) for stretch in self.stretches for edge in stretch)
+        with np.errstate(invalid="ignore"):  # poles of both signs have no mean
+            beside = sum(edge.integral(power) for stretch in self.stretches for edge in stretch)
         return mean(self.values, self._panels(), beside, self.length(), power, self.run.grid // 4, rule)
 
     def _panels(self) -> Callable[[int], list[Array]]:

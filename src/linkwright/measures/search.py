@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 Rates = Callable[[Array], tuple[Array, Array]]
 """Values and rates of rows at times: (rows, times) each."""
 
-FIRST_STEPS, MAX_STEPS = 1 << 6, 1 << 15
+FIRST_STEPS, MAX_STEPS = 1 << 8, 1 << 15
 FINEST = 1 << 18
 """The finest grid of runs that need a fine one from the start."""
 STILL = 1e-11

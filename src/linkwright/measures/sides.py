@@ -34,6 +34,8 @@ VALID = 0.05
 """The share of the stretch on which a germ stands for the expression ..."""
 LOOKED = 65
 """... looked at in so many places."""
+TRIES, CLOSEST, AGREES = 16, 1e-10, 1e-11
+"""Distances at which a germ is compared with values, the nearest over the run's length, and how well they agree."""
 LOOKS = 36
 """Distances at which values are compared where germs don't decide."""
 ALIKE = 1e-7
@@ -61,12 +63,11 @@ class Side:
         """The distance (s) up to which its germ has more digits than its values: terms that vanish cancel there."""
         return self.radius if self.germ is not None and math.isfinite(self.value) else 0.0
 
-    def near(self) -> tuple[Array, Array]:
-        """Distances (s) up to there, and the germ's values."""
+    def near(self, most: float) -> tuple[Array, Array]:
+        """Distances (s) up to there or to ``most``, and the germ's values."""
         assert self.germ is not None
-        s = np.linspace(0.0, self.radius, LOOKED)[1:]
-        exponents = [float(self.germ.low + k * self.germ.step) for k in range(self.germ.c.size)]
-        return s, np.asarray(sum(c * s**e for c, e in zip(self.germ.c.tolist(), exponents, strict=True)))
+        s = np.linspace(0.0, min(self.radius, most), LOOKED)[1:]
+        return s, self.germ(s)
 
     def integral(self, width: float, power: int) -> float:
         """The integral of a power from the place to the distance ``width`` (s); infinite or NaN where it diverges."""
@@ -128,20 +129,41 @@ class Sides:
 
     def _one(self, time: float, side: int, atoms: dict[Node, Germ], reach: float) -> tuple[Side, bool]:
         try:
-            vanishing = [self._germ(f.node, time, side, atoms).leading() for f in self.features]
+            with np.errstate(all="ignore"):
+                vanishing = [self._germ(f.node, time, side, atoms).leading() for f in self.features]
             touched = any(lead is None or lead[0] > 0 for lead in vanishing)
         except (Undecided, ZeroDivisionError):
             touched = True
         if not touched:
             return UNKNOWN, False
         try:
-            germ = self._germ(self.node, time, side, atoms)
+            with np.errstate(all="ignore"):
+                germ = self._germ(self.node, time, side, atoms)
             value, exponent = germ.limit()
             if not math.isnan(value):
-                return Side(value, min(exponent, Fraction(0)), germ, VALID * reach), True
+                radius = self._valid(germ, time, side, VALID * reach)
+                return Side(value, min(exponent, Fraction(0)), germ if radius else None, radius), True
         except (Undecided, ZeroDivisionError, OverflowError):
             pass
         return self.compared(time, side), True
+
+    def _valid(self, germ: Germ, time: float, side: int, reach: float) -> float:
+        """How far (s) a germ stands for the expression: the distance at which its values agree, or agree best; 0 where
+        they never do."""
+        s = reach * 0.25 ** np.arange(TRIES)
+        s = s[s > CLOSEST * (self.run.stop - self.run.start)]
+        t = time + side * s
+        inside = (t >= self.run.start) & (t <= self.run.stop)
+        s, t = s[inside], t[inside]
+        if not s.size:
+            return 0.0
+        with np.errstate(all="ignore"):
+            values = np.asarray(self.run.jets(self.node, t).d[0])
+            off = np.abs(germ(s) - values) / np.maximum(np.abs(values), 1e-3 * np.abs(values).max())
+        off = np.where(np.isnan(off), np.inf, off)
+        close = np.flatnonzero(off <= AGREES)
+        best = int(close[0]) if close.size else int(np.argmin(off))
+        return float(s[best]) if off[best] <= ALIKE else 0.0
 
     def _germ(self, node: Node, time: float, side: int, atoms: dict[Node, Germ]) -> Germ:
         """The germ of an expression from those of its atoms."""
@@ -151,7 +173,7 @@ class Sides:
                 return atoms[part]
             if isinstance(part, Name) and part.text == "t":
                 c, e = np.zeros(TERMS), np.zeros(TERMS)
-                c[0], c[1], e[0] = time, side, EPS * max(abs(time), 1e-300)
+                c[0], c[1], e[0] = time, side, self._sharp(time)
                 return Germ(c, e)
             if isinstance(part, Call) and part.attribute is None:
                 found = FUNCTIONS[part.name].apply(*(germ(arg) for arg in part.args))
@@ -165,6 +187,10 @@ class Sides:
             return found if isinstance(found, Germ) else Germ.constant(float(found), 0.5 * EPS * abs(float(found)))
 
         return germ(node)
+
+    def _sharp(self, time: float) -> float:
+        """How far off (s) a place may be that was root-found."""
+        return EPS * max(abs(time), self.run.stop - self.run.start)
 
     def _fitted(self, times: Array, side: int) -> list[tuple[dict[Node, Germ], float]]:
         """The atoms' germs at each time with the stretch (s) that they hold on, cut down until a polynomial fits."""
@@ -186,7 +212,8 @@ class Sides:
             size = np.abs(data[:, :, :NODES]).max(axis=2) + 1e-300
             good = (miss <= FITS * size).all(axis=0) | (attempt == NEARER - 1)
             noise = 4 * EPS * np.abs(data) + 2 * miss[:, :, None]
-            noise += EPS * np.abs(times[left])[None, :, None] / reach[left][None, :, None] * np.abs(c[:, :, 1:2])
+            off = np.array([self._sharp(time) for time in times[left].tolist()]) / reach[left]
+            noise += off[None, :, None] * np.abs(c[:, :, 1:2])
             e = noise @ np.abs(FIT).T
             scale = reach[left, None] ** -np.arange(TERMS)
             for k in np.flatnonzero(good):
@@ -236,7 +263,10 @@ class Sides:
             steps = np.diff(values)[-8:]
             last = float(values[-1])
             ratio = np.abs(values[-8:] / values[-9:-1]) if values.size > 8 else np.zeros(8)
+            if np.isnan(values[-9:]).any():
+                return UNKNOWN
             if np.isinf(last) or (np.isfinite(ratio).all() and ratio.min() > 1.05):
+                ratio = ratio[np.isfinite(ratio)] if np.isfinite(ratio).any() else np.array([np.inf])
                 power = Fraction(-math.log2(float(np.clip(np.median(ratio), 1.0, 2.0**50)))).limit_denominator(12)
                 return Side(math.copysign(math.inf, last), min(power, Fraction(-1, 12)))
             if not np.isfinite(values[-9:]).all():
