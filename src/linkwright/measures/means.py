@@ -14,11 +14,11 @@ from linkwright.results.quadrature import panel_points
 
 Array = NDArray[np.float64]
 
-CLOSE = 1e-12
-"""How near two means on panels of which one has twice as many are to be, over the mean magnitude."""
+CLOSE = 1e-14
+"""How near a panel's integral is to be to those of its halves, over the integral of the magnitude."""
 UNSETTLED = 1e-9
-"""A mean that still changes by more than this share of the mean magnitude has not converged."""
-MOST_PANELS = 1 << 14
+"""A mean of which more than this share, over the mean magnitude, still changed has not converged."""
+MOST_PANELS = 1 << 16
 BESIDE = 1e-6
 """How much of a stretch beside a place with a limit but without a germ is taken to have that limit."""
 
@@ -45,7 +45,7 @@ class Edge:
 
 @dataclass(frozen=True)
 class Mean:
-    """A mean, how much it changed on the last doubling of panels over the mean magnitude, and that ``size``."""
+    """A mean, how much of it still changed when its panels were halved, over the mean magnitude, and that ``size``."""
 
     value: float
     change: float
@@ -70,22 +70,38 @@ def mean(
     first: int,
     rule: int = 0,
 ) -> Mean:
-    """The mean of a power of a function over stretches whose panels ``edges(count)`` gives, doubled until it stands.
+    """The mean of a power of a function over the panels of stretches, each halved until its integral stands.
 
-    ``ends`` is the integral over what lies between the panels and singular places.
+    ``edges(count)`` gives the panels of each stretch, ``ends`` the integral over what lies between them and singular
+    places.
     """
     if not math.isfinite(ends):
         return Mean(ends, 0.0, abs(ends))
     factor, points = RULES[rule]
-    panels, last = max(16, int(first * factor)), math.inf
-    while True:
-        every = edges(panels)
-        lows, highs = (np.concatenate([part[cut] for part in every]) for cut in (slice(None, -1), slice(1, None)))
+
+    def integrals(lows: Array, highs: Array) -> Array:
+        """Of the power and of its magnitude on each panel: (2, panels)."""
         t, weight = panel_points(lows, highs, points)
-        height = values(t) ** power
-        now = (float(height @ weight) + ends) / length
-        size = (float(np.abs(height) @ weight) + abs(ends)) / length
-        change = abs(now - last) / size if size > 0 else 0.0
-        if not change > CLOSE or panels >= MOST_PANELS:
-            return Mean(now, change, size)
-        panels, last = panels * 2, now
+        height = values(t) ** power * weight
+        return np.asarray(np.array([height, np.abs(height)]).reshape(2, lows.size, points).sum(axis=2))
+
+    every = edges(max(16, int(first * factor)))
+    lows, highs = (np.concatenate([part[cut] for part in every]) for cut in (slice(None, -1), slice(1, None)))
+    here, total, panels = integrals(lows, highs), np.zeros(2), lows.size
+    left = 0.0
+    while lows.size:
+        middle = (lows + highs) / 2
+        halves = integrals(np.append(lows, middle), np.append(middle, highs))
+        sums = halves[:, : lows.size] + halves[:, lows.size :]
+        size = float(total[1] + sums[1].sum()) + abs(ends)
+        off = np.abs(sums[0] - here[0])
+        stands = ~(off > CLOSE * size)
+        panels += 2 * int(np.count_nonzero(~stands))
+        if panels > MOST_PANELS:
+            left = float(off[~stands].sum())
+            stands[:] = True
+        total += sums[:, stands].sum(axis=1)
+        more = np.tile(~stands, 2)
+        lows, highs, here = np.append(lows, middle)[more], np.append(middle, highs)[more], halves[:, more]
+    size = float(total[1]) + abs(ends)
+    return Mean((float(total[0]) + ends) / length, left / size if size > 0 else 0.0, size / length)

@@ -149,7 +149,7 @@ class Probe:
                 for a, b in self._at(place.time) if side.removable else ():
                     s, values = side.near(place.time - a if sign < 0 else b - place.time)
                     t = place.time + sign * s
-                    found += [Peak(v, at, "") for v, at in zip(values.tolist(), t.tolist(), strict=True) if s[-1] > 0]
+                    found += [Peak(v, at, "") for v, at in zip(values.tolist(), t.tolist(), strict=True)]
         return found
 
     def _beside(self, centres: Array) -> list[Peak]:

@@ -66,7 +66,12 @@ class Side:
     def near(self, most: float) -> tuple[Array, Array]:
         """Distances (s) up to there or to ``most``, and the germ's values."""
         assert self.germ is not None
-        s = np.linspace(0.0, min(self.radius, most), LOOKED)[1:]
+        s = np.linspace(0.0, min(self.radius, most), LOOKED)
+        values = self.germ(s)
+        for best in (int(np.argmin(values)), int(np.argmax(values))):  # once more, closely, about the extremes
+            low, high = s[max(best - 1, 0)], s[min(best + 1, LOOKED - 1)]
+            s = np.append(s, np.linspace(low, high, LOOKED))
+        s = np.unique(s)[1:]
         return s, self.germ(s)
 
     def integral(self, width: float, power: int) -> float:
@@ -150,9 +155,9 @@ class Sides:
     def _valid(self, germ: Germ, time: float, side: int, reach: float) -> float:
         """How far (s) a germ stands for the expression: the distance at which its values agree, or agree best; 0 where
         they never do."""
-        s = reach * 0.25 ** np.arange(TRIES)
+        s = np.asarray(reach * 0.25 ** np.arange(TRIES), dtype=np.float64)
         s = s[s > CLOSEST * (self.run.stop - self.run.start)]
-        t = time + side * s
+        t: Array = time + side * s
         inside = (t >= self.run.start) & (t <= self.run.stop)
         s, t = s[inside], t[inside]
         if not s.size:
