@@ -66,19 +66,18 @@ class Side:
     def near(self, most: float) -> tuple[Array, Array]:
         """Distances (s) up to there or to ``most``, and the germ's values."""
         assert self.germ is not None
-        s = np.linspace(0.0, min(self.radius, most), LOOKED)
+        s = min(self.radius, most) * np.arange(1, LOOKED + 1) / LOOKED
         values = self.germ(s)
         for best in (int(np.argmin(values)), int(np.argmax(values))):  # once more, closely, about the extremes
             low, high = s[max(best - 1, 0)], s[min(best + 1, LOOKED - 1)]
             s = np.append(s, np.linspace(low, high, LOOKED))
-        s = np.unique(s)[1:]
+        s = np.unique(s)
         return s, self.germ(s)
 
     def integral(self, width: float, power: int) -> float:
         """The integral of a power from the place to the distance ``width`` (s); infinite or NaN where it diverges."""
         if self.exponent * power <= -1:
-            grown: float = np.power(self.value, power)
-            return grown
+            return math.inf if power % 2 == 0 else self.value
         if self.germ is None:
             return self.value**power * width if math.isfinite(self.value) else math.nan
         germ = self.germ**power if power > 1 else self.germ
@@ -146,6 +145,7 @@ class Sides:
                 germ = self._germ(self.node, time, side, atoms)
             value, exponent = germ.limit()
             if not math.isnan(value):
+                germ = germ.stripped() if germ.leading() is not None else Germ.constant(0.0)
                 radius = self._valid(germ, time, side, VALID * reach)
                 return Side(value, min(exponent, Fraction(0)), germ if radius else None, radius), True
         except (Undecided, ZeroDivisionError, OverflowError):
