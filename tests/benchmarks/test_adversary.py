@@ -38,9 +38,7 @@ def test_the_script_prints_counts(monkeypatch: pytest.MonkeyPatch, capsys: pytes
     assert "wrong in silence 0" in lines[-1]
 
 
-def test_what_is_wrong_ends_in_exit_code_1(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_what_is_wrong_ends_in_exit_code_1(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     told(monkeypatch, verdicts=[Verdict(CASE, WRONG, "enclosed", 0.0, "value: 0.9, truth 1.0")])
     assert call(monkeypatch, "--count", "31", "--seed", "7") == 1
     assert "seed 7: m0 (kink, width 0.0003 of the run, enclosed): {'max': 'x'} value: 0.9" in capsys.readouterr().out

@@ -16,8 +16,8 @@ from helpers.adversary.judging import MISSED, OUTCOMES, REFUSED, RIGHT, UNBOUNDE
 from helpers.adversary.trees import CLOCK, DIGITS, call
 from helpers.adversary.truths import Mark, bounds
 
-SEEDS = range(10)
-"""About 310 measures."""
+SEEDS = (*range(10), 57, 117)
+"""About 330 measures; the last two pass a change point closely, in one turn and in many."""
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -36,7 +36,7 @@ def batches() -> list[Batch]:
 
 
 def test_a_seed_gives_the_same_again(batches: list[Batch]) -> None:
-    assert [make(batch.seed) for batch in batches[:10]] == batches[:10]
+    assert [make(batch.seed) for batch in batches[:4]] == batches[:4]
 
 
 def test_all_families_and_widths_are_there(batches: list[Batch]) -> None:
@@ -51,12 +51,12 @@ def test_all_families_and_widths_are_there(batches: list[Batch]) -> None:
     assert {next(iter(case.measure)) for case in cases} == {"extremes", "max", "min", "span", "mean", "rms", "value"}
 
 
-def dense(case: Case) -> tuple[np.ndarray, np.ndarray]:
+def dense(case: Case) -> np.ndarray:
     assert case.f is not None
     assert case.span is not None
     t = np.linspace(*case.span, 40_001)
     t = (t[1:] + t[:-1]) / 2  # off the places themselves
-    return t, case.f.plain(t)
+    return np.asarray(case.f.plain(t))
 
 
 def wide(batches: list[Batch], *reductions: str) -> list[Case]:
@@ -73,16 +73,17 @@ def test_extremes_agree_with_dense_samples(batches: list[Batch]) -> None:
     """No sample lies outside the truth, and some come near it; where it is infinite they grow towards its places."""
     seen = 0
     for case in wide(batches, "extremes", "max", "min"):
-        t, values = dense(case)
+        values = dense(case)
         values = values[np.isfinite(values)]
         spread = np.percentile(values, 99) - np.percentile(values, 1)
         for label, number in case.wanted.items():
             sign = 1 if "max" in (label, *case.measure) else -1
             best = sign * (sign * values).max()
+            step = np.abs(np.diff(values)).max()
             if math.isfinite(number.value):
                 noise = 1e-6 * spread  # what round-off makes of a gap 0/0 in doubles
                 assert sign * best <= sign * number.value + number.tolerance + noise, case
-                assert sign * best >= sign * number.value - 0.1 * abs(number.value) - 0.02 * spread, case
+                assert sign * best >= sign * number.value - 0.1 * abs(number.value) - step, case
             else:
                 for place, side in number.places:
                     grown = case.f.plain(place + side * np.array([1e-3, 1e-5, 1e-7]) * case.width) * sign
@@ -95,7 +96,7 @@ def test_integrals_agree_with_dense_samples(batches: list[Batch]) -> None:
     seen = 0
     for case in wide(batches, "mean", "rms"):
         (number,) = case.wanted.values()
-        _, values = dense(case)
+        values = dense(case)
         if not math.isfinite(number.value):
             continue
         power = 1 if "mean" in case.measure else 2
@@ -138,10 +139,12 @@ def perfect(case: Case, change: Callable[[Said, Wanted], Said] = lambda said, nu
     return Answer(said)
 
 
-def outcomes(batches: list[Batch], change: Callable[[Said, Wanted], Said], only: Callable[[Wanted], bool]) -> set[str]:
+def outcomes(
+    batches: list[Batch], change: Callable[[Said, Wanted], Said], only: Callable[[Wanted], bool], least: int = 30
+) -> set[str]:
     """What the judge says of the truth with a change, of the cases all of whose numbers are such."""
     cases = [case for batch in batches for case in batch.cases if all(map(only, case.wanted.values()))]
-    assert len(cases) > 50
+    assert len(cases) > least
     return {judge(case, perfect(case, change)).outcome for case in cases}
 
 
@@ -193,7 +196,7 @@ def test_the_other_side_is_wrong(batches: list[Batch]) -> None:
     def one_sided(number: Wanted) -> bool:
         return placed(number) and len({side for _, side in number.places}) == 1
 
-    assert outcomes(batches, lambda said, n: replace(said, side=-said.side), one_sided) == {WRONG}  # type: ignore[operator]
+    assert outcomes(batches, lambda said, n: replace(said, side=-said.side), one_sided, 5) == {WRONG}  # type: ignore[operator]
 
 
 def test_another_branch_is_wrong(batches: list[Batch]) -> None:

@@ -1,7 +1,7 @@
 """Measures with known truth, made to be hard: a batch of them for every seed, and a judge of what a run says of them.
 
-    batch = make(seed)
-    verdicts = judged(batch, answers(lw.run(lw.Document.model_validate(batch.document))))
+batch = make(seed)
+verdicts = judged(batch, answers(lw.run(lw.Document.model_validate(batch.document))))
 """
 
 from __future__ import annotations

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 import mpmath
@@ -157,7 +158,9 @@ def clock_case(family: str, name: str, d: Draw) -> tuple[Case, tuple[float, floa
 
 def sound(b: Bounds) -> bool:
     """Whether the truth stands clear of round-off, and of what a single point counts for."""
-    return not b.lone and all(ROUNDS * one.noise <= 1e-3 * max(b.size, 1e-300) or math.isinf(one.value) for one in (b.low, b.high))
+    return not b.lone and all(
+        ROUNDS * one.noise <= 1e-3 * max(b.size, 1e-300) or math.isinf(one.value) for one in (b.low, b.high)
+    )
 
 
 def place(d: Draw) -> tuple[float, bool]:
@@ -193,9 +196,7 @@ def windowed(d: Draw) -> tuple[float, float]:
     return (low, high) if high - low > 0.02 * d.length else (0.0, d.length)
 
 
-def integrated(
-    family: str, name: str, d: Draw, made: Feature, reduction: str, span: tuple[Any, Any]
-) -> Case:
+def integrated(family: str, name: str, d: Draw, made: Feature, reduction: str, span: tuple[Any, Any]) -> Case:
     """A mean or rms."""
     a, b = span
     g, of_g = background(d)
@@ -250,7 +251,7 @@ def numeric(f: Tree, marks: tuple[Mark, ...], a: Any, b: Any, power: int) -> Any
     base = [a + (b - a) * k / 8 for k in range(1, 8)]
     ordered = sorted(edges | set(base))
     total = mpf(0)
-    for low, high in zip(ordered[:-1], ordered[1:], strict=True):
+    for low, high in pairwise(ordered):
         middle, half = (low + high) / 2, (high - low) / 2
         total += half * sum(w * f.exact(middle + half * x) ** power for x, w in _GAUSS)
     return total / (b - a)
@@ -265,4 +266,3 @@ def top(family: str, name: str, d: Draw, made: Feature, f: Tree, b: Bounds, shar
     tolerance = d.w * (1e-5 + math.sqrt(ROUNDS * one.noise / max(b.size, 1e-300))) + 1e-12 * d.length
     measure = {"value": "t", "where": f"{label} {f.text}"}
     return Case(family, name, measure, {"": Wanted(one.time, tolerance)}, made.width, share)
-

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import mpmath
+import numpy as np
 from mpmath import mpf
 
 from helpers.adversary.trees import CLOCK, Tree, call, signal, tree
@@ -21,8 +22,8 @@ from helpers.adversary.truths import Mark
 Integral = Callable[[Any, Any], Any]
 """The integral over a..b (s), in mpmath."""
 ANGLE = signal("(motor.angle/(1 rad))", lambda t: t, lambda t: t, lambda t: 4 * 2.0**-52 * max(1.0, float(t)))
-COS = signal("(B.x/(1 m))", mpmath.cos)
-SIN = signal("(B.y/(1 m))", mpmath.sin)
+COS = signal("(B.x/(1 m))", mpmath.cos, np.cos)
+SIN = signal("(B.y/(1 m))", mpmath.sin, np.sin)
 """The clock's crank: its angle is x, its pin at (cos x, sin x)."""
 
 
@@ -261,8 +262,10 @@ def weak_pole(d: Draw) -> Feature:
     def square(a: Any, b: Any) -> Any:
         return mpf(r) ** 2 * (root(b, 2 * c) - root(a, 2 * c))
 
-    f = d.pick(r / call("sqrt", abs(d.u)), r * abs(d.u) ** -0.5) if p == 0.5 else d.pick(
-        r / abs(d.u) ** p, r * abs(d.u) ** -p
+    f = (
+        d.pick(r / call("sqrt", abs(d.u)), r * abs(d.u) ** -0.5)
+        if p == 0.5
+        else d.pick(r / abs(d.u) ** p, r * abs(d.u) ** -p)
     )
     diverging = {"rms": math.inf} if p == 0.5 else {}
     return Feature(f, (Mark(mpf(d.a), d.w),), d.w, integral, None if p == 0.5 else square, diverging)

@@ -104,7 +104,9 @@ def _number(case: Case, label: str, number: Wanted, said: Said | None) -> Verdic
     if abs(said.value - number.value) <= number.tolerance:
         return verdict(RIGHT)
     excused = case.width < said.width
-    return verdict(MISSED if excused else WRONG, f"{given}, off by {abs(said.value - number.value) / number.tolerance:.2g}")
+    return verdict(
+        MISSED if excused else WRONG, f"{given}, off by {abs(said.value - number.value) / number.tolerance:.2g}"
+    )
 
 
 def _placed(number: Wanted, said: Said) -> bool:

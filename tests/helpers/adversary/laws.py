@@ -1,9 +1,10 @@
-"""Cases of steps, motion laws and tables: peaks at their joins and knots, on some cranks that don't touch each other."""
+"""Cases of steps, motion laws and tables: peaks at joins and knots, on some cranks that don't touch each other."""
 
 from __future__ import annotations
 
 import math
 import random
+from itertools import pairwise
 from typing import Any
 
 import mpmath
@@ -116,11 +117,14 @@ def table_batch(seed: int, source: random.Random, count: int) -> Batch:
         d.w = length * (d.log(-3.5, -1) if cubic else d.log(-7, -1))
         x, y = _knots(d, cubic)
         between = "cubic" if cubic else "linear"
-        batch.document["tables"][f"table{i}"] = {"points": [[a, b] for a, b in zip(x, y, strict=True)], "between": between}
+        batch.document["tables"][f"table{i}"] = {
+            "points": [[a, b] for a, b in zip(x, y, strict=True)],
+            "between": between,
+        }
         load = {"on": f"crank{i}", "torque": f"-table{i}(t/(1 s))"}
         batch.document["loads"][f"load{i}"] = load
         ends, mean, square = _spline(x, y, length) if cubic else _polygon(x, y)
-        steep = max(abs(b - a) / (q - p) for p, q, a, b in zip(x, x[1:], y, y[1:], strict=False))
+        steep = max(abs(b - a) / (q - p) for (p, q), (a, b) in zip(pairwise(x), pairwise(y), strict=True))
         size = ends[1] - ends[0]
         slack = RELATIVE * size + ROUNDS * ROUND * (length * steep + 8 * size)
         if cubic:
@@ -159,7 +163,7 @@ def _knots(d: Draw, cubic: bool) -> tuple[list[float], list[float]]:
 def _polygon(x: list[float], y: list[float]) -> tuple[tuple[float, float], float, float]:
     """The least and greatest value of straight lines, their mean and mean square."""
     px, py = [mpf(v) for v in x], [mpf(v) for v in y]
-    parts = list(zip(px, px[1:], py, py[1:], strict=False))
+    parts = [(p, q, a, b) for (p, q), (a, b) in zip(pairwise(px), pairwise(py), strict=True)]
     length = px[-1] - px[0]
     mean = sum((q - p) * (a + b) / 2 for p, q, a, b in parts) / length
     square = sum((q - p) * (a * a + a * b + b * b) / 3 for p, q, a, b in parts) / length
@@ -169,7 +173,7 @@ def _polygon(x: list[float], y: list[float]) -> tuple[tuple[float, float], float
 def _spline(x: list[float], y: list[float], length: float) -> tuple[tuple[float, float], float, float]:
     """The same of a cubic spline, its third derivative continuous at the second and the last but one knot."""
     n = len(x) - 1
-    h = [mpf(b) - mpf(a) for a, b in zip(x, x[1:], strict=False)]
+    h = [mpf(b) - mpf(a) for a, b in pairwise(x)]
     rows, right = mpmath.matrix(n + 1, n + 1), mpmath.matrix(n + 1, 1)
     for i in range(1, n):  # the second derivatives m at the knots
         rows[i, i - 1], rows[i, i], rows[i, i + 1] = h[i - 1], 2 * (h[i - 1] + h[i]), h[i]
@@ -184,9 +188,8 @@ def _spline(x: list[float], y: list[float], length: float) -> tuple[tuple[float,
         piece = [mpf(y[i]), c1, c2, c3]
         under = c2 * c2 - 3 * c3 * c1
         if under > 0 and c3 != 0:
-            for u in ((-c2 + s * mpmath.sqrt(under)) / (3 * c3) for s in (-1, 1)):
-                if 0 < u < h[i]:
-                    values.append(sum(c * u**k for k, c in enumerate(piece)))
+            turning = [(-c2 + s * mpmath.sqrt(under)) / (3 * c3) for s in (-1, 1)]
+            values += [sum(c * u**k for k, c in enumerate(piece)) for u in turning if 0 < u < h[i]]
         mean += sum(c * h[i] ** (k + 1) / (k + 1) for k, c in enumerate(piece))
         square += sum(
             c * e * h[i] ** (k + j + 1) / (k + j + 1) for k, c in enumerate(piece) for j, e in enumerate(piece)

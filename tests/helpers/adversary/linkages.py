@@ -279,9 +279,9 @@ def _rms(f: Callable[[Any], Any], phi0: float, wide: float) -> float:
 
 
 def guide_batch(seed: int, source: random.Random, count: int) -> Batch:
-    """The arm of a guide's reaction: unbounded where crank and rod lie in the guide's line; 0/0 where nothing presses."""
+    """The arm of a guide's reaction: unbounded where the rod lies in the guide's line; 0/0 where nothing presses."""
     length, samples = source.choice((2.9, 6.2, 9.0)), source.choice((6, 24, 90, 200))
-    r, rod, lever, phi0 = source.uniform(0.2, 0.5), source.uniform(1.2, 2), source.uniform(0.05, 0.3), 0.4
+    r, rod, lever = source.uniform(0.2, 0.5), source.uniform(1.2, 2), source.uniform(0.05, 0.3)
     phi0 = source.uniform(0.2, 2.9)
 
     def arm(t: Any) -> Any:

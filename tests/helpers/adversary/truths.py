@@ -79,7 +79,11 @@ def _lone(f: Tree, spans: Sequence[tuple[Any, Any]], marks: Sequence[Mark], limi
     for mark in marks:
         beside = [place.value for place in limits if place.time == mark.time]
         value = f.exact(mark.time)
-        if beside and all(map(mpmath.isfinite, (value, *beside))) and not any(abs(value - one) < 1e-6 * (1 + abs(value)) for one in beside):
+        if (
+            beside
+            and all(map(mpmath.isfinite, (value, *beside)))
+            and not any(abs(value - one) < 1e-6 * (1 + abs(value)) for one in beside)
+        ):
             return True
     return False
 
@@ -151,9 +155,7 @@ def _noise(f: Tree, time: Any, value: Any) -> float:
     return float(8 * ROUND * abs(value) + min((abs(one - value) for one in beside), default=0) / 8)
 
 
-def _peaks(
-    f: Tree, spans: Sequence[tuple[Any, Any]], t: Array, values: Array, sign: int
-) -> list[tuple[Any, Any]]:
+def _peaks(f: Tree, spans: Sequence[tuple[Any, Any]], t: Array, values: Array, sign: int) -> list[tuple[Any, Any]]:
     """The values at the best few tops of the grid, found to many digits."""
     y = np.where(np.isfinite(values), sign * values, -np.inf)
     padded = np.concatenate([[-np.inf], y, [-np.inf]])
