@@ -1,0 +1,161 @@
+"""Signals of a run, and expressions of them, enclosed over panels of time."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.enclosures.panels import MARGIN, Panels
+from linkwright.enclosures.program import Stage
+from linkwright.enclosures.taylor import TaylorModel, lift
+from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, nodes
+from linkwright.notation import Jet
+from linkwright.notation.angles import whole_turns
+from linkwright.results import Run
+
+Array = NDArray[np.float64]
+
+
+class Enclosure:
+    """Expressions (bound to SI) of a run's signals, enclosed over panels of time.
+
+    ``reason`` says why nothing can be enclosed: "cluster", a group that Newton solves.
+    """
+
+    def __init__(self, run: Run, trees: Sequence[Node], names: Sequence[str] = ()) -> None:
+        self.run, self.trees = run, list(trees)
+        compiled = run.compiled
+        self.names = run.signals_of(trees)
+        program = compiled.graph.program(self.names)
+        strict = any(isinstance(n, Call) and n.name == "atan2" for law in compiled.graph.actions.laws for n in nodes(law))
+        self.stage = Stage(program.block, compiled.parameters, range(len(self.names)), strict)
+        self.wrapped = [name for name in self.names if compiled.graph.wrapped(name)]
+        self.inputs = Inputs(run, strict)
+        self.reason = self.inputs.reason(self.stage.used)
+
+    def panels(self, start: Array, stop: Array) -> Panels:
+        """Panels of the run."""
+        return Panels(start, stop, MARGIN * (self.run.stop - self.run.start))
+
+    def signals(self, on: Panels) -> dict[str, TaylorModel]:
+        """Every signal over panels, angles continuous over the run."""
+        rows = dict(zip(self.names, self.stage(self.inputs.over(on)), strict=True))
+        if self.wrapped:
+            values = self.run.evaluate(self.wrapped, on.mid)
+            for name, value in zip(self.wrapped, values, strict=True):
+                rows[name] = rows[name] + _turns(whole_turns(rows[name].c[0], value), on)
+        barred = np.zeros(on.count, dtype=bool)
+        for passage in self.run.compiled.passages.every:
+            reach = 0.25 * passage.width
+            barred |= (on.start < passage.time + reach) & (on.stop > passage.time - reach)
+        if barred.any():
+            rows = {n: TaylorModel(m.c, np.where(barred, np.nan, m.r), on) for n, m in rows.items()}
+        return rows
+
+    def __call__(self, on: Panels) -> list[TaylorModel]:
+        """Every expression over panels, with as many columns as there are panels."""
+        with np.errstate(all="ignore"):
+            rows = self.signals(on)
+            return [_wide(self.expressed(tree, rows, on), on) for tree in self.trees]
+
+    def expressed(self, tree: Node, rows: dict[str, TaylorModel], on: Panels) -> TaylorModel:
+        """An expression from its signals."""
+        quantities = self.run.compiled.quantities
+
+        def named(name: Name) -> Any:
+            if is_signal(name):
+                return rows[self.run.canonical(name)]
+            return TaylorModel.time(on) if name.text == "t" else quantities.parameters[name.text]
+
+        def called(call: Call) -> Any:
+            if is_signal(call):
+                return rows[self.run.canonical(call)]
+            argument = lift(evaluate(call.args[0], named, called))
+            return self.run.compiled.tables[call.name].given(quantities.parameters).or_nan(Jet([argument])).d[0]
+
+        return lift(evaluate(tree, named, called))
+
+
+def _turns(turns: Array, on: Panels) -> TaylorModel:
+    """So many whole turns (rad)."""
+    return TaylorModel((2 * np.pi * turns)[None], 2.5e-16 * np.abs(turns), on)
+
+
+def _wide(model: TaylorModel, on: Panels) -> TaylorModel:
+    shape = (len(model.c), on.count)
+    return TaylorModel(np.broadcast_to(model.c, shape), np.broadcast_to(model.r, on.count), on)
+
+
+class Inputs:
+    """The input rows of a run's programs over panels."""
+
+    def __init__(self, run: Run, strict: bool) -> None:
+        self.compiled, self.strict = run.compiled, strict
+        self.rows = self.compiled.graph.inputs
+        self.lookups: dict[int, Stage] = {}
+
+    def reason(self, used: set[int]) -> str:
+        """Why rows can't be enclosed, "" where they can."""
+        names = {self.rows[row].split(":")[0] for row in used}
+        return "cluster" if "u" in names else ""
+
+    def over(self, on: Panels) -> Any:
+        """The rows over panels, each made when it is asked for."""
+        compiled, graph = self.compiled, self.compiled.graph
+        made: dict[int, TaylorModel] = {}
+        laws: dict[str, Jet] = {}
+        time = TaylorModel.time(on)
+        middle: list[Array] = []
+
+        def at_middle(row: int) -> Array:
+            if not middle:
+                middle.append(compiled.inputs(on.mid))
+            return middle[0][row]
+
+        def drive(name: str) -> Jet:
+            if name not in laws:
+                law = compiled.laws[name]
+                laws[name] = law.of(time, law.parameters, False)
+            return laws[name]
+
+        def make(row: int) -> TaylorModel:
+            name = self.rows[row]
+            kind, _, rest = name.partition("/")
+            if rest:
+                return self.action(kind, rest, row, x, drive, at_middle, on)
+            if name == "t":
+                return time
+            owner, _, last = name.rpartition(":")
+            if owner in compiled.laws and last.isdigit():
+                return lift(drive(owner).d[int(last)])
+            return TaylorModel(at_middle(row)[None], np.zeros(on.count), on)
+
+        def x(row: int) -> TaylorModel:
+            if row not in made:
+                made[row] = make(row)
+            return made[row]
+
+        assert graph.width == 5
+        return x
+
+    def action(self, kind: str, rest: str, row: int, x: Any, drive: Any, at_middle: Any, on: Panels) -> TaylorModel:
+        """An input of loads and springs."""
+        compiled, graph = self.compiled, self.compiled.graph
+        if kind == "table":
+            number, which = (int(part) for part in rest.split("/"))
+            if number not in self.lookups:
+                program = graph.program([f"argument/{number}"], rates=True)
+                self.lookups[number] = Stage(program.block, compiled.parameters, (0, 1), self.strict)
+            lookup = graph.actions.lookups[number]
+            table = compiled.tables[lookup.table]
+            argument = Jet(self.lookups[number](x))
+            return lift((table.integral if lookup.integral else table.or_nan)(argument).d[which])
+        if kind == "ratio":
+            name, _, k = rest.rpartition("/")
+            law = compiled.supply.cams[name]
+            motor = drive(law.motor)
+            return lift(law.ratio(motor.d[0], motor.d[1], law.parameters)[int(k)])
+        return TaylorModel(at_middle(row)[None], np.zeros(on.count), on)
