@@ -5,14 +5,30 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.enclosures.taylor import ROUND, UP, evaluated
-
 Array = NDArray[np.float64]
+
+ROUND = 2.0**-53
+"""The relative error of one operation."""
+UP = 1.0 + 1e-13
+"""Bounds are sums and products of a few dozen numbers that aren't negative: this covers their own round-off."""
 
 PARTS = 16
 """Into how many parts of h each panel is cut."""
 STEPS = 3
 """Newton steps towards a part's stationary point."""
+
+
+def evaluated(c: Array, h: Any) -> Array:
+    """Polynomials at places, by Horner's rule."""
+    total = c[-1]
+    for row in c[-2::-1]:
+        total = total * h + row
+    return np.asarray(total)
+
+
+def bounds(c: Array) -> tuple[Array, Array]:
+    """Bounds (low, high) of polynomials (terms, panels)."""
+    return -above(-c)[0], above(c)[0]
 
 
 def above(c: Array) -> tuple[Array, Array, Array]:

@@ -20,13 +20,13 @@ from linkwright.enclosures.taylor import (
     lift,
     product,
     root_series,
+    rounding,
 )
 
 Array = NDArray[np.float64]
 
 ULPS = 8 * 2.0**-52
 """The relative error of NumPy's elementary functions, whose vector forms state 4 units in the last place."""
-EVERYTHING = np.array([np.inf])
 
 FUNCTIONS: dict[str, Function] = {}
 
@@ -128,16 +128,14 @@ def sqrt(x: Any) -> TaylorModel:
     x = lift(x)
     with np.errstate(all="ignore"):
         s = root_series(x.c, x.on.order if x.on is not None else 0)
+        found = TaylorModel(s, np.zeros_like(s[0]), x.on)
         off = -product(s, s)
         off[: len(x.c)] += x.c
-        size = np.add.reduce(np.abs(s), axis=0)
-        d = np.add.reduce(np.abs(off), axis=0) + (len(off) + 4) * ROUND * (size * size + x.size) + x.r
+        d = np.add.reduce(np.abs(off), axis=0) * (1 + 2 * ROUND) + rounding(found, found) + x.r
         d = d * UP
-        least = (2 * np.abs(s[0]) - size) * (1 - 1e-13)
-        r = np.where((least > 0) & (least * least * (1 - 1e-13) > d), d / least * UP + TINY, np.nan)
-    if x.on is None and x.is_zero():
-        return ZERO
-    return TaylorModel(s, r, x.on, size)
+        least = (2 * np.abs(s[0]) - found.size) * (1 - 1e-13)
+        found.r = np.where((least > 0) & (least * least * (1 - 1e-13) > d), d / least * UP + TINY, np.nan)
+    return ZERO if x.is_zero() else found
 
 
 @register("arctan")
@@ -237,19 +235,12 @@ def absolute(x: Any) -> TaylorModel:
     sign = x.sign()
     if x.on is None and x.is_zero():
         return ZERO
-    # Of round-off's size beside 0 at an edge of the panel it only adds that.
-    _, high = x.range()
-    low, _ = x.range()
+    low, high = x.range()
     known = sign != 0
     c = np.where(known, sign * x.c, 0.0)
     most = np.maximum(np.abs(low), np.abs(high))
     c[0] = np.where(known, c[0], 0.5 * most)
-    return TaylorModel(c, np.where(known, _beside(x, sign), 0.5 * most * UP + TINY), x.on)
-
-
-def _beside(x: TaylorModel, sign: Array) -> Array:
-    """The bound of a magnitude whose sign is decided but in the margins, where it may be of the other by a little."""
-    return x.r
+    return TaylorModel(c, np.where(known, x.r, 0.5 * most * UP + TINY), x.on)
 
 
 @register("maximum", "fmax")

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.enclosures.clusters import Solved
 from linkwright.enclosures.panels import MARGIN, Panels
 from linkwright.enclosures.program import Stage
 from linkwright.enclosures.taylor import TaylorModel, lift
@@ -20,10 +21,7 @@ Array = NDArray[np.float64]
 
 
 class Enclosure:
-    """Expressions (bound to SI) of a run's signals, enclosed over panels of time.
-
-    ``reason`` says why nothing can be enclosed: "cluster", a group that Newton solves.
-    """
+    """Expressions (bound to SI) of a run's signals, enclosed over panels of time."""
 
     def __init__(self, run: Run, trees: Sequence[Node], names: Sequence[str] = ()) -> None:
         self.run, self.trees = run, list(trees)
@@ -34,7 +32,6 @@ class Enclosure:
         self.stage = Stage(program.block, compiled.parameters, range(len(self.names)), strict)
         self.wrapped = [name for name in self.names if compiled.graph.wrapped(name)]
         self.inputs = Inputs(run, strict)
-        self.reason = self.inputs.reason(self.stage.used)
 
     def panels(self, start: Array, stop: Array) -> Panels:
         """Panels of the run."""
@@ -43,16 +40,10 @@ class Enclosure:
     def signals(self, on: Panels) -> dict[str, TaylorModel]:
         """Every signal over panels, angles continuous over the run."""
         rows = dict(zip(self.names, self.stage(self.inputs.over(on)), strict=True))
-        if self.wrapped:
-            values = self.run.evaluate(self.wrapped, on.mid)
-            for name, value in zip(self.wrapped, values, strict=True):
-                rows[name] = rows[name] + _turns(whole_turns(rows[name].c[0], value), on)
-        barred = np.zeros(on.count, dtype=bool)
-        for passage in self.run.compiled.passages.every:
-            reach = 0.25 * passage.width
-            barred |= (on.start < passage.time + reach) & (on.stop > passage.time - reach)
-        if barred.any():
-            rows = {n: TaylorModel(m.c, np.where(barred, np.nan, m.r), on) for n, m in rows.items()}
+        for name in self.wrapped:
+            middle = np.broadcast_to(rows[name].c[0], on.mid.shape)
+            turns = whole_turns(middle, self.run._continuous(name, on.mid, middle))
+            rows[name] = rows[name] + _turns(turns, on)
         return rows
 
     def __call__(self, on: Panels) -> list[TaylorModel]:
@@ -96,11 +87,10 @@ class Inputs:
         self.compiled, self.strict = run.compiled, strict
         self.rows = self.compiled.graph.inputs
         self.lookups: dict[int, Stage] = {}
-
-    def reason(self, used: set[int]) -> str:
-        """Why rows can't be enclosed, "" where they can."""
-        names = {self.rows[row].split(":")[0] for row in used}
-        return "cluster" if "u" in names else ""
+        self.solved: dict[int, Solved] = {}
+        for cluster in self.compiled.structure.clusters:
+            solved = Solved(self.compiled, cluster)
+            self.solved.update(dict.fromkeys(solved.rows, solved))
 
     def over(self, on: Panels) -> Any:
         """The rows over panels, each made when it is asked for."""
@@ -122,6 +112,9 @@ class Inputs:
             return laws[name]
 
         def make(row: int) -> TaylorModel:
+            if row in self.solved:
+                made.update(self.solved[row](x, on))
+                return made[row]
             name = self.rows[row]
             kind, _, rest = name.partition("/")
             if rest:

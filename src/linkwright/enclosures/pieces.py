@@ -29,6 +29,7 @@ class Pieces:
     asked: Asked
     period: float | None = None
     advance: float = 0.0
+    slack: float = 0.0  # how far beyond the outer edges the outer values are held
 
     def at(self, x: TaylorModel, order: int) -> TaylorModel:
         """A derivative at the values of a model; undecided on panels that reach over more than three pieces, or out of
@@ -64,16 +65,15 @@ class Pieces:
         r = np.broadcast_to(found.r, x.c[0].shape).copy()
         shift, piece = divmod(number, n)
         low, high = (self.edges[piece + k] + shift * (self.period or 0.0) for k in (0, 1))
-        for beside, away, far in (
-            (number - 1, x - low, self.edges[piece - 1] if piece else None),
-            (number + 1, high - x, self.edges[piece + 2] if piece + 2 <= n else None),
-        ):
+        for beside, away in ((number - 1, x - low), (number + 1, high - x)):
             over = away.sign() <= 0
             if not over.any():
                 continue
             last = self.period is None and not 0 <= beside < n
             if last:
-                r[over] = np.nan
+                near = (away + self.slack).sign() > 0
+                held = self._one(number, x, order + 1).bound * (2 * self.slack)
+                r = np.where(over, np.where(near, r + held, np.nan), r)
                 continue
             other = self._one(beside, x, order) - found
             r = np.where(over, r + other.bound, r)
@@ -147,4 +147,4 @@ def of_table(table: TableLaw, integral: bool = False) -> Pieces:
             total = total * z + perm(i, order) * float(powers[piece, i])
         return total
 
-    return Pieces(knots, asked, table.period, advance)
+    return Pieces(knots, asked, table.period, advance, 1e-12 * float(table.x[-1] - table.x[0]))

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from linkwright.enclosures.bounds import above
 from linkwright.enclosures.motion import Enclosure
 from linkwright.enclosures.taylor import TaylorModel
+from linkwright.kernels.passages import GAP
 from linkwright.model.expressions import Node
 from linkwright.results import Run
 
@@ -24,7 +25,7 @@ NARROWEST = 2.0**-34
 """No panel is cut below this share of the run."""
 BUDGET = 4000
 """Panels evaluated at most."""
-CLOSE, ROUND_OFF = 1e-9, 1e-12
+CLOSE, ROUND_OFF = 1e-9, 1e-10
 """How far values may lie outside: over the distance of the limits, and over their magnitude."""
 
 
@@ -62,7 +63,7 @@ class Proof:
     """What is known of a claim: ``low`` and ``high`` hold all values over the panels that are decided.
 
     ``open`` are the panels (s) of which nothing is proven, for the caller to look at; ``reason`` says why there are
-    any: "cluster" (a group that Newton solves), "change-point", "undefined" (a denominator that may vanish, a root that
+    any: "change-point", "undefined" (a denominator that may vanish, a root that
     may leave its domain), "budget"; or "refuted".
     """
 
@@ -93,8 +94,6 @@ def prove_all(run: Run, claims: Sequence[Claim], edges: Sequence[float] = (), bu
     of an edge, values count as those of both sides. ``budget`` is the number of panels that are evaluated at most.
     """
     enclosure = Enclosure(run, [claim.node for claim in claims])
-    if enclosure.reason:
-        return [Proof(np.nan, np.nan, claim.spans, enclosure.reason) for claim in claims]
     search = _Search(run, enclosure, claims, edges)
     search.go(budget)
     return search.proofs()
@@ -105,8 +104,6 @@ def sign(
 ) -> tuple[tuple[Span, ...], str]:
     """Where an expression may have a zero (spans, s), and why that isn't known better; elsewhere it has none."""
     enclosure = Enclosure(run, [node])
-    if enclosure.reason:
-        return tuple(spans), enclosure.reason
     search = _Search(run, enclosure, [Claim(node, tuple(spans), -np.inf, np.inf)], edges, zeros=True)
     search.go(budget)
     (proof,) = search.proofs()
@@ -120,19 +117,25 @@ class _Search:
         self.run, self.enclosure, self.claims, self.zeros = run, enclosure, claims, zeros
         length = run.stop - run.start
         ends = [end for claim in claims for span in claim.spans for end in span]
+        bands = [(p.time - GAP * p.width, p.time + GAP * p.width) for p in run.compiled.passages.every]
+        ends += [end for band in bands for end in band]
         every = np.unique(np.clip([*ends, *edges, *np.linspace(run.start, run.stop, FIRST + 1)], run.start, run.stop))
         # Edges that are one to round-off are one; the ends of spans are kept as they are.
         start, stop = every[:-1], every[1:]
         wide = stop - start > 4e-12 * length
         start, stop = start[wide], np.append(start[wide][1:], every[-1])
+        self.closed: list[tuple[int, Span]] = []  # panels that aren't looked at further
         self.panels = enclosure.panels(start, stop)
         self.asked = np.array([_covered(start, stop, claim.spans, 1e-11 * length) for claim in claims])
+        barred = _covered(start, stop, bands, 0.0)
+        self.closed += [(int(i), self._span(p)) for i, p in zip(*np.nonzero(self.asked & barred), strict=True)]
+        self.passed = {i for i, _ in self.closed}
+        self.asked &= ~barred
         self._keep(self.asked.any(axis=0))
         self.low, self.high = np.full(len(claims), np.inf), np.full(len(claims), -np.inf)
         self.refuted: dict[int, Refuted] = {}
         self.count = np.zeros(len(claims), dtype=int)
         self.undefined = np.zeros(len(claims), dtype=bool)
-        self.closed: list[tuple[int, Span]] = []  # panels too narrow to be cut
         self.limits = np.array([(c.low - c.tolerance, c.high + c.tolerance) for c in claims])
 
     def _keep(self, which: Flags) -> None:
@@ -216,15 +219,9 @@ class _Search:
             if i in self.refuted:
                 reason, spans = "refuted", []
             elif spans:
-                reason = self._why(i, spans)
+                reason = "change-point" if i in self.passed else "undefined" if self.undefined[i] else "budget"
             found.append(Proof(low, high, _joined(spans), reason, int(self.count[i]), self.refuted.get(i)))
         return found
-
-    def _why(self, claim: int, spans: list[Span]) -> str:
-        for passage in self.run.compiled.passages.every:
-            if all(abs(0.5 * (a + b) - passage.time) < passage.width for a, b in spans):
-                return "change-point"
-        return "undefined" if self.undefined[claim] else "budget"
 
 
 def _covered(start: Array, stop: Array, spans: Sequence[Span], close: float) -> Flags:

@@ -19,16 +19,15 @@ import numpy as np
 from numpy.lib.stride_tricks import as_strided
 from numpy.typing import NDArray
 
+from linkwright.enclosures.bounds import ROUND, UP, bounds
 from linkwright.enclosures.panels import Panels
 
 Array = NDArray[np.float64]
 
-ROUND = 2.0**-53
-"""The relative error of one operation."""
-UP = 1.0 + 1e-13
-"""Bounds are sums and products of a few dozen numbers that aren't negative: this covers their own round-off."""
 TINY = 1e-300
 """Covers what is lost below the smallest doubles."""
+
+POWERS = np.arange(64, dtype=float)
 
 _kept = threading.local()
 
@@ -39,13 +38,13 @@ class TaylorModel:
     A number that is the same over all panels has the shapes (1, 1) and (1,), and no panels.
     """
 
-    __slots__ = ("_inverse", "_size", "c", "on", "r")
+    __slots__ = ("_inverse", "_size", "_tilt", "c", "on", "r")
     __array_priority__ = 1000
     __array_ufunc__ = None
 
     def __init__(self, c: Array, r: Array, on: Panels | None, size: Array | None = None) -> None:
         self.c, self.r, self.on = c, r, on
-        self._size, self._inverse = size, None
+        self._size, self._tilt, self._inverse = size, None, None
 
     @classmethod
     def number(cls, value: float, error: float = 0.0) -> TaylorModel:
@@ -70,6 +69,13 @@ class TaylorModel:
         if self._size is None:
             self._size = np.add.reduce(np.abs(self.c), axis=0)
         return self._size
+
+    @property
+    def tilt(self) -> Array:
+        """The sum of the coefficients' magnitudes times their powers."""
+        if self._tilt is None:
+            self._tilt = POWERS[: len(self.c)] @ np.abs(self.c)
+        return self._tilt
 
     @property
     def bound(self) -> Array:
@@ -132,8 +138,7 @@ class TaylorModel:
             return ZERO
         c = product(self.c, other.c)
         on = self.on or other.on
-        sizes = self.size * other.size
-        r = self.size * other.r + self.r * (other.size + other.r) + (len(c) + 2) * ROUND * sizes + TINY
+        r = self.size * other.r + self.r * (other.size + other.r) + rounding(self, other)
         if on is not None and len(c) > on.order + 1:
             r = r + np.add.reduce(np.abs(c[on.order + 1 :]), axis=0)
             c = c[: on.order + 1]
@@ -152,13 +157,13 @@ class TaylorModel:
         if self._inverse is None:
             with np.errstate(all="ignore"):
                 y = reciprocal_series(self.c, self.on.order if self.on is not None else 0)
+                found = TaylorModel(y, np.zeros_like(y[0]), self.on)
                 short = product(self.c, y)
                 short[0] -= 1.0
-                size = np.add.reduce(np.abs(y), axis=0)
-                rounding = (len(short) + 4) * ROUND * (self.size * size + 1.0)
-                e = (np.add.reduce(np.abs(short), axis=0) + rounding + self.r * size) * UP
-                r = np.where(e < 1.0, size * e / (1.0 - e) * UP + TINY, np.nan)
-            self._inverse = TaylorModel(y, r, self.on, size)
+                e = np.add.reduce(np.abs(short), axis=0) * (1 + ROUND) + rounding(self, found) + self.r * found.size
+                e = e * UP
+                found.r = np.where(e < 1.0, found.size * e / (1.0 - e) * UP + TINY, np.nan)
+            self._inverse = found
         return self._inverse
 
     def __pow__(self, power: Any) -> TaylorModel:
@@ -230,17 +235,19 @@ class TaylorModel:
             found = np.where(clear, np.sign(self.c[0]), 0.0)
             if self.on is None or len(self.c) < 2 or clear.all():
                 return found
-            # One that rises or falls all over the panel has its bounds at the ends.
-            steep = np.abs(self.c[1]) > sum(k * np.abs(c) for k, c in enumerate(self.c[2:], start=2)) * UP
-            low, high = (evaluated(self.c, at) for at in (-self.on.inner, self.on.inner))
-            least = self.r + 4 * len(self.c) * ROUND * self.size
-            both = steep & (np.sign(low) == np.sign(high)) & (np.minimum(np.abs(low), np.abs(high)) > least * UP)
-            return np.where(~clear & both, np.sign(low), found)
+            low, high = bounds(self.c * self.on.inner ** POWERS[: len(self.c), None])
+            return np.where(low > self.r, 1.0, np.where(high < -self.r, -1.0, found))
 
 
 def lift(value: Any) -> TaylorModel:
     """A number as a model; a model as it is."""
     return value if isinstance(value, TaylorModel) else TaylorModel.number(value)
+
+
+def rounding(a: TaylorModel, b: TaylorModel) -> Array:
+    """A bound of the round-off of a product of polynomials: the coefficient of power k is a sum of k + 1 products at
+    most, those of higher powers are small on narrow panels."""
+    return ROUND * (a.size * (b.size + b.tilt) + a.tilt * b.size) + TINY
 
 
 ZERO, ONE = TaylorModel.number(0.0), TaylorModel.number(1.0)
@@ -250,14 +257,6 @@ def _plain(value: Any) -> float | None:
     """The number that a model is exactly."""
     exact = isinstance(value, TaylorModel) and value.on is None and value.r[0] == 0
     return float(value.c[0, 0]) if exact else None
-
-
-def evaluated(c: Array, h: Any) -> Array:
-    """Polynomials at places, by Horner's rule."""
-    total = c[-1]
-    for row in c[-2::-1]:
-        total = total * h + row
-    return np.asarray(total)
 
 
 def product(a: Array, b: Array) -> Array:
