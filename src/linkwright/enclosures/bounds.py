@@ -48,8 +48,9 @@ def above(c: Array) -> tuple[Array, Array, Array]:
     ends = np.linspace(-1.0, 1.0, PARTS + 1)
     middles, d = 0.5 * (ends[:-1] + ends[1:]), 1.0 / PARTS
     at_ends = evaluated(c[:, None, :], ends[:, None])
-    slope = evaluated(first[:, None, :], middles[:, None])
-    bend = evaluated(second[:, None, :], middles[:, None])
+    slope, bend = (
+        np.broadcast_to(evaluated(f[:, None, :], middles[:, None]), (PARTS, c.shape[1])) for f in (first, second)
+    )
     # Of the derivatives' own round-off: they only decide, so they are asked to be clear of it.
     noise = terms * terms * slack
     low, high = bend - third * d - noise, bend + third * d + noise
@@ -73,7 +74,7 @@ def above(c: Array) -> tuple[Array, Array, Array]:
         tangent = np.abs(tilt) + noise[panel]
         far = np.maximum(right - h, h - left)
         over = value + tangent * far + np.where(concave, 0.0, 0.5 * most * far * far)
-        np.maximum.at(bound, (part, panel), over * 1.0)
+        bound[part, panel] = np.maximum(bound[part, panel], over)
         best = np.argsort(value, kind="stable")  # the largest is written last
         better = value[best] > reached[panel[best]]
         reached[panel[best][better]], at[panel[best][better]] = value[best][better], h[best][better]

@@ -47,7 +47,9 @@ class Solved:
         slopes = self._matrix(self.slopes(self._with(x, paths)), count)
         middle = np.array([[one.c[0] for one in row] for row in slopes]).transpose(2, 0, 1)
         inverse = _inverse(middle).transpose(1, 2, 0)
-        off = np.array([one.bound for one in self._turned(inverse, [[gap] for gap in self.gaps(self._with(x, paths))], on)[0]])
+        off = np.array(
+            [one.bound for one in self._turned(inverse, [[gap] for gap in self.gaps(self._with(x, paths))], on)[0]]
+        )
         box = WIDER * off * UP + 4 * ROUND * np.array([path.size for path in paths])
         wide = [TaylorModel(path.c, reach, on) for path, reach in zip(paths, box, strict=True)]
         slopes = self._matrix(self.slopes(self._with(x, wide)), count)
@@ -68,9 +70,7 @@ class Solved:
 
     def _matrix(self, flat: list[TaylorModel], count: int) -> list[list[TaylorModel]]:
         n = self.n
-        whole = [
-            TaylorModel(np.broadcast_to(m.c, (len(m.c), count)), np.broadcast_to(m.r, count), m.on) for m in flat
-        ]
+        whole = [TaylorModel(np.broadcast_to(m.c, (len(m.c), count)), np.broadcast_to(m.r, count), m.on) for m in flat]
         return [whole[i * n : (i + 1) * n] for i in range(n)]
 
     def _turned(self, inverse: Array, of: list[list[TaylorModel]], on: Panels) -> list[list[TaylorModel]]:

@@ -166,7 +166,7 @@ def arctan2(y: Any, x: Any) -> TaylorModel:
     if sure.all():
         return found
     c = np.where(sure, found.c, 0.0)
-    return TaylorModel(c, np.where(sure, found.r, 3.1415926535897936), on)
+    return TaylorModel(c, known(np.where(sure, found.r, 3.1415926535897936), y, x), on)
 
 
 def turned(y: TaylorModel, x: TaylorModel) -> TaylorModel:
@@ -204,19 +204,15 @@ def arccos(x: Any) -> TaylorModel:
 def hypot(x: Any, y: Any) -> TaylorModel:
     """The length of a vector, 0 included."""
     squares = square(x) + square(y)
-    return _or_bounds(sqrt(squares), ZERO, squares)
-
-
-def _or_bounds(found: TaylorModel, low: TaylorModel, squares: TaylorModel) -> TaylorModel:
-    """A length, between 0 and its bound where it may vanish."""
+    found = sqrt(squares)
     if np.isfinite(found.r).all():
         return found
     with np.errstate(invalid="ignore"):
         most = np.sqrt(squares.bound) * UP
-    known = np.isfinite(found.r)
-    c = np.where(known, found.c, 0.0)
-    c[0] = np.where(known, found.c[0], 0.5 * most)
-    return TaylorModel(c, np.where(known, found.r, 0.5 * most * UP + TINY), found.on)
+    clear = np.isfinite(found.r)
+    c = np.where(clear, found.c, 0.0)
+    c[0] = np.where(clear, found.c[0], 0.5 * most)
+    return TaylorModel(c, known(np.where(clear, found.r, 0.5 * most * UP + TINY), squares), found.on)
 
 
 @register("square")
@@ -228,6 +224,13 @@ def square(x: Any) -> TaylorModel:
 # What has kinks or jumps: decided by signs, bounded where these aren't.
 
 
+def known(r: Array, *args: TaylorModel) -> Array:
+    """A bound, where all arguments are bounded; NaN where one may have no value."""
+    for x in args:
+        r = np.where(np.isfinite(x.r), r, np.nan)
+    return r
+
+
 @register("abs", "fabs", "absolute")
 def absolute(x: Any) -> TaylorModel:
     """Magnitude."""
@@ -236,11 +239,11 @@ def absolute(x: Any) -> TaylorModel:
     if x.on is None and x.is_zero():
         return ZERO
     low, high = x.range()
-    known = sign != 0
-    c = np.where(known, sign * x.c, 0.0)
+    clear = sign != 0
+    c = np.where(clear, sign * x.c, 0.0)
     most = np.maximum(np.abs(low), np.abs(high))
-    c[0] = np.where(known, c[0], 0.5 * most)
-    return TaylorModel(c, np.where(known, x.r, 0.5 * most * UP + TINY), x.on)
+    c[0] = np.where(clear, c[0], 0.5 * most)
+    return TaylorModel(c, known(np.where(clear, x.r, 0.5 * most * UP + TINY), x), x.on)
 
 
 @register("maximum", "fmax")
@@ -292,7 +295,7 @@ def where(condition: Any, a: Any, b: Any) -> TaylorModel:
     # Between the two: their middle and half their distance.
     half = 0.5 * (a - b)
     middle = 0.5 * (a + b)
-    return _chosen(sign, (a, b, TaylorModel(middle.c, middle.r + half.bound, middle.on)), on)
+    return _chosen(sign, (a, b, TaylorModel(middle.c, known(middle.r + half.bound, condition), middle.on)), on)
 
 
 @register("less")
@@ -311,7 +314,7 @@ def less_equal(a: Any, b: Any) -> TaylorModel:
 def equal(a: Any, b: Any) -> TaylorModel:
     """1 where a = b, 0 where not."""
     away = lift(a) - b
-    return ONE if away.is_zero() else _flag(np.where(away.sign() != 0, 0.0, np.nan), away.on)
+    return ONE if away.is_zero() else _flag(np.where(away.sign() != 0, 0.0, 0.5), away)
 
 
 @register("not_equal")
@@ -324,13 +327,12 @@ def _truth(above: TaylorModel, at_zero: float) -> TaylorModel:
     if above.is_zero():
         return TaylorModel.number(at_zero)
     sign = above.sign()
-    return _flag(np.where(sign > 0, 1.0, np.where(sign < 0, 0.0, np.nan)), above.on)
+    return _flag(np.where(sign > 0, 1.0, np.where(sign < 0, 0.0, 0.5)), above)
 
 
-def _flag(value: Array, on: Any) -> TaylorModel:
-    """1, 0, or NaN where either may be."""
-    open_ = np.isnan(value)
-    return TaylorModel(np.where(open_, 0.5, value)[None], np.where(open_, 0.5, 0.0), on)
+def _flag(value: Array, of: TaylorModel) -> TaylorModel:
+    """1, 0, or 0.5 where either may be."""
+    return TaylorModel(value[None], known(np.where(value == 0.5, 0.5, 0.0), of), of.on)
 
 
 @register("logical_and")
@@ -358,7 +360,7 @@ def sign(x: Any) -> TaylorModel:
     if x.is_zero():
         return ZERO
     found = x.sign()
-    return TaylorModel(found[None], np.where(found == 0, 1.0, 0.0), x.on)
+    return TaylorModel(found[None], known(np.where(found == 0, 1.0, 0.0), x), x.on)
 
 
 @register("copysign")
@@ -376,13 +378,12 @@ def floor(x: Any) -> TaylorModel:
     x = lift(x)
     with np.errstate(invalid="ignore"):
         whole = np.floor(x.c[0])
-        below, above = x - TaylorModel(whole[None], np.zeros_like(whole), x.on), None
+        below = x - TaylorModel(whole[None], np.zeros_like(whole), x.on)
         above = ONE - below
         sure = (below.sign() >= 0) & (above.sign() > 0) & ((below.sign() > 0) | (below.size + below.r == 0))
         low, high = (np.floor(end) for end in x.range())
-    return TaylorModel(
-        np.where(sure, whole, 0.5 * (low + high))[None], np.where(sure, 0.0, 0.5 * (high - low) + TINY), x.on
-    )
+    r = known(np.where(sure, 0.0, 0.5 * (high - low) + TINY), x)
+    return TaylorModel(np.where(sure, whole, 0.5 * (low + high))[None], r, x.on)
 
 
 @register("if_else_zero")

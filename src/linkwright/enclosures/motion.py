@@ -28,7 +28,9 @@ class Enclosure:
         compiled = run.compiled
         self.names = run.signals_of(trees)
         program = compiled.graph.program(self.names)
-        strict = any(isinstance(n, Call) and n.name == "atan2" for law in compiled.graph.actions.laws for n in nodes(law))
+        strict = any(
+            isinstance(n, Call) and n.name == "atan2" for law in compiled.graph.actions.laws for n in nodes(law)
+        )
         self.stage = Stage(program.block, compiled.parameters, range(len(self.names)), strict)
         self.wrapped = [name for name in self.names if compiled.graph.wrapped(name)]
         self.inputs = Inputs(run, strict)

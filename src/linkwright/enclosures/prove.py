@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from linkwright.enclosures.bounds import above
 from linkwright.enclosures.motion import Enclosure
+from linkwright.enclosures.panels import MARGIN
 from linkwright.enclosures.taylor import TaylorModel
 from linkwright.kernels.passages import GAP
 from linkwright.model.expressions import Node
@@ -81,7 +82,13 @@ class Proof:
 
 
 def prove(
-    run: Run, node: Node, spans: Sequence[Span], low: float, high: float, edges: Sequence[float] = (), budget: int = BUDGET
+    run: Run,
+    node: Node,
+    spans: Sequence[Span],
+    low: float,
+    high: float,
+    edges: Sequence[float] = (),
+    budget: int = BUDGET,
 ) -> Proof:
     """Prove that an expression stays between two values; see :func:`prove_all`."""
     return prove_all(run, [Claim(node, tuple(spans), low, high)], edges, budget)[0]
@@ -120,10 +127,9 @@ class _Search:
         bands = [(p.time - GAP * p.width, p.time + GAP * p.width) for p in run.compiled.passages.every]
         ends += [end for band in bands for end in band]
         every = np.unique(np.clip([*ends, *edges, *np.linspace(run.start, run.stop, FIRST + 1)], run.start, run.stop))
-        # Edges that are one to round-off are one; the ends of spans are kept as they are.
+        # Edges nearer to one another than the panels' margin are one.
+        every = every[np.append(True, np.diff(every) > MARGIN * length)]
         start, stop = every[:-1], every[1:]
-        wide = stop - start > 4e-12 * length
-        start, stop = start[wide], np.append(start[wide][1:], every[-1])
         self.closed: list[tuple[int, Span]] = []  # panels that aren't looked at further
         self.panels = enclosure.panels(start, stop)
         self.asked = np.array([_covered(start, stop, claim.spans, 1e-11 * length) for claim in claims])

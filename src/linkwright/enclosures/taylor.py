@@ -56,13 +56,6 @@ class TaylorModel:
         """The time (s)."""
         return cls(np.stack([on.mid, on.half]), np.zeros(on.count), on)
 
-    @classmethod
-    def between(cls, low: Array, high: Array, on: Panels | None) -> TaylorModel:
-        """What lies between bounds on each panel."""
-        middle = 0.5 * low + 0.5 * high
-        reach = np.maximum(high - middle, middle - low) * UP + TINY
-        return cls(middle[None], reach, on)
-
     @property
     def size(self) -> Array:
         """The sum of the coefficients' magnitudes: a bound of the polynomial."""
