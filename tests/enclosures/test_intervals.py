@@ -6,9 +6,9 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from mpmath import mpf
 
+from helpers.exact import BINARY, CONDITIONS, EXACT, arity
 from linkwright.enclosures import intervals
 from linkwright.enclosures.intervals import FUNCTIONS, Intervals
-from helpers.exact import BINARY, CONDITIONS, EXACT, arity
 
 ends = st.floats(-20, 20) | st.sampled_from([0.0, 1.0, -1.0, 0.5, 1e-9, -1e-9, 1e-300, np.pi, np.pi / 2, -np.pi])
 shares = st.floats(0, 1)

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from helpers.runs import EXAMPLES, edges, example_run, trees
 
+from helpers.runs import EXAMPLES, edges, example_run, trees
 from linkwright.enclosures import Enclosure
 from linkwright.enclosures.bounds import evaluated
 

@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
+from scipy.optimize import minimize_scalar
+
 from helpers.compiled import compiled_from
 from helpers.examples import four_bar
 from helpers.runs import example_run, trees
-from scipy.optimize import minimize_scalar
-
 from linkwright.enclosures import Claim, Proof, prove, prove_all, sign
 from linkwright.model.expressions import Node, parse
 from linkwright.results import Run

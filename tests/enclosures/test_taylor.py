@@ -9,11 +9,11 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from mpmath import mpf
 
+from helpers.exact import BINARY, CONDITIONS, EXACT, arity
 from linkwright.enclosures import taylor
 from linkwright.enclosures.functions import FUNCTIONS
 from linkwright.enclosures.panels import Panels
 from linkwright.enclosures.taylor import TaylorModel, lift
-from helpers.exact import BINARY, CONDITIONS, EXACT, arity
 
 ON = Panels(np.array([0.0]), np.array([2.0]))
 places = st.floats(-1, 1)

@@ -13,9 +13,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.enclosures.bounds import UP
 from linkwright.enclosures.panels import Panels
 from linkwright.enclosures.program import Stage
-from linkwright.enclosures.taylor import ROUND, TINY, UP, ZERO, TaylorModel
+from linkwright.enclosures.taylor import TINY, UNITS, ZERO, TaylorModel
 from linkwright.kernels import Compiled
 from linkwright.structure import Cluster
 
@@ -24,41 +25,50 @@ Rows = Callable[[int], TaylorModel]
 
 WIDER = 2.0
 """The box over what the closures miss."""
+REFINED = 2
+"""Newton steps of the whole polynomial, where it is to have more digits than the solutions."""
 
 
 class Solved:
     """A cluster's coordinates over panels."""
 
-    def __init__(self, compiled: Compiled, cluster: Cluster) -> None:
+    def __init__(self, compiled: Compiled, cluster: Cluster, dtype: Any = np.float64) -> None:
         self.compiled, self.rows = compiled, compiled.graph.coordinates(cluster)
         self.n = len(self.rows)
         closure = compiled.graph.newton(cluster).closure
-        self.gaps = Stage(closure, compiled.parameters, range(self.n))
-        self.slopes = Stage(closure, compiled.parameters, range(self.n, self.n + self.n**2))
+        self.gaps = Stage(closure, compiled.parameters, range(self.n), dtype=dtype)
+        self.slopes = Stage(closure, compiled.parameters, range(self.n, self.n + self.n**2), dtype=dtype)
 
     def __call__(self, x: Rows, on: Panels) -> dict[int, TaylorModel]:
         """The coordinates by their rows, from the inputs that stand already."""
         n, count = self.n, on.count
         nodes = np.cos(np.pi * (np.arange(on.order + 1) + 0.5) / (on.order + 1))
         times = on.mid + on.half * nodes[:, None]
-        given = self.compiled.inputs(times.ravel(), actions=False)[self.rows].reshape(n, len(nodes), count)
+        given = self.compiled.inputs(times.ravel().astype(float), actions=False)[self.rows]
         through = np.linalg.inv(np.vander(nodes, increasing=True))
-        paths = [TaylorModel(through @ one, np.zeros(count), on) for one in given]
+        none = np.zeros(count)
+        paths = [TaylorModel((through @ one).astype(on.dtype), none, on) for one in given.reshape(n, len(nodes), count)]
         slopes = self._matrix(self.slopes(self._with(x, paths)), count)
-        middle = np.array([[one.c[0] for one in row] for row in slopes]).transpose(2, 0, 1)
+        middle = np.array([[one.c[0] for one in row] for row in slopes], dtype=float).transpose(2, 0, 1)
         inverse = _inverse(middle).transpose(1, 2, 0)
-        off = np.array(
-            [one.bound for one in self._turned(inverse, [[gap] for gap in self.gaps(self._with(x, paths))], on)[0]]
-        )
-        box = WIDER * off * UP + 4 * ROUND * np.array([path.size for path in paths])
+
+        def missed() -> list[TaylorModel]:
+            gaps = [[gap] for gap in self.gaps(self._with(x, paths))]
+            return self._turned(inverse, gaps, on)[0]
+
+        for _ in range(REFINED if on.precise else 0):
+            paths = [TaylorModel((path - off).c, none, on) for path, off in zip(paths, missed(), strict=True)]
+        off = np.array([one.bound for one in missed()])
+        unit = UNITS[np.dtype(on.dtype).char]
+        box = WIDER * off * UP + 4 * unit * np.array([path.size for path in paths])
         wide = [TaylorModel(path.c, reach, on) for path, reach in zip(paths, box, strict=True)]
         slopes = self._matrix(self.slopes(self._with(x, wide)), count)
-        most = np.zeros((n, count))
+        most = np.zeros((n, count), dtype=on.dtype)
         for j, column in enumerate(self._turned(inverse, slopes, on)):
             for i, one in enumerate(column):
                 most[i] += (one - 1.0 if i == j else one).bound * box[j]
         reach = (off + most) * UP + TINY
-        proven = (reach < box).all(axis=0)
+        proven = np.all(reach < box, axis=0)
         return {
             row: TaylorModel(path.c, np.where(proven, r, np.nan), on)
             for row, path, r in zip(self.rows, paths, reach, strict=True)
@@ -89,7 +99,7 @@ class Solved:
 
 def _inverse(matrices: Array) -> Array:
     """Inverses, NaN of the singular ones."""
-    finite = np.isfinite(matrices).all(axis=(1, 2))
+    finite = np.all(np.isfinite(matrices), axis=(1, 2))
     safe = np.where(finite[:, None, None], matrices, np.eye(matrices.shape[1]))
     try:
         found = np.linalg.inv(safe)

@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.enclosures.bounds import UP
+from linkwright.enclosures.panels import PRECISE
 from linkwright.enclosures.taylor import (
     ONE,
-    ROUND,
     TINY,
-    UP,
+    UNITS,
     ZERO,
     Function,
     TaylorModel,
@@ -25,8 +26,11 @@ from linkwright.enclosures.taylor import (
 
 Array = NDArray[np.float64]
 
-ULPS = 8 * 2.0**-52
-"""The relative error of NumPy's elementary functions, whose vector forms state 4 units in the last place."""
+
+def ulps(x: TaylorModel) -> float:
+    """The relative error of NumPy's elementary functions, whose vector forms state 4 units in the last place: 8."""
+    return 16 * UNITS[x.c.dtype.char]
+
 
 FUNCTIONS: dict[str, Function] = {}
 
@@ -80,7 +84,7 @@ def cos(x: Any) -> TaylorModel:
 def _wave(x: TaylorModel, four: Sequence[Array]) -> TaylorModel:
     n = _order(x)
     terms = [four[k % 4] / factorial(k) for k in range(n + 1)]
-    return composed(x, terms, ULPS, np.full_like(x.c[0], 1 / factorial(n + 1)))
+    return composed(x, terms, ulps(x), np.full_like(x.c[0], 1 / factorial(n + 1)))
 
 
 @register("tan")
@@ -96,7 +100,7 @@ def exp(x: Any) -> TaylorModel:
     n = _order(x)
     value = np.exp(x.c[0])
     most = np.exp(x.c[0] + x.spread()) * (1 + 1e-12)
-    return composed(x, [value / factorial(k) for k in range(n + 1)], 2 * ULPS * value, most / factorial(n + 1))
+    return composed(x, [value / factorial(k) for k in range(n + 1)], 2 * ulps(x) * value, most / factorial(n + 1))
 
 
 @register("log")
@@ -109,16 +113,16 @@ def log(x: Any) -> TaylorModel:
     with np.errstate(all="ignore"):
         value = np.log(first)
         terms = [value, *(-((-1.0 / first) ** k) / k for k in range(1, n + 1))]
-        error = 2 * ULPS * (np.abs(value) + n * np.maximum(1.0, np.abs(1 / first)) ** n)
+        error = 2 * ulps(x) * (np.abs(value) + n * np.maximum(1.0, np.abs(1 / first)) ** n)
         # Terms of a small first coefficient are large, and so are their errors: better over the first coefficient.
     if len(x.c) > 1:
         scaled = x * TaylorModel((1.0 / first)[None], np.zeros_like(first), x.on)
-        start = TaylorModel(value[None], 2 * ULPS * np.abs(value) + 4 * ROUND, x.on)
+        start = TaylorModel(value[None], 3 * ulps(x) * (np.abs(value) + 1), x.on)
         one = np.ones_like(first)
         near = [np.log(scaled.c[0]), *(-((-1.0 / scaled.c[0]) ** k) / k for k in range(1, n + 1))]
         low = scaled.c[0] - scaled.spread()
         low = np.where((low > 0) & (least > 0), low * (1 - 1e-12), np.nan)
-        return start + composed(scaled, near, 16 * ULPS * one, 1 / ((n + 1) * low ** (n + 1)))
+        return start + composed(scaled, near, 16 * ulps(x) * one, 1 / ((n + 1) * low ** (n + 1)))
     return composed(x, terms, error, 1 / ((n + 1) * least ** (n + 1)))
 
 
@@ -131,7 +135,7 @@ def sqrt(x: Any) -> TaylorModel:
         found = TaylorModel(s, np.zeros_like(s[0]), x.on)
         off = -product(s, s)
         off[: len(x.c)] += x.c
-        d = np.add.reduce(np.abs(off), axis=0) * (1 + 2 * ROUND) + rounding(found, found) + x.r
+        d = np.add.reduce(np.abs(off), axis=0) * UP + rounding(found, found) + x.r
         d = d * UP
         least = (2 * np.abs(s[0]) - found.size) * (1 - 1e-13)
         found.r = np.where((least > 0) & (least * least * (1 - 1e-13) > d), d / least * UP + TINY, np.nan)
@@ -140,15 +144,17 @@ def sqrt(x: Any) -> TaylorModel:
 
 @register("arctan")
 def arctan(x: Any) -> TaylorModel:
-    """Arc tangent: its k-th coefficient is cos(y)^k sin(k (y + pi/2)) / k at x = tan y."""
+    """Arc tangent: its slope is the imaginary part of w = 1 / (x - i), its k-th coefficient that of -(-w)^k / k."""
     x = lift(x)
     n = _order(x)
-    y = np.arctan(x.c[0])
-    c = np.cos(y)
-    terms = [y, *(c**k * np.sin(k * (y + np.pi / 2)) / k for k in range(1, n + 1))]
+    w = 1.0 / (x.c[0] - 1j)
+    powers = [w]
+    for _ in range(n - 1):
+        powers.append(powers[-1] * -w)
+    terms = [np.arctan(x.c[0]), *(power.imag / k for k, power in enumerate(powers, start=1))]
     least = np.maximum(np.abs(x.c[0]) - x.spread(), 0.0)
     last = (1 + 1e-12) / (n + 1) * (1.0 + least * least) ** (-0.5 * (n + 1))
-    return composed(x, terms, 16 * ULPS, last)
+    return composed(x, terms, 4 * ulps(x), last)
 
 
 @register("arctan2")
@@ -177,7 +183,7 @@ def turned(y: TaylorModel, x: TaylorModel) -> TaylorModel:
     start = np.arctan2(y.c[0], x.c[0])
     on = y.on or x.on
     none = np.zeros_like(start)
-    c, s = (TaylorModel(f(start)[None], none + ULPS, on) for f in (np.cos, np.sin))
+    c, s = (TaylorModel(f(start)[None], none + ulps(y + x), on) for f in (np.cos, np.sin))
     ahead, aside = x * c + y * s, y * c - x * s
     clear = ahead.sign() > 0
     found = arctan(aside / ahead) + TaylorModel(start[None], none, on)
@@ -191,13 +197,14 @@ def arcsin(x: Any) -> TaylorModel:
     return arctan(x / sqrt((1.0 - x) * (1.0 + x)))
 
 
-HALF_PI = TaylorModel.number(np.pi / 2, 6.2e-17)
+HALF_PI = TaylorModel.number(np.arctan(np.longdouble(1.0)) * 2, 1e-18 if PRECISE else 2e-16, np.longdouble)
 
 
 @register("arccos")
 def arccos(x: Any) -> TaylorModel:
     """Arc cosine; undecided where the argument may be 1 or -1."""
-    return HALF_PI - arcsin(x)
+    angle = arcsin(x)
+    return TaylorModel.number(np.pi / 2, 6.2e-17) - angle if angle.c.dtype.char == "d" else HALF_PI - angle
 
 
 @register("hypot")
@@ -218,7 +225,8 @@ def hypot(x: Any, y: Any) -> TaylorModel:
 @register("square")
 def square(x: Any) -> TaylorModel:
     """Square."""
-    return lift(x) * x
+    found = lift(x)
+    return found * found
 
 
 # What has kinks or jumps: decided by signs, bounded where these aren't.
@@ -272,7 +280,7 @@ def _chosen(sign: Array, cases: tuple[TaylorModel, TaylorModel, TaylorModel], on
     """The first where a sign is 1, the second where it is -1, else the third."""
     terms, wide = max(len(m.c) for m in cases), max(m.c.shape[1] for m in cases)
     wide = max(wide, sign.size)
-    c, r = np.zeros((terms, wide)), np.zeros(wide)
+    c, r = np.zeros((terms, wide), dtype=np.result_type(*(m.c for m in cases))), np.zeros(wide)
     for model, here in zip(cases, (sign > 0, sign < 0, sign == 0), strict=True):
         here = np.broadcast_to(here, (wide,))
         c[: len(model.c)] = np.where(here, model.c, c[: len(model.c)])
@@ -281,13 +289,13 @@ def _chosen(sign: Array, cases: tuple[TaylorModel, TaylorModel, TaylorModel], on
 
 
 @register("where")
-def where(condition: Any, a: Any, b: Any) -> TaylorModel:
+def where(condition: Any, first: Any, second: Any) -> TaylorModel:
     """One of two by a condition of 1 or 0; both where that is undecided."""
-    condition, a, b = lift(condition), lift(a), lift(b)
+    flag, a, b = lift(condition), lift(first), lift(second)
     with np.errstate(invalid="ignore"):
-        low, high = condition.range()
+        low, high = flag.range()
         sign = np.where(low > 0.5, 1.0, np.where(high < 0.5, -1.0, 0.0))
-    on = condition.on or a.on or b.on
+    on = flag.on or a.on or b.on
     if (sign > 0).all():
         return a
     if (sign < 0).all():
@@ -295,7 +303,7 @@ def where(condition: Any, a: Any, b: Any) -> TaylorModel:
     # Between the two: their middle and half their distance.
     half = 0.5 * (a - b)
     middle = 0.5 * (a + b)
-    return _chosen(sign, (a, b, TaylorModel(middle.c, known(middle.r + half.bound, condition), middle.on)), on)
+    return _chosen(sign, (a, b, TaylorModel(middle.c, known(middle.r + half.bound, flag), middle.on)), on)
 
 
 @register("less")

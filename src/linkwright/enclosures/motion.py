@@ -21,30 +21,32 @@ Array = NDArray[np.float64]
 
 
 class Enclosure:
-    """Expressions (bound to SI) of a run's signals, enclosed over panels of time."""
+    """Expressions (bound to SI) of a run's signals, enclosed over panels of time; ``precise`` with long doubles, which
+    takes several times as long."""
 
-    def __init__(self, run: Run, trees: Sequence[Node], names: Sequence[str] = ()) -> None:
-        self.run, self.trees = run, list(trees)
+    def __init__(self, run: Run, trees: Sequence[Node], precise: bool = False) -> None:
+        self.run, self.trees, self.precise = run, list(trees), precise
+        dtype = np.longdouble if precise else np.float64
         compiled = run.compiled
         self.names = run.signals_of(trees)
         program = compiled.graph.program(self.names)
         strict = any(
             isinstance(n, Call) and n.name == "atan2" for law in compiled.graph.actions.laws for n in nodes(law)
         )
-        self.stage = Stage(program.block, compiled.parameters, range(len(self.names)), strict)
+        self.stage = Stage(program.block, compiled.parameters, range(len(self.names)), strict, dtype)
         self.wrapped = [name for name in self.names if compiled.graph.wrapped(name)]
-        self.inputs = Inputs(run, strict)
+        self.inputs = Inputs(run, strict, dtype)
 
     def panels(self, start: Array, stop: Array) -> Panels:
         """Panels of the run."""
-        return Panels(start, stop, MARGIN * (self.run.stop - self.run.start))
+        return Panels(start, stop, MARGIN * (self.run.stop - self.run.start), precise=self.precise)
 
     def signals(self, on: Panels) -> dict[str, TaylorModel]:
         """Every signal over panels, angles continuous over the run."""
         rows = dict(zip(self.names, self.stage(self.inputs.over(on)), strict=True))
         for name in self.wrapped:
-            middle = np.broadcast_to(rows[name].c[0], on.mid.shape)
-            turns = whole_turns(middle, self.run._continuous(name, on.mid, middle))
+            middle = np.broadcast_to(rows[name].c[0], on.mid.shape).astype(float)
+            turns = whole_turns(middle, self.run._continuous(name, on.mid.astype(float), middle))
             rows[name] = rows[name] + _turns(turns, on)
         return rows
 
@@ -85,13 +87,13 @@ def _wide(model: TaylorModel, on: Panels) -> TaylorModel:
 class Inputs:
     """The input rows of a run's programs over panels."""
 
-    def __init__(self, run: Run, strict: bool) -> None:
-        self.compiled, self.strict = run.compiled, strict
+    def __init__(self, run: Run, strict: bool, dtype: Any) -> None:
+        self.compiled, self.strict, self.dtype = run.compiled, strict, dtype
         self.rows = self.compiled.graph.inputs
         self.lookups: dict[int, Stage] = {}
         self.solved: dict[int, Solved] = {}
         for cluster in self.compiled.structure.clusters:
-            solved = Solved(self.compiled, cluster)
+            solved = Solved(self.compiled, cluster, dtype)
             self.solved.update(dict.fromkeys(solved.rows, solved))
 
     def over(self, on: Panels) -> Any:
@@ -104,13 +106,13 @@ class Inputs:
 
         def at_middle(row: int) -> Array:
             if not middle:
-                middle.append(compiled.inputs(on.mid))
-            return middle[0][row]
+                middle.append(compiled.inputs(on.mid.astype(float)))
+            return np.asarray(middle[0][row])
 
         def drive(name: str) -> Jet:
             if name not in laws:
                 law = compiled.laws[name]
-                laws[name] = law.of(time, law.parameters, False)
+                laws[name] = law.of(time, law.parameters, False)  # type: ignore[arg-type]
             return laws[name]
 
         def make(row: int) -> TaylorModel:
@@ -143,7 +145,7 @@ class Inputs:
             number, which = (int(part) for part in rest.split("/"))
             if number not in self.lookups:
                 program = graph.program([f"argument/{number}"], rates=True)
-                self.lookups[number] = Stage(program.block, compiled.parameters, (0, 1), self.strict)
+                self.lookups[number] = Stage(program.block, compiled.parameters, (0, 1), self.strict, self.dtype)
             lookup = graph.actions.lookups[number]
             table = compiled.tables[lookup.table]
             argument = Jet(self.lookups[number](x))

@@ -50,8 +50,8 @@ class Pieces:
             terms = max(terms, len(part.c))
             c.append(np.broadcast_to(part.c, (len(part.c), some.size)))
             r.append(np.broadcast_to(part.r, some.shape))
-        merged = np.zeros((terms, places.size))
-        bounds = np.empty(places.size)
+        merged = np.zeros((terms, places.size), dtype=np.result_type(*c))
+        bounds = np.empty(places.size, dtype=np.result_type(*r))
         for some, one, off in zip(np.split(order_of, cuts), c, r, strict=True):
             merged[: len(one), some] = one
             bounds[some] = off

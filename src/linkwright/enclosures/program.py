@@ -37,10 +37,12 @@ OPERATIONS: dict[int, Operation] = {
 class Stage:
     """A block of expressions on Taylor models: of its ``wanted`` rows, with what depends on parameters alone done.
 
-    ``strict`` angles of vectors jump at pi instead of running on.
+    ``strict`` angles of vectors jump at pi instead of running on; ``dtype`` is what constants are computed with.
     """
 
-    def __init__(self, stage: ExpressionStage, p: Array, wanted: Sequence[int], strict: bool = False) -> None:
+    def __init__(
+        self, stage: ExpressionStage, p: Array, wanted: Sequence[int], strict: bool = False, dtype: Any = np.float64
+    ) -> None:
         operations = {**OPERATIONS, ca.OP_ATAN2: FUNCTIONS["arctan2"]} if strict else OPERATIONS
         self.values: list[TaylorModel | None] = []  # of each number that is made, where it is the same at all times
         self.work: list[tuple[Operation, tuple[int, ...], int]] = []
@@ -54,11 +56,11 @@ class Stage:
                 continue
             value = None
             if i.op == ca.OP_CONST:
-                value = TaylorModel.number(i.value)
+                value = TaylorModel.number(i.value, dtype=dtype)
             elif i.op == ca.OP_INPUT:
                 which, row = i.args
                 if which == 1:
-                    value = TaylorModel.number(float(p[row]))
+                    value = TaylorModel.number(float(p[row]), dtype=dtype)
                 else:
                     self.inputs.append((len(self.values), row))
             else:

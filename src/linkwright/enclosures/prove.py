@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.enclosures.bounds import above
 from linkwright.enclosures.motion import Enclosure
-from linkwright.enclosures.panels import MARGIN
+from linkwright.enclosures.panels import MARGIN, PRECISE
 from linkwright.enclosures.taylor import TaylorModel
 from linkwright.kernels.passages import GAP
 from linkwright.model.expressions import Node
@@ -24,8 +24,12 @@ FIRST = 24
 """Panels over the run to begin with."""
 NARROWEST = 2.0**-34
 """No panel is cut below this share of the run."""
-BUDGET = 4000
+VAGUEST = 2.0**-24
+"""Nor one below this share of it of which nothing is known."""
+BUDGET = 2000
 """Panels evaluated at most."""
+ROUND = 8
+"""What a round of evaluations costs besides, in panels."""
 CLOSE, ROUND_OFF = 1e-9, 1e-10
 """How far values may lie outside: over the distance of the limits, and over their magnitude."""
 
@@ -53,7 +57,7 @@ class Claim:
 
 @dataclass(frozen=True)
 class Refuted:
-    """A time (s) at which the value lies outside a claim, and a bound on the near side of it: one proven to be passed."""
+    """A time (s) at which the value lies outside a claim, and a bound beyond the limit that it is proven to pass."""
 
     time: float
     value: float
@@ -65,7 +69,7 @@ class Proof:
 
     ``open`` are the panels (s) of which nothing is proven, for the caller to look at; ``reason`` says why there are
     any: "change-point", "undefined" (a denominator that may vanish, a root that
-    may leave its domain), "budget"; or "refuted".
+    may leave its domain), "round-off" (the bounds don't fall any further), "budget"; or "refuted".
     """
 
     low: float
@@ -100,33 +104,51 @@ def prove_all(run: Run, claims: Sequence[Claim], edges: Sequence[float] = (), bu
     Panels also end at ``edges`` (s): times at which something may jump or bend, to round-off. Within 1e-12 of the run
     of an edge, values count as those of both sides. ``budget`` is the number of panels that are evaluated at most.
     """
-    enclosure = Enclosure(run, [claim.node for claim in claims])
-    search = _Search(run, enclosure, claims, edges)
-    search.go(budget)
-    return search.proofs()
+    return _proofs(run, claims, edges, budget, False)
 
 
 def sign(
     run: Run, node: Node, spans: Sequence[Span], edges: Sequence[float] = (), budget: int = BUDGET
 ) -> tuple[tuple[Span, ...], str]:
     """Where an expression may have a zero (spans, s), and why that isn't known better; elsewhere it has none."""
-    enclosure = Enclosure(run, [node])
-    search = _Search(run, enclosure, [Claim(node, tuple(spans), -np.inf, np.inf)], edges, zeros=True)
-    search.go(budget)
-    (proof,) = search.proofs()
+    (proof,) = _proofs(run, [Claim(node, tuple(spans), -np.inf, np.inf)], edges, budget, True)
     return proof.open, proof.reason
+
+
+def _proofs(run: Run, claims: Sequence[Claim], edges: Sequence[float], budget: int, zeros: bool) -> list[Proof]:
+    """In doubles; what round-off leaves open there, in long doubles."""
+    search = _Search(run, Enclosure(run, [claim.node for claim in claims]), claims, edges, zeros)
+    search.go(budget)
+    found = search.proofs()
+    left = [i for i, proof in enumerate(found) if proof.reason == "round-off"]
+    spent = max(proof.panels for proof in found)
+    if not left or not PRECISE or spent >= budget:
+        return found
+    again = [replace(claims[i], spans=found[i].open) for i in left]
+    search = _Search(run, Enclosure(run, [claim.node for claim in again], True), again, edges, zeros, first=1)
+    search.go(budget - spent)
+    for i, proof in zip(left, search.proofs(), strict=True):
+        low, high = min(found[i].low, proof.low), max(found[i].high, proof.high)
+        found[i] = replace(proof, low=low, high=high, panels=found[i].panels + proof.panels)
+    return found
 
 
 class _Search:
     def __init__(
-        self, run: Run, enclosure: Enclosure, claims: Sequence[Claim], edges: Sequence[float], zeros: bool = False
+        self,
+        run: Run,
+        enclosure: Enclosure,
+        claims: Sequence[Claim],
+        edges: Sequence[float],
+        zeros: bool,
+        first: int = FIRST,
     ) -> None:
         self.run, self.enclosure, self.claims, self.zeros = run, enclosure, claims, zeros
         length = run.stop - run.start
         ends = [end for claim in claims for span in claim.spans for end in span]
         bands = [(p.time - GAP * p.width, p.time + GAP * p.width) for p in run.compiled.passages.every]
         ends += [end for band in bands for end in band]
-        every = np.unique(np.clip([*ends, *edges, *np.linspace(run.start, run.stop, FIRST + 1)], run.start, run.stop))
+        every = np.unique(np.clip([*ends, *edges, *np.linspace(run.start, run.stop, first + 1)], run.start, run.stop))
         # Edges nearer to one another than the panels' margin are one.
         every = every[np.append(True, np.diff(every) > MARGIN * length)]
         start, stop = every[:-1], every[1:]
@@ -134,10 +156,13 @@ class _Search:
         self.panels = enclosure.panels(start, stop)
         self.asked = np.array([_covered(start, stop, claim.spans, 1e-11 * length) for claim in claims])
         barred = _covered(start, stop, bands, 0.0)
-        self.closed += [(int(i), self._span(p)) for i, p in zip(*np.nonzero(self.asked & barred), strict=True)]
+        self.closed += [(int(i), self._span(int(p))) for i, p in zip(*np.nonzero(self.asked & barred), strict=True)]
         self.passed = {i for i, _ in self.closed}
         self.asked &= ~barred
-        self._keep(self.asked.any(axis=0))
+        self.last = np.full((2, *self.asked.shape), np.inf)  # the bounds on the panels cut last, and before
+        self.stalled: set[int] = set()
+        self.tolerances = np.array([c.tolerance for c in claims])
+        self._keep(np.any(self.asked, axis=0))
         self.low, self.high = np.full(len(claims), np.inf), np.full(len(claims), -np.inf)
         self.refuted: dict[int, Refuted] = {}
         self.count = np.zeros(len(claims), dtype=int)
@@ -145,22 +170,25 @@ class _Search:
         self.limits = np.array([(c.low - c.tolerance, c.high + c.tolerance) for c in claims])
 
     def _keep(self, which: Flags) -> None:
-        self.panels, self.asked = self.panels.some(which), self.asked[:, which]
+        self.panels, self.asked, self.last = self.panels.some(which), self.asked[:, which], self.last[:, :, which]
 
     def go(self, budget: int) -> None:
         """Evaluate and cut panels until all are decided."""
         spent = 0
-        while self.panels.count and spent + self.panels.count <= budget:
-            spent += self.panels.count
+        while self.panels.count and (cost := spent + self.panels.count + ROUND) <= budget:
+            spent = cost
             self.count += self.asked.sum(axis=1)
             self.decide()
-            undecided = self.asked.any(axis=0)
+            undecided = np.any(self.asked, axis=0)
             self._keep(undecided)
-            narrow = self.panels.stop - self.panels.start < NARROWEST * (self.run.stop - self.run.start)
-            for claim, panel in zip(*np.nonzero(self.asked & narrow), strict=True):
-                self.closed.append((int(claim), self._span(panel)))
-            self._keep(~narrow)
+            width = (self.panels.stop - self.panels.start) / (self.run.stop - self.run.start)
+            narrow = self.asked & ((width < NARROWEST) | ((width < VAGUEST) & ~np.isfinite(self.last[0])))
+            for claim, panel in zip(*np.nonzero(narrow), strict=True):
+                self.closed.append((int(claim), self._span(int(panel))))
+            self.asked &= ~narrow
+            self._keep(np.any(self.asked, axis=0))
             self.panels, self.asked = self.panels.halves(), np.concatenate([self.asked, self.asked], axis=1)
+            self.last = np.concatenate([self.last, self.last], axis=2)
 
     def _span(self, panel: int) -> Span:
         return float(self.panels.start[panel]), float(self.panels.stop[panel])
@@ -170,8 +198,8 @@ class _Search:
         models = self.enclosure(self.panels)
         claim, panel = np.nonzero(self.asked)
         terms = max(len(m.c) for m in models)
-        c = np.zeros((terms, claim.size))
-        r = np.empty(claim.size)
+        c = np.zeros((terms, claim.size), dtype=self.panels.dtype)
+        r = np.empty(claim.size, dtype=self.panels.dtype)
         for i, model in enumerate(models):
             here = claim == i
             c[: len(model.c), here], r[here] = model.c[:, panel[here]], model.r[panel[here]]
@@ -207,7 +235,15 @@ class _Search:
                 decided = known & (low >= limits[:, 0]) & (high <= limits[:, 1])
         np.minimum.at(self.low, claim[decided], low[decided])
         np.maximum.at(self.high, claim[decided], high[decided])
-        self.asked[claim[decided], panel[decided]] = False
+        # Where the bound of what a polynomial misses doesn't fall any more, and is what hinders, it is round-off.
+        noise = ~decided & known & (r > 0.7 * self.last[1, claim, panel])
+        noise &= r > (np.abs(c[1:]).sum(axis=0) if self.zeros else 0.25 * self.tolerances[claim])
+        for i, on in zip(claim[noise], panel[noise], strict=True):
+            self.closed.append((int(i), self._span(int(on))))
+            self.stalled.add(int(i))
+        self.last[1] = self.last[0]
+        self.last[0, claim, panel] = r
+        self.asked[claim[decided | noise], panel[decided | noise]] = False
         for i in self.refuted:
             self.asked[i] = False
 
@@ -219,15 +255,22 @@ class _Search:
         found = []
         for i in range(len(self.claims)):
             spans = [span for claim, span in self.closed if claim == i]
-            spans += [self._span(panel) for panel in np.flatnonzero(self.asked[i])]
+            spans += [self._span(int(panel)) for panel in np.flatnonzero(self.asked[i])]
             low, high = (float(np.nextafter(v, w)) for v, w in ((self.low[i], -np.inf), (self.high[i], np.inf)))
             reason = ""
             if i in self.refuted:
                 reason, spans = "refuted", []
             elif spans:
-                reason = "change-point" if i in self.passed else "undefined" if self.undefined[i] else "budget"
+                reason = self._why(i)
             found.append(Proof(low, high, _joined(spans), reason, int(self.count[i]), self.refuted.get(i)))
         return found
+
+    def _why(self, claim: int) -> str:
+        if claim in self.passed:
+            return "change-point"
+        if claim in self.stalled:
+            return "round-off"
+        return "undefined" if self.undefined[claim] else "budget"
 
 
 def _covered(start: Array, stop: Array, spans: Sequence[Span], close: float) -> Flags:

@@ -27,6 +27,8 @@ Array = NDArray[np.float64]
 TINY = 1e-300
 """Covers what is lost below the smallest doubles."""
 
+UNITS = {"d": ROUND, "g": float(np.finfo(np.longdouble).eps) / 2}
+"""The relative error of one operation, of doubles and long doubles."""
 POWERS = np.arange(64, dtype=float)
 
 _kept = threading.local()
@@ -44,12 +46,14 @@ class TaylorModel:
 
     def __init__(self, c: Array, r: Array, on: Panels | None, size: Array | None = None) -> None:
         self.c, self.r, self.on = c, r, on
-        self._size, self._tilt, self._inverse = size, None, None
+        self._size: Array | None = size
+        self._tilt: Array | None = None
+        self._inverse: TaylorModel | None = None
 
     @classmethod
-    def number(cls, value: float, error: float = 0.0) -> TaylorModel:
+    def number(cls, value: float, error: float = 0.0, dtype: Any = np.float64) -> TaylorModel:
         """A number that is the same over all panels, known to an ``error``."""
-        return cls(np.full((1, 1), float(value)), np.full(1, float(error)), None)
+        return cls(np.full((1, 1), value, dtype=dtype), np.full(1, float(error)), None)
 
     @classmethod
     def time(cls, on: Panels) -> TaylorModel:
@@ -60,20 +64,20 @@ class TaylorModel:
     def size(self) -> Array:
         """The sum of the coefficients' magnitudes: a bound of the polynomial."""
         if self._size is None:
-            self._size = np.add.reduce(np.abs(self.c), axis=0)
+            self._size = np.asarray(np.add.reduce(np.abs(self.c), axis=0))
         return self._size
 
     @property
     def tilt(self) -> Array:
         """The sum of the coefficients' magnitudes times their powers."""
         if self._tilt is None:
-            self._tilt = POWERS[: len(self.c)] @ np.abs(self.c)
+            self._tilt = np.asarray(POWERS[: len(self.c)] @ np.abs(self.c))
         return self._tilt
 
     @property
     def bound(self) -> Array:
         """A bound of the magnitude."""
-        return (self.size + self.r) * UP
+        return np.asarray((self.size + self.r) * UP)
 
     def is_zero(self) -> bool:
         """Whether it is the number 0, exactly."""
@@ -81,7 +85,7 @@ class TaylorModel:
 
     def spread(self) -> Array:
         """A bound of how far it strays from its first coefficient."""
-        return (self.size - np.abs(self.c[0]) * (1 - 1e-14) + self.r) * UP
+        return np.asarray((self.size - np.abs(self.c[0]) * (1 - 1e-14) + self.r) * UP)
 
     def range(self) -> tuple[Array, Array]:
         """Bounds (low, high) on each panel; not the tightest."""
@@ -96,12 +100,12 @@ class TaylorModel:
     # Arithmetic.
 
     def __add__(self, other: Any) -> TaylorModel:
-        other = lift(other)
-        if other.is_zero():
+        more = lift(other)
+        if more.is_zero():
             return self
         if self.is_zero():
-            return other
-        long, short = (self, other) if len(self.c) >= len(other.c) else (other, self)
+            return more
+        long, short = (self, more) if len(self.c) >= len(more.c) else (more, self)
         if len(long.c) == len(short.c):
             c = long.c + short.c
         else:
@@ -109,7 +113,7 @@ class TaylorModel:
             c = long.c.copy() if long.c.shape[1] == wide else np.repeat(long.c, wide, axis=1)
             c[: len(short.c)] += short.c
         size = np.add.reduce(np.abs(c), axis=0)
-        return TaylorModel(c, (self.r + other.r + ROUND * size) * UP, self.on or other.on, size)
+        return TaylorModel(c, (self.r + more.r + UNITS[c.dtype.char] * size) * UP, self.on or more.on, size)
 
     __radd__ = __add__
 
@@ -153,7 +157,7 @@ class TaylorModel:
                 found = TaylorModel(y, np.zeros_like(y[0]), self.on)
                 short = product(self.c, y)
                 short[0] -= 1.0
-                e = np.add.reduce(np.abs(short), axis=0) * (1 + ROUND) + rounding(self, found) + self.r * found.size
+                e = np.add.reduce(np.abs(short), axis=0) * UP + rounding(self, found) + self.r * found.size
                 e = e * UP
                 found.r = np.where(e < 1.0, found.size * e / (1.0 - e) * UP + TINY, np.nan)
             self._inverse = found
@@ -207,7 +211,8 @@ class TaylorModel:
         """An elementary function by its NumPy name."""
         from linkwright.enclosures.functions import FUNCTIONS
 
-        return FUNCTIONS[name](*args)
+        found: TaylorModel = FUNCTIONS[name](*args)
+        return found
 
     def __array_function__(self, function: Any, types: Any, args: Any, kwargs: Any) -> Any:
         """``zeros_like`` and ``ones_like``, which drives' laws ask of the time."""
@@ -240,7 +245,8 @@ def lift(value: Any) -> TaylorModel:
 def rounding(a: TaylorModel, b: TaylorModel) -> Array:
     """A bound of the round-off of a product of polynomials: the coefficient of power k is a sum of k + 1 products at
     most, those of higher powers are small on narrow panels."""
-    return ROUND * (a.size * (b.size + b.tilt) + a.tilt * b.size) + TINY
+    unit = max(UNITS[a.c.dtype.char], UNITS[b.c.dtype.char]) if a.c.dtype == b.c.dtype else UNITS["g"]
+    return np.asarray(unit * (a.size * (b.size + b.tilt) + a.tilt * b.size) + TINY)
 
 
 ZERO, ONE = TaylorModel.number(0.0), TaylorModel.number(1.0)
@@ -262,12 +268,13 @@ def product(a: Array, b: Array) -> Array:
     if len(a) == 1:
         return np.asarray(a * b)
     wide = max(a.shape[1], b.shape[1])
-    key = len(a), len(b), wide
-    kept = _kept.__dict__
+    dtype = np.result_type(a, b)
+    key = len(a), len(b), wide, dtype.char
+    kept: dict[Any, tuple[Array, Array]] = _kept.__dict__.setdefault("buffers", {})
     if key not in kept:
         if len(kept) > 200:
             kept.clear()
-        buffer = np.zeros((len(a), len(a) + len(b) - 1, wide))
+        buffer = np.zeros((len(a), len(a) + len(b) - 1, wide), dtype=dtype)
         row, column, item = buffer.strides
         kept[key] = buffer, as_strided(buffer, (len(a), len(b), wide), (row + column, column, item))
     buffer, slanted = kept[key]
@@ -278,7 +285,7 @@ def product(a: Array, b: Array) -> Array:
 def reciprocal_series(b: Array, order: int) -> Array:
     """The first coefficients of 1 / b, to round-off."""
     order = order if len(b) > 1 else 0
-    y = np.empty((order + 1, b.shape[1]))
+    y = np.empty((order + 1, b.shape[1]), dtype=b.dtype)
     y[0] = first = 1.0 / b[0]
     for k in range(1, order + 1):
         n = min(k, len(b) - 1)
@@ -289,7 +296,7 @@ def reciprocal_series(b: Array, order: int) -> Array:
 def root_series(a: Array, order: int) -> Array:
     """The first coefficients of the square root of a, to round-off."""
     order = order if len(a) > 1 else 0
-    s = np.empty((order + 1, a.shape[1]))
+    s = np.empty((order + 1, a.shape[1]), dtype=a.dtype)
     s[0] = np.sqrt(a[0])
     half = 0.5 / s[0]
     for k in range(1, order + 1):
@@ -299,4 +306,4 @@ def root_series(a: Array, order: int) -> Array:
     return s
 
 
-Function = Callable[..., TaylorModel]
+Function = Callable[..., "TaylorModel"]

@@ -17,8 +17,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from linkwright.laws.step import step5
 from linkwright.model.parser import ExpressionError, parse
 from linkwright.model.trees import (
