@@ -68,22 +68,24 @@ def _order(x: TaylorModel) -> int:
 @register("sin")
 def sin(x: Any) -> TaylorModel:
     """Sine."""
-    x = lift(x)
-    s, c = np.sin(x.c[0]), np.cos(x.c[0])
-    return _wave(x, (s, c, -s, -c))
+    return wave(lift(x), 0)
 
 
 @register("cos")
 def cos(x: Any) -> TaylorModel:
     """Cosine."""
-    x = lift(x)
-    s, c = np.sin(x.c[0]), np.cos(x.c[0])
-    return _wave(x, (c, -s, -c, s))
+    return wave(lift(x), 1)
 
 
-def _wave(x: TaylorModel, four: Sequence[Array]) -> TaylorModel:
+def wave(x: TaylorModel, order: Any) -> TaylorModel:
+    """A derivative of the sine by its argument; the order may differ from panel to panel."""
     n = _order(x)
-    terms = [four[k % 4] / factorial(k) for k in range(n + 1)]
+    s, c = np.sin(x.c[0]), np.cos(x.c[0])
+    four = np.stack([s, c, -s, -c])
+    if np.ndim(order):
+        four = four[(np.arange(4)[:, None] + order) % 4, np.arange(s.size)]
+        order = 0
+    terms = [four[(k + order) % 4] / factorial(k) for k in range(n + 1)]
     return composed(x, terms, ulps(x), np.full_like(x.c[0], 1 / factorial(n + 1)))
 
 

@@ -233,8 +233,11 @@ class TaylorModel:
             found = np.where(clear, np.sign(self.c[0]), 0.0)
             if self.on is None or len(self.c) < 2 or clear.all():
                 return found
-            low, high = bounds(self.c * self.on.inner ** POWERS[: len(self.c), None])
-            return np.where(low > self.r, 1.0, np.where(high < -self.r, -1.0, found))
+            rest = np.flatnonzero(~clear & np.isfinite(self.r))
+            r = np.broadcast_to(self.r, clear.shape)[rest]
+            low, high = bounds(self.c[:, rest] * self.on.inner[rest] ** POWERS[: len(self.c), None])
+            found[rest] = np.where(low > r, 1.0, np.where(high < -r, -1.0, 0.0))
+            return found
 
 
 def lift(value: Any) -> TaylorModel:
