@@ -2,7 +2,7 @@
 
 from linkwright.enclosures.motion import Enclosure
 from linkwright.enclosures.panels import Panels
-from linkwright.enclosures.prove import Claim, Proof, Refuted, prove, prove_all, sign
+from linkwright.enclosures.proofs import Claim, Proof, Refuted, prove, prove_all, sign
 from linkwright.enclosures.taylor import TaylorModel
 
 __all__ = ["Claim", "Enclosure", "Panels", "Proof", "Refuted", "TaylorModel", "prove", "prove_all", "sign"]

@@ -90,9 +90,7 @@ def given(values: Array, like: TaylorModel) -> TaylorModel:
 def _some(x: TaylorModel, which: NDArray[np.intp]) -> TaylorModel:
     on = x.on.some(which) if x.on is not None else None
     wide = max(x.c.shape[1], x.r.size)
-    return TaylorModel(
-        np.broadcast_to(x.c, (len(x.c), wide))[:, which], np.broadcast_to(x.r, wide)[which], on
-    )
+    return TaylorModel(np.broadcast_to(x.c, (len(x.c), wide))[:, which], np.broadcast_to(x.r, wide)[which], on)
 
 
 def along(function: Motion | TableLaw, x: TaylorModel, order: int, integral: bool = False) -> TaylorModel:

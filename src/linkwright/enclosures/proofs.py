@@ -141,14 +141,16 @@ class _Search:
         claims: Sequence[Claim],
         edges: Sequence[float],
         zeros: bool,
-        first: int = FIRST,
+        first: int | None = None,
     ) -> None:
         self.run, self.enclosure, self.claims, self.zeros = run, enclosure, claims, zeros
         length = run.stop - run.start
         ends = [end for claim in claims for span in claim.spans for end in span]
         bands = [(p.time - GAP * p.width, p.time + GAP * p.width) for p in run.compiled.passages.every]
         ends += [end for band in bands for end in band]
-        every = np.unique(np.clip([*ends, *edges, *np.linspace(run.start, run.stop, first + 1)], run.start, run.stop))
+        every = np.unique(
+            np.clip([*ends, *edges, *np.linspace(run.start, run.stop, (first or FIRST) + 1)], run.start, run.stop)
+        )
         # Edges nearer to one another than the panels' margin are one.
         every = every[np.append(True, np.diff(every) > MARGIN * length)]
         start, stop = every[:-1], every[1:]
