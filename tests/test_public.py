@@ -172,7 +172,7 @@ LEVELS = {
     "kernels": 6,
     "blocks": 7,
     "results": 8,
-    "cam": 9,
+    **dict.fromkeys(("cam", "enclosures"), 9),
     "studies": 10,
     "report": 11,
     "exports": 12,

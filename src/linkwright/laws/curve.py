@@ -198,7 +198,9 @@ def composed(x: Jet, at: Any, order: int = 0) -> Jet:
 
 
 def followed(x: Any, at: Any, order: int) -> Any:
-    """``at(places, order)`` where the places may be duals."""
+    """``at(places, order)`` where the places may be duals or enclosures."""
+    if hasattr(x, "along"):
+        return at(x, order)
     places = np.asarray(value_of(x), dtype=float)
     value: Any = at(places, order)
     if isinstance(x, Dual):

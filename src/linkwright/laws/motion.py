@@ -59,7 +59,9 @@ class Motion:
         return self.curve.plain and plain(*self.places)
 
     def at(self, x: Any, order: int = 0) -> Any:
-        """A derivative by the axis at any places; see :meth:`Curve.at`."""
+        """A derivative by the axis at any places; see :meth:`Curve.at`. Enclosures follow it by their own ``along``."""
+        if (own := getattr(x, "along", None)) is not None:
+            return own(self, order)
         x = np.asarray(x, dtype=float)
         if not self.plain:
             return self._spread(x, order)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.laws.curve import composed
 from linkwright.notation import Jet
 from linkwright.notation.duals import Dual, value_of
 
@@ -49,6 +50,8 @@ class TableLaw:
 
     def __call__(self, x: Jet) -> Jet:
         """The value with its time derivatives, from those of the argument."""
+        if hasattr(x.d[0], "along"):
+            return self.or_nan(x)
         given = _number(x)
         at = self._within(given)
         outside = np.isnan(at) & ~np.isnan(given)
@@ -57,11 +60,15 @@ class TableLaw:
         return self._compose(x, at, 0)
 
     def or_nan(self, x: Jet) -> Jet:
-        """The same, NaN outside an open table."""
+        """The same, NaN outside an open table; enclosures follow it by their own ``along``."""
+        if hasattr(x.d[0], "along"):
+            return composed(x, lambda places, order: places.along(self, order))
         return self._compose(x, self._within(_number(x)), 0)
 
     def integral(self, x: Jet) -> Jet:
         """The integral from the first point on, exact with its derivatives; NaN outside an open table."""
+        if (own := getattr(x.d[0], "along", None)) is not None:
+            return x.chain(own(self, 0, True), self.or_nan)
         given = _number(x)
         whole = self._spline.antiderivative()
         value = whole(self._within(given)) - whole(self.x[0])

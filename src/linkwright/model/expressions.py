@@ -17,8 +17,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from linkwright.laws.step import step5
 from linkwright.model.parser import ExpressionError, parse
 from linkwright.model.trees import (
@@ -72,9 +70,9 @@ def _pick(name: str, numbers: Callable[[Any, Any], Any]) -> Callable[..., Any]:
             return _elementary(name)(a, b)
         if type(a).__module__.startswith("casadi") or type(b).__module__.startswith("casadi"):
             return call({"minimum": "fmin", "maximum": "fmax"}[name], a, b)
-        if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
-            return call(name, a, b)
-        return numbers(a, b)
+        if isinstance(a, int | float) and isinstance(b, int | float):
+            return numbers(a, b)
+        return call(name, a, b)
 
     return apply
 
