@@ -123,7 +123,7 @@ class Reports:
         return found
 
     def loads(self) -> list[Applied]:
-        """The loads of the model."""
+        """The loads of the model; of a load between two links both sides."""
         found: list[Applied] = []
         for load in self.mechanism.loads.values():
             inside = self.inside(load)
@@ -135,7 +135,10 @@ class Reports:
                 heading = self.geometry.line(load.along, turns_with)[1]
                 local = Pair(force.x * heading.x, force.x * heading.y)
             place = self.at(load.on, self.geometry.place(load.on, load.at))
-            found.append((load.on, self.turned(turns_with, local), place, torque))
+            applied = self.turned(turns_with, local)
+            found.append((load.on, applied, place, torque))
+            if load.against:
+                found.append((load.against, -applied, place, -torque))
         return found
 
     def value(self, expression: Expression, dimension: Dimension) -> Array:

@@ -571,9 +571,9 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "A force along a slide has its direction from the slide; 'in' has no meaning for it.",
         "Take 'in' out.",
     ),
-    "load.on-frame": (
-        "The load acts on the frame, which doesn't move: it has no effect.",
-        "Put the load on a moving link, or take it out.",
+    "load.against-itself": (
+        "The load acts on {name} against {name} itself: the two forces cancel.",
+        "Name another link under against, or remove it if the load comes from outside the mechanism.",
     ),
     "load.signal": (
         "The load depends on '{name}', which itself results from the forces.",
