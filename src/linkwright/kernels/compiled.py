@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from copy import copy
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -228,7 +228,15 @@ def examine(
     if assembly.findings:
         return None, made.spelled.home(assembly.findings)
     parts = (made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables, made.motions)
-    return Compiled(*parts, plane=made.spelled.plane, folder=folder), [*made.spelled.warnings]
+    warnings = [*made.spelled.warnings, *_moments(made.quantities)]
+    return Compiled(*parts, plane=made.spelled.plane, folder=folder), warnings
+
+
+def _moments(quantities: Quantities) -> Iterator[Finding]:
+    """A warning that moments of slides in a loop of slides aren't determined."""
+    if slides := quantities.signals.looped:
+        data = {"joints": ", ".join(slides)}
+        yield Finding("structure.moments-indeterminate", ("joints", slides[0]), data, severity="warning")
 
 
 def _said(finding: Finding, others: list[Finding]) -> bool:

@@ -23,8 +23,8 @@ class FourLinks:
 
     ``lengths`` (m) belong to ``links`` (of a slider-crank: crank, rod, offset). ``margin`` (m) is s + l - (p + q) of a
     four-bar and r + e - l of a slider-crank with r the shorter one: negative where ``shortest`` turns fully
-    against the others, zero (within ``EQUAL``) at a change point. ``fixed`` is the frame, where it is one of the four. ``kind`` is a key
-    of the catalogue.
+    against the others, zero (within ``EQUAL``) at a change point. ``fixed`` is the frame, where it is one of the four.
+    ``kind`` is a key of the catalogue.
     """
 
     family: str

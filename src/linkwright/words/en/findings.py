@@ -271,6 +271,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "'{attribute}' isn't a signal of {name}.",
         "Write one of these: {known}.",
     ),
+    "signal.indeterminate": (
+        "The {attribute} in the slide {joint} isn't determined by statics: the slides {loop} hold each other's "
+        "direction, and a couple may go round through all of them.",
+        "Ask for the forces .x, .y or .normal instead, or pin one of the links to a sliding block.",
+    ),
     "signal.no-joint": (
         "{a} and {b} don't touch each other, so there is no force between them.",
         "Write one of these: {options}. With three links on a pin, name the pin as the second.",
@@ -570,6 +575,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "load.in": (
         "A force along a slide has its direction from the slide; 'in' has no meaning for it.",
         "Take 'in' out.",
+    ),
+    "joint.slides-tilted": (
+        "The slide {joint} doesn't close the loop of the slides {loop}: the directions of its two lines differ by "
+        "{angle} {unit} from what the others say.",
+        "Correct the angles in line, so that around the loop they add up to the same direction.",
     ),
     "load.against-itself": (
         "The load acts on {name} against {name} itself: the two forces cancel.",
@@ -936,6 +946,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Choose another path, another speed of the motor, or another start; or allow it.",
     ),
     # Many parameter sets of one mechanism.
+    "varied.slides": (
+        "The directions of the slides {loop} agree for the given value of {name} alone: for any other one their loop "
+        "can't be put together.",
+        "Write both lines of each slide with {name}, or don't vary it.",
+    ),
     "varied.passage": (
         "The motion goes on through a change point (through: keep), which another value of {names} would move.",
         "Vary the parameters of a motion without change points.",
@@ -1135,6 +1150,14 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "No joint depends on {drive}: there is nothing to write a function for.",
         "Close a loop, take a joint out of left_out, or leave the export out; a joint that is driven alone needs no function.",
     ),
+    "export.cannot-close-slides": (
+        "{name} can't write a loop of slides alone, which {joints} would close: its loops are closed by pins.",
+        "Pin one of the links to a sliding block of its own, or don't export this mechanism.",
+    ),
+    "functions.wedge": (
+        "{links} lies in a loop of slides (on {slides}), for which no joint functions are written.",
+        "Write the functions by hand: the travels of such a loop are proportional to each other.",
+    ),
     "functions.shared-pin": (
         "The drive {drive} moves two links against each other on the pin {pin}, which holds others that are placed before "
         "them; the tool's joints lead from the first link of a pin to each other one.",
@@ -1282,6 +1305,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "clearance.not-positive": (
         "The length {text} isn't positive.",
         "Give a positive length; a joint without clearance needn't be named.",
+    ),
+    "clearance.indeterminate": (
+        "The clearance of {name} needs its moment, which isn't determined: the slides {loop} hold each other's direction.",
+        "Remove this clearance, or pin one of the links to a sliding block.",
     ),
     "clearance.no-length": (
         "The guide {name} has no length, which decides whether its slider tilts.",
@@ -1614,11 +1641,25 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "{part} could move along as a redundant part, but its joints miss by {miss} {unit} on the way.",
         "Correct its dimensions, or leave it out of the model.",
     ),
+    "structure.moments-indeterminate": (
+        "The slides {joints} hold each other's direction: their forces are determined, but not how they share moments. "
+        "Their moments and arms aren't reported.",
+        "Nothing needs to be changed. For the moments, pin one of the links to a sliding block instead of guiding it.",
+    ),
+    "structure.loop-of-slides": (
+        "The links {links} can't be placed one after the other: they lie in loops of slides alone, which linkwright "
+        "solves one link at a time.",
+        "Drive another link, or replace one slide by a pin and a sliding block.",
+    ),
     "structure.redundant": (
         "The joint {joint} between {links} holds what other joints hold already, so its forces are undetermined.",
         "Take this joint out, or the link that doubles another.",
     ),
     # Assembly and motion.
+    "assembly.slides-parallel": (
+        "The slides {joints} of {link} are parallel, so that nothing places it along them.",
+        "Correct the angles in line, or drive {link}.",
+    ),
     "assembly.missing": (
         "{links} can be put together in two ways, and nothing says which.",
         "Add to assembly: {options}. Or give the point's place in a sketch: [x, y].",
