@@ -314,6 +314,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The link {name} has no points, so nothing can be joined to it.",
         "Give it points, for example points: {{A: [0, 0], B: [100, 0]}}.",
     ),
+    "model.no-freedom": (
+        "There is no drive, and by Gruebler's count (mobility {mobility}) nothing that one could move.",
+        "For the reactions of a structure write studies: {{reactions: {{}}}}. For a motion, remove a joint or split a link, "
+        "and add a drive.",
+    ),
     "model.no-drive": (
         "There is no drive, so nothing says how the mechanism moves.",
         "Add one, for example drives: {{motor: {{turns: crank, on: frame, speed: 60 rpm, start: 0 deg}}}}.",
@@ -1078,6 +1083,56 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "first one is sample {sample}.",
         "Look for a singular pose, a cam that locks its follower, a division by zero or a window that isn't reached; or "
         "narrow the ranges.",
+    ),
+    "study.alone": (
+        "The study {study} is about a structure that nothing moves; {name} needs a motion.",
+        "Put {name} into a file of its own, with a drive.",
+    ),
+    "reactions.drives": (
+        "The mechanism is driven by {names}; the study reactions is for structures that nothing drives.",
+        "Write studies: {{cycle: ...}} for the forces of a motion, or remove the drives.",
+    ),
+    "reactions.time": (
+        "The time '{text}' isn't a number from 0 on.",
+        "Write a time, for example at: 0.5 s.",
+    ),
+    "reactions.several-poses": (
+        "The links can be put together in {count} ways or more, and nothing says which.",
+        "Give the places of the points in sketch, or a side under assembly.",
+    ),
+    "reactions.not-closed": (
+        "The joints of the structure can't all close: at the best pose found they miss by {miss} {unit}.",
+        "Correct the lengths, or give the places of the points in sketch.",
+    ),
+    "reactions.not-finite": (
+        "What acts on {links} has no finite value.",
+        "Look for a table asked outside its range, or a division by zero; the option at says when loads are taken.",
+    ),
+    "reactions.moves": (
+        "The structure doesn't stand: its joints leave a motion on which the loads do work. It would move {links}.",
+        "Add a support or a bar that holds these links, or correct the dimensions.",
+    ),
+    "reactions.indeterminate": (
+        "The structure is statically indeterminate to degree {degree}: reactions of {joints} depend on the stiffness of "
+        "its parts and have no value here.",
+        "Nothing needs to be changed. For all reactions, release supports (let one end slide) until nothing is held twice.",
+    ),
+    "reactions.neutral": (
+        "The joints leave motions ({motions}) on which the loads do no work: the structure stands by chance.",
+        "Add a support or a bar if it is to stand under other loads too.",
+    ),
+    "reactions.no-load": (
+        "Nothing acts on the structure, so all its reactions are zero.",
+        "Add loads, springs, or gravity with masses.",
+    ),
+    "reactions.unproven": (
+        "Verification failed: the joints or the equilibrium miss by {residual} of the size or of the largest force (limit "
+        "1e-9).",
+        "Look for links that are nearly in line, so that small errors of lengths make large forces.",
+    ),
+    "reactions.measures": (
+        "The study reactions evaluates no measures: {names}.",
+        "Read the reactions from its table, or remove the measures.",
     ),
     "study.none": (
         "The file asks for no study.",
