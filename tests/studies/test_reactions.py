@@ -137,13 +137,17 @@ def test_random_trusses_by_the_method_of_joints(count: int, random: Any, more: b
         place = np.array([random.uniform(-1, 2), random.uniform(0.2, 2)])
         arms = [place - places[a], place - places[b]]
         lengths = [np.hypot(*arm) for arm in arms]
-        assume(min(lengths) > 0.2 and abs(arms[0][0] * arms[1][1] - arms[0][1] * arms[1][0]) > 0.2 * lengths[0] * lengths[1])
+        assume(
+            min(lengths) > 0.2
+            and abs(arms[0][0] * arms[1][1] - arms[0][1] * arms[1][0]) > 0.2 * lengths[0] * lengths[1]
+        )
         places[f"C{i}"] = place
         ends += [(a, f"C{i}"), (b, f"C{i}")]
     if more:
         others = [(a, b) for a in places for b in list(places)[2:] if a < b and (a, b) not in ends]
         assume(others)
         ends.append(random.choice(others))
+        assume(np.hypot(*(places[ends[-1][0]] - places[ends[-1][1]])) > 0.2)
     free = list(places)[2:]
     force = np.array([30.0, -70.0])
     matrix, right = np.zeros((2 * len(free), len(ends))), np.zeros(2 * len(free))
@@ -185,7 +189,10 @@ def test_springs_and_gravity_act_too() -> None:
 
 
 def test_loads_that_vary_are_taken_at_a_time() -> None:
-    sections = {"studies": {"reactions": {"at": "2 s"}}, "tables": {"f": {"points": [[0, 0], [4, 400]], "between": "linear"}}}
+    sections = {
+        "studies": {"reactions": {"at": "2 s"}},
+        "tables": {"f": {"points": [[0, 0], [4, 400]], "between": "linear"}},
+    }
     data = beam(**sections)
     data["loads"] = {"push": {"on": "beam", "at": "P", "force": ["0 N", "-1 N*f(t/(1 s))"]}}
     assert values(solved(data))["force(frame, roller).normal"] == pytest.approx(0.4 * 200)

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from linkwright.exports import Order, read_exports
 from linkwright import kernels
+from linkwright.exports import Order, read_exports
 from linkwright.kernels import Compiled
 from linkwright.model.document import located, read_document, write_aside
 from linkwright.model.findings import Finding, ModelError, raise_errors
@@ -32,6 +32,7 @@ from linkwright.studies import (
 )
 from linkwright.studies.accuracy.outcome import AccuracyOutcome
 from linkwright.studies.cam.outcome import CamOutcome
+from linkwright.studies.reactions import ReactionsOutcome
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite", "export.cannot-")
@@ -151,6 +152,11 @@ class Job:
     def limits(self) -> LimitsOutcome | None:
         """The outcome of the limits study, where the file asks for it."""
         return self.outcomes.get("limits")
+
+    @property
+    def reactions(self) -> ReactionsOutcome | None:
+        """A structure's reactions, where the file asks for them."""
+        return self.outcomes.get("reactions")
 
     @property
     def sweep(self) -> SweepOutcome | None:

@@ -116,8 +116,8 @@ def job(done: Job, file: Path) -> None:
         _certificate(done)
     if done.limits is not None:
         _grids(limits_tables(limits_entry(done.limits)["limits"]))
-    if "reactions" in done.outcomes:
-        _grids(reactions_tables(done.outcomes["reactions"]))
+    if done.reactions is not None:
+        _grids(reactions_tables(done.reactions))
     if done.sweep is not None:
         out.print(escape(sweep_sentence(done.sweep)))
         _grids(sweep_tables(done.sweep))

@@ -18,6 +18,7 @@ from linkwright.graph.geometry import Geometry, extent
 from linkwright.model.findings import Finding
 from linkwright.model.quantities import Quantities
 from linkwright.model.units import LENGTH
+from linkwright.notation import Pair
 from linkwright.structure import FRAME, Structure
 
 Array = NDArray[np.float64]
@@ -114,7 +115,10 @@ def _starts(system: Constraints, places: Mapping[str, Array]) -> Iterator[tuple[
 
 def _turned(local: Array, goals: Array) -> float | None:
     """The angle (rad) by which some points come nearest to their places."""
-    arms, there = local - local.mean(axis=0) if len(local) else local, goals - goals.mean(axis=0) if len(goals) else goals
+    arms, there = (
+        local - local.mean(axis=0) if len(local) else local,
+        goals - goals.mean(axis=0) if len(goals) else goals,
+    )
     sine = float((arms[:, 0] * there[:, 1] - arms[:, 1] * there[:, 0]).sum())
     cosine = float((arms * there).sum())
     return math.atan2(sine, cosine) if math.hypot(sine, cosine) > 0 else None
@@ -124,16 +128,14 @@ def _kept(quantities: Quantities, system: Constraints, z: Array) -> bool:
     """Whether a pose keeps the assembly rules that name a side."""
     m, homes = quantities.mechanism, quantities.signals.homes
 
-    def placed(link: str, at: tuple[float, float]) -> Array:
-        if link == FRAME:
-            return np.array(at, dtype=float)
-        x, y, angle = z[system.of([link])]
-        c, s = math.cos(angle), math.sin(angle)
-        return np.array([x * system.size + c * at[0] - s * at[1], y * system.size + s * at[0] + c * at[1]])
+    def turned(link: str, local: Pair) -> Array:
+        angle = 0.0 if link == FRAME else float(z[system.of([link])[2]])
+        return np.array(local.turned(Pair(math.cos(angle), math.sin(angle))), dtype=float)
 
     def place(point: str) -> Array:
         link = homes[point]
-        return placed(link, tuple(map(float, system.geometry.point(link, point))))  # type: ignore[arg-type]
+        start = np.zeros(2) if link == FRAME else z[system.of([link])[:2]] * system.size
+        return np.asarray(start + turned(link, system.geometry.point(link, point)))
 
     for name, rule in m.assembly.items():
         if not rule.reference or name not in homes or any(point not in homes for point in rule.reference):
@@ -141,8 +143,7 @@ def _kept(quantities: Quantities, system: Constraints, z: Array) -> bool:
         arm = place(name) - place(rule.reference[0])
         if rule.along:
             first = m.joints[rule.along].links[0]
-            heading = tuple(map(float, system.geometry.line(rule.along, first)[1]))
-            side = float(arm @ (placed(first, heading) - placed(first, (0.0, 0.0))))  # type: ignore[arg-type]
+            side = float(arm @ turned(first, system.geometry.line(rule.along, first)[1]))
         else:
             line = place(rule.reference[1]) - place(rule.reference[0])
             side = float(line[0] * arm[1] - line[1] * arm[0])

@@ -48,7 +48,7 @@ class StillGraph(Graph):
         return self._views[0]
 
     @property
-    def _bare(self) -> View:  # type: ignore[override]
+    def _bare(self) -> View:
         return self._view(0)
 
     def wrapped(self, name: str) -> bool:

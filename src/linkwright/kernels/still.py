@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +15,7 @@ from linkwright.graph.standing import standing
 from linkwright.graph.statics import Statics
 from linkwright.graph.still import StillGraph
 from linkwright.kernels.compiled import Compiled, prepare
-from linkwright.kernels.numpy_blocks import NumpyKernel
+from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.supply import Supply
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Mechanism
@@ -54,7 +53,7 @@ class Still(Compiled):
         """The equilibrium under what is applied at a time (s)."""
         assert self.system is not None
         program, t = self.standing.applied(), np.array([time])
-        rows = NumpyKernel(program).run(self.inputs(t), self.parameters)[:, 0].reshape(-1, 3)
+        rows = KERNELS["numpy"](program).run(self.inputs(t), self.parameters)[:, 0].reshape(-1, 3)
         return Statics(self.system, self.z, dict(zip((FRAME, *self.system.links), rows, strict=True)))
 
     def evaluate(self, names: Sequence[str], t: Array, rates: bool = False) -> Array:
@@ -84,6 +83,16 @@ def examine_still(
     if z is None:
         return None, made.spelled.home(findings)
     structure = Structure(made.structure.topology, ())
-    parts: tuple[Any, ...] = (made.mechanism, made.quantities, structure, Assembly(), {}, made.tables, {})
-    still = Still(*parts, plane=made.spelled.plane, folder=folder, system=system, z=z)
+    still = Still(
+        made.mechanism,
+        made.quantities,
+        structure,
+        Assembly(),
+        laws={},
+        tables=made.tables,
+        plane=made.spelled.plane,
+        folder=folder,
+        system=system,
+        z=z,
+    )
     return still, [*made.spelled.warnings]

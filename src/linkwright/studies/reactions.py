@@ -41,8 +41,9 @@ class ReactionsOptions(Frozen):
 class Reaction:
     """One component of what a link does to another, or to the pin where three or more meet.
 
-    ``name`` is the signal's, ``force(frame, beam).x``; of a pin that is determined in one direction alone, the component
-    in the ``direction`` (rad, against the frame's x axis). ``value`` (N, N m) is ``None`` where statics leaves it open.
+    ``name`` is the signal's, ``force(frame, beam).x``; of a pin that is determined in one direction alone, the
+    component in the ``direction`` (rad, against the frame's x axis). ``value`` (N, N m) is ``None`` where statics
+    leaves it open.
     """
 
     name: str
@@ -64,8 +65,8 @@ class Bar:
 class ReactionsOutcome:
     """What the study gives.
 
-    ``states`` is the number of states of self-stress, the degree of static indeterminacy, ``motions`` how many the
-    joints leave that nothing drives; ``closure`` and ``equilibrium`` are the proofs' residuals, over the size and over the
+    ``states`` is the number of states of self-stress, the degree of static indeterminacy, ``motions`` how many motions
+    the joints leave; ``closure`` and ``equilibrium`` are the residuals of the checks, over the size and over the
     largest force.
     """
 
