@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,8 +12,10 @@ from hypothesis import strategies as st
 
 from helpers.compiled import compiled_from, compiled_of, regular
 from helpers.expected import expected_energies, expected_forces, oracle_states, worst
-from helpers.plain import FRAME, Law, Plain, PlainDrive, PlainLink, document_of
+from helpers.plain import FRAME, Law, Plain, PlainDrive, PlainLink, PlainLoad, document_of
 from helpers.random_mechanisms import DURATION, RECIPES, mechanisms
+from linkwright.results.audit import Reports
+from linkwright.results.certificate import equilibrium, power
 
 T = np.linspace(0.0, DURATION, 4)
 
@@ -32,6 +35,26 @@ def test_forces_solve_newton_and_euler(recipe: str, data: Any) -> None:
     energies = expected_energies(oracle, states)
     error, name = worst(compiled.evaluate(list(energies), T), energies, 1e-3)
     assert error < 1e-11, name
+
+
+@settings(max_examples=25)
+@given(mechanisms(), st.data())
+def test_loads_on_the_frame_and_between_links_solve_newton_and_euler(plain: Plain, data: Any) -> None:
+    """Reactions, efforts and shaking against the oracle; the certificate's proofs take the counterparts too."""
+    pick = lambda options: data.draw(st.sampled_from(options))  # noqa: E731
+    loads = {"outside": PlainLoad(FRAME, (0.2, -0.3), (4.0, -7.0), torque=1.5)}
+    for i in range(2):
+        on = pick(list(plain.links))
+        against = pick([link for link in plain.links if link != on])
+        loads[f"between{i}"] = PlainLoad(on, (0.1, 0.4), (5.0, 3.0), pick((None, on, against)), None, 2.0, against)
+    plain = replace(plain, loads=loads)
+    compiled = compiled_of(plain)
+    regular(compiled, T)
+    rows = expected_forces(*oracle_states(plain, T))
+    error, name = worst(compiled.evaluate(list(rows), T), rows, 1e-3)
+    assert error < 1e-9, name
+    reports = Reports(compiled, T)
+    assert max(equilibrium(reports), power(reports)) < 1e-9
 
 
 @settings(max_examples=20)

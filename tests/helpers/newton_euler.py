@@ -315,5 +315,8 @@ class Oracle:
                 force = np.zeros(2)
             else:
                 force = self.arm(q, load.turns_with or FRAME, load.force)
-            found.append((load.on, force, self.at(q, load.on, local), load.torque or 0.0))
+            place, torque = self.at(q, load.on, local), load.torque or 0.0
+            found.append((load.on, force, place, torque))
+            if load.against is not None:
+                found.append((load.against, -force, place, -torque))
         return [*found, *(applied for more in self.extra for applied in more(self, state))]

@@ -104,7 +104,8 @@ class PlainDrive:
 
 @dataclass(frozen=True)
 class PlainLoad:
-    """A force at a place of a link (a point's name or coordinates), fixed in ``turns_with`` or along a slide."""
+    """A force at a place of a link (a point's name or coordinates), fixed in ``turns_with`` or along a slide; the
+    opposite acts on the link ``against``."""
 
     on: str
     at: str | XY | None = None
@@ -112,6 +113,7 @@ class PlainLoad:
     turns_with: str | None = None
     along: str | None = None
     torque: float | None = None
+    against: str | None = None
 
 
 @dataclass(frozen=True)
@@ -309,6 +311,7 @@ def renamed(plain: Plain, new: Callable[[str], str]) -> Plain:
                 at=of(load.at) if isinstance(load.at, str) else load.at,
                 turns_with=load.turns_with and of(load.turns_with),
                 along=load.along and of(load.along),
+                against=load.against and of(load.against),
             )
             for n, load in plain.loads.items()
         },
@@ -459,6 +462,8 @@ class Writer:
             entry["in"] = load.turns_with
         if load.torque is not None:
             entry["torque"] = self.value(load.torque, "torque")
+        if load.against is not None:
+            entry["against"] = load.against
         return entry
 
 
@@ -547,7 +552,8 @@ class Reader:
         elif force is not None:
             force = self.number(force, "force")
         torque = self.number(entry["torque"], "torque") if "torque" in entry else None
-        return PlainLoad(entry["on"], entry.get("at"), force, entry.get("in"), entry.get("along"), torque)
+        turns_with, along, against = (entry.get(key) for key in ("in", "along", "against"))
+        return PlainLoad(entry["on"], entry.get("at"), force, turns_with, along, torque, against)
 
 
 def plain_of(data: Mapping[str, Any], start: Mapping[str, tuple[float, float, float]]) -> Plain:

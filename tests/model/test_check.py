@@ -93,7 +93,8 @@ def test_the_examples_are_sound(name: str) -> None:
         ({"loads": {"l": {"on": "crank", "at": "C", "force": [1, 2]}}}, "name.unknown-point", "loads.l.at"),
         ({"loads": {"l": {"on": "crank", "at": "B", "force": [1, 2], "in": "x"}}}, "name.unknown", "loads.l.in"),
         ({"loads": {"l": {"on": "crank", "at": "B", "force": 1, "along": "x"}}}, "name.unknown", "loads.l.along"),
-        ({"loads": {"l": {"on": "frame", "torque": 1}}}, "load.on-frame", "loads.l"),
+        ({"loads": {"l": {"on": "crank", "torque": 1, "against": "x"}}}, "name.unknown", "loads.l.against"),
+        ({"loads": {"l": {"on": "crank", "torque": 1, "against": "crank"}}}, "load.against-itself", "loads.l"),
         ({"loads": {"l": {"on": "crank", "torque": "0.1*motor.torque"}}}, "load.signal", "loads.l.torque"),
         (
             {"loads": {"l": {"on": "crank", "at": "B", "force": ["0.1*force(frame, crank).x", 0]}}},

@@ -218,8 +218,8 @@ def test_a_joint_between_links_that_others_have_placed() -> None:
     assert set(finding.data["links"].split(", ")) == {"coupler", "rocker"}
 
 
-def test_three_slides_in_a_loop_hold_each_other() -> None:
-    """Three translating links have a mobility that Gruebler's count does not see: refused, not guessed."""
+def test_three_slides_in_a_loop_move() -> None:
+    """Three translating links have a mobility that the plain count does not see; see tests/graph/test_wedges.py."""
     data = {
         "linkwright": 1,
         "units": UNITS,
@@ -235,8 +235,31 @@ def test_three_slides_in_a_loop_hold_each_other() -> None:
         },
         "drives": {"push": {"slides": "wedge", "on": "frame", "speed": 1, "start": 0}},
     }
+    assert not findings_of(data)
+    del data["joints"]["column"]
+    assert only(data).code == "structure.loose"
+
+
+def test_slides_that_can_only_be_placed_all_at_once_are_named() -> None:
+    """Three links on one known link each, and a slide between any two: none of them has two slides on known links."""
+    names = ("a", "b", "c", "d")
+    links = {name: {"points": {name.upper(): [0, 0]}} for name in names}
+    pairs = ["frame a", "frame b", "frame c", "a d", "b c", "c d", "b d"]
+    joints = {}
+    for i, pair in enumerate(pairs):
+        ends = pair.split()
+        line = [f"{'O' if end == 'frame' else end.upper()} at {i / 4}" for end in ends]
+        joints["_".join(ends)] = {"prismatic": ends, "line": line}
+    data = {
+        "linkwright": 1,
+        "units": UNITS,
+        "links": {"frame": {"points": {"O": [0, 0]}}, **links},
+        "joints": joints,
+        "drives": {"push": {"slides": "a", "on": "frame", "speed": 1, "start": 0}},
+    }
     finding = only(data)
-    assert (finding.code, finding.element) == ("structure.overconstrained", "links.lifter")
+    assert finding.code == "structure.loop-of-slides"
+    assert set(finding.data["links"].split(", ")) == {"b", "c", "d"}
 
 
 def test_a_loose_end_on_an_overconstrained_link_is_not_a_higher_group() -> None:

@@ -10,9 +10,11 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from helpers.compiled import compiled_from
+from linkwright.report.limits import limits_entry, limits_tables
 from linkwright.structure.loops import loops_of_four
 from linkwright.studies.four_links import FourLinks, four_links
-from studies.models import CRANK, UNITS, four_bar, slider_crank
+from linkwright.studies.ranges import ranges
+from studies.models import CRANK, UNITS, four_bar, job_of, slider_crank
 
 ANGLES = np.exp(1j * np.linspace(0, 2 * np.pi, 2001))
 
@@ -60,14 +62,57 @@ def test_grashof_is_what_turning_shows(a: float, b: float, c: float, d: float) -
         ((100, 90, 95, 30), "double-crank", {"crank", "rocker"}),
         ((80, 40, 90, 100), "double-rocker", {"coupler"}),
         ((60, 70, 50, 100), "triple-rocker", set()),
-        ((50, 100, 50, 100), "change-point", set()),
-        ((40, 90, 80, 50), "change-point", set()),
+        ((50, 100, 50, 100), "change-point", {"crank", "rocker"}),
+        ((40, 90, 80, 50), "change-point", {"crank"}),
+        ((90, 80, 50, 40), "change-point", {"crank", "rocker"}),
+        ((80, 40, 90, 50), "change-point", {"coupler"}),
+        ((50, 90, 40, 80), "change-point", {"rocker"}),
     ],
 )
 def test_each_type_once(lengths: Any, kind: str, turning: set[str]) -> None:
     loop = four_bar_of(*lengths)
     assert (loop.kind, set(loop.turning)) == (kind, turning)
     assert loop.fixed == "frame"
+
+
+@pytest.mark.parametrize(
+    "lengths", [(50, 100, 50, 100), (100, 50, 100, 50), (40, 90, 80, 50), (60, 100, 70, 90), (50, 90, 40, 80)]
+)
+@pytest.mark.parametrize("more", [-1e-9, -1e-12, -1e-15, 0.0, 1e-15, 1e-12, 1e-9])
+def test_types_and_ranges_agree_near_change_points(lengths: Any, more: float) -> None:
+    """The crank turns fully in the list of four-bars where its range is a full turn."""
+    a, b, c, d = (length * (1 + more * (length == max(lengths)) * (i == 1)) for i, length in enumerate(lengths))
+    drives = {"motor": {**CRANK, "start": "70 deg"}}
+    compiled = compiled_from(four_bar(a, b, c, d, drives=drives, studies={}))
+    (loop,) = four_links(compiled)
+    assert ("crank" in loop.turning) == any(found.full for found in ranges(compiled, "motor", None, 360))
+
+
+def test_a_change_point_is_told_alike_in_both_tables() -> None:
+    drives = {"motor": {**CRANK, "start": "70 deg"}}
+    job = job_of(four_bar(50, 100, 50, 100, drives=drives, studies={"limits": {}}))
+    assert job.limits is not None
+    tables = {grid["name"]: grid["rows"] for grid in limits_tables(limits_entry(job.limits)["limits"])}
+    assert tables["ranges"][0][-1] == "Turns fully, through change points."
+    assert tables["four_links"][0][1:3] == ["change-point", "rocker, crank, through change points"]
+
+
+@pytest.mark.parametrize("driven", [True, False])
+def test_a_cylinder_is_no_whitworth(driven: bool) -> None:
+    """A short ground beside a long arm, which a Whitworth's slotted lever would have, and a cylinder across."""
+    lift = {"extends": "lift", "position": "330 + 20*sin(180 deg*t/(1 s))"}
+    data = {
+        "units": UNITS,
+        "links": {
+            "frame": {"points": {"A": [0, 0], "K": [80, 0]}},
+            "arm": {"points": {"A": [0, 0], "M": [300, 0]}},
+        },
+        "cylinders": {"lift": {"from": "K", "to": "M"}},
+        "assembly": {"M": "left of A-K"} if driven else {},
+        "drives": {"pump": lift} if driven else {"motor": {**CRANK, "turns": "arm"}},
+    }
+    (loop,) = four_links(compiled_from(data))
+    assert (loop.kind, loop.turning) == (("driven-slide", ()) if driven else ("cylinder", ("lift_barrel", "arm")))
 
 
 def test_four_bars_off_the_frame_and_over_pins_of_three_links() -> None:

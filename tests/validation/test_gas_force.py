@@ -72,3 +72,26 @@ def test_mean_torque_is_the_work_of_the_cycle_over_four_pi() -> None:
     certificate = job.cycle.result.certificate  # type: ignore[union-attr]
     assert certificate is not None
     assert certificate.sound(1e-12)
+
+
+def test_the_foundation_feels_the_momentum_alone() -> None:
+    """The gas pushes on the cylinder head as on the piston: shaking is minus the rate of change of the momentum."""
+    t = np.linspace(0.0, 0.04, 97)
+    theta = OMEGA * t
+    s, c = np.sin(theta), np.cos(theta)
+    g = np.sqrt(L**2 - (R * s) ** 2)
+    pin = -R * OMEGA**2 * np.array([c, s])
+    reach = -(R**2) * ((c**2 - s**2) / g + (R * s * c) ** 2 / g**3) * OMEGA**2
+    piston = np.array([pin[0] + reach, 0 * t])
+    expected = -0.6 * (pin + piston) / 2 - 0.5 * piston
+    compiled = lw.compile(lw.load(EXAMPLE), EXAMPLE.parent)
+    shaking = compiled.evaluate(["shaking.x", "shaking.y"], t)
+    assert np.abs(shaking - expected).max() < 1e-11 * np.abs(expected).max()
+    document = lw.load(EXAMPLE)
+    data = document.model_dump(exclude_defaults=True, by_alias=True)
+    del data["loads"]["gas"]["against"]
+    outside = lw.compile(lw.Document.model_validate(data), EXAMPLE.parent)
+    (felt,) = outside.evaluate(["shaking.x"], t)
+    assert np.abs(felt - expected[0] + pressure(theta) * AREA).max() < 1e-11 * np.abs(felt).max()
+    others = [n.text for n in compiled.quantities.signals.all() if not n.text.startswith("shaking")]
+    assert np.array_equal(compiled.evaluate(others, t), outside.evaluate(others, t), equal_nan=True)

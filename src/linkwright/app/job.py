@@ -8,8 +8,9 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from linkwright import kernels
 from linkwright.exports import Order, read_exports
-from linkwright.kernels import Compiled, examine
+from linkwright.kernels import Compiled
 from linkwright.model.document import located, read_document, write_aside
 from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.mechanism import Document
@@ -31,6 +32,7 @@ from linkwright.studies import (
 )
 from linkwright.studies.accuracy.outcome import AccuracyOutcome
 from linkwright.studies.cam.outcome import CamOutcome
+from linkwright.studies.reactions import ReactionsOutcome
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite", "export.cannot-")
@@ -96,6 +98,8 @@ def examine_document(
     orders, wrong = read_exports(document.exports)
     tasks = [task for task in tasks if to is None and only in (None, task.study.name)]
     orders = [order for order in orders if only is None and to in (None, order.target.name)]
+    examine, beside = _examination(document, tasks, orders)
+    findings += beside
     compiled, faults = examine(document, folder)
     checked = _checked(compiled, tasks, orders)
     if compiled is not None and (uses := compiled.quantities.open_uses):
@@ -103,6 +107,17 @@ def examine_document(
         checked = _checked(compiled, tasks, orders)
     findings += [*wrong, *faults, *(finding for i, finding in enumerate(checked) if finding not in checked[:i])]
     return Examined(document, compiled, tasks, orders, findings, folder=folder)
+
+
+def _examination(document: Document, tasks: list[Task], orders: list[Order]) -> tuple[Any, list[Finding]]:
+    """How a document is compiled, and what can't stand beside a study that brings a way of its own."""
+    own = next((task.study for task in tasks if hasattr(task.study, "examine")), None)
+    if own is None:
+        return kernels.examine, []
+    others = [("studies", task.study.name) for task in tasks if task.study is not own]
+    others += [("exports", order.target.name) for order in orders]
+    found = [Finding("study.alone", path, {"study": own.name, "name": path[1]}) for path in others]
+    return (own.examine if not found else lambda *_: (None, [])), found
 
 
 def _checked(compiled: Compiled | None, tasks: list[Task], orders: list[Order]) -> list[Finding]:
@@ -137,6 +152,11 @@ class Job:
     def limits(self) -> LimitsOutcome | None:
         """The outcome of the limits study, where the file asks for it."""
         return self.outcomes.get("limits")
+
+    @property
+    def reactions(self) -> ReactionsOutcome | None:
+        """A structure's reactions, where the file asks for them."""
+        return self.outcomes.get("reactions")
 
     @property
     def sweep(self) -> SweepOutcome | None:

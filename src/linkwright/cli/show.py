@@ -27,6 +27,7 @@ from linkwright.report.facts import checks, facts
 from linkwright.report.limits import limits_entry, limits_tables
 from linkwright.report.modes import circuit_text, mode_text, modes_data
 from linkwright.report.parts import measure
+from linkwright.report.reactions import reactions_tables
 from linkwright.report.sweep import sentence as sweep_sentence
 from linkwright.report.sweep import sweep_tables
 from linkwright.report.workspace import workspace_sentences, workspace_tables
@@ -115,6 +116,8 @@ def job(done: Job, file: Path) -> None:
         _certificate(done)
     if done.limits is not None:
         _grids(limits_tables(limits_entry(done.limits)["limits"]))
+    if done.reactions is not None:
+        _grids(reactions_tables(done.reactions))
     if done.sweep is not None:
         out.print(escape(sweep_sentence(done.sweep)))
         _grids(sweep_tables(done.sweep))

@@ -188,8 +188,11 @@ def load_wrench(view: View, load: Load) -> Wrench:
 
 
 def wrenches(view: View) -> Iterator[tuple[str, Wrench]]:
-    """What loads and springs do to each link: (link, wrench)."""
+    """What loads and springs do to each link: (link, wrench). A load between two links has an opposite on the other."""
     for load in view.graph.quantities.mechanism.loads.values():
-        yield load.on, load_wrench(view, load)
+        wrench = load_wrench(view, load)
+        yield load.on, wrench
+        if load.against:
+            yield load.against, wrench.opposite
     for name in view.graph.quantities.mechanism.springs:
         yield from spring_wrenches(view, name)

@@ -13,11 +13,13 @@ import numpy as np
 from linkwright.graph.clusters import assemble_cluster
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, Unknowns, solve_motion
+from linkwright.graph.wedges import Parallel
 from linkwright.groups import Dyad, OuterPin
 from linkwright.model.fields import AssemblyRule
 from linkwright.model.findings import Finding
 from linkwright.model.quantities import Quantities
 from linkwright.model.sketch import Drawn
+from linkwright.model.units import LENGTH
 from linkwright.notation import Jet, Pair
 from linkwright.structure import Cluster, Connection, Group, Structure
 
@@ -69,6 +71,10 @@ class _Assembler:
             with np.errstate(all="ignore"):
                 solve_motion(self.structure, self.geometry, drives, self.branch, self.unknowns, self.motion)
         except _CannotStart:
+            return self.assembly
+        except Parallel as error:
+            slides = " and ".join(c.joint for c in error.wedge.outer)
+            self.note("assembly.slides-parallel", ("links", error.wedge.link), link=error.wedge.link, joints=slides)
             return self.assembly
         except ZeroDivisionError:
             self.degenerate(self.current)
@@ -240,8 +246,6 @@ def _template(text: str) -> tuple[str, AssemblyRule]:
 
 def shortfall_data(quantities: Quantities, group: Group, distance: float, limit: float) -> dict[str, Any]:
     """The words of a group that can't close: the distance (m) between its outer joints and the one it can span."""
-    from linkwright.model.units import LENGTH
-
     unit, size = quantities.unit_of(LENGTH)
     joints: tuple[Connection, ...] = group.outer
     return {

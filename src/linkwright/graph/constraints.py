@@ -35,10 +35,11 @@ class Constraints:
     """Residuals and slopes of all joints, of drives that are held and of followers that ride on cams; ``size`` is the
     unit of length (m).
 
-    ``rows[k]`` names the joint or drive of residual k. Lengths come out over the size, directions as sines.
+    ``rows[k]`` names the joint or drive of residual k. Lengths come out over the size, directions as sines. The
+    direction of a slide that closes a loop of slides follows from the others' and is left out, unless ``whole``.
     """
 
-    def __init__(self, topology: Topology, geometry: Geometry, size: float) -> None:
+    def __init__(self, topology: Topology, geometry: Geometry, size: float, whole: bool = False) -> None:
         self.topology, self.geometry, self.size = topology, geometry, size
         self.links = topology.moving
         self.index = {link: i for i, link in enumerate((*topology.moving, FRAME))}  # the frame last
@@ -53,7 +54,11 @@ class Constraints:
         lines = [self._line(name, *joint.links) for name, joint in topology.mechanism.prismatic_joints()]
         self.pins, self.lines = _Ends(self, pins), _Ends(self, [line[:5] for line in lines])
         self.headings = np.array([line[5] for line in lines], dtype=float).reshape(-1, 2).T
-        self.names = [name for name in (*self.pins.names, *self.lines.names) for _ in range(2)]
+        names = [name for name in (*self.pins.names, *self.lines.names) for _ in range(2)]
+        spare = () if whole else topology.closing_slides
+        rows = [k for k, name in enumerate(names) if k % 2 or name not in spare]
+        self.kept: Any = rows if spare else slice(None)
+        self.names = [names[k] for k in rows]
 
     def _line(self, joint: str, a: str, b: str) -> tuple[str, str, str, Any, Any, tuple[float, float]]:
         (first, _), (second, _) = (self.geometry.line(joint, link) for link in (a, b))
@@ -84,7 +89,8 @@ class Constraints:
         between, across = self._slides(at)
         wanted = {**self.held, **{n: ride.at(self.value(ride.motor, z))[0] for n, ride in self.riding.items()}}
         driven = [self._missed(name, self.value(name, z) - value) for name, value in wanted.items()]
-        return np.concatenate([gaps.T.ravel(), np.stack([between, across], axis=1).ravel(), driven])
+        joints = np.concatenate([gaps.T.ravel(), np.stack([between, across], axis=1).ravel()])
+        return np.concatenate([joints[self.kept], driven])
 
     def _missed(self, drive: str, rest: float) -> float:
         """What a drive's value is off as a residual: angles without whole turns, lengths over the size."""
@@ -105,7 +111,7 @@ class Constraints:
         for name, ride in self.riding.items():
             slope = ride.at(self.value(ride.motor, z))[1] / (1.0 if self._turns(name) else self.size)
             driven.append(self.gradient(name, z) - slope * self.gradient(ride.motor, z))
-        return np.concatenate([j[:, : self.width], np.array(driven).reshape(-1, self.width)])
+        return np.concatenate([j[self.kept, : self.width], np.array(driven).reshape(-1, self.width)])
 
     def _line_slopes(self, j: Array, at: Array) -> None:
         a, b = self.lines.index

@@ -20,7 +20,7 @@ from linkwright.groups.joints import Twist
 from linkwright.groups.linear import Factor
 from linkwright.notation import Body, Pair, Scalar, Wrench
 from linkwright.notation.jets import is_zero
-from linkwright.structure import FRAME, Cluster, Connection, Driven, Edge, Group
+from linkwright.structure import FRAME, Cluster, Connection, Driven, Edge, Group, Wedge
 
 
 @dataclass
@@ -119,6 +119,8 @@ class _Solver:
                 self.drive(step, self.motion.twists[step])
             elif isinstance(step, Group):
                 self.group(step)
+            elif isinstance(step, Wedge):
+                self.wedge(step)
             else:
                 self.cluster(step)
         for (joint, link), wrench in self.carried.items():
@@ -150,6 +152,16 @@ class _Solver:
                 self.drive(edge, outer_joint(self.motion, edge.joint, edge.link).twist(self.motion.bodies[edge.link]))
             total = self.wrenches[side[0]]
             self.hand_on(outer, side[0], total, total)
+
+    def wedge(self, step: Wedge) -> None:
+        end, second = step.links[-1], step.outer[1]
+        own = self.motion.wedges[step].balance(reduce(Wrench.plus, (self.wrenches[link] for link in step.links)))
+        self.hand_on(second, end, own.opposite, own.opposite)
+        self.wrenches[end] = self.wrenches[end].plus(own)
+        for edge in reversed(step.chain):
+            self.drive(edge, outer_joint(self.motion, edge.joint, edge.link).twist(self.motion.bodies[edge.link]))
+        total = self.wrenches[step.link]
+        self.hand_on(step.outer[0], step.link, total, total)
 
     def cluster(self, step: Cluster) -> None:
         solved, bodies = self.motion.clusters[step], self.motion.bodies

@@ -9,10 +9,11 @@ from functools import partial
 from linkwright.graph.clusters import SolvedCluster, solve_cluster
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.placing import carried, driven_body, inner_joint, outer_joint
+from linkwright.graph.wedges import SolvedWedge, solve_wedge
 from linkwright.groups import REGISTRY, Dyad, InnerLine, Solved
 from linkwright.groups.joints import Twist
 from linkwright.notation import Body, Jet, Pair, Scalar
-from linkwright.structure import FRAME, Cluster, Driven, Group, Structure
+from linkwright.structure import FRAME, Cluster, Driven, Group, Structure, Wedge
 
 Branch = Callable[[Group, Dyad], Scalar]
 Unknowns = Callable[[Cluster], list[Scalar]]
@@ -28,6 +29,7 @@ class Motion:
     bodies: dict[str, Body] = field(default_factory=dict)
     clusters: dict[Cluster, SolvedCluster] = field(default_factory=dict)
     dyads: dict[Group, tuple[Dyad, Solved]] = field(default_factory=dict)
+    wedges: dict[Wedge, SolvedWedge] = field(default_factory=dict)
     twists: dict[Driven, Twist] = field(default_factory=dict)
 
     def point(self, link: str, name: str) -> Pair:
@@ -56,6 +58,8 @@ def solve_motion(
             _drive(motion, step, drives[step.drive])
         elif isinstance(step, Group):
             _group(motion, step, drives, branch)
+        elif isinstance(step, Wedge):
+            solve_wedge(motion, step, drives)
         else:
             solve_cluster(motion, step, drives, unknowns)
     return motion

@@ -143,7 +143,7 @@ class _Whole:
 
     def __init__(self, quantities: Quantities, structure: Structure, parts: list[Part], poses: list[Pose]) -> None:
         geometry = Geometry(quantities, quantities.parameters)
-        self.system = Constraints(structure.topology, geometry, extent(structure.topology, geometry))
+        self.system = Constraints(structure.topology, geometry, extent(structure.topology, geometry), whole=True)
         pattern = self.system.jacobian(np.random.default_rng(0).uniform(1.0, 2.0, self.system.width)) != 0
         self.columns = {part.name: self.system.of([part.name]) for part in parts if part.kind == "links"}
         touched = {name: pattern[:, of].any(axis=1) for name, of in self.columns.items()}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from copy import copy
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -188,12 +188,16 @@ class Prepared:
         return self.spelled.mechanism
 
 
-def prepare(mechanism: Mechanism, folder: Path | None = None, uses: Sequence[Place] = ()) -> Prepared:
+def prepare(
+    mechanism: Mechanism, folder: Path | None = None, uses: Sequence[Place] = (), driven: bool = True
+) -> Prepared:
     """Dimensions, structure and drive laws of a mechanism, with all findings on them; for ``uses`` see
-    :class:`linkwright.model.quantities.Quantities`."""
+    :class:`linkwright.model.quantities.Quantities`. It needs drives, unless it isn't ``driven``."""
     spelled = spell_out(mechanism)
-    missing = "model.no-drive" if spelled.findings else ""  # a drive with a fault is one
+    missing = "model.no-drive" if spelled.findings or not driven else ""  # a drive with a fault is one
     names = [*spelled.findings, *(f for f in check_names(spelled.mechanism) if f.code != missing)]
+    if [finding.code for finding in names] == ["model.no-drive"]:
+        names = _immobile(Topology(spelled.mechanism)) or names
     quantities = Quantities(spelled.mechanism, uses)
     findings = [*names, *(f for f in quantities.findings if not _said(f, names))]
     laws: dict[str, Law] = {}
@@ -206,11 +210,18 @@ def prepare(mechanism: Mechanism, folder: Path | None = None, uses: Sequence[Pla
         wrong += cam_faults(quantities, motions)
         findings += [*check_values(quantities), *unmade, *wrong, *(fault for fault in unread if fault not in wrong)]
     structure = decompose(spelled.mechanism) if not names else Structure(Topology(spelled.mechanism), ())
-    if not findings:
+    if not findings and driven:
         findings = redundant(quantities, structure, values_at(laws, 0.0))
     else:
         findings += structure.findings
     return Prepared(spelled, quantities, structure, laws, motions, tables, spelled.home(findings))
+
+
+def _immobile(topology: Topology) -> list[Finding]:
+    """That a mechanism without drives couldn't move either."""
+    if topology.gruebler > 0:
+        return []
+    return [Finding("model.no-freedom", ("drives",), {"mobility": topology.gruebler})]
 
 
 def examine(
@@ -228,7 +239,15 @@ def examine(
     if assembly.findings:
         return None, made.spelled.home(assembly.findings)
     parts = (made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables, made.motions)
-    return Compiled(*parts, plane=made.spelled.plane, folder=folder), [*made.spelled.warnings]
+    warnings = [*made.spelled.warnings, *_moments(made.quantities)]
+    return Compiled(*parts, plane=made.spelled.plane, folder=folder), warnings
+
+
+def _moments(quantities: Quantities) -> Iterator[Finding]:
+    """A warning that moments of slides in a loop of slides aren't determined."""
+    if slides := quantities.signals.looped:
+        data = {"joints": ", ".join(slides)}
+        yield Finding("structure.moments-indeterminate", ("joints", slides[0]), data, severity="warning")
 
 
 def _said(finding: Finding, others: list[Finding]) -> bool:

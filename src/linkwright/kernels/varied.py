@@ -24,8 +24,10 @@ from linkwright.kernels.tables import fixed_parts, table_faults
 from linkwright.kernels.turning import turns_of
 from linkwright.model.check import check_values
 from linkwright.model.findings import Finding, raise_errors
+from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import Sampled, dependent, names_in
 from linkwright.model.unknown import near
+from linkwright.model.values import tilts
 from linkwright.structure import Group
 
 Array = NDArray[np.float64]
@@ -61,6 +63,9 @@ class Varied:
                 yield Finding("name.unknown-parameter", ("parameters", name), {"name": name, "near": near(name, known)})
         if self.names and self.compiled.passages.every:
             yield Finding("varied.passage", ("studies", "cycle", "through"), {"names": ", ".join(self.names)})
+        for name in self.names if self.compiled.structure.topology.closing_slides else ():
+            if tilted := next(tilts(_altered(quantities, name)), None):
+                yield Finding("varied.slides", ("joints", tilted[0]), {"name": name, "loop": ", ".join(tilted[1])})
         for name, table in quantities.mechanism.tables.items():
             held = {part for node in fixed_parts(table) for part in names_in(node)} & self.varying
             if held:
@@ -243,6 +248,12 @@ class Varied:
         given = dict(zip(self.row, p[:, :, None], strict=True))
         supply.look_up(x, lambda of: of.over(x, p), given)
         supply.ride(x, given)
+
+
+def _altered(quantities: Quantities, name: str) -> Quantities:
+    """The numbers with another value of a parameter, near its own."""
+    value = quantities.parameters[name]
+    return Sampled(quantities, {name: np.array([value + 1e-3 * (abs(value) or 1.0)])}, 1)
 
 
 def _kept(made: dict[Key, Made], key: Key, make: Callable[[], Made]) -> Made:

@@ -82,7 +82,7 @@ class Side:
             return self.value**power * width if math.isfinite(self.value) else math.nan
         germ = self.germ**power if power > 1 else self.germ
         exponents = [float(germ.low + k * germ.step) + 1.0 for k in range(germ.c.size)]
-        return sum(c * width**e / e for c, e in zip(germ.c.tolist(), exponents, strict=True) if e > 0)
+        return math.fsum(c * width**e / e for c, e in zip(germ.c.tolist(), exponents, strict=True) if e > 0)
 
 
 UNKNOWN = Side(math.nan)

@@ -110,7 +110,12 @@ class Table(Frozen):
 class Load(Frozen):
     """A force at a point, or a torque, on a link: constant, or an expression in t, tables and the motion."""
 
-    on: Name = Field(description="the link that is loaded")
+    on: Name = Field(description="the link that is loaded, which may be the frame")
+    against: Name | None = Field(
+        None,
+        description="the link that bears the opposite force or torque, in the same line of action: of a gas force "
+        "the one that closes the cylinder; without it the load comes from outside the mechanism",
+    )
     at: At | None = Field(None, description="where a force acts: a point of the link, or [x, y] in its frame")
     force: Force | None = Field(None, description="[Fx, Fy], or one number that acts along a joint's line")
     along: Name | None = Field(None, description="the prismatic joint whose line a force of one number follows")

@@ -166,6 +166,7 @@ class Builder:
         name: str,
         on: str,
         *,
+        against: str | None = None,
         at: Any = None,
         force: Any = None,
         along: str | None = None,
@@ -173,8 +174,9 @@ class Builder:
         in_: str | None = None,
         window: str | None = None,
     ) -> Self:
-        """A force ``[Fx, Fy]`` at a point (or one number ``along`` a slide), or a torque, on a link."""
-        data = _given(on=on, at=at, force=force, along=along, torque=torque, window=window)
+        """A force ``[Fx, Fy]`` at a point (or one number ``along`` a slide), or a torque, on a link; the opposite acts
+        on the link ``against``, if one is named."""
+        data = _given(on=on, against=against, at=at, force=force, along=along, torque=torque, window=window)
         return self._put("loads", name, data | ({"in": in_} if in_ is not None else {}))
 
     def spring(

@@ -176,8 +176,10 @@ def _loads(m: Mechanism) -> Iterator[Finding]:
             yield unknown("window", (*path, "window"), load.window, m.windows)
         if load.along and load.along not in slides:
             yield unknown("slide", (*path, "along"), load.along, slides)
-        if load.on == FRAME:
-            yield Finding("load.on-frame", path)
+        if load.against is not None and load.against not in m.links:
+            yield unknown("link", (*path, "against"), load.against, m.links)
+        if load.against == load.on:
+            yield Finding("load.against-itself", path, {"name": load.on})
 
 
 def _assembly(m: Mechanism) -> Iterator[Finding]:

@@ -13,6 +13,7 @@ from linkwright.model.expressions import Call, Name, signal_text
 from linkwright.model.findings import Term
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.pins import homes, pins
+from linkwright.model.slides import in_loops
 from linkwright.model.units import Dimension
 from linkwright.model.unknown import near
 
@@ -89,6 +90,11 @@ class Signals:
             found += [Contact(name, a, b, True), Contact(name, b, a, True)]
         return found
 
+    @cached_property
+    def looped(self) -> tuple[str, ...]:
+        """The slides in loops of slides alone: statics doesn't determine how they share moments."""
+        return in_loops(self.mechanism)
+
     @property
     def energies(self) -> dict[str, Dimension]:
         """The energies that a mechanism has."""
@@ -148,7 +154,7 @@ class Signals:
             owners: tuple[str, ...] = (contact.link, contact.on)
             if sum(c.link == contact.link and c.on == contact.on for c in self.contacts) > 1:
                 owners = (*owners, contact.joint)
-            return "force", owners, SLIDE_FORCE if contact.sliding else FORCE
+            return "force", owners, self._of_contact(contact)
         if node.name == "com" and len(names) == 1:
             if names[0] not in self.mechanism.links or not self.mechanism.has_mass(names[0]):
                 raise DimensionError("signal.no-mass", name=names[0])
@@ -156,6 +162,12 @@ class Signals:
         if node.name == "pole" and len(names) == 2:
             return "pole", self._two_links(names), POLE
         raise DimensionError("signal.unknown", name=signal_text(node))
+
+    def _of_contact(self, contact: Contact) -> dict[str, Dimension]:
+        """What is known of a reaction: of a slide in a loop of slides the force alone."""
+        known = SLIDE_FORCE if contact.sliding else FORCE
+        hidden = ("moment", "arm") if contact.joint in self.looped else ()
+        return {name: dimension for name, dimension in known.items() if name not in hidden}
 
     def _two_links(self, names: Sequence[str]) -> tuple[str, ...]:
         for name in names:
@@ -168,6 +180,10 @@ class Signals:
 
     def _called(self, node: Call) -> Signal:
         kind, owners, attributes = self.element(node)
+        hidden = kind == "force" and node.attribute in SLIDE_FORCE.keys() - attributes.keys()
+        if hidden and (joint := self.contact(owners).joint) in self.looped:
+            data = {"attribute": node.attribute, "joint": joint, "loop": ", ".join(self.looped)}
+            raise DimensionError("signal.indeterminate", **data)
         return self._signal(kind, owners, node.attribute or "", attributes)
 
     def _signal(self, kind: str, owners: tuple[str, ...], attribute: str, attributes: dict[str, Dimension]) -> Signal:
@@ -190,7 +206,7 @@ class Signals:
             if (c.joint, c.on) in seen and c.on != c.joint:
                 continue
             seen |= {(c.joint, c.link)}
-            attributes = SLIDE_FORCE if c.sliding else FORCE
+            attributes = self._of_contact(c)
             found += [self._called(Call("force", (Name(c.link), Name(c.on), Name(c.joint)), a)) for a in attributes]
         found += [Signal("shaking", ("shaking",), a, d) for a, d in SHAKING.items()]
         found += [Signal("spring", (name,), a, d) for name in m.springs for a, d in self.attributes(name)[1].items()]

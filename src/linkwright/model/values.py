@@ -13,8 +13,11 @@ from linkwright.model.fields import Expression
 from linkwright.model.findings import Finding, Term
 from linkwright.model.places import Place, Scope, crossed, figure, position_parts, spring_dimensions
 from linkwright.model.quantities import LARGEST, Quantities
+from linkwright.model.slides import pairs_of
 from linkwright.model.units import Dimension
 
+PARALLEL = 1e-9
+"""Directions that differ by less than this angle (rad) are the same."""
 CONSTANT = (Scope.CONSTANT, Scope.LOAD)
 """Where constants stand; a load may vary, and is then looked at while it moves."""
 
@@ -25,7 +28,7 @@ def check_values(quantities: Quantities) -> list[Finding]:
     bad = [finding for place in constant for finding in _finite(quantities, place)]
     if bad and quantities.samples is None:
         return bad
-    return [*bad, *(finding for part in (_bodies, _rods, _intervals) for finding in part(quantities))]
+    return [*bad, *(finding for part in (_bodies, _rods, _slides, _intervals) for finding in part(quantities))]
 
 
 def _finite(q: Quantities, place: Place) -> Iterator[Finding]:
@@ -93,6 +96,33 @@ def _rods(q: Quantities) -> Iterator[Finding]:
             if alike and q.bad(np.logical_and(*map(np.equal, *ends))):
                 points = "-".join(link.shape.points)
                 yield Finding("value.rod", ("links", name, "shape"), {"points": points})
+
+
+def _slides(q: Quantities) -> Iterator[Finding]:
+    unit, size = q.unit_of(u.ANGLE)
+    for name, loop, miss in tilts(q):
+        if q.bad(wrong := np.abs(miss) > PARALLEL):
+            angle = f"{abs(np.extract(wrong, miss)[0]) / size:.6g}"
+            data = {"joint": name, "loop": ", ".join(loop), "angle": angle, "unit": unit}
+            yield Finding("joint.slides-tilted", ("joints", name), data)
+
+
+def tilts(q: Quantities) -> Iterator[tuple[str, list[str], Any]]:
+    """By how much (rad, -pi to pi, of each sample) a slide that closes a loop of slides misses the direction that the
+    others give it, where that isn't 0: its name, those of all slides joined to it, the angle."""
+    parts: dict[str, dict[str, Any]] = {}  # by link the directions of all links that slides join to it
+    pairs = pairs_of(q.mechanism)
+    for name in pairs:
+        joint = q.mechanism.joints[name]
+        assert joint.line is not None
+        (a, b), (here, there) = joint.links, (q.value(line.angle, u.ANGLE) for line in joint.line)
+        first, second = (parts.setdefault(link, {link: 0.0}) for link in (a, b))
+        turn = first[a] + here - second[b] - there
+        if first is not second:
+            first |= {link: angle + turn for link, angle in second.items()}
+            parts |= dict.fromkeys(second, first)
+        elif np.any(np.abs(miss := np.arctan2(np.sin(turn), np.cos(turn))) > PARALLEL):
+            yield name, [other for other, pair in pairs.items() if pair <= first.keys()], miss
 
 
 def _intervals(q: Quantities) -> Iterator[Finding]:

@@ -206,7 +206,7 @@ def _force_plots(result: Result) -> list[Plot | None]:
             name = f"force({contact.link}, {contact.on}, {contact.joint})"
         title = say("plot.force", a=contact.link, b=contact.on)
         found.append(_plot(result, title, "force", [f"{name}.x", f"{name}.y"]))
-        if contact.sliding:
+        if f"{name}.moment" in result.names:
             title = say("plot.moment", a=contact.link, b=contact.on)
             found.append(_plot(result, title, "force", [f"{name}.moment"]))
     motors = result.run.compiled.graph.motors

@@ -261,6 +261,7 @@ class ReportData(TypedDict):
     measures: Sequence[Measure]
     certificate: Sequence[Check]
     limits: NotRequired[Sequence[Grid]]
+    reactions: NotRequired[Sequence[Grid]]
     structure: Sequence[Fact]
     failures: Sequence[Failure]
     model_text: str

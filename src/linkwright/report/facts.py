@@ -56,7 +56,9 @@ def facts(compiled: Compiled) -> list[Fact]:
         drives=say("fact.mobility.cams", drives=motors, cams=len(m.cams)) if m.cams else motors,
         loops=topology.loops,
     )
-    lines += [_fact("mobility", mobility), _fact("order", "; ".join(_order(compiled)))]
+    lines.append(_fact("mobility", mobility))
+    if order := _order(compiled):
+        lines.append(_fact("order", "; ".join(order)))
     masses = [link for link in topology.moving if m.has_mass(link)]
     without = [link for link in topology.moving if link not in masses]
     said = say("fact.mass.none", links=", ".join(without)) if without else say("fact.mass.all")

@@ -160,7 +160,7 @@ def _ranges(entry: dict[str, Any]) -> Iterator[list[str]]:
 def _why(limits: dict[str, Any], found: dict[str, Any]) -> str:
     """What ends a range; the one gap of a turn is told once."""
     if found["full_turn"]:
-        return say("limits.full_turn")
+        return say("limits.full_turn.change-point" if found["change_points"] else "limits.full_turn")
     ends = [found["low"], found["high"]]
     if limits["turns"] and len(limits["ranges"]) == 1 and ends[0]["kind"] == ends[1]["kind"] == "group":
         ends = ends[1:]
@@ -202,6 +202,8 @@ def _loops(entry: dict[str, Any]) -> Iterator[list[str]]:
     for loop in entry["four_links"]:
         kind = say(f"limits.kind.{loop['kind']}", fixed=loop["fixed"] or "-")
         turning = ", ".join(loop["turning"]) or say("limits.none")
+        if loop["turning"] and loop["kind"] == "change-point":
+            turning = say("limits.turning.change-point", links=turning)
         yield [", ".join(loop["links"]), kind, turning, _number(loop["margin"]), loop["unit"]]
 
 

@@ -51,6 +51,7 @@ def page(data: ReportData) -> str:
             sections.measures(data),
             sections.certificate(data),
             sections.limits(data),
+            sections.reactions(data),
             sections.sweep(data),
             sections.accuracy(data),
             sections.workspace(data),

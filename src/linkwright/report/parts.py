@@ -22,6 +22,7 @@ from linkwright.report.data import Measure
 from linkwright.report.facts import checks
 from linkwright.report.limits import limits_entry, limits_tables
 from linkwright.report.modes import modes_data, told
+from linkwright.report.reactions import reactions_csv, reactions_entry, reactions_tables
 from linkwright.report.summary import cycle_entry
 from linkwright.report.sweep import sweep_entry, sweep_page
 from linkwright.report.sweep_files import bands_csv, samples_csv
@@ -156,6 +157,12 @@ PARTS: dict[str, Part] = {
             "workspace.dxf": dxf,
             **WORKSPACE_FILES,
         },
+    ),
+    "reactions": Part(
+        summary=reactions_entry,
+        page=lambda outcome: {"reactions": reactions_tables(outcome)},
+        result=lambda outcome: outcome.result,
+        files={"reactions.csv": reactions_csv},
     ),
     "cam": Part(summary=cam_entry, page=cam_page, result=lambda outcome: outcome.result, files=CAM_FILES),
 }

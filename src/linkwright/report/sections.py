@@ -41,6 +41,7 @@ def header(data: ReportData) -> str:
 def _contents(data: ReportData) -> str:
     parts = [("mechanism", True), ("measures", bool(data["measures"]))]
     parts += [("certificate", bool(data["certificate"])), ("limits", bool(data.get("limits")))]
+    parts += [("reactions", bool(data.get("reactions")))]
     parts += [("sweep", "sweep" in data), ("accuracy", "accuracy" in data), ("workspace", "workspace" in data)]
     parts += [("cam", "cam" in data)]
     parts += [(group, any(plot["group"] == group for plot in data["plots"])) for group in GROUPS]
@@ -118,9 +119,19 @@ def _check(check: Check, data: ReportData) -> Sequence[str]:
 
 def limits(data: ReportData) -> str:
     """The tables of the limits study."""
-    grids = "".join(_grid(grid) for grid in data.get("limits", []))
-    title = escape(data["words"]["report.limits"]) if grids else ""
-    return grids and f'<section id="limits"><h2>{title}</h2>{grids}</section>'
+    return _grids(data, "limits", data.get("limits", []))
+
+
+def reactions(data: ReportData) -> str:
+    """The tables of a structure's reactions."""
+    return _grids(data, "reactions", data.get("reactions", []))
+
+
+def _grids(data: ReportData, name: str, grids: Iterable[Grid]) -> str:
+    """A section of tables alone."""
+    tables = "".join(map(_grid, grids))
+    title = escape(data["words"][f"report.{name}"])
+    return tables and f'<section id="{name}"><h2>{title}</h2>{tables}</section>'
 
 
 def _grid(grid: Grid) -> str:

@@ -38,7 +38,7 @@ class Reports:
         self.compiled, self.t, self.count = compiled, t, t.size
         self.mechanism, self.topology = compiled.mechanism, compiled.structure.topology
         self.geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
-        self.contacts = compiled.quantities.signals.contacts
+        self.contacts, self.looped = compiled.quantities.signals.contacts, compiled.quantities.signals.looped
         self.names = self._names()
         self.rows: dict[str, Array] = dict(zip(self.names, compiled.evaluate(self.names, t), strict=True))
 
@@ -48,7 +48,8 @@ class Reports:
         names += [f"{link}.{rate}" for link in moving for rate in ("omega", "alpha")]
         names += [f"com({link}).{rate}{axis}" for link in self.masses for rate in ("", "v", "a") for axis in "xy"]
         names += [f"{self.home(link)}.v{axis}" for link in moving for axis in "xy"]
-        names += [self.force_name(c, a) for c in self.contacts for a in (("x", "y", "moment") if c.sliding else "xy")]
+        names += [self.force_name(c, a) for c in self.contacts for a in "xy"]
+        names += [self.force_name(c, "moment") for c in self.contacts if c.sliding and c.joint not in self.looped]
         names += [f"{n}.{a}" for n, d in drives.items() for a in (d.effort, d.rate)]
         names += [f"{d.motor}.angle" for d in drives.values() if isinstance(d, Following)]
         names += [s.text for s in self.compiled.graph.actions.signals]
@@ -123,7 +124,7 @@ class Reports:
         return found
 
     def loads(self) -> list[Applied]:
-        """The loads of the model."""
+        """The loads of the model; of a load between two links both sides."""
         found: list[Applied] = []
         for load in self.mechanism.loads.values():
             inside = self.inside(load)
@@ -135,7 +136,10 @@ class Reports:
                 heading = self.geometry.line(load.along, turns_with)[1]
                 local = Pair(force.x * heading.x, force.x * heading.y)
             place = self.at(load.on, self.geometry.place(load.on, load.at))
-            found.append((load.on, self.turned(turns_with, local), place, torque))
+            applied = self.turned(turns_with, local)
+            found.append((load.on, applied, place, torque))
+            if load.against:
+                found.append((load.against, -applied, place, -torque))
         return found
 
     def value(self, expression: Expression, dimension: Dimension) -> Array:
@@ -212,13 +216,14 @@ class Reports:
         return angle + 2 * np.pi * turns, omega - omega0, nowhere, [(link, nowhere) for link in links]
 
     def reactions(self) -> list[Applied]:
-        """What joints do to links, from the reported reactions."""
+        """What joints do to links, from the reported reactions; the moments of slides in loops of slides are unknown
+        and left out."""
         found: list[Applied] = []
         for c in self.contacts:
             force = np.array([self.rows[self.force_name(c, axis)] for axis in "xy"])
             if c.sliding:
                 place, _ = self.line(c.joint, self.mechanism.joints[c.joint].links[1])
-                found.append((c.on, force, place, self.rows[self.force_name(c, "moment")]))
+                found.append((c.on, force, place, self.rows.get(self.force_name(c, "moment"), 0.0)))
             else:
                 # Reported is the force of the link on the pin; the pin answers with the opposite.
                 found.append((c.link, -force, self.pinned(c.link, c.joint), 0.0))

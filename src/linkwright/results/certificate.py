@@ -134,9 +134,11 @@ def closure(r: Reports) -> float:
 def equilibrium(r: Reports) -> float:
     """The worst force or moment left on a link under its reactions, efforts, loads, gravity and inertia.
 
-    The frame is held by the reported shaking force and moment.
+    The frame is held by the reported shaking force and moment. Links in a loop of slides, between which any moments
+    may pass, balance in moments together.
     """
     forces = {link: np.zeros((2, r.count)) for link in r.mechanism.links}
+    part_of = loops_of_slides(r)
     moments = {link: np.zeros(r.count) for link in r.mechanism.links}
     origin, shaking = np.zeros((2, r.count)), r.vector("shaking.")
     held = (FRAME, -shaking, origin, -r.rows["shaking.moment"])
@@ -144,11 +146,20 @@ def equilibrium(r: Reports) -> float:
     applied = [*r.loads(), *r.springs(), *r.inertia_and_gravity()]
     for link, force, place, moment in (*r.reactions(), *r.efforts(), *applied, held):
         forces[link] += force
-        moments[link] += _cross(place, force) + moment
+        moments[part_of[link]] += _cross(place, force) + moment
         largest = max(largest, _worst(np.hypot(*force)), _worst(moment) / r.size())
     rests = [max(_worst(forces[link]), _worst(moments[link]) / r.size()) for link in r.mechanism.links]
     rests += [_worst(misfit) / (1.0 if sort == "force" else r.size()) for sort, misfit in r.spring_misfits()]
     return float(np.max(rests)) / largest
+
+
+def loops_of_slides(r: Reports) -> dict[str, str]:
+    """By link the one that stands for its loop of slides: the link itself where it is in none."""
+    part_of = {link: link for link in r.mechanism.links}
+    for name in r.looped:
+        a, b = (part_of[link] for link in r.mechanism.joints[name].links)
+        part_of = {link: a if part == b else part for link, part in part_of.items()}
+    return part_of
 
 
 def power(r: Reports) -> float:

@@ -2,7 +2,7 @@
 
 from linkwright.model.mechanism import FRAME
 from linkwright.structure.decomposition import decompose
-from linkwright.structure.steps import Chain, Cluster, Driven, Edge, Group, Step, Structure
+from linkwright.structure.steps import Chain, Cluster, Driven, Edge, Group, Step, Structure, Wedge
 from linkwright.structure.topology import Connection, Topology
 
 __all__ = [
@@ -16,5 +16,6 @@ __all__ = [
     "Step",
     "Structure",
     "Topology",
+    "Wedge",
     "decompose",
 ]

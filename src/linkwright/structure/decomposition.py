@@ -13,7 +13,7 @@ from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Mechanism
 from linkwright.structure.placed import Placed
 from linkwright.structure.refusals import apart, redundant, unsolved
-from linkwright.structure.steps import Chain, Cluster, Driven, Edge, Group, Step, Structure
+from linkwright.structure.steps import Chain, Cluster, Driven, Edge, Group, Step, Structure, Wedge
 from linkwright.structure.topology import Connection, Topology
 
 
@@ -25,7 +25,7 @@ class _Search(Placed):
     def run(self) -> Structure:
         self.find_drives()
         if not self.findings:
-            while self.drive_one() or self.group_one() or self.cluster_one():
+            while self.drive_one() or self.group_one() or self.wedge_one() or self.cluster_one():
                 pass
             self.findings += unsolved(self)
             if not self.left and not self.findings:
@@ -83,6 +83,19 @@ class _Search(Placed):
                 sides = [(*single[link], self.chain(single[link][0], link)) for link in (a, b)]
                 if group := _dyad(sides[0], inner, sides[1]):
                     return self.place(group)
+        return False
+
+    def wedge_one(self) -> bool:
+        """Solve one link on two slides of known links, that are joined by slides alone on the other side too."""
+        for body in self.held_bodies():
+            outer = [(at, c) for at in body for c in self.outers(at)]
+            if len(outer) != 2 or any(c.letter == "R" for _, c in outer):
+                continue
+            (first, a), (second, b) = outer
+            chain = self.chain(first, second)
+            twice = not chain and a.other(first) == b.other(second)
+            if not twice and not self.freedom([first, *(edge.link for edge in chain)]):
+                return self.place(Wedge(first, (a, b), chain))
         return False
 
     def held_bodies(self) -> list[list[str]]:
@@ -163,6 +176,8 @@ class _Search(Placed):
         return found
 
 
+TWICE = "structure.redundant"
+
 _Side = tuple[str, Connection, Chain]
 """One side of a dyad: the link at the outer joint, that joint, the way to the link at the inner joint."""
 
@@ -178,7 +193,9 @@ def _dyad(a: _Side, inner: Connection, b: _Side) -> Group | None:
 def decompose(mechanism: Mechanism) -> Structure:
     """The structure of a mechanism whose names are sound (see :func:`linkwright.model.check.check_names`)."""
     structure = _Search(Topology(mechanism)).run()
-    if all(finding.code != "structure.overconstrained" for finding in structure.findings):
+    looped = structure.topology.closing_slides
+    excess = [f for f in structure.findings if f.code == "structure.overconstrained" or (looped and f.code == TWICE)]
+    if not excess:
         return structure
     spare = _spare_drive(mechanism)
     return structure if spare is None else Structure(structure.topology, structure.steps, (spare,))

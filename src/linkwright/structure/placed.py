@@ -8,6 +8,7 @@ from itertools import combinations
 from typing import ClassVar
 
 from linkwright.model.mechanism import FRAME, Drive
+from linkwright.model.slides import closing
 from linkwright.structure.topology import Connection, Topology
 
 
@@ -54,7 +55,8 @@ class Placed:
         return next((subset for subset in self.subsets(links, 1) if self.freedom(subset) < 0), [])
 
     def freedom(self, part: list[str]) -> int:
-        """Gruebler's count of a set of links that hangs on the known ones, less its drives."""
+        """Gruebler's count of a set of links that hangs on the known ones, less its drives; a slide that closes a loop
+        of slides counts once instead of twice."""
         inside = {*part, *self.known}
         joints = 0
         for pin in self.topology.pins.values():
@@ -64,7 +66,15 @@ class Placed:
             c.letter == "P" and {c.a, c.b} <= inside and (c.a in part or c.b in part) for c in self.topology.connections
         )
         driven = sum({c.a, c.b} <= inside and (c.a in part or c.b in part) for c in self.joints.values())
-        return 3 * len(part) - 2 * joints - driven
+        return 3 * len(part) - 2 * joints - driven + self.closing_slides(inside)
+
+    def closing_slides(self, inside: set[str]) -> int:
+        """How many slides close loops of slides among some links, but those among the known ones."""
+        if not self.topology.closing_slides:
+            return 0
+        slides = [(name, pair) for name, pair in self.topology.slide_pairs.items() if pair <= inside]
+        known = [(name, pair) for name, pair in slides if pair <= {*self.known}]
+        return len(closing(slides)) - len(closing(known))
 
     def parts(self, left: list[str]) -> Iterator[list[str]]:
         """The links left, as connected parts."""

@@ -26,6 +26,8 @@ def unsolved(placed: Placed) -> Iterator[Finding]:
             yield Finding("structure.loose", path, data)
         elif freedom < 0:
             yield Finding("structure.overconstrained", path, {"links": names, "excess": -freedom})
+        elif placed.closing_slides({*part, *placed.known}):
+            yield Finding("structure.loop-of-slides", path, {"links": names})
         else:
             yield Finding("structure.higher-group", path, {"links": names, "most": placed.LARGEST})
 

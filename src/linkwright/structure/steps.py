@@ -1,4 +1,4 @@
-"""The steps in which a mechanism is solved: driven links, dyads, and groups beyond the dyads."""
+"""The steps in which a mechanism is solved: driven links, dyads, links on two slides, and groups beyond the dyads."""
 
 from __future__ import annotations
 
@@ -126,6 +126,46 @@ class Group:
 
 
 @dataclass(frozen=True)
+class Wedge:
+    """A link on two slides whose direction is known: all joints of its loop are slides.
+
+    ``outer`` are the two slides; the first one's direction is that of the link, the second one closes the loop by one
+    equation. Links that drives hold on each other count as one: ``chain`` leads from the link at the first slide to the
+    one at the second, empty where that is the same link.
+    """
+
+    link: str
+    outer: tuple[Connection, Connection]
+    chain: Chain = ()
+
+    signature = "PP"
+
+    @property
+    def links(self) -> tuple[str, ...]:
+        """All its links, from the first slide to the second."""
+        return (self.link, *(edge.link for edge in self.chain))
+
+    @property
+    def bases(self) -> tuple[str, str]:
+        """The known links on which it slides."""
+        return self.outer[0].other(self.links[0]), self.outer[1].other(self.links[-1])
+
+    @property
+    def drives(self) -> tuple[str, ...]:
+        """The drives inside."""
+        return tuple(edge.drive for edge in self.chain if edge.drive)
+
+    @property
+    def label(self) -> str:
+        """Its name in words: its links."""
+        return "-".join(self.links)
+
+    @property
+    def joints(self) -> tuple[Connection, ...]:
+        return (*self.outer, *(edge.joint for edge in self.chain))
+
+
+@dataclass(frozen=True)
 class Cluster:
     """A group beyond the dyads: links placed one on another over a tree of joints, and the joints that close it.
 
@@ -175,7 +215,7 @@ class Cluster:
         return (*(edge.joint for edge in self.edges), *self.closures)
 
 
-Step = Driven | Group | Cluster
+Step = Driven | Group | Wedge | Cluster
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ from functools import cached_property
 
 from linkwright.model.mechanism import FRAME, Drive, Mechanism
 from linkwright.model.pins import Pin, pins
+from linkwright.model.slides import closing, pairs_of
 
 
 @dataclass(frozen=True)
@@ -68,8 +69,19 @@ class Topology:
 
     @property
     def gruebler(self) -> int:
-        """Mobility by Gruebler's count, 3 n - 2 j over the n moving links and j joints."""
-        return 3 * len(self.moving) - 2 * self.joint_count
+        """Mobility by Gruebler's count, 3 n - 2 j over the n moving links and j joints; one more for each slide that
+        closes a loop of slides alone, since its direction is held by the others already."""
+        return 3 * len(self.moving) - 2 * self.joint_count + len(self.closing_slides)
+
+    @cached_property
+    def slide_pairs(self) -> dict[str, frozenset[str]]:
+        """The links of slides, as :mod:`linkwright.model.slides` counts them."""
+        return pairs_of(self.mechanism)
+
+    @cached_property
+    def closing_slides(self) -> tuple[str, ...]:
+        """The slides that close loops of slides, one for each independent loop."""
+        return tuple(closing(self.slide_pairs.items()))
 
     @property
     def loops(self) -> int:

@@ -1,7 +1,7 @@
 """Studies: what a model file asks to be done with its mechanism."""
 
 from linkwright.measures import MeasureResult
-from linkwright.studies import cycle, limits, modes, sweeping  # noqa: F401  (each registers itself)
+from linkwright.studies import cycle, limits, modes, reactions, sweeping  # noqa: F401  (each registers itself)
 from linkwright.studies.accuracy.study import AccuracyStudy  # noqa: F401
 from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.studies.cam.study import CamStudy  # noqa: F401

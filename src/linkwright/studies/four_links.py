@@ -8,11 +8,13 @@ from dataclasses import dataclass
 
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
+from linkwright.model.cylinders import links_of
 from linkwright.structure import FRAME
 from linkwright.structure.loops import Loop, loops_of_four
+from linkwright.studies.feasible import TOUCH
 
-EQUAL = 1e-12
-"""A margin within this share of the lengths' sum is a change point."""
+EQUAL = TOUCH / 10
+"""A margin within this share of the lengths' sum is a change point: the reach of its dyads only touches zero there."""
 
 
 @dataclass(frozen=True)
@@ -21,8 +23,8 @@ class FourLinks:
 
     ``lengths`` (m) belong to ``links`` (of a slider-crank: crank, rod, offset). ``margin`` (m) is s + l - (p + q) of a
     four-bar and r + e - l of a slider-crank with r the shorter one: negative where ``shortest`` turns fully
-    against the others, zero at a change point. ``fixed`` is the frame, where it is one of the four. ``kind`` is a key
-    of the catalogue.
+    against the others, zero (within ``EQUAL``) at a change point. ``fixed`` is the frame, where it is one of the four.
+    ``kind`` is a key of the catalogue.
     """
 
     family: str
@@ -35,13 +37,32 @@ class FourLinks:
 
     @property
     def turning(self) -> tuple[str, ...]:
-        """The links that turn fully: the shortest, or where that is the frame its two neighbours."""
-        if self.margin >= 0 or self.kind == "change-point":
+        """The links that turn fully: the shortest, or where that is the frame its two neighbours.
+
+        At a change point they turn through it, and of two equally short links both do. A driven slide turns none of
+        them: it can't move its loop through the dead centres at which it stands.
+        """
+        if not at_most(self.margin, sum(self.lengths)) or self.kind == "driven-slide":
             return ()
-        if self.shortest != FRAME:
-            return (self.shortest,)
-        at = self.links.index(FRAME)
-        return self.links[at - 1], self.links[(at + 1) % 4]
+        at = self.links.index(self.fixed or self.shortest)
+        beside = self.links[at - 1], self.links[(at + 1) % 4]
+        if self.shortest == FRAME:
+            return beside
+        if self.kind == "change-point" and self.family == "four-bar" and self.fixed:
+            return tuple(link for link in beside if self._passes(link, FRAME)) or (self.shortest,)
+        return (self.shortest,)
+
+    def _passes(self, link: str, base: str) -> bool:
+        """Whether the other two links of a four-bar span all distances of the far ends of these two."""
+        size = sum(self.lengths)
+        a, b = (self.lengths[self.links.index(name)] for name in (link, base))
+        c, d = (self.lengths[i] for i, name in enumerate(self.links) if name not in (link, base))
+        return at_most(a + b - (c + d), size) and at_most(abs(c - d) - abs(a - b), size)
+
+
+def at_most(margin: float, size: float) -> bool:
+    """Whether a margin (m) is negative or that of a change point, of links whose lengths add up to ``size`` (m)."""
+    return margin <= EQUAL * size
 
 
 def four_links(compiled: Compiled) -> list[FourLinks]:
@@ -75,7 +96,7 @@ def _four_bar(compiled: Compiled, geometry: Geometry, loop: Loop) -> FourLinks:
     s, p, q, longest = (lengths[i] for i in order)
     margin = (s + longest) - (p + q)
     fixed = FRAME if FRAME in loop.links else None
-    if abs(margin) <= EQUAL * sum(lengths):
+    if at_most(abs(margin), sum(lengths)):
         kind = "change-point"
     elif fixed is None:
         kind = "grashof" if margin < 0 else "non-grashof"
@@ -101,7 +122,9 @@ def _slider_crank(compiled: Compiled, geometry: Geometry, loop: Loop) -> FourLin
     margin = min(r, l) + offset - max(r, l)
     shortest = crank if r <= l else rod
     fixed = FRAME if FRAME in loop.links else None
-    if abs(margin) <= EQUAL * (r + l + offset):
+    if FRAME not in (guide, slider) and (inverted := _inverted(compiled, loop)):
+        kind = inverted
+    elif at_most(abs(margin), r + l + offset):
         kind = "change-point"
     elif fixed is None:
         kind = "slider-chain"
@@ -110,6 +133,15 @@ def _slider_crank(compiled: Compiled, geometry: Geometry, loop: Loop) -> FourLin
     else:
         kind = "turning-block" if shortest == FRAME else "rocking-block"
     return FourLinks("slider-crank", loop.links, (r, l, offset), shortest, fixed, kind, margin)
+
+
+def _inverted(compiled: Compiled, loop: Loop) -> str | None:
+    """The kind of a loop whose slide, its last joint, is driven, or belongs to a cylinder on the frame."""
+    m, slide = compiled.mechanism, loop.joints[3]
+    if any(slide.joint == c.joint for name in m.drives for c in compiled.structure.topology.driven(name)):
+        return "driven-slide"
+    cylinder = any({*links_of(name)} == {slide.a, slide.b} for name in m.cylinders)
+    return "cylinder" if cylinder and FRAME in loop.links else None
 
 
 def _across(compiled: Compiled, geometry: Geometry, loop: Loop, link: int, pin: int) -> float:

@@ -16,7 +16,11 @@ from linkwright.studies.site import Site
 
 
 class Study(Protocol):
-    """What a study gives: its name in the file, its options, and a run that makes an outcome."""
+    """What a study gives: its name in the file, its options, and a run that makes an outcome.
+
+    One that is about another kind of mechanism than one that is driven brings an ``examine`` of its own, in place of
+    :func:`linkwright.kernels.examine`; then it stands alone in its file.
+    """
 
     name: ClassVar[str]
     options: ClassVar[type[BaseModel]]

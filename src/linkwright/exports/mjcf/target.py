@@ -52,6 +52,9 @@ class Mjcf:
         """Options without a value."""
         findings = [*_tiny_mass(compiled, options)[1], *_timestep(compiled, options)[1]]
         findings += duration(compiled, None, self.name, options.duration)[1]
+        if closing := compiled.structure.topology.closing_slides:
+            data = {"name": self.name, "joints": ", ".join(closing)}
+            findings.append(Finding("export.cannot-close-slides", ("exports", self.name), data))
         return findings
 
     def export(self, compiled: Compiled, options: MjcfOptions, site: Site) -> Exported:

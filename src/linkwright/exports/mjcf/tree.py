@@ -55,7 +55,8 @@ class _Sets:
 def needed(topology: Topology) -> list[Connection]:
     """The joints that must be in the tree, since only there they can be written: slides, and those at which drives act.
 
-    They close no loop: with its drives held it would be overconstrained, which the structure refuses.
+    They close no loop: loops of slides alone aren't exported, and with its drives held another one would be
+    overconstrained, which the structure refuses.
     """
     slides = [c for c in topology.connections if c.letter == "P"]
     acting = [topology.acting(drive)[0] for drive in topology.mechanism.drives]

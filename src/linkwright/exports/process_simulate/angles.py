@@ -7,10 +7,10 @@ from collections.abc import Callable, Mapping
 from linkwright.exports.process_simulate.dialects import Dialect
 from linkwright.exports.process_simulate.dyads import solve
 from linkwright.exports.process_simulate.joints import ToolJoint, driving
-from linkwright.exports.process_simulate.linkage import MM, Linkage, Refused, shared_pin
+from linkwright.exports.process_simulate.linkage import MM, Linkage, Refused, shared_pin, wedge
 from linkwright.exports.process_simulate.trees import Array, Tree, multiply, number
 from linkwright.graph.geometry import Geometry
-from linkwright.structure import Cluster, Driven, Group, Structure
+from linkwright.structure import Cluster, Driven, Group, Structure, Wedge
 
 Fit = Callable[[Linkage, Cluster], None]
 """Gives the joints of a cluster functions of another kind."""
@@ -49,6 +49,8 @@ def linkage(
             links.finish()
         elif isinstance(step, Group):
             solve(links, dialect, step)
+        elif isinstance(step, Wedge):
+            raise Refused(wedge(step))
         elif fit is not None:
             fit(links, step)
     return links

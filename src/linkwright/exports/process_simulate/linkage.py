@@ -13,7 +13,7 @@ from linkwright.exports.process_simulate.vectors import Angle, Arm, Vector
 from linkwright.graph.geometry import Geometry
 from linkwright.model.findings import Finding
 from linkwright.notation import Pair
-from linkwright.structure import FRAME, Connection, Group, Structure
+from linkwright.structure import FRAME, Connection, Group, Structure, Wedge
 
 MM = 1000.0
 OWN = "?"
@@ -31,6 +31,12 @@ class Refused(Exception):
 def shared_pin(drive: str, pin: str) -> Finding:
     """That the joint which a drive moves isn't one of the tool's."""
     return Finding("functions.shared-pin", ("exports", "process-simulate"), {"drive": drive, "pin": pin})
+
+
+def wedge(step: Wedge) -> Finding:
+    """That a link on two slides has no function."""
+    data = {"links": ", ".join(step.links), "slides": " and ".join(c.joint for c in step.outer)}
+    return Finding("functions.wedge", ("exports", "process-simulate"), data)
 
 
 @dataclass(frozen=True)

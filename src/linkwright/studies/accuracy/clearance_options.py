@@ -116,6 +116,8 @@ def _of_guide(
     if entry.length is None:
         yield Finding("clearance.no-length", path, {"name": name})
     links = m.joints[name].links
+    if name in (loop := compiled.quantities.signals.looped):
+        yield Finding("clearance.indeterminate", path, {"name": name, "loop": ", ".join(loop)})
     if entry.centre is not None and not any(entry.centre in m.links[link].points for link in links):
         data = {"name": entry.centre, "links": ", ".join(links)}
         yield Finding("clearance.centre", (*path, "centre"), data)

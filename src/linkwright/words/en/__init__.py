@@ -6,6 +6,7 @@ from linkwright.words.en.export import EXPORT
 from linkwright.words.en.findings import FINDINGS
 from linkwright.words.en.limits import LIMITS
 from linkwright.words.en.process_simulate import PROCESS_SIMULATE
+from linkwright.words.en.reactions import REACTIONS
 from linkwright.words.en.report import REPORT
 from linkwright.words.en.sheet import SHEET
 from linkwright.words.en.sweep import SWEEP
@@ -21,6 +22,7 @@ PARTS = (
     FINDINGS,
     LIMITS,
     PROCESS_SIMULATE,
+    REACTIONS,
     REPORT,
     SHEET,
     SWEEP,

@@ -271,6 +271,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "'{attribute}' isn't a signal of {name}.",
         "Write one of these: {known}.",
     ),
+    "signal.indeterminate": (
+        "The {attribute} in the slide {joint} isn't determined by statics: the slides {loop} hold each other's "
+        "direction, and a couple may go round through all of them.",
+        "Ask for the forces .x, .y or .normal instead, or pin one of the links to a sliding block.",
+    ),
     "signal.no-joint": (
         "{a} and {b} don't touch each other, so there is no force between them.",
         "Write one of these: {options}. With three links on a pin, name the pin as the second.",
@@ -308,6 +313,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "model.no-points": (
         "The link {name} has no points, so nothing can be joined to it.",
         "Give it points, for example points: {{A: [0, 0], B: [100, 0]}}.",
+    ),
+    "model.no-freedom": (
+        "There is no drive, and by Gruebler's count (mobility {mobility}) nothing that one could move.",
+        "For the reactions of a structure write studies: {{reactions: {{}}}}. For a motion, remove a joint or split a link, "
+        "and add a drive.",
     ),
     "model.no-drive": (
         "There is no drive, so nothing says how the mechanism moves.",
@@ -571,9 +581,14 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "A force along a slide has its direction from the slide; 'in' has no meaning for it.",
         "Take 'in' out.",
     ),
-    "load.on-frame": (
-        "The load acts on the frame, which doesn't move: it has no effect.",
-        "Put the load on a moving link, or take it out.",
+    "joint.slides-tilted": (
+        "The slide {joint} doesn't close the loop of the slides {loop}: the directions of its two lines differ by "
+        "{angle} {unit} from what the others say.",
+        "Correct the angles in line, so that around the loop they add up to the same direction.",
+    ),
+    "load.against-itself": (
+        "The load acts on {name} against {name} itself: the two forces cancel.",
+        "Name another link under against, or remove it if the load comes from outside the mechanism.",
     ),
     "load.signal": (
         "The load depends on '{name}', which itself results from the forces.",
@@ -965,6 +980,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Choose another path, another speed of the motor, or another start; or allow it.",
     ),
     # Many parameter sets of one mechanism.
+    "varied.slides": (
+        "The directions of the slides {loop} agree for the given value of {name} alone: for any other one their loop "
+        "can't be put together.",
+        "Write both lines of each slide with {name}, or don't vary it.",
+    ),
     "varied.passage": (
         "The motion goes on through a change point (through: keep), which another value of {names} would move.",
         "Vary the parameters of a motion without change points.",
@@ -1093,6 +1113,56 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Look for a singular pose, a cam that locks its follower, a division by zero or a window that isn't reached; or "
         "narrow the ranges.",
     ),
+    "study.alone": (
+        "The study {study} is about a structure that nothing moves; {name} needs a motion.",
+        "Put {name} into a file of its own, with a drive.",
+    ),
+    "reactions.drives": (
+        "The mechanism is driven by {names}; the study reactions is for structures that nothing drives.",
+        "Write studies: {{cycle: ...}} for the forces of a motion, or remove the drives.",
+    ),
+    "reactions.time": (
+        "The time '{text}' isn't a number from 0 on.",
+        "Write a time, for example at: 0.5 s.",
+    ),
+    "reactions.several-poses": (
+        "The links can be put together in {count} ways or more, and nothing says which.",
+        "Give the places of the points in sketch, or a side under assembly.",
+    ),
+    "reactions.not-closed": (
+        "The joints of the structure can't all close: at the best pose found they miss by {miss} {unit}.",
+        "Correct the lengths, or give the places of the points in sketch.",
+    ),
+    "reactions.not-finite": (
+        "What acts on {links} has no finite value.",
+        "Look for a table asked outside its range, or a division by zero; the option at says when loads are taken.",
+    ),
+    "reactions.moves": (
+        "The structure doesn't stand: its joints leave a motion on which the loads do work. It would move {links}.",
+        "Add a support or a bar that holds these links, or correct the dimensions.",
+    ),
+    "reactions.indeterminate": (
+        "The structure is statically indeterminate to degree {degree}: reactions of {joints} depend on the stiffness of "
+        "its parts and have no value here.",
+        "Nothing needs to be changed. For all reactions, release supports (let one end slide) until nothing is held twice.",
+    ),
+    "reactions.neutral": (
+        "The joints leave motions ({motions}) on which the loads do no work: the structure stands by chance.",
+        "Add a support or a bar if it is to stand under other loads too.",
+    ),
+    "reactions.no-load": (
+        "Nothing acts on the structure, so all its reactions are zero.",
+        "Add loads, springs, or gravity with masses.",
+    ),
+    "reactions.unproven": (
+        "Verification failed: the joints or the equilibrium miss by {residual} of the size or of the largest force (limit "
+        "1e-9).",
+        "Look for links that are nearly in line, so that small errors of lengths make large forces.",
+    ),
+    "reactions.measures": (
+        "The study reactions evaluates no measures: {names}.",
+        "Read the reactions from its table, or remove the measures.",
+    ),
     "study.none": (
         "The file asks for no study.",
         "Add one, for example studies: {{cycle: {{period: 1.5 s, samples: 200}}}}.",
@@ -1163,6 +1233,14 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "functions.no-dependent": (
         "No joint depends on {drive}: there is nothing to write a function for.",
         "Close a loop, take a joint out of left_out, or leave the export out; a joint that is driven alone needs no function.",
+    ),
+    "export.cannot-close-slides": (
+        "{name} can't write a loop of slides alone, which {joints} would close: its loops are closed by pins.",
+        "Pin one of the links to a sliding block of its own, or don't export this mechanism.",
+    ),
+    "functions.wedge": (
+        "{links} lies in a loop of slides (on {slides}), for which no joint functions are written.",
+        "Write the functions by hand: the travels of such a loop are proportional to each other.",
     ),
     "functions.shared-pin": (
         "The drive {drive} moves two links against each other on the pin {pin}, which holds others that are placed before "
@@ -1311,6 +1389,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "clearance.not-positive": (
         "The length {text} isn't positive.",
         "Give a positive length; a joint without clearance needn't be named.",
+    ),
+    "clearance.indeterminate": (
+        "The clearance of {name} needs its moment, which isn't determined: the slides {loop} hold each other's direction.",
+        "Remove this clearance, or pin one of the links to a sliding block.",
     ),
     "clearance.no-length": (
         "The guide {name} has no length, which decides whether its slider tilts.",
@@ -1643,11 +1725,25 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "{part} could move along as a redundant part, but its joints miss by {miss} {unit} on the way.",
         "Correct its dimensions, or leave it out of the model.",
     ),
+    "structure.moments-indeterminate": (
+        "The slides {joints} hold each other's direction: their forces are determined, but not how they share moments. "
+        "Their moments and arms aren't reported.",
+        "Nothing needs to be changed. For the moments, pin one of the links to a sliding block instead of guiding it.",
+    ),
+    "structure.loop-of-slides": (
+        "The links {links} can't be placed one after the other: they lie in loops of slides alone, which linkwright "
+        "solves one link at a time.",
+        "Drive another link, or replace one slide by a pin and a sliding block.",
+    ),
     "structure.redundant": (
         "The joint {joint} between {links} holds what other joints hold already, so its forces are undetermined.",
         "Take this joint out, or the link that doubles another.",
     ),
     # Assembly and motion.
+    "assembly.slides-parallel": (
+        "The slides {joints} of {link} are parallel, so that nothing places it along them.",
+        "Correct the angles in line, or drive {link}.",
+    ),
     "assembly.missing": (
         "{links} can be put together in two ways, and nothing says which.",
         "Add to assembly: {options}. Or give the point's place in a sketch: [x, y].",

@@ -30,6 +30,7 @@ LIMITS: dict[str, str] = {
     "limits.column.margin": "Margin",
     "limits.motion": "the motion",
     "limits.full_turn": "Turns fully.",
+    "limits.full_turn.change-point": "Turns fully, through change points.",
     "limits.no_range": "Can't move alone: it stands at a dead point.",
     "limits.end.window": "At {at} it goes on: no more was looked at.",
     "limits.end.stroke": "At {at} the cylinder's stroke ends.",
@@ -39,6 +40,7 @@ LIMITS: dict[str, str] = {
     "limits.whole_turns": "{turns} turn(s)",
     "limits.everywhere": "everywhere",
     "limits.none": "none",
+    "limits.turning.change-point": "{links}, through change points",
     "limits.without_limit": "no limit",
     "limits.kind.crank-rocker": "crank-rocker",
     "limits.kind.double-crank": "double-crank (drag-link)",
@@ -51,4 +53,6 @@ LIMITS: dict[str, str] = {
     "limits.kind.slider-chain": "slider-crank, none of its links fixed",
     "limits.kind.turning-block": "turning block (Whitworth)",
     "limits.kind.rocking-block": "rocking block (crank-shaper)",
+    "limits.kind.driven-slide": "inverted slider-crank, driven by its slide (cylinder)",
+    "limits.kind.cylinder": "inverted slider-crank with an oscillating cylinder",
 }

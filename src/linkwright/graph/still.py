@@ -1,0 +1,70 @@
+"""A mechanism that stands at one pose, as the graph of its signals: all rates are zero."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.graph.actions import wrenches
+from linkwright.graph.forces import own_wrench
+from linkwright.graph.geometry import ZERO, Geometry
+from linkwright.graph.graph import Graph
+from linkwright.graph.motion import Motion
+from linkwright.graph.program import ExpressionStage, Program
+from linkwright.graph.view import View
+from linkwright.notation import MAX_ORDER, Body, Jet, Pair, Vec, Wrench
+from linkwright.structure import FRAME
+
+Pose = Mapping[str, NDArray[np.float64]]
+"""By moving link the place of its origin and its angle (m, m, rad)."""
+
+
+@dataclass
+class StillGraph(Graph):
+    """The graph of a mechanism at a ``pose``; loads may depend on the time."""
+
+    pose: Pose = field(default_factory=dict)
+
+    def motion(self) -> Motion:
+        """All links at rest."""
+        motion = Motion(self.structure, Geometry(self.quantities, self.quantities.parameters), MAX_ORDER + 1)
+        motion.bodies[FRAME] = Body.fixed(motion.order)
+        for link, (x, y, angle) in self.pose.items():
+            axis = Vec.constant(Pair(float(np.cos(angle)), float(np.sin(angle))), motion.order)
+            at = Vec.constant(Pair(float(x), float(y)), motion.order)
+            motion.bodies[link] = Body(at, ZERO, axis, Jet.constant(0.0, motion.order - 1))
+        return motion
+
+    def _view(self, order: int) -> View:
+        if 0 not in self._views:
+            given = {name: ca.SX.sym(name) for name in self.inputs}
+            parameters = ca.SX.sym("p", len(self.parameters))
+            self._views[0] = View(self, ca.vertcat(*given.values()), parameters, self.motion(), {}, given, [])
+        return self._views[0]
+
+    @property
+    def _bare(self) -> View:
+        return self._view(0)
+
+    def wrapped(self, name: str) -> bool:
+        """No angle jumps where nothing moves."""
+        return False
+
+    def applied(self) -> Program:
+        """The program of what gravity, loads and springs do to each link, the frame too: force (N) and moment (N m)
+        about its origin, link by link."""
+        view = self._view(0)
+        links = {link: own_wrench(view.motion, link, body) for link, body in view.motion.bodies.items()}
+        for link, wrench in wrenches(view):
+            links[link] = links[link].plus(wrench)
+        rows: list[Any] = []
+        for link, wrench in links.items():
+            found: Wrench = wrench.at(view.motion.bodies[link].anchor.now)
+            rows += [ca.SX(found.force.x), ca.SX(found.force.y), ca.SX(found.moment)]
+        names = tuple(f"{link}:{k}" for link in links for k in range(3))
+        return Program((), ExpressionStage.from_rows(view.x, view.p, rows), self.inputs, self.parameters, names)

@@ -1,0 +1,98 @@
+"""A mechanism without drives compiled at the one pose at which it stands."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.graph.assembly import Assembly
+from linkwright.graph.constraints import Constraints
+from linkwright.graph.standing import standing
+from linkwright.graph.statics import Statics
+from linkwright.graph.still import StillGraph
+from linkwright.kernels.compiled import Compiled, prepare
+from linkwright.kernels.registry import KERNELS
+from linkwright.kernels.supply import Supply
+from linkwright.model.findings import Finding
+from linkwright.model.mechanism import Mechanism
+from linkwright.model.places import Place
+from linkwright.structure import FRAME, Structure
+
+Array = NDArray[np.float64]
+
+HELD = ("structure.overconstrained", "structure.redundant", "structure.higher-group", "structure.loop-of-slides")
+"""What may be said of a structure that stands all the same."""
+
+
+@dataclass
+class Still(Compiled):
+    """A structure at its pose ``z``, on whose constraints its reactions rest."""
+
+    system: Constraints | None = None
+    z: Array = field(default_factory=lambda: np.empty(0))
+
+    def __post_init__(self) -> None:
+        assert self.system is not None
+        rows = self.z.reshape(-1, 3) * [self.system.size, self.system.size, 1.0]
+        pose = dict(zip(self.system.links, rows, strict=True))
+        self.graph = self.standing = StillGraph(self.quantities, self.structure, pose=pose)
+        self.parameters = np.array([self.quantities.parameters[name] for name in self.graph.parameters])
+        self.assembly.start = self.standing.motion()
+        self._supplied()
+
+    def _supplied(self) -> None:
+        """Nothing moves; only tables and the time are inputs."""
+        self.followers = []
+        self.supply = Supply(self.graph, self.tables, self.kernel)
+
+    def statics(self, time: float) -> Statics:
+        """The equilibrium under what is applied at a time (s)."""
+        assert self.system is not None
+        program, t = self.standing.applied(), np.array([time])
+        rows = KERNELS["numpy"](program).run(self.inputs(t), self.parameters)[:, 0].reshape(-1, 3)
+        return Statics(self.system, self.z, dict(zip((FRAME, *self.system.links), rows, strict=True)))
+
+    def evaluate(self, names: Sequence[str], t: Array, rates: bool = False) -> Array:
+        """The named rows at times ``t`` (s): all that isn't a force; those of forces are NaN."""
+        still = [name for name in names if not self._of_forces(name)]
+        y = np.full((len(names), 2 if rates else 1, t.size), np.nan)
+        if still:
+            known = super().evaluate(still, t, rates)
+            y[[name in still for name in names]] = known.reshape(len(still), -1, t.size)
+        return y if rates else y[:, 0]
+
+    def _of_forces(self, name: str) -> bool:
+        return ":" not in name and "/" not in name and self.graph.signal(name).kind in ("force", "shaking")
+
+
+def examine_still(
+    mechanism: Mechanism, folder: Path | None = None, uses: Sequence[Place] = ()
+) -> tuple[Still | None, list[Finding]]:
+    """As :func:`linkwright.kernels.examine`, of a mechanism that nothing drives."""
+    made = prepare(mechanism, folder, uses, driven=False)
+    findings = [finding for finding in made.findings if finding.code not in HELD]
+    if mechanism.drives and not findings:
+        findings = [Finding("reactions.drives", ("drives",), {"names": ", ".join(mechanism.drives)})]
+    if findings:
+        return None, findings
+    system, z, findings = standing(made.quantities, made.structure)
+    if z is None:
+        return None, made.spelled.home(findings)
+    structure = Structure(made.structure.topology, ())
+    still = Still(
+        made.mechanism,
+        made.quantities,
+        structure,
+        Assembly(),
+        laws={},
+        tables=made.tables,
+        plane=made.spelled.plane,
+        folder=folder,
+        system=system,
+        z=z,
+    )
+    return still, [*made.spelled.warnings]

@@ -1,0 +1,200 @@
+"""The reactions study: a structure that nothing drives, at the one pose at which it stands.
+
+Reactions of joints and forces of bars under loads, gravity and springs. What statics doesn't determine is named and has
+no value.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+from pydantic import Field
+
+from linkwright.graph.statics import Statics
+from linkwright.kernels import Compiled, Still, examine_still
+from linkwright.model import units as u
+from linkwright.model.dimensions import DimensionError
+from linkwright.model.fields import Expression, Frozen
+from linkwright.model.findings import Finding
+from linkwright.model.quantities import LARGEST
+from linkwright.model.signals import Contact
+from linkwright.model.units import Dimension
+from linkwright.results import Result, Run
+from linkwright.studies.registry import register
+from linkwright.studies.site import NOWHERE, Site
+
+PATH = ("studies", "reactions")
+PROVEN = 1e-9
+"""Joints that miss by less than this share of the size, and equilibria left over by less, hold."""
+
+
+class ReactionsOptions(Frozen):
+    """When the loads are taken."""
+
+    at: Expression | None = Field(None, description="the time at which loads that vary are taken; 0 by default")
+
+
+@dataclass(frozen=True)
+class Reaction:
+    """One component of what a link does to another, or to the pin where three or more meet.
+
+    ``name`` is the signal's, ``force(frame, beam).x``; of a pin that is determined in one direction alone, the
+    component in the ``direction`` (rad, against the frame's x axis). ``value`` (N, N m) is ``None`` where statics
+    leaves it open.
+    """
+
+    name: str
+    joint: str
+    dimension: Dimension
+    value: float | None
+    direction: float | None = None
+
+
+@dataclass(frozen=True)
+class Bar:
+    """A link that is pinned at two places and bears nothing else: its force (N), positive in tension."""
+
+    link: str
+    force: float | None
+
+
+@dataclass
+class ReactionsOutcome:
+    """What the study gives.
+
+    ``states`` is the number of states of self-stress, the degree of static indeterminacy, ``motions`` how many motions
+    the joints leave; ``closure`` and ``equilibrium`` are the residuals of the checks, over the size and over the
+    largest force.
+    """
+
+    compiled: Still
+    time: float = 0.0
+    reactions: list[Reaction] = field(default_factory=list)
+    bars: list[Bar] = field(default_factory=list)
+    states: int = 0
+    motions: int = 0
+    closure: float = 0.0
+    equilibrium: float = 0.0
+    failures: list[Finding] = field(default_factory=list)
+    warnings: list[Finding] = field(default_factory=list)
+
+    @property
+    def done(self) -> bool:
+        """Whether it stands."""
+        return not self.failures
+
+    @property
+    def result(self) -> Result:
+        """The pose, for a drawing."""
+        return Result(Run(self.compiled, self.time, self.time, 0))
+
+
+@register
+class Reactions:
+    """Reactions of a structure at its pose."""
+
+    name = "reactions"
+    options = ReactionsOptions
+    examine = staticmethod(examine_still)
+
+    def check(self, compiled: Compiled, options: ReactionsOptions) -> list[Finding]:
+        """What is wrong with the time."""
+        try:
+            time = _time(compiled, options)
+        except DimensionError as error:
+            return [Finding(error.key, (*PATH, "at"), compiled.quantities.spelt(error.data))]
+        if not 0 <= time < LARGEST:
+            return [Finding("reactions.time", (*PATH, "at"), {"text": str(options.at and options.at.text)[:60]})]
+        return []
+
+    def run(self, compiled: Compiled, options: ReactionsOptions, site: Site = NOWHERE) -> ReactionsOutcome:
+        """Solve the equilibrium."""
+        assert isinstance(compiled, Still)
+        outcome = ReactionsOutcome(compiled, _time(compiled, options))
+        statics = compiled.statics(outcome.time)
+        assert compiled.system is not None
+        outcome.closure = float(np.abs(compiled.system.residual(compiled.z)).max(initial=0.0))
+        outcome.failures = list(_failures(statics))
+        if outcome.failures:
+            return outcome
+        residual = max(outcome.closure, statics.rest)
+        if not residual <= PROVEN:
+            outcome.failures = [Finding("reactions.unproven", PATH, {"residual": f"{residual:.1e}"})]
+            return outcome
+        outcome.states, outcome.motions = statics.stresses.shape[1], statics.motions.shape[1]
+        outcome.equilibrium = statics.rest
+        outcome.reactions = list(_reactions(compiled, statics))
+        outcome.bars = list(_bars(compiled, statics))
+        outcome.warnings = list(_warnings(outcome, statics))
+        return outcome
+
+
+def _time(compiled: Compiled, options: ReactionsOptions) -> float:
+    return 0.0 if options.at is None else compiled.quantities.value(options.at, u.TIME)
+
+
+def _failures(statics: Statics) -> Iterator[Finding]:
+    if not np.isfinite(statics.applied).all():
+        bad = [link for link, wrench in statics.wrenches.items() if not np.isfinite(wrench).all()]
+        yield Finding("reactions.not-finite", ("loads",), {"links": ", ".join(bad)})
+    elif moving := statics.moving:
+        yield Finding("reactions.moves", ("links", moving[0]), {"links": ", ".join(moving)})
+
+
+def _reactions(compiled: Still, statics: Statics) -> Iterator[Reaction]:
+    """Each place where a reaction acts once, as the signals of forces are listed."""
+    signals = compiled.quantities.signals
+    seen: set[tuple[str, str]] = set()
+    for contact in signals.contacts:
+        if (contact.joint, contact.on) in seen and contact.on != contact.joint:
+            continue
+        seen.add((contact.joint, contact.link))
+        called = _called(compiled, contact)
+        parts = statics.parts(contact)
+        for part in parts:
+            dimension = u.TORQUE if part.attribute == "moment" else u.FORCE
+            yield Reaction(f"{called}.{part.attribute}", contact.joint, dimension, part.value)
+        if all(part.value is None for part in parts) and (found := statics.across(contact)) is not None:
+            yield Reaction(called, contact.joint, u.FORCE, found[1], found[0])
+
+
+def _called(compiled: Still, contact: Contact) -> str:
+    """The name of a reaction; with the joint where the two links meet in several."""
+    same = [c for c in compiled.quantities.signals.contacts if (c.link, c.on) == (contact.link, contact.on)]
+    names = [contact.link, contact.on, *([contact.joint] if len(same) > 1 else [])]
+    return f"force({', '.join(names)})"
+
+
+def _bars(compiled: Still, statics: Statics) -> Iterator[Bar]:
+    """The links that are pinned at two places, don't slide, and bear no load, weight or spring."""
+    topology = compiled.structure.topology
+    largest = np.abs(statics.applied).max(initial=0.0)
+    slid = {link for _, joint in compiled.mechanism.prismatic_joints() for link in joint.links}
+    for link in topology.moving:
+        pins = [pin for pin in topology.pins.values() if link in pin.links]
+        own = np.abs(statics.wrenches[link]).max()
+        if len(pins) != 2 or link in slid or own > PROVEN * largest:
+            continue
+        ends = [statics.system.geometry.point(link, pin.point(link)) for pin in pins]
+        arms = [statics.pointed(link, (float(end.x), float(end.y)))[0] for end in ends]
+        axis = arms[1] - arms[0]
+        if math.hypot(*axis) > 0:
+            pull = statics.on(pins[1].name, link)[:2]
+            yield Bar(link, statics.component(axis @ pull / math.hypot(*axis)))
+
+
+def _warnings(outcome: ReactionsOutcome, statics: Statics) -> Iterator[Finding]:
+    m = outcome.compiled.mechanism
+    if not any(wrench.any() for wrench in statics.wrenches.values()):
+        yield Finding("reactions.no-load", ("loads",), severity="warning")
+    if outcome.states:
+        named = dict.fromkeys(reaction.joint for reaction in outcome.reactions if reaction.value is None)
+        data = {"degree": outcome.states, "joints": ", ".join(named)}
+        yield Finding("reactions.indeterminate", ("joints",), data, severity="warning")
+    if outcome.motions:
+        yield Finding("reactions.neutral", ("joints",), {"motions": outcome.motions}, severity="warning")
+    if m.measures:
+        yield Finding("reactions.measures", ("measures",), {"names": ", ".join(m.measures)}, severity="warning")
