@@ -14,10 +14,11 @@ from linkwright.graph.clusters import assemble_cluster
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, Unknowns, solve_motion
 from linkwright.groups import Dyad, OuterPin
+from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import AssemblyRule
 from linkwright.model.findings import Finding
 from linkwright.model.quantities import Quantities
-from linkwright.model.sketch import Drawn
+from linkwright.model.sketch import Drawn, drawn_rules
 from linkwright.notation import Jet, Pair
 from linkwright.structure import Cluster, Connection, Group, Structure
 
@@ -28,12 +29,14 @@ class _CannotStart(Exception):
 
 @dataclass
 class Assembly:
-    """The branch (+1 or -1) of each group with two modes; ``findings`` says what is missing or wrong."""
+    """The branch (+1 or -1) of each group with two modes; ``findings`` says what is missing or wrong, ``notes`` which
+    rules choose the mode that mirrors the drawn one."""
 
     branches: dict[Group, float] = field(default_factory=dict)
     rules: dict[Group, str] = field(default_factory=dict)  # the rule that settled each, as the file has it
     starts: dict[Cluster, list[float]] = field(default_factory=dict)
     findings: list[Finding] = field(default_factory=list)
+    notes: list[Finding] = field(default_factory=list)
     start: Motion | None = None
 
     def size(self) -> float:
@@ -108,6 +111,8 @@ class _Assembler:
                 branch = signs.pop()
                 name = found[0][0]
                 self.assembly.rules[group] = f"{name}: {self.rules[name].text}"
+                if stated and not self.assembly.notes:  # what comes after a mirrored group lies elsewhere anyway
+                    self.mirrored(name, branch, group, dyad)
             elif not signs and any(isinstance(self.rules[name], Drawn) for name, _ in found):
                 name = found[0][0]
                 self.note("assembly.ambiguous", ("assembly", name), point=name, options=self.options(group))
@@ -129,6 +134,19 @@ class _Assembler:
             self.note("assembly.cannot-close", ("links", group.links[0]), **data)
             raise _CannotStart
         return branch
+
+    def mirrored(self, name: str, branch: float, group: Group, dyad: Dyad) -> None:
+        """A note where a rule of the file chooses the mode that the sketch doesn't show."""
+        for point, rule in drawn_rules(self.quantities.mechanism).items():
+            try:
+                drawn = self.sketched(point, rule, group, dyad)
+            except DimensionError:  # a place that no length is derived from
+                continue
+            if drawn == -branch:
+                data = {"rule": self.assembly.rules[group], "links": " and ".join(group.links), "point": point}
+                data |= {"other": group.rule(-branch)}
+                self.assembly.notes.append(Finding("plausible.mirrored", ("assembly", name), data, severity="note"))
+                return
 
     def unknowns(self, cluster: Cluster) -> list[float]:
         """A cluster's coordinates at the start pose: Newton from its sketch. Raises :class:`_CannotStart`."""

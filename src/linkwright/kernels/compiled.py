@@ -22,6 +22,7 @@ from linkwright.kernels.laws import action_tables, drive_laws, values_at
 from linkwright.kernels.motions import StatedMotion, motion_laws
 from linkwright.kernels.passages import Passage, Passages, unwrapped
 from linkwright.kernels.registry import KERNELS, Kernel
+from linkwright.kernels.starts import moved_starts
 from linkwright.kernels.supply import Supply
 from linkwright.kernels.tables import StatedTable
 from linkwright.model.check import check_names, check_values
@@ -29,6 +30,7 @@ from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.places import Place
 from linkwright.model.plane import LinkagePlane
+from linkwright.model.plausible import implausible
 from linkwright.model.quantities import Quantities
 from linkwright.model.spelled import Spelled, spell_out
 from linkwright.structure import Cluster, Group, Structure, Topology, decompose
@@ -228,7 +230,10 @@ def examine(
     if assembly.findings:
         return None, made.spelled.home(assembly.findings)
     parts = (made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables, made.motions)
-    return Compiled(*parts, plane=made.spelled.plane, folder=folder), [*made.spelled.warnings]
+    moved = moved_starts(made.spelled, made.quantities, made.laws)
+    odd = [*moved, *implausible(made.quantities), *([] if moved else assembly.notes)]
+    findings = [*made.spelled.warnings, *made.spelled.home(odd)]
+    return Compiled(*parts, plane=made.spelled.plane, folder=folder), findings
 
 
 def _said(finding: Finding, others: list[Finding]) -> bool:

@@ -30,8 +30,8 @@ MAX_INT = 10**15
 """Whole numbers from here on are kept as floats, in files and in Python alike."""
 RESERVED = frozenset({"t", "pi", "start", "end"})
 
-Fault = tuple[str, dict[str, Any]]
-"""The code of a finding and the data of its sentence."""
+Fault = tuple[str, dict[str, Any], *tuple[str, ...]]
+"""The code of a finding and the data of its sentence; then its place within the part, if it isn't the part itself."""
 
 
 def fault(code: str, **data: Any) -> PydanticCustomError:
@@ -144,7 +144,10 @@ class Frozen(BaseModel):
         if not isinstance(raw, Mapping):
             return handler(raw)
         given = {key: value for key, value in raw.items() if value is not None}
-        details = [InitErrorDetails(type=fault(c, **data), input=None) for c, data in cls.faults(given)]
+        details = [
+            InitErrorDetails(type=fault(code, **data), loc=tuple(path), input=None)
+            for code, data, *path in cls.faults(given)
+        ]
         try:
             value = handler(raw)
         except ValidationError as error:

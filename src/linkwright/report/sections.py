@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from html import escape
 
+from linkwright.model.units import printed
 from linkwright.report.accuracy_page import section as accuracy_section
 from linkwright.report.cam import section as cam_section
 from linkwright.report.data import Check, Grid, Measure, Plot, ReportData
@@ -251,10 +252,7 @@ def _number(value: float | None) -> str:
 
 
 def _unit(unit: str) -> str:
-    """A unit as it is set in print: ``mm/s^2`` as mm/s², ``N*m`` as N·m."""
-    for typed, printed in (("**", "^"), ("*", "·"), ("^2", "²"), ("^3", "³"), ("^4", "⁴")):
-        unit = unit.replace(typed, printed)
-    return escape(unit)
+    return escape(printed(unit))
 
 
 def _lines(text: str) -> str:

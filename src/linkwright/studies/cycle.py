@@ -15,7 +15,7 @@ from linkwright.model.fields import Expression, Frozen, fault
 from linkwright.model.findings import Finding, ModelError, Term
 from linkwright.results import Result, Run, certify
 from linkwright.studies.acting import lifted, loose, outside, undefined
-from linkwright.studies.feasible import near, singular, strokes, unassembled
+from linkwright.studies.feasible import near, singular, strokes, travels, unassembled
 from linkwright.studies.locked import locked
 from linkwright.studies.measures import MeasureResult, measure_all
 from linkwright.studies.outputs import powerless
@@ -118,7 +118,7 @@ class Cycle:
             return CycleOutcome(Result(run, undecided))
         result = Result(run, certificate=certify(run))
         measures, faults = measure_all(run)
-        result.failures += [*unproven(result), *faults, *strokes(run)]
+        result.failures += [*unproven(result), *faults, *strokes(run), *travels(run)]
         notes = [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
         return CycleOutcome(result, measures, [*notes, *outside(run), *lifted(run), *loose(run)])
 

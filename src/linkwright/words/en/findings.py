@@ -5,6 +5,7 @@ don't are in SI, and the text says so.
 """
 
 from linkwright.words.en.cam_findings import CAM_TERMS, CAM_TEXTS
+from linkwright.words.en.plausibility import PLAUSIBILITY_TERMS, PLAUSIBILITY_TEXTS
 
 _TEXTS: dict[str, tuple[str, str]] = {
     # The file and its text.
@@ -1829,8 +1830,10 @@ _TERMS: dict[str, str] = {
     "syntax-place": "{name} can't stand here",
 }
 
+_ALL = {**_TEXTS, **CAM_TEXTS, **PLAUSIBILITY_TEXTS}
+
 FINDINGS: dict[str, str] = {
-    **{f"{code}.what": what for code, (what, _) in {**_TEXTS, **CAM_TEXTS}.items()},
-    **{f"{code}.mend": mend for code, (_, mend) in {**_TEXTS, **CAM_TEXTS}.items()},
-    **{f"term.{name}": text for name, text in {**_TERMS, **CAM_TERMS}.items()},
+    **{f"{code}.what": what for code, (what, _) in _ALL.items()},
+    **{f"{code}.mend": mend for code, (_, mend) in _ALL.items()},
+    **{f"term.{name}": text for name, text in {**_TERMS, **CAM_TERMS, **PLAUSIBILITY_TERMS}.items()},
 }
