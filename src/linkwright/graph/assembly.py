@@ -17,6 +17,7 @@ from linkwright.groups import Dyad, OuterPin
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import AssemblyRule
 from linkwright.model.findings import Finding
+from linkwright.model.pins import Pin
 from linkwright.model.quantities import Quantities
 from linkwright.model.sketch import Drawn, drawn_rules
 from linkwright.notation import Jet, Pair
@@ -154,7 +155,9 @@ class _Assembler:
         sketch = {name: place for name, place in every.items() if self.owner(name, cluster.links)}
         self.used |= sketch.keys()
         if not sketch:
-            self.note("assembly.no-sketch", ("assembly",), links=", ".join(cluster.links))
+            wanted = [name for pin in self.structure.topology.pins.values() for name in self.unplaced(pin, cluster)]
+            data = {"pins": ", ".join(wanted), "first": wanted[0] if wanted else "C"}
+            self.note("assembly.no-sketch", ("assembly",), links=", ".join(cluster.links), **data)
             raise _CannotStart
         found = assemble_cluster(self.motion, cluster, sketch, self.drives)
         if found is None:
@@ -162,6 +165,11 @@ class _Assembler:
             raise _CannotStart
         self.assembly.starts[cluster] = found
         return found
+
+    def unplaced(self, pin: Pin, cluster: Cluster) -> list[str]:
+        """The name by which a sketch gives a pin's place, where only links of the cluster, or later ones, are on it."""
+        inside = [point for link, point in pin.members if link in cluster.links]
+        return [] if set(pin.links) & self.motion.bodies.keys() else inside[:1]
 
     def owner(self, point: str, links: Sequence[str]) -> str | None:
         """The first of some links that carries a point."""

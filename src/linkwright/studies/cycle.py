@@ -19,6 +19,7 @@ from linkwright.studies.feasible import near, singular, strokes, travels, unasse
 from linkwright.studies.locked import locked
 from linkwright.studies.measures import MeasureResult, measure_all
 from linkwright.studies.outputs import powerless
+from linkwright.studies.plausible import coincident, crossed
 from linkwright.studies.registry import register
 from linkwright.studies.site import NOWHERE, Site
 from linkwright.studies.through import carried, warnings
@@ -119,8 +120,9 @@ class Cycle:
         result = Result(run, certificate=certify(run))
         measures, faults = measure_all(run)
         result.failures += [*unproven(result), *faults, *strokes(run), *travels(run)]
-        notes = [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
-        return CycleOutcome(result, measures, [*notes, *outside(run), *lifted(run), *loose(run)])
+        warned = [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
+        notes = [*coincident(run), *crossed(run)]
+        return CycleOutcome(result, measures, [*warned, *outside(run), *lifted(run), *loose(run), *notes])
 
 
 CHECKS = {
