@@ -144,8 +144,8 @@ class _Assembler:
             except DimensionError:  # a place that no length is derived from
                 continue
             if drawn == -branch:
-                data = {"rule": self.assembly.rules[group], "links": " and ".join(group.links), "point": point}
-                data |= {"other": group.rule(-branch)}
+                said, other, links = self.assembly.rules[group], group.rule(-branch), " and ".join(group.links)
+                data = {"rule": said, "other": other, "links": links, "point": point}
                 self.assembly.notes.append(Finding("plausible.mirrored", ("assembly", name), data, severity="note"))
                 return
 

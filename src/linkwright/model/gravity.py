@@ -39,7 +39,9 @@ class Gravity(Written):
         match = self._PATTERN.fullmatch(raw) if isinstance(raw, str) else None
         if match is None:
             raise unexpected("gravity", raw)
-        self.put("parts", (Expression("0 m/s^2"), Expression(f"-{_EARTH}")) if match[1] is None else _along(match[1], raw))
+        self.put(
+            "parts", (Expression("0 m/s^2"), Expression(f"-{_EARTH}")) if match[1] is None else _along(match[1], raw)
+        )
 
 
 def _along(inside: str, raw: str) -> tuple[Expression, Expression]:

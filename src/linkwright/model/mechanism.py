@@ -25,7 +25,7 @@ from linkwright.model.fields import (
 from linkwright.model.gravity import Gravity
 from linkwright.model.motions import MotionLaw
 from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter, Plane, Units, freeze
-from linkwright.model.written import Fault, unexpected
+from linkwright.model.written import FaultWithin, unexpected
 
 __all__ = [
     "FRAME",
@@ -144,14 +144,12 @@ class Mechanism(Frozen):
     )
 
     @classmethod
-    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[FaultWithin]:
         drives = given.get("drives")
-        if given.get("sketch") or not isinstance(drives, Mapping):
-            return
-        for name, drive in drives.items():
-            if isinstance(drive, Mapping) and drive.get("speed") is not None:
-                if all(drive.get(key) is None for key in ("start", "position")):
-                    yield "drive.start", {}, "drives", str(name)
+        for name, drive in drives.items() if isinstance(drives, Mapping) and not given.get("sketch") else ():
+            laws = [key for key in ("start", "position") if isinstance(drive, Mapping) and drive.get(key) is not None]
+            if isinstance(drive, Mapping) and drive.get("speed") is not None and not laws:
+                yield "drive.start", {}, "drives", str(name)
 
     def prescribed(self, drive: str) -> Drive:
         """A drive as it prescribes the motion: of one with an output, the same law between the output's links."""

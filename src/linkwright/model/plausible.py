@@ -61,11 +61,14 @@ def _lengths(q: Quantities) -> Iterator[Finding]:
         for (a, p), (b, r) in combinations(places.items(), 2):
             known[name, a, b] = abs(p - r)
     if pair := _apart(known):
-        (short, low), (long, high) = ((f"{a}-{b} ({link})", link) for link, a, b in pair)
-        values = [amount(q, known[key], u.LENGTH) for key in pair]
-        data = {"ratio": f"{known[pair[1]] / known[pair[0]]:.3g}", "low": values[0], "high": values[1]}
-        path = ("links", low)
-        yield Finding("plausible.lengths", path, {**data, "short": short, "long": long}, severity="note")
+        short, long = pair
+        data = {"ratio": f"{known[long] / known[short]:.3g}", "short": _distance(*short), "long": _distance(*long)}
+        data |= {"low": amount(q, known[short], u.LENGTH), "high": amount(q, known[long], u.LENGTH)}
+        yield Finding("plausible.lengths", ("links", short[0]), {**data}, severity="note")
+
+
+def _distance(link: str, a: str, b: str) -> str:
+    return f"{a}-{b} ({link})"
 
 
 def _place(q: Quantities, at: Position) -> complex:
@@ -79,10 +82,10 @@ def _masses(q: Quantities) -> Iterator[Finding]:
     given |= {("counterweights", name): weight.mass for name, weight in q.mechanism.counterweights.items()}
     known = {path: q.value(mass, u.MASS) for path, mass in given.items() if mass is not None}
     if pair := _apart(known):
-        low, high = (amount(q, known[path], u.MASS) for path in pair)
-        data = {"ratio": f"{known[pair[1]] / known[pair[0]]:.3g}", "low": low, "high": high}
-        data |= {"light": pair[0][1], "heavy": pair[1][1]}
-        yield Finding("plausible.masses", pair[0], data, severity="note")
+        light, heavy = pair
+        data = {"ratio": f"{known[heavy] / known[light]:.3g}", "light": light[1], "heavy": heavy[1]}
+        data |= {"low": amount(q, known[light], u.MASS), "high": amount(q, known[heavy], u.MASS)}
+        yield Finding("plausible.masses", light, {**data}, severity="note")
 
 
 def _apart(known: Mapping[Key, float]) -> tuple[Key, Key] | None:

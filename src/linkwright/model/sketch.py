@@ -110,7 +110,7 @@ class _Sketch:
         return {name: Drawn(list(self.place(name))) for name in self.m.sketch if name in moving - {*fixed}}
 
     def drive(self, drive: Drive) -> Drive:
-        """A drive whose law says `sketch`, or has a speed alone, with its value in the sketch where that can be told."""
+        """A drive whose law says `sketch`, or has a speed alone, with its value in the sketch where that is known."""
         value = self.value(drive)
         if value and starts_as_drawn(drive):
             return drive.model_copy(update={"start": Expression(f"({value})")})

@@ -30,8 +30,10 @@ MAX_INT = 10**15
 """Whole numbers from here on are kept as floats, in files and in Python alike."""
 RESERVED = frozenset({"t", "pi", "start", "end"})
 
-Fault = tuple[str, dict[str, Any], *tuple[str, ...]]
-"""The code of a finding and the data of its sentence; then its place within the part, if it isn't the part itself."""
+Fault = tuple[str, dict[str, Any]]
+"""The code of a finding and the data of its sentence."""
+FaultWithin = tuple[str, dict[str, Any], *tuple[str, ...]]
+"""The same of something within the part: then the path to it."""
 
 
 def fault(code: str, **data: Any) -> PydanticCustomError:
@@ -133,7 +135,7 @@ class Frozen(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True)
 
     @classmethod
-    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault] | Iterator[FaultWithin]:
         """What is wrong with the keys that are given together, by the file's names; ``None`` isn't given."""
         yield from ()
 

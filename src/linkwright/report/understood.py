@@ -1,4 +1,4 @@
-"""What was understood of drives, springs and gravity, in sentences with values and units, for `check` and the report."""
+"""What was understood of drives, springs and gravity: sentences with values and units, for `check` and the report."""
 
 from __future__ import annotations
 
@@ -35,7 +35,9 @@ def springs(compiled: Compiled) -> list[str]:
     efforts = compiled.evaluate(rows, np.zeros(1))[:, 0]
     lines = []
     for (name, spring), effort in zip(entries.items(), map(float, efforts), strict=True):
-        kind, ends = ("torsional", (spring.turns, spring.on)) if spring.torsional else ("between", (spring.from_, spring.to))
+        kind, ends = (
+            ("torsional", (spring.turns, spring.on)) if spring.torsional else ("between", (spring.from_, spring.to))
+        )
         sense = "none" if not math.isfinite(effort) else "pull" if effort >= 0 else "push"
         size = amount(q, abs(effort), u.TORQUE if spring.torsional else u.FORCE) if sense != "none" else ""
         does = say(f"fact.spring.{kind}.{sense}", effort=size, link=spring.turns)
@@ -52,7 +54,8 @@ def gravity(compiled: Compiled) -> str:
     if size == 0:
         return say("fact.gravity.none")
     x, y = (part / size for part in parts)
-    axis = {(0, -1): "-y", (0, 1): "+y", (-1, 0): "-x", (1, 0): "+x"}.get((x, y), f"[{x:.6g}, {y:.6g}]")
+    axes = {(0.0, -1.0): "-y", (0.0, 1.0): "+y", (-1.0, 0.0): "-x", (1.0, 0.0): "+x"}
+    axis = axes.get((x, y), f"[{x:.6g}, {y:.6g}]")
     return say("fact.gravity.text", size=f"{size:.6g} m/s²", direction=axis)
 
 

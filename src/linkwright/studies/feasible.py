@@ -181,7 +181,7 @@ def strokes(run: Run) -> list[Finding]:
 
 
 def travels(run: Run) -> Iterator[Finding]:
-    """A finding for each end of a slide's travel that the run goes beyond: where it does so first, and where furthest."""
+    """A finding for each end of a slide's travel that the run goes beyond: where first, and where furthest."""
     quantities = run.compiled.quantities
     unit, size = quantities.unit_of(u.LENGTH)
     for name, joint in run.compiled.mechanism.prismatic_joints():

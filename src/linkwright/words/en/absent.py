@@ -24,7 +24,7 @@ ABSENT_TEXTS: dict[str, tuple[str, str]] = {
     "element.friction": (
         "'{name}': linkwright has no friction yet.",
         "Apply a friction force of known size as a load against the motion, for example 'loads: {{friction: {{on: "
-        "slider, at: C, along: guide, force: \"-20 N*guide.v/max(abs(guide.v), 1 mm/s)\"}}}}'.",
+        'slider, at: C, along: guide, force: "-20 N*guide.v/max(abs(guide.v), 1 mm/s)"}}}}\'.',
     ),
     "element.gear": (
         "'{name}': linkwright has no gears yet.",
