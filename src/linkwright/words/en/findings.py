@@ -523,7 +523,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "drive.start": (
         "Speed and start belong together.",
-        "Give both: speed (constant), and start (the value at t = 0).",
+        "Give both: speed (constant), and start (the value at t = 0). A drive whose value a sketch shows may leave start out.",
     ),
     "drive.acceleration": (
         "An acceleration alone doesn't say where the motion begins.",
