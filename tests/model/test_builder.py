@@ -127,10 +127,10 @@ def test_faults_are_told_all_at_once_by_element() -> None:
         builder.parameter("a", 1).window("w", 0, 1, of="motor").build()
     assert [(f.code, f.element) for f in caught.value.findings] == [
         ("builder.twice", "parameters.a"),
+        ("drive.start", "drives.m"),
         ("mass.incomplete", "links.crank"),
         ("file.expected", "links.crank.points.A"),
         ("drive.kind", "drives.m"),
-        ("drive.start", "drives.m"),
         ("window.signal", "windows.w.motor"),
     ]
 

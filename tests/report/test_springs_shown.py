@@ -22,5 +22,11 @@ def test_springs_are_drawn_plotted_and_named() -> None:
     assert {"pull.length", "lift.force", "shock.force", "hold.torque", "wound.torque"} <= shown
     said = {fact["name"]: fact["sentence"] for fact in data["structure"]}
     assert said["Counterweights"] == "cw on crank; cp on coupler"
-    assert said["Springs"].startswith("pull from K to E; wire from K to E; hold turns coupler on rocker")
+    springs = dict(text.split(" ", 1) for text in said["Springs"].split("; "))
+    pull = job.cycle.result["pull.force"][0]  # in tension
+    assert springs["pull"] == f"from K to E, pulls with {pull:.6g} N at the start"
+    hold = job.cycle.result["hold.torque"][0]
+    assert springs["hold"] == (
+        f"between coupler and rocker, turns coupler counter-clockwise with {-hold:.6g} N·m at the start"
+    )
     assert said["Mass"] == "crank, coupler, rocker have mass; every moving link does"

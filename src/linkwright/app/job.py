@@ -203,7 +203,7 @@ class Job:
 def perform(examined: Examined, site: Site = NOWHERE) -> Job:
     """Perform the studies of an examined file where ``site`` says; none where something is wrong with it."""
     site = replace(site, document=examined.document, folder=examined.folder)
-    if not examined.tasks and not examined.findings:
+    if not examined.tasks and examined.exit_code == 0:
         examined.findings.append(Finding("study.none", ("studies",)))
     job = Job(examined)
     if examined.exit_code == 0 and examined.compiled is not None:
@@ -224,7 +224,7 @@ def write(job: Job, folder: Path, netcdf: bool = False) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     document = job.examined.document
     if document is not None and drawn(job.outcomes) is not None:
-        write_aside(folder / "report.html", page(report_data(document, job.outcomes)))
+        write_aside(folder / "report.html", page(report_data(document, job.outcomes, job.examined.findings)))
     for study, outcome in job.outcomes.items():
         part = PARTS[study]
         for name, content in (part.files | part.netcdf if netcdf else part.files).items():

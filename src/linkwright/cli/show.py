@@ -38,7 +38,7 @@ wide = out if out.is_terminal else Console(highlight=False, soft_wrap=True, widt
 err = Console(stderr=True, highlight=False, soft_wrap=True)
 
 _NUMBERS = ("value", "figure", "cold", "pose", "ratio", "deviation")
-_STYLES = {"error": "bold red", "warning": "bold yellow"}
+_STYLES = {"error": "bold red", "warning": "bold yellow", "note": "bold"}
 
 
 def plain(text: str) -> None:
@@ -73,8 +73,8 @@ def findings(examined: Examined, file: Path) -> None:
     for item in examined.findings:
         finding(item, file)
     if examined.findings:
-        counts = {s: sum(f.severity == s for f in examined.findings) for s in ("error", "warning")}
-        text = say("cli.findings", errors=counts["error"], warnings=counts["warning"], file=file)
+        counts = {f"{s}s": sum(f.severity == s for f in examined.findings) for s in ("error", "warning", "note")}
+        text = say("cli.findings.notes" if counts["notes"] else "cli.findings", file=file, **counts)
         err.print(escape(text))
 
 

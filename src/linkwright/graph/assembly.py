@@ -15,10 +15,12 @@ from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, Unknowns, solve_motion
 from linkwright.graph.wedges import Parallel
 from linkwright.groups import Dyad, OuterPin
+from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import AssemblyRule
 from linkwright.model.findings import Finding
+from linkwright.model.pins import Pin
 from linkwright.model.quantities import Quantities
-from linkwright.model.sketch import Drawn
+from linkwright.model.sketch import Drawn, drawn_rules
 from linkwright.model.units import LENGTH
 from linkwright.notation import Jet, Pair
 from linkwright.structure import Cluster, Connection, Group, Structure
@@ -30,12 +32,14 @@ class _CannotStart(Exception):
 
 @dataclass
 class Assembly:
-    """The branch (+1 or -1) of each group with two modes; ``findings`` says what is missing or wrong."""
+    """The branch (+1 or -1) of each group with two modes; ``findings`` says what is missing or wrong, ``notes`` which
+    rules choose the mode that mirrors the drawn one."""
 
     branches: dict[Group, float] = field(default_factory=dict)
     rules: dict[Group, str] = field(default_factory=dict)  # the rule that settled each, as the file has it
     starts: dict[Cluster, list[float]] = field(default_factory=dict)
     findings: list[Finding] = field(default_factory=list)
+    notes: list[Finding] = field(default_factory=list)
     start: Motion | None = None
 
     def size(self) -> float:
@@ -114,6 +118,8 @@ class _Assembler:
                 branch = signs.pop()
                 name = found[0][0]
                 self.assembly.rules[group] = f"{name}: {self.rules[name].text}"
+                if stated and not self.assembly.notes:  # what comes after a mirrored group lies elsewhere anyway
+                    self.mirrored(name, branch, group, dyad)
             elif not signs and any(isinstance(self.rules[name], Drawn) for name, _ in found):
                 name = found[0][0]
                 self.note("assembly.ambiguous", ("assembly", name), point=name, options=self.options(group))
@@ -136,13 +142,28 @@ class _Assembler:
             raise _CannotStart
         return branch
 
+    def mirrored(self, name: str, branch: float, group: Group, dyad: Dyad) -> None:
+        """A note where a rule of the file chooses the mode that the sketch doesn't show."""
+        for point, rule in drawn_rules(self.quantities.mechanism).items():
+            try:
+                drawn = self.sketched(point, rule, group, dyad)
+            except DimensionError:  # a place that no length is derived from
+                continue
+            if drawn == -branch:
+                said, other, links = self.assembly.rules[group], group.rule(-branch), " and ".join(group.links)
+                data = {"rule": said, "other": other, "links": links, "point": point}
+                self.assembly.notes.append(Finding("plausible.mirrored", ("assembly", name), data, severity="note"))
+                return
+
     def unknowns(self, cluster: Cluster) -> list[float]:
         """A cluster's coordinates at the start pose: Newton from its sketch. Raises :class:`_CannotStart`."""
         every = {n: self.geometry.position(r.sketch) for n, r in self.rules.items() if r.sketch is not None}
         sketch = {name: place for name, place in every.items() if self.owner(name, cluster.links)}
         self.used |= sketch.keys()
         if not sketch:
-            self.note("assembly.no-sketch", ("assembly",), links=", ".join(cluster.links))
+            wanted = [name for pin in self.structure.topology.pins.values() for name in self.unplaced(pin, cluster)]
+            data = {"pins": ", ".join(wanted), "first": wanted[0] if wanted else "C"}
+            self.note("assembly.no-sketch", ("assembly",), links=", ".join(cluster.links), **data)
             raise _CannotStart
         found = assemble_cluster(self.motion, cluster, sketch, self.drives)
         if found is None:
@@ -150,6 +171,11 @@ class _Assembler:
             raise _CannotStart
         self.assembly.starts[cluster] = found
         return found
+
+    def unplaced(self, pin: Pin, cluster: Cluster) -> list[str]:
+        """The name by which a sketch gives a pin's place, where only links of the cluster, or later ones, are on it."""
+        inside = [point for link, point in pin.members if link in cluster.links]
+        return [] if set(pin.links) & self.motion.bodies.keys() else inside[:1]
 
     def owner(self, point: str, links: Sequence[str]) -> str | None:
         """The first of some links that carries a point."""

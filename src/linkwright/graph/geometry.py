@@ -118,7 +118,7 @@ class Geometry:
     def gravity(self) -> Pair:
         """The acceleration of gravity (m/s^2); zero unless the file gives it."""
         g = self.mechanism.gravity
-        return ZERO if g is None else Pair(self.number(g[0], u.ACCELERATION), self.number(g[1], u.ACCELERATION))
+        return ZERO if g is None else Pair(*(self.number(part, u.ACCELERATION) for part in g.parts))
 
     def place(self, link: str, at: str | Position | None) -> Pair:
         """A place on a link, by the name of a point or by coordinates, in the link's frame (m)."""

@@ -22,6 +22,7 @@ from linkwright.kernels.laws import action_tables, drive_laws, values_at
 from linkwright.kernels.motions import StatedMotion, motion_laws
 from linkwright.kernels.passages import Passage, Passages, unwrapped
 from linkwright.kernels.registry import KERNELS, Kernel
+from linkwright.kernels.starts import moved_starts
 from linkwright.kernels.supply import Supply
 from linkwright.kernels.tables import StatedTable
 from linkwright.model.check import check_names, check_values
@@ -29,9 +30,11 @@ from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.places import Place
 from linkwright.model.plane import LinkagePlane
+from linkwright.model.plausible import implausible
 from linkwright.model.quantities import Quantities
 from linkwright.model.spelled import Spelled, spell_out
 from linkwright.structure import Cluster, Group, Structure, Topology, decompose
+from linkwright.structure.refusals import immovable
 
 Array = NDArray[np.float64]
 Made = TypeVar("Made")
@@ -234,13 +237,16 @@ def examine(
     """
     made = prepare(mechanism, folder, uses)
     if made.findings:
-        return None, made.findings
+        undriven = [finding.code for finding in made.findings] == ["model.no-drive"]
+        return None, [*(immovable(made.structure.topology) if undriven else ())] or made.findings
     assembly = assemble(made.quantities, made.structure, values_at(made.laws, 0.0))
     if assembly.findings:
         return None, made.spelled.home(assembly.findings)
     parts = (made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables, made.motions)
-    warnings = [*made.spelled.warnings, *_moments(made.quantities)]
-    return Compiled(*parts, plane=made.spelled.plane, folder=folder), warnings
+    moved = moved_starts(made.spelled, made.quantities, made.laws)
+    odd = [*moved, *implausible(made.quantities), *([] if moved else assembly.notes)]
+    findings = [*made.spelled.warnings, *_moments(made.quantities), *made.spelled.home(odd)]
+    return Compiled(*parts, plane=made.spelled.plane, folder=folder), findings
 
 
 def _moments(quantities: Quantities) -> Iterator[Finding]:

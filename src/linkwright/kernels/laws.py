@@ -73,8 +73,8 @@ class _Reader:
         turning = self.quantities.mechanism.prescribed(name).turns
         dimension, rate = (u.ANGLE, u.OMEGA) if turning else (u.LENGTH, u.SPEED)
         if drive.position is None:
-            assert drive.start is not None
-            assert drive.speed is not None
+            if drive.start is None or drive.speed is None:
+                return None  # a fault that is told already
             change = u.ALPHA if turning else u.ACCELERATION
             given = [(drive.start, dimension), (drive.speed, rate), (drive.acceleration, change)]
             return self._constant([self.quantities.bind(e, of) for e, of in given if e is not None])

@@ -77,9 +77,11 @@ class Builder:
         rest = _given(mass=mass, com=com, inertia=inertia, shape=shape)
         return self._put("links", name, {"points": _points(points, more), **rest})
 
-    def prismatic(self, name: str, first: tuple[str, str], second: tuple[str, str]) -> Self:
-        """A slide: of each of two links its name and its line, such as ``("guide", "G at 90 deg")``."""
-        return self._put("joints", name, {"prismatic": [first[0], second[0]], "line": [first[1], second[1]]})
+    def prismatic(self, name: str, first: tuple[str, str], second: tuple[str, str], travel: Any = None) -> Self:
+        """A slide: of each of two links its name and its line, such as ``("guide", "G at 90 deg")``; ``travel`` is the
+        allowed range ``[lowest, highest]`` of the signal ``NAME.s``."""
+        joint = {"prismatic": [first[0], second[0]], "line": [first[1], second[1]]}
+        return self._put("joints", name, joint | _given(travel=travel))
 
     def revolute(self, name: str, first: tuple[str, str], second: tuple[str, str]) -> Self:
         """A pin between points of different names: of each of two links its name and its point."""
@@ -213,9 +215,12 @@ class Builder:
         """A limit on a measure: ``require("stroke", ">= 680 mm")``."""
         return self._put("require", measure, limit)
 
-    def gravity(self, x: Any, y: Any) -> Self:
-        """The acceleration of gravity."""
-        self._data["gravity"] = [_listed(x), _listed(y)]
+    def gravity(self, x: Any, y: Any = None, *, along: Any = None) -> Self:
+        """Gravity: ``"earth"`` (down is -y), ``"earth", along=[x, y]`` in a direction of any length, or the
+        components ``x, y`` of the acceleration in the frame."""
+        if along is not None:
+            x = "{} along [{}, {}]".format(x, *_listed(along))
+        self._data["gravity"] = _listed(x) if y is None else [_listed(x), _listed(y)]
         return self
 
     def study(self, name: str, **options: Any) -> Self:

@@ -54,9 +54,9 @@ def _limited(findings: list[Finding]) -> list[Finding]:
 
 
 def located(findings: Iterable[Finding], source: Source) -> list[Finding]:
-    """Findings with the lines of their elements, in the file's order."""
+    """Findings with the lines of their elements, in the file's order, notes last."""
     found = [f if f.line else replace(f, line=source.line(f.path)) for f in findings]
-    return sorted(found, key=lambda finding: finding.line or 0)
+    return sorted(found, key=lambda finding: (finding.severity == "note", finding.line or 0))
 
 
 def load(path: str | Path) -> Document:

@@ -9,6 +9,7 @@ from linkwright.model import actions as a
 from linkwright.model import elements as e
 from linkwright.model import motions as m
 from linkwright.model import parts as p
+from linkwright.model.absent import absent
 from linkwright.model.cams import Cam
 from linkwright.model.findings import Finding, Term
 from linkwright.model.mechanism import Document
@@ -48,7 +49,12 @@ def findings_of(faults: Iterable[Any], source: Source) -> list[Finding]:
         if not any(_nested(finding.path, bad) for bad in source.spoilt):
             line = source.line(finding.path)
             found.setdefault((finding.path, finding.code, str(finding.data)), finding.located(line))
-    return list(found.values())
+    elsewhere = {finding.path[:2] for finding in found.values() if finding.code.startswith("element.")}
+    return [f for f in found.values() if f.path[:2] not in elsewhere or f.code not in _FOLLOWING]
+
+
+_FOLLOWING = {"file.unknown-key", "joint.kind", "drive.kind", "drive.law", "drive.on", "load.empty", "spring.ends"}
+"""What else is wrong with an entry that stands for an element which there isn't: it follows from that."""
 
 
 def _nested(path: Path, other: Path) -> bool:
@@ -70,6 +76,11 @@ def written(loc: tuple[Any, ...], data: Any) -> Path:
 
 def _finding(fault: Any, data: Any) -> Finding:
     context, kind, path = dict(fault.get("ctx") or {}), fault["type"], written(fault["loc"], data)
+    named = absent(path[-1], fault["input"]) if kind == "extra_forbidden" and path else None
+    if kind in _WANTED and path[:1] == ("joints",):
+        named = absent("type", fault["input"])
+    if named and (named[0] != "element.limits" or path[0] in ("joints", "cylinders")):  # limits are a study, too
+        return Finding(named[0], path, {"name": named[1]})
     if kind == "finding":
         return Finding(context.pop("code"), path, context)
     if kind == "missing":

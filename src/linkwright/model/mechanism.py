@@ -22,9 +22,10 @@ from linkwright.model.fields import (
     fault,
     frozen,
 )
+from linkwright.model.gravity import Gravity
 from linkwright.model.motions import MotionLaw
-from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter, Plane, Units, Vector, freeze
-from linkwright.model.written import unexpected
+from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter, Plane, Units, freeze
+from linkwright.model.written import FaultWithin, unexpected
 
 __all__ = [
     "FRAME",
@@ -78,8 +79,10 @@ class Mechanism(Frozen):
     name: Text = Field("mechanism", description="the mechanism's name, the title of its report")
     note: LongText | None = Field(None, description="free text")
     units: Units = Field(Units(), description="what numbers without a unit mean")
-    gravity: Vector | None = Field(
-        None, description="[gx, gy], the acceleration of gravity, e.g. [0, -9.80665 m/s^2]; none unless given"
+    gravity: Gravity | None = Field(
+        None,
+        description="earth (9.80665 m/s^2, down is -y), 'earth along [x, y]' (any direction), or the acceleration "
+        "itself, [gx, gy], e.g. [0, -9.80665 m/s^2]; none unless given",
     )
     parameters: Annotated[dict[Name, Parameter], _bound, freeze] = Field(
         default_factory=FrozenDict, description="named values"
@@ -139,6 +142,14 @@ class Mechanism(Frozen):
     require: Annotated[dict[Name, Requirement], _bound, freeze] = Field(
         default_factory=FrozenDict, description="limits on measures, e.g. stroke: '>= 680 mm'"
     )
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[FaultWithin]:
+        drives = given.get("drives")
+        for name, drive in drives.items() if isinstance(drives, Mapping) and not given.get("sketch") else ():
+            laws = [key for key in ("start", "position") if isinstance(drive, Mapping) and drive.get(key) is not None]
+            if isinstance(drive, Mapping) and drive.get("speed") is not None and not laws:
+                yield "drive.start", {}, "drives", str(name)
 
     def prescribed(self, drive: str) -> Drive:
         """A drive as it prescribes the motion: of one with an output, the same law between the output's links."""

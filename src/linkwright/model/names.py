@@ -47,10 +47,13 @@ class Names:
 
     def unknown(self, place: Place) -> Iterator[Finding]:
         """Names in an expression that nothing is called by."""
+        meant: set[int] = set()  # elements as arguments of what isn't a signal: told with it
         for node in nodes(place.expression.node):
             if isinstance(node, Name | Call):
-                if isinstance(node, Name) and node.text in place.names:
+                if isinstance(node, Name) and (node.text in place.names or id(node) in meant):
                     continue
+                if isinstance(node, Call) and self._of_elements(node):
+                    meant |= set(map(id, node.args))
                 found = self._unknown(node, place)
                 yield from map(_of_class, found) if node is place.expression.node else found
 
@@ -63,7 +66,9 @@ class Names:
                 yield Finding(error.key, path, error.data)
         elif isinstance(node, Call):
             known = [*FUNCTIONS, *m.tables, *m.laws]
-            if node.name not in known:
+            if self._of_elements(node):
+                yield Finding("signal.unknown", path, {"name": signal_text(node)[:60]})
+            elif node.name not in known:
                 data = {"name": node.name, "near": near(node.name, known)}
                 yield Finding("expression.unknown-function", path, data)
         elif node.text not in ("t", "pi") and node.text not in m.parameters:
@@ -73,6 +78,13 @@ class Names:
                 known = [*place.names, *m.parameters, "t", "pi"]
                 data = {"name": node.text, "near": near(node.text, known)}
                 yield Finding("name.unknown-parameter", path, data)
+
+    def _of_elements(self, call: Call) -> bool:
+        """Whether a call that is none of a known function names links, points ... as a signal does."""
+        m = self.mechanism
+        elements = {*m.links, *self.signals.homes, *m.joints, *m.drives, *m.springs} - m.parameters.keys()
+        unknown = call.attribute is None and call.name not in {*FUNCTIONS, *m.tables, *m.laws}
+        return unknown and bool(call.args) and all(isinstance(a, Name) and a.text in elements for a in call.args)
 
     def misplaced(self, place: Place) -> Iterator[Finding]:
         """Known names that can't stand in this expression."""
@@ -93,7 +105,8 @@ class Names:
             return scope is Scope.SIGNALS or (scope is Scope.LOAD and self._kinematic(node))
         if isinstance(node, Name):
             return node.text != "t" or scope not in (Scope.CONSTANT, Scope.FORMULA, Scope.TURN)
-        return node.name in FUNCTIONS or scope in (Scope.TIME, Scope.LOAD, Scope.TURN)
+        stated = node.name in self.mechanism.tables or node.name in self.mechanism.laws
+        return not stated or scope in (Scope.TIME, Scope.LOAD, Scope.TURN)  # what is unknown is told elsewhere
 
     def _kinematic(self, node: Name | Call) -> bool:
         """Whether a signal is free of forces; what is unknown is told elsewhere."""

@@ -167,6 +167,9 @@ class Joint(Frozen):
 
     prismatic: TwoLinks | None = Field(None, description="the two links that slide on each other; with line")
     line: TwoLines | None = Field(None, description="the line on each of the two links, e.g. [H at 0 deg, G at 0 deg]")
+    travel: Interval | None = Field(
+        None, description="[lowest, highest] travel (the signal NAME.s) of a prismatic joint; a run beyond is an error"
+    )
     revolute: TwoLinks | None = Field(None, description="the two links that are pinned; with at")
     at: TwoPoints | None = Field(None, description="the pinned point of each of the two links")
 
@@ -178,6 +181,8 @@ class Joint(Frozen):
             yield "joint.line", {}
         elif "revolute" in given and ("at" not in given or "line" in given):
             yield "joint.at", {}
+        elif "revolute" in given and "travel" in given:
+            yield "joint.travel", {}
 
     @property
     def links(self) -> tuple[str, str]:
@@ -224,7 +229,9 @@ class Drive(Frozen):
     speed: Expression | None = Field(
         None, description="constant speed, e.g. 60 rpm, or with acceleration the speed at t = 0; with start"
     )
-    start: Expression | None = Field(None, description="value at t = 0; with speed")
+    start: Expression | None = Field(
+        None, description="value at t = 0; with speed. In a model with a sketch, as drawn where left out"
+    )
     acceleration: Expression | None = Field(None, description="constant acceleration; speed is then that at t = 0")
     position: Expression | None = Field(
         None, description="value as an expression in t, e.g. 20 deg*sin(180 deg*t/(1 s)); may call tables"
@@ -244,7 +251,7 @@ class Drive(Frozen):
             yield "drive.on", {}
         if ("speed" in given) == ("position" in given):
             yield "drive.law", {}
-        elif ("speed" in given) != ("start" in given):
+        elif "start" in given and "speed" not in given:
             yield "drive.start", {}
         if "acceleration" in given and "speed" not in given:
             yield "drive.acceleration", {}

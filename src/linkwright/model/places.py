@@ -83,7 +83,7 @@ def places(m: Mechanism) -> Iterator[Place]:
             yield Place(("parameters", name, "tolerance", *key), part, _TOLERANCE.get(key, name))
     if m.plane is not None and m.plane.within is not None:
         yield Place(("plane", "within"), m.plane.within, u.LENGTH)
-    for g in m.gravity or ():
+    for g in m.gravity.parts if m.gravity else ():
         yield Place(("gravity",), g, u.ACCELERATION)
     yield from _links(m)
     yield from _actions(m)
@@ -125,6 +125,7 @@ def _links(m: Mechanism) -> Iterator[Place]:
     for name, joint in m.joints.items():
         for i, line in enumerate(joint.line or ()):
             yield Place(("joints", name, "line", i), line.angle, u.ANGLE)
+        yield from (Place(("joints", name, "travel"), edge, u.LENGTH) for edge in joint.travel or ())
     for name, cylinder in m.cylinders.items():
         yield from (Place(("cylinders", name, "length"), edge, u.LENGTH) for edge in cylinder.length or ())
     for name, rule in m.assembly.items():

@@ -110,8 +110,10 @@ class _Sketch:
         return {name: Drawn(list(self.place(name))) for name in self.m.sketch if name in moving - {*fixed}}
 
     def drive(self, drive: Drive) -> Drive:
-        """A drive whose law says `sketch` for its value in the sketch, where that can be told."""
+        """A drive whose law says `sketch`, or has a speed alone, with its value in the sketch where that is known."""
         value = self.value(drive)
+        if value and starts_as_drawn(drive):
+            return drive.model_copy(update={"start": Expression(f"({value})")})
         update = {
             key: Expression(WORD.sub(lambda _: f"({value})", law.text))
             for key in ("start", "position")
@@ -159,6 +161,28 @@ class _Sketch:
         return f"({x})*cos({angle}) + ({y})*sin({angle})"
 
 
+def starts_as_drawn(drive: Drive) -> bool:
+    """Whether a drive has a speed, and its start is left to the sketch."""
+    return drive.speed is not None and drive.start is None and drive.position is None
+
+
+def drawn_values(m: Mechanism) -> dict[str, Text]:
+    """The value in the sketch of each drive that is given a start, or a position, apart from it."""
+    if not m.sketch or "sketch" in m.parameters:
+        return {}
+    sketch, found = _Sketch(m), {}
+    for name, drive in m.drives.items():
+        law = drive.start or drive.position
+        if law is not None and not WORD.search(law.text) and _sound(m, drive) and (value := sketch.value(drive)):
+            found[name] = value
+    return found
+
+
+def drawn_rules(m: Mechanism) -> dict[str, Drawn]:
+    """The sketched places of all moving points, as rules of assembly; of a mechanism with or without short forms."""
+    return _Sketch(m).rules()
+
+
 def sketched(link: Link) -> list[str]:
     """The points of a link whose places are those of the sketch."""
     return [name for name, position in link.points.items() if position.sketched]
@@ -180,8 +204,15 @@ def sketch_faults(m: Mechanism) -> Iterator[Finding]:
         for key in ("start", "position"):
             law = getattr(drive, key)
             asked = law is not None and "sketch" not in m.parameters and WORD.search(law.text) and _sound(m, drive)
-            if asked and (not m.sketch or _Sketch(m).value(drive) is None):
+            if asked and not _drawn(m, drive):
                 yield Finding("sketch.no-value", ("drives", name, key), {"name": name})
+        if starts_as_drawn(drive) and _sound(m, drive) and not _drawn(m, drive):
+            yield Finding("drive.start", ("drives", name))
+
+
+def _drawn(m: Mechanism, drive: Drive) -> bool:
+    """Whether the sketch tells a drive's value."""
+    return bool(m.sketch) and _Sketch(m).value(drive) is not None
 
 
 def _sound(m: Mechanism, drive: Drive) -> bool:

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 
 from linkwright.model.cylinders import cylinder_faults, cylinder_home, with_cylinders
 from linkwright.model.findings import Finding
 from linkwright.model.followers import cam_faults, cam_home, with_cams
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.plane import LinkagePlane, in_plane
-from linkwright.model.sketch import sketch_faults, sketch_home, with_sketch
+from linkwright.model.sketch import drawn_values, sketch_faults, sketch_home, with_sketch
 
 
 @dataclass(frozen=True)
@@ -18,6 +18,7 @@ class Spelled:
     """A mechanism without short forms, made from the ``written`` one; ``findings`` says what can't be spelled out.
 
     ``plane`` is where the sketch lies in the vehicle, if it has three coordinates, ``warnings`` what is odd with it.
+    ``drawn`` has the values in the sketch, as expressions, of drives that are given another start than ``sketch``.
     """
 
     written: Mechanism
@@ -25,6 +26,7 @@ class Spelled:
     findings: tuple[Finding, ...] = ()
     plane: LinkagePlane | None = None
     warnings: tuple[Finding, ...] = ()
+    drawn: Mapping[str, str] = field(default_factory=dict)
 
     def home(self, findings: Iterable[Finding]) -> list[Finding]:
         """Findings with their places as the file has them."""
@@ -49,4 +51,4 @@ def spell_out(written: Mechanism) -> Spelled:
     wrong = tuple(finding for finding in flat.findings if finding.severity == "error")
     findings = (*sketch_faults(written), *wrong, *cylinder_faults(written), *cam_faults(plain))
     warnings = tuple(finding for finding in flat.findings if finding not in wrong)
-    return Spelled(written, with_cams(plain), findings, flat.plane, warnings)
+    return Spelled(written, with_cams(plain), findings, flat.plane, warnings, drawn_values(flat.mechanism))

@@ -177,6 +177,13 @@ def spelled(dimension: Dimension, declared: dict[str, str], strict: bool = True)
     return recipe.format(**words)
 
 
+def printed(text: str) -> str:
+    """A unit as it is set in print: ``mm/s^2`` as mm/s², ``N*m`` as N·m."""
+    for typed, letters in (("**", "^"), ("*", "·"), ("^2", "²"), ("^3", "³"), ("^4", "⁴")):
+        text = text.replace(typed, letters)
+    return text
+
+
 def _composed(dimension: Dimension) -> str | None:
     """The recipe of a dimension without mass in whole powers; with mass it could go by force or by mass."""
     whole = all(Fraction(p).denominator == 1 and abs(Fraction(p)) <= MAX_POWER for p in dimension)

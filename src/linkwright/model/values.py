@@ -136,6 +136,9 @@ def _intervals(q: Quantities) -> Iterator[Finding]:
         else:
             for signal, edges in window.items():
                 yield from _rising(q, ("windows", name, signal), edges, resolve(crossed(name)))
+    for name, joint in m.joints.items():
+        if joint.travel:
+            yield from _rising(q, ("joints", name, "travel"), joint.travel, u.LENGTH)
     for name, cylinder in m.cylinders.items():
         if cylinder.length:
             yield from _rising(q, ("cylinders", name, "length"), cylinder.length, u.LENGTH)

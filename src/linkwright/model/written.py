@@ -32,6 +32,8 @@ RESERVED = frozenset({"t", "pi", "start", "end"})
 
 Fault = tuple[str, dict[str, Any]]
 """The code of a finding and the data of its sentence."""
+FaultWithin = tuple[str, dict[str, Any], *tuple[str, ...]]
+"""The same of something within the part: then the path to it."""
 
 
 def fault(code: str, **data: Any) -> PydanticCustomError:
@@ -133,7 +135,7 @@ class Frozen(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True)
 
     @classmethod
-    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault] | Iterator[FaultWithin]:
         """What is wrong with the keys that are given together, by the file's names; ``None`` isn't given."""
         yield from ()
 
@@ -144,7 +146,10 @@ class Frozen(BaseModel):
         if not isinstance(raw, Mapping):
             return handler(raw)
         given = {key: value for key, value in raw.items() if value is not None}
-        details = [InitErrorDetails(type=fault(c, **data), input=None) for c, data in cls.faults(given)]
+        details = [
+            InitErrorDetails(type=fault(code, **data), loc=tuple(path), input=None)
+            for code, data, *path in cls.faults(given)
+        ]
         try:
             value = handler(raw)
         except ValidationError as error:

@@ -48,11 +48,15 @@ MAX_STEPS = 800
 _RATES = (("position", ""), ("velocity", "v"), ("acceleration", "a"))
 
 
-def report_data(document: Document, outcomes: Mapping[str, Any]) -> ReportData:
-    """Everything that the report of some outcomes shows, in the file's units. One of them has something to draw."""
+def report_data(document: Document, outcomes: Mapping[str, Any], examined: Sequence[Finding] = ()) -> ReportData:
+    """Everything that the report of some outcomes shows, in the file's units. One of them has something to draw.
+
+    ``examined`` are the findings on the file itself.
+    """
     whole = drawn(outcomes)
     assert whole is not None
     result = whole.thinned(MAX_STEPS)
+    findings = [*examined, *found(outcomes)]
     words = {key: text for key, text in catalogue().items() if key.startswith("report.")}
     data: ReportData = {
         "title": document.name,
@@ -67,7 +71,8 @@ def report_data(document: Document, outcomes: Mapping[str, Any]) -> ReportData:
         "certificate": [],
         "limits": [],
         "structure": facts(result.run.compiled),
-        "failures": [_failure(finding) for finding in found(outcomes)],
+        "failures": [_failure(finding) for finding in findings if finding.severity != "note"],
+        "notes": [_failure(finding) for finding in findings if finding.severity == "note"],
         "model_text": dump(document),
     }
     for name, part in PARTS.items():

@@ -264,6 +264,7 @@ class ReportData(TypedDict):
     reactions: NotRequired[Sequence[Grid]]
     structure: Sequence[Fact]
     failures: Sequence[Failure]
+    notes: NotRequired[Sequence[Failure]]
     model_text: str
     modes: NotRequired[ModesData]
     sweep: NotRequired[SweepData]

@@ -12,6 +12,7 @@ from linkwright.model import units as u
 from linkwright.model.cylinders import end_of, links_of
 from linkwright.model.plane import LinkagePlane
 from linkwright.notation import MAX_ORDER
+from linkwright.report import understood
 from linkwright.report.data import Check, Fact
 from linkwright.results import Certificate
 from linkwright.results.certificate import PROVEN
@@ -56,6 +57,8 @@ def facts(compiled: Compiled) -> list[Fact]:
         drives=say("fact.mobility.cams", drives=motors, cams=len(m.cams)) if m.cams else motors,
         loops=topology.loops,
     )
+    if motors:
+        lines.append(_fact("drives", "\n".join(understood.drives(compiled))))
     lines.append(_fact("mobility", mobility))
     if order := _order(compiled):
         lines.append(_fact("order", "; ".join(order)))
@@ -65,18 +68,11 @@ def facts(compiled: Compiled) -> list[Fact]:
     if masses:
         lines.append(_fact("mass", say("fact.mass.text", links=", ".join(masses), without=said)))
     weights = [say("fact.weight", name=name, link=weight.on) for name, weight in m.counterweights.items()]
-    springs = [
-        say("fact.spring.torsional", name=name, start=spring.turns, end=spring.on)
-        if spring.torsional
-        else say("fact.spring", name=name, start=spring.from_, end=spring.to)
-        for name, spring in m.springs.items()
-    ]
     laws = [law_fact(compiled, name) for name in compiled.motions]
-    for name, said_of in (("weights", weights), ("springs", springs), ("laws", laws)):
+    for name, said_of in (("weights", weights), ("springs", understood.springs(compiled)), ("laws", laws)):
         if said_of:
             lines.append(_fact(name, "; ".join(said_of)))
-    gravity = ", ".join(g.text for g in m.gravity) if m.gravity else say("fact.gravity.none")
-    return [*lines, _fact("gravity", gravity)]
+    return [*lines, _fact("gravity", understood.gravity(compiled))]
 
 
 def law_fact(compiled: Compiled, name: str) -> str:

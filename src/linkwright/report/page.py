@@ -45,6 +45,7 @@ def page(data: ReportData) -> str:
         [
             sections.header(data),
             sections.failures(data),
+            sections.notes(data),
             "<main>",
             sections.stage(data),
             '<div class="results">',

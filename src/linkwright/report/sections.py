@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from html import escape
 
+from linkwright.model.units import printed
 from linkwright.report.accuracy_page import section as accuracy_section
 from linkwright.report.cam import section as cam_section
-from linkwright.report.data import Check, Grid, Measure, Plot, ReportData
+from linkwright.report.data import Check, Failure, Grid, Measure, Plot, ReportData
 from linkwright.report.modes import section
 from linkwright.report.sweep import section as sweep_section
 from linkwright.report.workspace import section as workspace_section
@@ -53,19 +54,28 @@ def _contents(data: ReportData) -> str:
 
 def failures(data: ReportData) -> str:
     """A banner with what went wrong and what mends it; nothing where all is well."""
-    if not data["failures"]:
+    sign = '<span aria-hidden="true">⚠\ufe0e</span> '
+    return _findings(data, "failures", data["failures"], "banner", sign)
+
+
+def notes(data: ReportData) -> str:
+    """The same of notes: nothing is wrong, but it may not be meant."""
+    return _findings(data, "notes", data.get("notes", ()), "banner notes", "")
+
+
+def _findings(data: ReportData, name: str, found: Sequence[Failure], kind: str, sign: str) -> str:
+    if not found:
         return ""
     words = data["words"]
-    title = f'<span aria-hidden="true">⚠\ufe0e</span> {escape(words["report.failures"])}'
     rows = "".join(
         f"<li><p><code>{escape(f['code'])}</code> {_lines(f['what'])}</p>"
         + (f"<p><b>{escape(words['report.mend'])}:</b> {_lines(f['mend'])}</p>" if f["mend"] else "")
         + "</li>"
-        for f in data["failures"]
+        for f in found
     )
     return (
-        f'<section id="failures" class="banner" aria-labelledby="failures-title">'
-        f'<h2 id="failures-title">{title}</h2>'
+        f'<section id="{name}" class="{kind}" aria-labelledby="{name}-title">'
+        f'<h2 id="{name}-title">{sign}{escape(words[f"report.{name}"])}</h2>'
         f"<ul>{rows}</ul></section>"
     )
 
@@ -264,10 +274,7 @@ def _number(value: float | None) -> str:
 
 
 def _unit(unit: str) -> str:
-    """A unit as it is set in print: ``mm/s^2`` as mm/s², ``N*m`` as N·m."""
-    for typed, printed in (("**", "^"), ("*", "·"), ("^2", "²"), ("^3", "³"), ("^4", "⁴")):
-        unit = unit.replace(typed, printed)
-    return escape(unit)
+    return escape(printed(unit))
 
 
 def _lines(text: str) -> str:

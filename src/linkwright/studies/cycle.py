@@ -16,9 +16,10 @@ from linkwright.model.fields import Expression, Frozen, fault
 from linkwright.model.findings import Finding, ModelError, Term
 from linkwright.results import Result, Run, certify
 from linkwright.studies.acting import lifted, loose, outside, undefined
-from linkwright.studies.feasible import near, singular, strokes, unassembled
+from linkwright.studies.feasible import near, singular, strokes, travels, unassembled
 from linkwright.studies.locked import locked
 from linkwright.studies.outputs import powerless
+from linkwright.studies.plausible import coincident, crossed
 from linkwright.studies.registry import register
 from linkwright.studies.site import NOWHERE, Site
 from linkwright.studies.through import carried, warnings
@@ -123,10 +124,11 @@ class Cycle:
         result.certificate = replace(certificate, measures=misfit(measurer, measures))
         measurer.findings += lost(run)
         faults = [finding for finding in measurer.findings if finding.severity == "error"]
-        result.failures += [*unproven(result), *faults, *strokes(run)]
-        notes = [finding for finding in measurer.findings if finding not in faults]
-        notes += [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
-        return CycleOutcome(result, measures, [*notes, *outside(run), *lifted(run), *loose(run)])
+        result.failures += [*unproven(result), *faults, *strokes(run), *travels(run)]
+        warned = [finding for finding in measurer.findings if finding not in faults]
+        warned += [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
+        notes = [*coincident(run), *crossed(run)]
+        return CycleOutcome(result, measures, [*warned, *outside(run), *lifted(run), *loose(run), *notes])
 
 
 CHECKS = {

@@ -92,11 +92,12 @@ def gaps(run: Run, row: str, ends: Sequence[float]) -> list[tuple[float, float, 
     return gaps
 
 
-def _edge(run: Run, row: str, bad: float, good: float) -> float:
-    """The time at which a reach turns negative, by bisection to round-off."""
+def _edge(run: Run, row: str, bad: float, good: float, limit: float = 0.0, sign: int = 1) -> float:
+    """The time at which a reach turns negative, or a row passes a limit (upwards with ``sign`` -1), by bisection to
+    round-off."""
     for _ in range(60):
         middle = 0.5 * (bad + good)
-        if run.compiled.evaluate([row], np.array([middle]))[0, 0] < 0:
+        if sign * (run.compiled.evaluate([row], np.array([middle]))[0, 0] - limit) < 0:
             bad = middle
         else:
             good = middle
@@ -177,6 +178,29 @@ def strokes(run: Run) -> list[Finding]:
         Finding("motion.cylinder-length", path, data | {"time": f"{time:.6g}"} | drive_value(run, time))
         for path, time, data in overrun(run)
     ]
+
+
+def travels(run: Run) -> Iterator[Finding]:
+    """A finding for each end of a slide's travel that the run goes beyond: where first, and where furthest."""
+    quantities = run.compiled.quantities
+    unit, size = quantities.unit_of(u.LENGTH)
+    for name, joint in run.compiled.mechanism.prismatic_joints():
+        if joint.travel is None:
+            continue
+        row, (low, high) = f"{name}.s", (quantities.value(edge, u.LENGTH) for edge in joint.travel)
+        t, travel = row_of(run, row)
+        for limit, sign, end in ((low, 1, Term("below")), (high, -1, Term("above"))):
+            inside = sign * (travel - limit)
+            worst, beyond = int(np.argmin(inside)), inside < -1e-9 * max(abs(low), abs(high))
+            if not beyond[worst]:
+                continue
+            first = int(np.argmax(beyond))
+            leaves = _edge(run, row, t[first], t[first - 1], limit, sign) if first else run.start
+            data: dict[str, Any] = {"name": name, "length_unit": unit, "by": f"{-inside[worst] / size:.4g}", "end": end}
+            data |= {"low": f"{low / size:.6g}", "high": f"{high / size:.6g}", "travel": f"{travel[worst] / size:.6g}"}
+            data |= {"leaves": f"{leaves:.6g}", "leaves_value": drive_value(run, leaves)["value"]}
+            data |= {"time": f"{t[worst]:.6g}"} | drive_value(run, float(t[worst]))
+            yield Finding("motion.travel", ("joints", name, "travel"), data)
 
 
 def overrun(run: Run) -> Iterator[tuple[tuple[str, ...], float, dict[str, Any]]]:

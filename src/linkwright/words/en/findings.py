@@ -4,7 +4,9 @@
 don't are in SI, and the text says so.
 """
 
+from linkwright.words.en.absent import ABSENT_TEXTS
 from linkwright.words.en.cam_findings import CAM_TERMS, CAM_TEXTS
+from linkwright.words.en.plausibility import PLAUSIBILITY_TERMS, PLAUSIBILITY_TEXTS
 
 _TEXTS: dict[str, tuple[str, str]] = {
     # The file and its text.
@@ -531,7 +533,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "drive.start": (
         "Speed and start belong together.",
-        "Give both: speed (constant), and start (the value at t = 0).",
+        "Give both: speed (constant), and start (the value at t = 0). A drive whose value a sketch shows may leave start out.",
     ),
     "drive.acceleration": (
         "An acceleration alone doesn't say where the motion begins.",
@@ -1687,6 +1689,12 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Measure at more positions, or name fewer deviations under parameters.",
     ),
     # Structure.
+    "structure.no-freedom": (
+        "The mechanism can't move, so there is nothing to drive: its mobility is {mobility} by Gruebler's count (moving "
+        "links: {moving}, joints: {joints}).",
+        "Remove a joint or add a link, then drive it. Of a structure that is to stand still, 'studies: {{reactions: "
+        "{{}}}}' computes the reactions.",
+    ),
     "structure.drive-no-joint": (
         "{link} and {on} share no {joint} joint, so the drive can't act between them.",
         "Name two links that meet at a pin (turns) or on a line (slides).",
@@ -1778,8 +1786,9 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Correct the points and lines of these links; or start elsewhere.",
     ),
     "assembly.no-sketch": (
-        "{links} can only be placed all at once, in one of several ways, and nothing says which.",
-        "Give the places of their pins in a pose near the start, under assembly: one line 'C: [x, y]' for each pin.",
+        "{links} can only be put together all at once, in one of several assembly modes, and the file doesn't say which.",
+        "Run 'linkwright modes FILE': it lists the modes, each with the lines to copy. Or give the places of the pins {pins} "
+        "in a pose near the start, under assembly: '{first}: [x, y]' and so on.",
     ),
     "assembly.not-found": (
         "No way was found to put {links} together at the start near the places sketched under assembly.",
@@ -1955,8 +1964,10 @@ _TERMS: dict[str, str] = {
     "syntax-place": "{name} can't stand here",
 }
 
+_ALL = {**_TEXTS, **CAM_TEXTS, **PLAUSIBILITY_TEXTS, **ABSENT_TEXTS}
+
 FINDINGS: dict[str, str] = {
-    **{f"{code}.what": what for code, (what, _) in {**_TEXTS, **CAM_TEXTS}.items()},
-    **{f"{code}.mend": mend for code, (_, mend) in {**_TEXTS, **CAM_TEXTS}.items()},
-    **{f"term.{name}": text for name, text in {**_TERMS, **CAM_TERMS}.items()},
+    **{f"{code}.what": what for code, (what, _) in _ALL.items()},
+    **{f"{code}.mend": mend for code, (_, mend) in _ALL.items()},
+    **{f"term.{name}": text for name, text in {**_TERMS, **CAM_TERMS, **PLAUSIBILITY_TERMS}.items()},
 }

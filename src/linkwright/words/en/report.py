@@ -29,6 +29,7 @@ REPORT: dict[str, str] = {
     "report.no_script": "The animated drawing and the plots need JavaScript.",
     "report.not_assembled": "Can't be assembled here",
     "report.pass": "met",
+    "report.notes": "Notes",
     "report.paths": "Paths",
     "report.pause": "Pause",
     "report.play": "Play",

@@ -1,0 +1,121 @@
+"""Numbers that fit the format and yet look like a slip: gravity in a wrong unit, lengths, masses, speeds.
+
+Gravity far from the earth's is a warning. The others are notes: they never change an exit code.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from itertools import combinations
+from typing import TypeVar
+
+from linkwright.model import units as u
+from linkwright.model.expressions import Name, Number, nodes
+from linkwright.model.fields import Expression, Position
+from linkwright.model.findings import Finding
+from linkwright.model.gravity import EARTH
+from linkwright.model.places import position_parts
+from linkwright.model.quantities import Quantities
+from linkwright.model.units import Dimension, printed
+
+Key = TypeVar("Key")
+
+OTHER_GRAVITY = 100.0
+"""Gravity this many times larger or smaller than the earth's gives a warning."""
+RATIO = 300.0
+"""Lengths, or masses, that differ by this factor or more give a note."""
+SLOW, FAST = math.pi / 30, 1e5 * math.pi / 30
+"""Speeds (rad/s) below the one or above the other give a note: 1 rpm, 100 000 rpm."""
+MOST_POINTS = 40
+"""So many points of a link are looked at."""
+
+
+def implausible(q: Quantities) -> list[Finding]:
+    """Warnings and notes on a mechanism whose quantities are free of findings."""
+    return [*_gravity(q), *_lengths(q), *_masses(q), *_speeds(q)]
+
+
+def amount(q: Quantities, value: float, dimension: Dimension) -> str:
+    """A value (SI) in the model's unit, as text with the unit."""
+    unit, size = q.unit_of(dimension)
+    return f"{value / size + 0.0:.6g} {printed(unit)}"  # 0.0, as -0 reads oddly
+
+
+def _gravity(q: Quantities) -> Iterator[Finding]:
+    gravity = q.mechanism.gravity
+    if gravity is None:
+        return
+    x, y = (q.value(part, u.ACCELERATION) for part in gravity.parts)
+    size = math.hypot(x, y)
+    if size and not EARTH / OTHER_GRAVITY <= size <= EARTH * OTHER_GRAVITY:
+        earth = "earth" if x == 0 and y < 0 else f"earth along [{x / size:.6g}, {y / size:.6g}]"
+        data = {"given": amount(q, size, u.ACCELERATION), "si": f"{size:.6g} m/s²", "times": f"{size / EARTH:.3g}"}
+        yield Finding("gravity.size", ("gravity",), {**data, "earth": earth}, severity="warning")
+
+
+def _lengths(q: Quantities) -> Iterator[Finding]:
+    known: dict[tuple[str, str, str], float] = {}
+    for name, link in q.mechanism.links.items():
+        places = {point: _place(q, at) for point, at in list(link.points.items())[:MOST_POINTS]}
+        for (a, p), (b, r) in combinations(places.items(), 2):
+            known[name, a, b] = abs(p - r)
+    if pair := _apart(known):
+        short, long = pair
+        data = {"ratio": f"{known[long] / known[short]:.3g}", "short": _distance(*short), "long": _distance(*long)}
+        data |= {"low": amount(q, known[short], u.LENGTH), "high": amount(q, known[long], u.LENGTH)}
+        yield Finding("plausible.lengths", ("links", short[0]), {**data}, severity="note")
+
+
+def _distance(link: str, a: str, b: str) -> str:
+    return f"{a}-{b} ({link})"
+
+
+def _place(q: Quantities, at: Position) -> complex:
+    """A point in its link's axes (m), as x + i y."""
+    first, second = (q.value(expression, dimension) for expression, dimension in position_parts(at))
+    return first * complex(math.cos(second), math.sin(second)) if at.polar else complex(first, second)
+
+
+def _masses(q: Quantities) -> Iterator[Finding]:
+    given = {("links", name): link.mass for name, link in q.mechanism.links.items()}
+    given |= {("counterweights", name): weight.mass for name, weight in q.mechanism.counterweights.items()}
+    known = {path: q.value(mass, u.MASS) for path, mass in given.items() if mass is not None}
+    if pair := _apart(known):
+        light, heavy = pair
+        data = {"ratio": f"{known[heavy] / known[light]:.3g}", "light": light[1], "heavy": heavy[1]}
+        data |= {"low": amount(q, known[light], u.MASS), "high": amount(q, known[heavy], u.MASS)}
+        yield Finding("plausible.masses", light, {**data}, severity="note")
+
+
+def _apart(known: Mapping[Key, float]) -> tuple[Key, Key] | None:
+    """The smallest and the largest of some values, where they are far apart; zero, to round-off, isn't one."""
+    top = max(known.values(), default=0.0)
+    some = {key: value for key, value in known.items() if value > 1e-9 * top}
+    if not some:
+        return None
+    low, high = min(some, key=some.__getitem__), max(some, key=some.__getitem__)
+    return (low, high) if some[high] >= RATIO * some[low] else None
+
+
+def _speeds(q: Quantities) -> Iterator[Finding]:
+    for name, drive in q.mechanism.drives.items():
+        if drive.speed is None or drive.acceleration is not None or not q.mechanism.prescribed(name).turns:
+            continue
+        speed = abs(q.value(drive.speed, u.OMEGA))
+        if speed > FAST or (0 < speed < SLOW and _bare(q, drive.speed)):
+            example = f"{drive.speed.text} rpm" if drive.speed.bare_number() is not None else "60 rpm"
+            data = {"name": name, "speed": amount(q, speed, u.OMEGA), "rpm": f"{speed * 30 / math.pi:.4g}"}
+            data |= {"period": amount(q, 2 * math.pi / speed, u.TIME), "unit": printed(q.unit_of(u.OMEGA)[0])}
+            yield Finding("plausible.speed", ("drives", name, "speed"), {**data, "example": example}, severity="note")
+
+
+def _bare(q: Quantities, expression: Expression) -> bool:
+    """Whether no unit is written in an expression, nor in the parameters that it names."""
+    parameters = q.mechanism.parameters
+    for node in nodes(expression.node):
+        if isinstance(node, Number) and node.unit:
+            return False
+        if isinstance(node, Name) and node.text in parameters and not _bare(q, parameters[node.text].value):
+            return False
+    return True

@@ -1,0 +1,98 @@
+"""What was understood of drives, springs and gravity: sentences with values and units, for `check` and the report."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from linkwright.kernels import Compiled
+from linkwright.model import units as u
+from linkwright.model.cams import Following
+from linkwright.model.parts import Drive
+from linkwright.model.plausible import amount
+from linkwright.model.units import Dimension
+from linkwright.words import say
+
+LONGEST = 60
+"""The text of a longer law isn't shown."""
+
+
+def drives(compiled: Compiled) -> list[str]:
+    """Each drive: what it moves, by which law, from where; then the followers that cams hold."""
+    return [
+        say("fact.drive", name=name, subject=_subject(compiled, name, drive), motion=_motion(compiled, name, drive))
+        for name, drive in compiled.mechanism.drives.items()
+    ]
+
+
+def springs(compiled: Compiled) -> list[str]:
+    """Each spring: where it acts, and its force (torque) at the start of the motion."""
+    entries, q = compiled.mechanism.springs, compiled.quantities
+    if not entries:
+        return []
+    rows = [f"{name}.{spring.effort}" for name, spring in entries.items()]
+    efforts = compiled.evaluate(rows, np.zeros(1))[:, 0]
+    lines = []
+    for (name, spring), effort in zip(entries.items(), map(float, efforts), strict=True):
+        kind, ends = (
+            ("torsional", (spring.turns, spring.on)) if spring.torsional else ("between", (spring.from_, spring.to))
+        )
+        sense = "none" if not math.isfinite(effort) else "pull" if effort >= 0 else "push"
+        size = amount(q, abs(effort), u.TORQUE if spring.torsional else u.FORCE) if sense != "none" else ""
+        does = say(f"fact.spring.{kind}.{sense}", effort=size, link=spring.turns)
+        lines.append(say(f"fact.spring.{kind}", name=name, start=ends[0], end=ends[1], does=does))
+    return lines
+
+
+def gravity(compiled: Compiled) -> str:
+    """Its size and direction; or that there is none."""
+    if compiled.mechanism.gravity is None:
+        return say("fact.gravity.none")
+    parts = [compiled.quantities.value(part, u.ACCELERATION) for part in compiled.mechanism.gravity.parts]
+    size = math.hypot(*parts)
+    if size == 0:
+        return say("fact.gravity.none")
+    x, y = (part / size for part in parts)
+    axes = {(0.0, -1.0): "-y", (0.0, 1.0): "+y", (-1.0, 0.0): "-x", (1.0, 0.0): "+x"}
+    axis = axes.get((x, y), f"[{x:.6g}, {y:.6g}]")
+    return say("fact.gravity.text", size=f"{size:.6g} m/s²", direction=axis)
+
+
+def _subject(compiled: Compiled, name: str, drive: Drive) -> str:
+    """What a drive moves against what."""
+    m = compiled.mechanism
+    if isinstance(drive, Following):
+        return say("fact.drive.follower", link=drive.link, on=drive.on, motor=drive.motor)
+    if drive.output is not None:
+        return say("fact.drive.output", link=drive.link, on=drive.on, output=drive.output)
+    cylinders = [c.joint for c in compiled.structure.topology.acting(name) if c.joint in m.cylinders]
+    if drive.slides and cylinders:
+        return say("fact.drive.cylinder", cylinder=cylinders[0])
+    return say("fact.drive.links", link=drive.link, on=drive.on)
+
+
+def _motion(compiled: Compiled, name: str, drive: Drive) -> str:
+    """The law of a drive: its speed (and in rpm), its start; of other laws their text, and the speed at the start."""
+    q, turning = compiled.quantities, bool(compiled.mechanism.prescribed(name).turns)
+    value, rate, change = (u.ANGLE, u.OMEGA, u.ALPHA) if turning else (u.LENGTH, u.SPEED, u.ACCELERATION)
+    at = [float(np.asarray(d).flat[0]) for d in compiled.laws[name](np.zeros(1)).d[:3]]
+    said = {"start": amount(q, at[0], value), "speed": _speed(compiled, at[1], rate)}
+    if isinstance(drive, Following):
+        return say("fact.law.follower", law=drive.cam.law, **said)
+    if drive.position is not None:
+        law = drive.position.text
+        return say("fact.law.position", law=law, **said) if len(law) <= LONGEST else say("fact.law.given", **said)
+    if drive.acceleration is not None:
+        return say("fact.law.accelerated", acceleration=amount(q, at[2], change), **said)
+    if at[1] == 0:
+        return say("fact.law.still", **said)
+    if turning:
+        return say("fact.law.turning", period=amount(q, 2 * math.pi / abs(at[1]), u.TIME), **said)
+    return say("fact.law.constant", **said)
+
+
+def _speed(compiled: Compiled, speed: float, rate: Dimension) -> str:
+    """A speed in the model's unit, of a rotation in rpm too."""
+    text = amount(compiled.quantities, speed, rate)
+    return text if rate != u.OMEGA or speed == 0 else f"{text} = {speed * 30 / math.pi:.6g} rpm"

@@ -1,0 +1,94 @@
+"""What is said of elements that model files don't have, or not under that name."""
+
+ABSENT_TEXTS: dict[str, tuple[str, str]] = {
+    "element.belt": (
+        "'{name}': linkwright has no belts and chains yet.",
+        "A belt turns two links in the ratio of their radii. Where the law of one is known, give each a drive of its own: "
+        "'a: {{turns: pulley1, on: frame, speed: 60 rpm, start: 0 deg}}' and 'b: {{turns: pulley2, on: frame, speed: "
+        "60 rpm*r1/r2, start: 0 deg}}'. The torque of the second drive is what the belt transmits.",
+    ),
+    "element.clearance": (
+        "'{name}': the joints of a model have no clearance.",
+        "State clearances in the accuracy study, for example 'studies: {{accuracy: {{clearances: {{B: 0.02 mm}}, outputs: "
+        "[...]}}}}'; see docs/how-to/clearances.md.",
+    ),
+    "element.contact": (
+        "'{name}': linkwright has no contacts and stops yet.",
+        "The contact of a cam is written under cams. Give a slide its allowed range by 'travel', a cylinder by 'length'; "
+        "a range for anything else is a measure with a requirement.",
+    ),
+    "element.damper": (
+        "'{name}': dampers are written under springs.",
+        "For example 'springs: {{damper: {{from: A, to: B, damping: 200 N*s/m}}}}'.",
+    ),
+    "element.friction": (
+        "'{name}': linkwright has no friction yet.",
+        "Apply a friction force of known size as a load against the motion, for example 'loads: {{friction: {{on: "
+        'slider, at: C, along: guide, force: "-20 N*guide.v/max(abs(guide.v), 1 mm/s)"}}}}\'.',
+    ),
+    "element.gear": (
+        "'{name}': linkwright has no gears yet.",
+        "A pair of gears turns two links in a fixed ratio. Where the law of one is known, give each a drive of its own: "
+        "'a: {{turns: gear1, on: frame, speed: 60 rpm, start: 0 deg}}' and 'b: {{turns: gear2, on: frame, speed: "
+        "-60 rpm*z1/z2, start: 0 deg}}' (or 'position: -(LAW OF a)*z1/z2'). The torque of the second drive is what "
+        "the gears transmit.",
+    ),
+    "element.geneva": (
+        "'{name}': linkwright has no Geneva drives yet.",
+        "While the pin is in the slot, model it as a pin in a slot: a massless link pinned to the crank, and a prismatic "
+        "joint between it and the wheel, with 'travel' for the slot's length. Or drive the wheel by a motion law with "
+        "dwells.",
+    ),
+    "element.limits": (
+        "'{name}': limits of a joint are not written under this name.",
+        "The range of a slide is 'travel: [LOW, HIGH]', that of a cylinder 'length: [LOW, HIGH]'. For the angle of a pin, "
+        "require it of a measure: 'measures: {{swing: {{extremes: LINK.angle}}}}', 'require: {{swing: 10 deg .. 80 deg}}'.",
+    ),
+    "element.motor": (
+        "'{name}': motors and actuators are written under drives.",
+        "For example 'drives: {{motor: {{turns: crank, on: frame, speed: 60 rpm, start: 0 deg}}}}'; a linear actuator "
+        "between two points is a cylinder, with a drive that extends it.",
+    ),
+    "element.pin": (
+        "'{name}': pins are not listed; they follow from the names of points.",
+        "Give the point the same name on both links. For points of different names: 'joints: {{B: {{revolute: [crank, "
+        "rod], at: [B1, B2]}}}}'.",
+    ),
+    "element.rack": (
+        "'{name}': linkwright has no rack and pinion yet.",
+        "A rack travels in a fixed ratio to its pinion's angle. Where the law of one is known, give each a drive of its "
+        "own, the rack's travel being the pinion's radius times its angle: 'b: {{slides: rack, on: frame, position: "
+        "r*(LAW OF THE PINION)}}'.",
+    ),
+    "element.rolling": (
+        "'{name}': linkwright has no rolling contact yet.",
+        "Rolling without slip is a fixed ratio between two motions. Where the law of one is known, give the other a drive "
+        "of its own in that ratio, for example 'position: -(TRAVEL)/r' for the angle of a wheel of radius r.",
+    ),
+    "element.rope": (
+        "'{name}': linkwright has no ropes and cables yet.",
+        "Model a rope that stays taut between two points as a link of its length; the sign of the force in its pins "
+        "shows whether it stays taut. An elastic one is a spring.",
+    ),
+    "element.screw": (
+        "'{name}': linkwright has no screws yet.",
+        "Drive the nut directly: a slide (or a cylinder between two points) with the speed lead times rotational speed, "
+        "for example 'speed: 5 mm*4/(1 s)'. The torque is the drive's force times lead/(2*pi).",
+    ),
+    "element.slide": (
+        "'{name}': slides are written under joints, as prismatic.",
+        "For example 'joints: {{guide: {{prismatic: [frame, slider], line: [F at 0 deg, C at 0 deg]}}}}'; a slide along a "
+        "line between two points is a cylinder.",
+    ),
+    "element.slot": (
+        "'{name}': linkwright has no joint 'pin in slot'.",
+        "Write it as a massless link on the pin that slides in the slotted link: 'links: {{block: {{points: {{B: [0, 0]}}}}}}' "
+        "with B the pin's name, and 'joints: {{slot: {{prismatic: [lever, block], line: [Q at 0 deg, B at 0 deg], travel: "
+        "[20, 80]}}}}'.",
+    ),
+    "element.weld": (
+        "'{name}': linkwright has no welded or fixed joint.",
+        "Links that don't move against each other are one link: put their points on it, and their masses as counterweights "
+        "where they have several. What doesn't move at all belongs to the frame.",
+    ),
+}
