@@ -23,7 +23,7 @@ from linkwright.report.accuracy_page import sentences as accuracy_sentences
 from linkwright.report.accuracy_tables import further, overview
 from linkwright.report.cam import cam_sentences, cam_tables
 from linkwright.report.data import Grid, MeasureValue
-from linkwright.report.facts import checks, facts
+from linkwright.report.facts import checks, facts, notes
 from linkwright.report.limits import limits_entry, limits_tables
 from linkwright.report.modes import circuit_text, mode_text, modes_data
 from linkwright.report.parts import measure
@@ -134,6 +134,8 @@ def job(done: Job, file: Path) -> None:
         finding(item, file)
     if done.folder is not None:
         written(done.folder)
+    if done.outdated is not None:
+        err.print(escape(say("cli.outdated", folder=done.outdated)))
 
 
 def export(done: ExportJob, file: Path) -> None:
@@ -204,6 +206,8 @@ def _certificate(done: Job) -> None:
         mark = "[green]✓[/]" if check["ok"] else "[bold red]✗[/]"
         table.add_row(escape(check["name"]), check["figure"], f"{mark} {escape(check['sentence'])}")
     out.print(table)
+    for note in notes(certificate):
+        out.print(escape(note))
     out.print()
 
 

@@ -8,10 +8,10 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-import linkwright
 from linkwright.model.document import dump
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
+from linkwright.model.origin import Origin, hashed
 from linkwright.model.pins import spring_ends
 from linkwright.model.signals import PAIRED
 from linkwright.model.units import LENGTH, TIME
@@ -48,8 +48,12 @@ MAX_STEPS = 800
 _RATES = (("position", ""), ("velocity", "v"), ("acceleration", "a"))
 
 
-def report_data(document: Document, outcomes: Mapping[str, Any]) -> ReportData:
-    """Everything that the report of some outcomes shows, in the file's units. One of them has something to draw."""
+def report_data(document: Document, outcomes: Mapping[str, Any], origin: Origin | None = None) -> ReportData:
+    """Everything that the report of some outcomes shows, in the file's units. One of them has something to draw.
+
+    Without an ``origin`` it is that of a document made in Python.
+    """
+    origin = origin or Origin(None, hashed(dump(document).encode()))
     whole = drawn(outcomes)
     assert whole is not None
     result = whole.thinned(MAX_STEPS)
@@ -57,7 +61,8 @@ def report_data(document: Document, outcomes: Mapping[str, Any]) -> ReportData:
     data: ReportData = {
         "title": document.name,
         "subtitle": document.note or "",
-        "version": linkwright.__version__,
+        "origin": origin_text(origin),
+        "version": origin.version,
         "language": LANGUAGE,
         "words": words,
         "time": axis(result),
@@ -65,6 +70,7 @@ def report_data(document: Document, outcomes: Mapping[str, Any]) -> ReportData:
         "plots": plots(result) if result.t[-1] > result.t[0] else [],
         "measures": [],
         "certificate": [],
+        "notes": [],
         "limits": [],
         "structure": facts(result.run.compiled),
         "failures": [_failure(finding) for finding in found(outcomes)],
@@ -75,6 +81,12 @@ def report_data(document: Document, outcomes: Mapping[str, Any]) -> ReportData:
             data |= part.page(outcomes[name])  # type: ignore[typeddict-item]
             data["scene"] |= part.scene(outcomes[name])  # type: ignore[typeddict-item]
     return data
+
+
+def origin_text(origin: Origin) -> str:
+    """Where the results come from, in a sentence."""
+    data = {"sha256": origin.short, "date": origin.date, "version": origin.version}
+    return say("report.origin", file=origin.file, **data) if origin.file else say("report.origin.python", **data)
 
 
 def axis(result: Result) -> Time:
