@@ -109,15 +109,26 @@ def test_a_terminal_that_knows_few_letters(model: Path, encoding: str) -> None:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="a closed pipe is another thing on Windows")
-def test_a_reader_that_leaves_early(model: Path) -> None:
-    with subprocess.Popen([*PROGRAM, "schema"], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+@pytest.mark.parametrize(
+    ("text", "words", "code"),
+    [
+        (SOUND, ["run"], 0), (SOUND, ["run", "--json"], 0), (SOUND, ["check"], 0), (SOUND, ["limits", "--json"], 0),
+        (STUCK, ["run"], 1), (NAMES, ["check", "--json"], 2), (SOUND, ["schema"], 0), (SOUND, ["new", "--list"], 0),
+    ],
+)  # fmt: skip
+def test_a_reader_that_leaves_early(model: Path, text: str, words: list[str], code: int) -> None:
+    """The exit code is that of what was asked, and there is no complaint."""
+    model.write_text(text, "utf-8")
+    given = [] if words[0] in ("schema", "new") else [str(model)]
+    with subprocess.Popen([*PROGRAM, *words, *given], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         assert process.stdout is not None
         assert process.stderr is not None
-        process.stdout.read(10)
         process.stdout.close()
         complaint = process.stderr.read()
         process.wait(60)
     assert b"Traceback" not in complaint
+    assert b"Broken" not in complaint
+    assert process.returncode == code
 
 
 # All is imported first: within an import Python makes other errors of an interrupt.

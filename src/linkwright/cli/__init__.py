@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import os
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -88,12 +89,25 @@ def _end(
     from linkwright.app.job import summary_text
     from linkwright.cli import show
 
-    if as_json:
-        show.plain(summary_text(data()))
-    else:
-        show.findings(examined, file)
-        tell()
+    with _read_or_not():
+        if as_json:
+            show.plain(summary_text(data()))
+        else:
+            show.findings(examined, file)
+            tell()
     sys.exit(code)
+
+
+@contextmanager
+def _read_or_not() -> Iterator[None]:
+    """What is printed may go into a pipe whose reader has left (``linkwright run FILE | head``): then all is done."""
+    try:
+        yield
+        sys.stdout.flush()
+    except BrokenPipeError:
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        for stream in (sys.stdout, sys.stderr):  # for what is left in their buffers
+            os.dup2(nowhere, stream.fileno())
 
 
 @contextmanager
@@ -298,7 +312,8 @@ def new(name: str | None, as_list: bool, out: Path | None, force: bool) -> None:
     from linkwright.cli import show
 
     if name is None or as_list:
-        show.gallery()
+        with _read_or_not():
+            show.gallery()
         return
     file = out or Path(f"{name}.yaml")
     if findings := start(name, file, force):
@@ -314,7 +329,8 @@ def schema() -> None:
 
     from linkwright.exports.schema import file_schema
 
-    click.echo(json.dumps(file_schema(), indent=2, ensure_ascii=False))
+    with _read_or_not():
+        click.echo(json.dumps(file_schema(), indent=2, ensure_ascii=False))
 
 
 def main() -> None:

@@ -32,9 +32,18 @@ from linkwright.report.sweep import sweep_tables
 from linkwright.report.workspace import workspace_sentences, workspace_tables
 from linkwright.words import say
 
-out = Console(highlight=False, soft_wrap=True)
-wide = out if out.is_terminal else Console(highlight=False, soft_wrap=True, width=120)  # a pipe has no width
-err = Console(stderr=True, highlight=False, soft_wrap=True)
+
+class Stream(Console):
+    """A console that leaves it to the command what becomes of a pipe whose reader has left."""
+
+    def on_broken_pipe(self) -> None:
+        """Raise the error on; Rich itself would end with exit code 1."""
+        raise
+
+
+out = Stream(highlight=False, soft_wrap=True)
+wide = out if out.is_terminal else Stream(highlight=False, soft_wrap=True, width=120)  # a pipe has no width
+err = Stream(stderr=True, highlight=False, soft_wrap=True)
 
 _NUMBERS = ("value", "figure", "cold", "pose", "ratio", "deviation")
 _STYLES = {"error": "bold red", "warning": "bold yellow"}
