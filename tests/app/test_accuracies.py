@@ -11,7 +11,7 @@ import pytest
 
 import linkwright as lw
 from helpers.accuracies import MM, NOMINAL, stroke
-from linkwright.app import write
+from linkwright.app import Writing, write
 from linkwright.app.job import examine_document, perform
 from linkwright.studies import Site
 from studies.models import TURN, slider_crank
@@ -29,9 +29,10 @@ def model(toleranced: bool = True, **accuracy: Any) -> lw.Document:
 
 def test_the_files(tmp_path: Path) -> None:
     job = perform(examine_document(model()), Site(out=tmp_path))
-    write(job, tmp_path, netcdf=True)
+    write(job, tmp_path, Writing(netcdf=True))
     assert {path.name for path in tmp_path.iterdir()} == {
-        "report.html", "summary.json", "cycle.csv", "cycle.nc", "accuracy.csv", "accuracy_bands.csv", "accuracy.nc",
+        "linkwright-manifest.json", "report.html", "summary.json", "cycle.csv", "cycle.nc", "accuracy.csv",
+        "accuracy_bands.csv", "accuracy.nc",
     }  # fmt: skip
     entry = json.loads((tmp_path / "summary.json").read_text("utf-8"))
     assert entry["done"]

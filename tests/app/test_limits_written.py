@@ -34,7 +34,11 @@ def test_limits_alone_are_written_with_a_report(write: Any, tmp_path: Path) -> N
     job = lw.run(write(ALONE), out=tmp_path / "out")
     assert job.exit_code == 0
     assert job.cycle is None
-    assert {path.name for path in (tmp_path / "out").iterdir()} == {"report.html", "summary.json"}
+    assert {path.name for path in (tmp_path / "out").iterdir()} == {
+        "linkwright-manifest.json",
+        "report.html",
+        "summary.json",
+    }
     data = json.loads((tmp_path / "out" / "summary.json").read_text("utf-8"))
     assert data["done"] is True
     assert not {"run", "measures", "certificate"} & set(data)
@@ -149,7 +153,7 @@ def test_the_command_as_json(write: Any) -> None:
     code, out, err = run("limits", str(write(BOTH)), "--json")
     data = json.loads(out)
     assert (code, err) == (0, "")
-    assert set(data) == {"linkwright", "name", "done", "limits", "findings"}
+    assert set(data) == {"linkwright", "model", "date", "name", "done", "limits", "findings"}
 
 
 def test_the_command_on_a_wrong_file(write: Any) -> None:

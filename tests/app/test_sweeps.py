@@ -13,7 +13,7 @@ import pytest
 from scipy.io import netcdf_file
 
 import linkwright as lw
-from linkwright.app import write
+from linkwright.app import Writing, write
 from linkwright.app.job import examine_document, perform
 from linkwright.studies import Site, SweepOutcome
 from studies.models import four_bar
@@ -36,7 +36,7 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> tuple[SweepOutcome, Pat
     folder = tmp_path_factory.mktemp("out")
     job = perform(examine_document(model()), Site(out=folder))
     assert job.sweep is not None
-    write(job, folder, netcdf=True)
+    write(job, folder, Writing(netcdf=True))
     return job.sweep, folder
 
 
@@ -48,7 +48,16 @@ def table(path: Path) -> tuple[list[str], np.ndarray]:
 
 def test_the_files(written: tuple[SweepOutcome, Path]) -> None:
     names = {path.name for path in written[1].iterdir()}
-    expected = {"report.html", "summary.json", "cycle.csv", "cycle.nc", "sweep.csv", "sweep_bands.csv", "sweep.nc"}
+    expected = {
+        "linkwright-manifest.json",
+        "report.html",
+        "summary.json",
+        "cycle.csv",
+        "cycle.nc",
+        "sweep.csv",
+        "sweep_bands.csv",
+        "sweep.nc",
+    }
     assert names == expected
 
 

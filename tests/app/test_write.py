@@ -15,9 +15,9 @@ import pytest
 
 import linkwright as lw
 from app.models import SOUND, STUCK, UNMET
-from linkwright.app import examine_file, perform, write
+from linkwright.app import Writing, examine_file, perform, write
 
-FILES = ["cycle.csv", "report.html", "summary.json"]
+FILES = ["cycle.csv", "linkwright-manifest.json", "report.html", "summary.json"]
 
 
 @pytest.fixture(scope="module")
@@ -75,14 +75,14 @@ def test_a_rename_that_fails_leaves_nothing_half_written(
     assert names(tmp_path) == FILES
 
 
-@pytest.mark.parametrize("at", FILES)
+@pytest.mark.parametrize("at", ["cycle.csv", "report.html", "summary.json"])
 def test_a_failed_rename_keeps_the_file_that_was_there(
     job: lw.Job, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, at: str
 ) -> None:
     (tmp_path / at).write_text("of yesterday", "utf-8")
     break_replace(monkeypatch, at, OSError(5, "Input/output error"))
     with pytest.raises(OSError, match="Input/output"):
-        write(job, tmp_path)
+        write(job, tmp_path, Writing(force=True))
     assert (tmp_path / at).read_text("utf-8") == "of yesterday"
     assert set(names(tmp_path)) <= set(FILES)
 
@@ -102,7 +102,7 @@ def test_a_disc_that_is_full(job: lw.Job, tmp_path: Path) -> None:
 def test_what_lies_there_is_replaced_and_the_rest_left_alone(job: lw.Job, tmp_path: Path) -> None:
     for name in [*FILES, "notes.txt"]:
         (tmp_path / name).write_text("old", "utf-8")
-    write(job, tmp_path)
+    write(job, tmp_path, Writing(force=True))
     assert names(tmp_path) == sorted([*FILES, "notes.txt"])
     assert (tmp_path / "notes.txt").read_text("utf-8") == "old"
     assert all((tmp_path / name).read_text("utf-8") != "old" for name in FILES)
@@ -121,7 +121,7 @@ def test_a_link_in_place_of_a_file_is_followed(job: lw.Job, tmp_path: Path) -> N
     (tmp_path / "kept.json").write_text("old", "utf-8")
     (tmp_path / "out").mkdir()
     (tmp_path / "out" / "summary.json").symlink_to(tmp_path / "kept.json")
-    write(job, tmp_path / "out")
+    write(job, tmp_path / "out", Writing(force=True))
     assert (tmp_path / "out" / "summary.json").is_symlink()
     assert json.loads((tmp_path / "kept.json").read_text("utf-8"))["done"] is True
 

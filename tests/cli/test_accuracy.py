@@ -30,7 +30,7 @@ def test_the_study_alone(file: Path, tmp_path: Path) -> None:
     for text in ("stroke", "100.879 mm", "−0.11", "widest: ", "far: 0.01518", "r 99 %"):
         assert text in result.stdout
     assert {path.name for path in (tmp_path / "out").iterdir()} == {
-        "report.html", "summary.json", "accuracy.csv", "accuracy_bands.csv",
+        "linkwright-manifest.json", "report.html", "summary.json", "accuracy.csv", "accuracy_bands.csv",
     }  # fmt: skip
 
 

@@ -16,7 +16,7 @@ import linkwright
 from app.models import FORM, FORM_LINES, KINDS, NAMES, NAMES_LINES, NO_STUDY, SOUND, STUCK, UNMET, WARNED
 from linkwright.cli import cli, main
 
-FILES = ["cycle.csv", "report.html", "summary.json"]
+FILES = ["cycle.csv", "linkwright-manifest.json", "report.html", "summary.json"]
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
@@ -214,7 +214,13 @@ def test_netcdf_is_written_where_asked(model: Any, tmp_path: Path) -> None:
     from scipy.io import netcdf_file
 
     assert call("run", model(SOUND), "--netcdf", "--out", tmp_path / "out").exit_code == 0
-    assert names(tmp_path / "out") == ["cycle.csv", "cycle.nc", "report.html", "summary.json"]
+    assert names(tmp_path / "out") == [
+        "cycle.csv",
+        "cycle.nc",
+        "linkwright-manifest.json",
+        "report.html",
+        "summary.json",
+    ]
     with netcdf_file(tmp_path / "out" / "cycle.nc", mmap=False) as file:
         assert (file.title, file.findings) == (b"Four-bar", b"none")
         assert file.variables["A.x"][0] == pytest.approx(0.04 * math.cos(math.radians(40)))
@@ -326,10 +332,10 @@ def test_a_second_run_replaces_the_first(model: Any) -> None:
     path = model(SOUND)
     call("run", path)
     folder = path.with_name("model_linkwright")
-    (folder / "summary.json").write_text("old", "utf-8")
-    call("run", path)
+    path.write_text(SOUND.replace("name: Four-bar", "name: Another"), "utf-8")
+    assert call("run", path).exit_code == 0
     assert names(folder) == FILES
-    assert json.loads((folder / "summary.json").read_text("utf-8"))["done"] is True
+    assert json.loads((folder / "summary.json").read_text("utf-8"))["name"] == "Another"
 
 
 # Schema.

@@ -15,6 +15,7 @@ import pytest
 
 from app.models import NAMES, SOUND, STUCK
 
+FILES = ["cycle.csv", "linkwright-manifest.json", "report.html", "summary.json"]
 PROGRAM = [sys.executable, "-m", "linkwright"]
 
 
@@ -59,7 +60,7 @@ def test_a_whole_run(model: Path, tmp_path: Path) -> None:
     assert result.returncode == 0
     assert result.stderr == ""
     assert "swing" in result.stdout
-    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == ["cycle.csv", "report.html", "summary.json"]
+    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == FILES
 
 
 def test_a_relative_path_without_a_folder(model: Path, tmp_path: Path) -> None:
@@ -108,15 +109,26 @@ def test_a_terminal_that_knows_few_letters(model: Path, encoding: str) -> None:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="a closed pipe is another thing on Windows")
-def test_a_reader_that_leaves_early(model: Path) -> None:
-    with subprocess.Popen([*PROGRAM, "schema"], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+@pytest.mark.parametrize(
+    ("text", "words", "code"),
+    [
+        (SOUND, ["run"], 0), (SOUND, ["run", "--json"], 0), (SOUND, ["check"], 0), (SOUND, ["limits", "--json"], 0),
+        (STUCK, ["run"], 1), (NAMES, ["check", "--json"], 2), (SOUND, ["schema"], 0), (SOUND, ["new", "--list"], 0),
+    ],
+)  # fmt: skip
+def test_a_reader_that_leaves_early(model: Path, text: str, words: list[str], code: int) -> None:
+    """The exit code is that of what was asked, and there is no complaint."""
+    model.write_text(text, "utf-8")
+    given = [] if words[0] in ("schema", "new") else [str(model)]
+    with subprocess.Popen([*PROGRAM, *words, *given], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         assert process.stdout is not None
         assert process.stderr is not None
-        process.stdout.read(10)
         process.stdout.close()
         complaint = process.stderr.read()
         process.wait(60)
     assert b"Traceback" not in complaint
+    assert b"Broken" not in complaint
+    assert process.returncode == code
 
 
 # All is imported first: within an import Python makes other errors of an interrupt.
@@ -155,7 +167,7 @@ def test_an_interrupt_leaves_nothing_half_written(tmp_path: Path, delay: float) 
     assert process.returncode in (0, 130, -signal.SIGINT), complaint
     assert b"Traceback" not in complaint
     found = sorted(p.name for p in out.iterdir()) if out.exists() else []
-    assert set(found) <= {"cycle.csv", "report.html", "summary.json"}
+    assert set(found) <= {*FILES}
     if "summary.json" in found:
         json.loads((out / "summary.json").read_text("utf-8"))
     if "report.html" in found:
@@ -174,6 +186,6 @@ def test_an_interrupt_while_writing(model: Path, tmp_path: Path, at: str) -> Non
     assert result.returncode == 130
     assert "Traceback" not in result.stderr
     assert "nterrupted" in result.stderr
-    found = {p.name for p in out.iterdir()}
-    assert found <= {"report.html", "cycle.csv", "summary.json"} - {at}
+    found = {p.name for p in out.iterdir()} if out.exists() else set()
+    assert found <= {*FILES} - {at}
     assert not found or "nothing was written" not in result.stderr

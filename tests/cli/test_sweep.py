@@ -41,7 +41,7 @@ def test_the_sweep_alone(model: Path, tmp_path: Path) -> None:
     assert "stroke" in result.stdout
     assert "100 %" in result.stdout
     assert sorted(path.name for path in (tmp_path / "out").iterdir()) == [
-        "report.html", "summary.json", "sweep.csv", "sweep_bands.csv",
+        "linkwright-manifest.json", "report.html", "summary.json", "sweep.csv", "sweep_bands.csv",
     ]  # fmt: skip
 
 
@@ -100,4 +100,4 @@ def test_interrupted_it_says_how_to_go_on_and_does(model: Path, tmp_path: Path) 
     assert process.returncode == 130
     assert "Interrupted with" in told
     assert "goes on with the rest" in told
-    assert {path.suffix for path in (tmp_path / "out").iterdir()} == {".samples", ".signals"}
+    assert {path.suffix for path in (tmp_path / "out").iterdir()} == {".samples", ".signals", ".json"}

@@ -35,7 +35,14 @@ def test_the_study_alone(file: Path, tmp_path: Path) -> None:
     result = call("workspace", file, "--out", tmp_path / "out")
     assert result.exit_code == 0
     assert "Where E gets to: 1 regions" in result.stdout and "1507" in result.stdout
-    files = {"report.html", "summary.json", "workspace.geojson", "workspace.svg", "workspace_boundary.csv"}
+    files = {
+        "linkwright-manifest.json",
+        "report.html",
+        "summary.json",
+        "workspace.geojson",
+        "workspace.svg",
+        "workspace_boundary.csv",
+    }
     assert {path.name for path in (tmp_path / "out").iterdir()} - {"workspace.dxf"} == files
 
 

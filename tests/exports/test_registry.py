@@ -82,7 +82,7 @@ def test_the_command(file: Path, tmp_path: Path) -> None:
     done = call("export", file, "--to", "own-numbers", "--set", "digits=6")
     assert done.exit_code == 0 and "a is 0.040000" in done.stdout
     folder = tmp_path / "model_linkwright"
-    assert [path.name for path in folder.iterdir()] == ["a.txt"]
+    assert {path.name for path in folder.iterdir()} == {"a.txt", "linkwright-manifest.json"}
     assert (folder / "a.txt").read_text() == "0.040000"
     done = call("export", file, "--to", "own-numbers", "--json", "--out", tmp_path / "out")
     data = json.loads(done.stdout)

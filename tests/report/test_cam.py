@@ -109,7 +109,8 @@ def test_the_command_and_python(tmp_path: Path) -> None:
     assert "siemens" in result.stdout and "22.21454" in result.stdout
     names = {path.name for path in (tmp_path / "out").iterdir()}
     assert names - {"cam.dxf"} == {
-        "cam.svg", "cam_motion.txt", "cam_profile.csv", "cam_siemens.mpf", "report.html", "summary.json"
+        "cam.svg", "cam_motion.txt", "cam_profile.csv", "cam_siemens.mpf", "linkwright-manifest.json", "report.html",
+        "summary.json",
     }  # fmt: skip
     found = lw.plate_cam(document, post="fanuc", options={"steps": 36})
     assert found.done and [one.post.name for one in found.milled] == ["fanuc"]

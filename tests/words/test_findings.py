@@ -42,6 +42,7 @@ TITLES = {
     "file": "The file",
     "builder": "The builder",
     "gallery": "The gallery",
+    "folder": "Results folders",
     "blocks": "Large studies",
     "units": "Units",
     "gravity": "Gravity",

@@ -5,10 +5,10 @@ from linkwright.app.alone import examine_alone, runner_of
 from linkwright.app.assembly_modes import ModesJob, modes, modes_of_file
 from linkwright.app.bench import Bench, bench_file
 from linkwright.app.cams import examine_cam, plate_cam
-from linkwright.app.exports import ExportJob, examine_export, export, export_of, write_export
-from linkwright.app.job import Examined, Job, check, examine_file, perform, run, write
+from linkwright.app.exports import ExportJob, examine_export, export, export_into, export_of
+from linkwright.app.job import Examined, Job, Writing, carry_out, check, examine_file, perform, run, write
 from linkwright.app.sweeps import sweep
-from linkwright.app.workspaces import workspace, write_png
+from linkwright.app.workspaces import workspace
 
 __all__ = [
     "Bench",
@@ -16,14 +16,17 @@ __all__ = [
     "ExportJob",
     "Job",
     "ModesJob",
+    "Writing",
     "accuracy",
     "bench_file",
+    "carry_out",
     "check",
     "examine_alone",
     "examine_cam",
     "examine_export",
     "examine_file",
     "export",
+    "export_into",
     "export_of",
     "modes",
     "modes_of_file",
@@ -34,6 +37,4 @@ __all__ = [
     "sweep",
     "workspace",
     "write",
-    "write_export",
-    "write_png",
 ]

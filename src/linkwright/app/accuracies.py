@@ -26,14 +26,16 @@ def accuracy(
     workers: int | None = None,
     cluster: str | None = None,
     fresh: bool = False,
+    force: bool = False,
 ) -> AccuracyOutcome:
     """What the tolerances and clearances of a mechanism do to its outputs: measures by name, signals, expressions.
 
     What isn't given is that of the file's study ``accuracy``; ``options`` are further keys of it, written as there:
     ``{"general": "ISO 2768-m", "positions": {"far": "max E.x"}}``. ``samples`` are random, 0 for none. The span is
     that of the file's cycle. With ``out``, a folder, files are written there, and an interrupted study is gone on
-    with, unless ``fresh``. ``workers`` are threads of this process, ``cluster`` is the address of a Dask scheduler.
-    Raises :class:`ModelError` with all findings.
+    with, unless ``fresh``; files that linkwright didn't write are overwritten only with ``force``. ``workers`` are
+    threads of this process, ``cluster`` is the address of a Dask scheduler. Raises :class:`ModelError` with all
+    findings.
     """
     given = {"outputs": outputs, "samples": samples, "plan": plan, "seed": seed, "poses": poses, "kernel": kernel}
     outcome = perform_alone(
@@ -45,6 +47,7 @@ def accuracy(
         workers=workers,
         cluster=cluster,
         fresh=fresh,
+        force=force,
     )
     assert isinstance(outcome, AccuracyOutcome)
     return outcome

@@ -7,7 +7,7 @@ from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Any
 
-from linkwright.app.job import Examined, examine_document, perform, read_file, write
+from linkwright.app.job import Examined, Writing, carry_out, examine_document, read_file
 from linkwright.blocks import RUNNERS, Runner
 from linkwright.model.document import load, parse_document, plain
 from linkwright.model.findings import raise_errors
@@ -32,10 +32,7 @@ def examine_alone(path: Path, study: str, given: Mapping[str, Any]) -> Examined:
     read = read_file(path)
     if read.document is None:
         return read
-    examined = examine_document(altered(read.document, study, given), path.parent, only=study)
-    examined.source = read.source
-    examined.findings = examined.located(examined.findings)
-    return examined
+    return examine_document(altered(read.document, study, given), path.parent, only=study).read_from(read)
 
 
 def perform_alone(
@@ -49,19 +46,19 @@ def perform_alone(
     workers: int | None = None,
     cluster: str | None = None,
     fresh: bool = False,
+    force: bool = False,
 ) -> Any:
     """The outcome of one study with the options ``given`` in place of the file's, and ``without`` some of these. Raises
     :class:`ModelError` with all findings."""
     document = model if isinstance(model, Document) else load(model)
     tables = Path(folder) if folder else None if isinstance(model, Document) else Path(model).parent
     examined = examine_document(altered(document, study, given, without), tables, only=study)
-    raise_errors(examined.findings)
+    if not isinstance(model, Document):
+        examined.file, examined.content = Path(model), Path(model).read_bytes()
     target = Path(out) if out is not None else None
     with runner_of(workers, cluster) as runner:
-        job = perform(examined, Site(out=target, runner=runner, fresh=fresh))
+        job = carry_out(examined, Site(out=target, runner=runner, fresh=fresh), Writing(force=force))
     raise_errors(examined.findings)
-    if target is not None:
-        write(job, target)
     if job.stopped is not None:
         raise job.stopped
     return job.outcomes[study]

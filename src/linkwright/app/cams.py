@@ -20,16 +20,18 @@ def plate_cam(
     options: Mapping[str, Any] | None = None,
     out: str | Path | None = None,
     folder: str | Path | None = None,
+    force: bool = False,
 ) -> CamOutcome:
     """A plate cam from its law to its NC code.
 
     What isn't given is that of the file's study ``cam``: ``name`` of the cam (its key ``cam``), ``post``, the controls
     that NC code is written for (``nc: post``); ``options`` are further keys of it, written as there. With ``out``, a
-    folder, files are written there. Raises :class:`ModelError` with all findings.
+    folder, files are written there, over those that linkwright didn't write only with ``force``. Raises
+    :class:`ModelError` with all findings.
     """
     given = {**(options or {}), **({"cam": name} if name is not None else {})}
     document = model if isinstance(model, Document) else read_file(Path(model)).document
-    outcome = perform_alone(model, "cam", given | _posts(document, given, post), out=out, folder=folder)
+    outcome = perform_alone(model, "cam", given | _posts(document, given, post), out=out, folder=folder, force=force)
     assert isinstance(outcome, CamOutcome)
     return outcome
 

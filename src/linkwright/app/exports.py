@@ -8,9 +8,10 @@ from pathlib import Path
 from typing import Any
 
 from linkwright.app.alone import altered
-from linkwright.app.job import Examined, examine_document, read_file
+from linkwright.app.job import USUAL, Examined, Writing, examine_document, read_file
+from linkwright.app.results_folder import ResultsFolder, outdate
 from linkwright.exports import TARGETS, Exported
-from linkwright.model.document import load, write_aside
+from linkwright.model.document import load
 from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.mechanism import Document
 from linkwright.model.unknown import near
@@ -56,10 +57,11 @@ def export(
     out: str | Path | None = None,
     *,
     folder: str | Path | None = None,
+    force: bool = False,
     **options: Any,
 ) -> Exported:
     """Write a mechanism for another tool: ``to`` is a target such as ``mjcf``; with ``out``, a folder, its files are
-    written there.
+    written there, over those that linkwright didn't write only with ``force``.
 
     ``options`` are the target's, in place of those in the file's ``exports``. ``folder`` is where the tables of a
     document lie; those of a file lie beside it. Raises :class:`ModelError` with all findings where the mechanism can't
@@ -67,11 +69,12 @@ def export(
     """
     document = model if isinstance(model, Document) else load(model)
     tables = Path(folder) if folder else None if isinstance(model, Document) else Path(model).parent
-    job = export_of(_examined(document, tables, to, options), to)
+    examined = _examined(document, tables, to, options)
+    if not isinstance(model, Document):
+        examined.file, examined.content = Path(model), Path(model).read_bytes()
+    job = export_of(examined, to) if out is None else export_into(examined, to, Path(out), Writing(force=force))
     raise_errors(job.examined.findings)
     assert job.exported is not None
-    if out is not None:
-        write_export(job, Path(out))
     return job.exported
 
 
@@ -87,9 +90,7 @@ def examine_export(
         examined = _examined(read.document, path.parent, to, {**(given or {}), **_settings(settings)})
     except ModelError as error:
         return Examined(findings=[*error.findings])
-    examined.source = read.source
-    examined.findings = examined.located(examined.findings)
-    return examined
+    return examined.read_from(read)
 
 
 def export_of(examined: Examined, to: str, site: Site | None = None) -> ExportJob:
@@ -105,14 +106,29 @@ def export_of(examined: Examined, to: str, site: Site | None = None) -> ExportJo
     return job
 
 
-def write_export(job: ExportJob, folder: Path) -> None:
-    """Write the files of an export, each whole or not at all."""
-    if job.exported is None or not job.exported.files:
-        return
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, content in job.exported.files.items():
-        write_aside(folder / name, content)
-    job.folder = folder
+def export_into(examined: Examined, to: str, folder: Path, how: Writing = USUAL) -> ExportJob:
+    """Perform the export of an examined file, and write its files to a folder.
+
+    What keeps the folder from being used stands among the findings. Raises OSError where it can't be written to.
+    """
+    kind = f"export {to}"
+    if examined.exit_code or not examined.orders:
+        if examined.content is not None or examined.document is not None:
+            outdate(folder, examined.origin, kind)
+        return export_of(examined, to)
+    job = ExportJob(examined, to)
+    try:
+        with ResultsFolder(folder, examined.origin, kind, force=how.force, comments=how.comments) as place:
+            job = export_of(examined, to)
+            if job.exported is not None and job.exported.files:
+                place.begin(job.exported.files)
+                for name, content in job.exported.files.items():
+                    place.write(name, content)
+                place.done()
+                job.folder = folder
+    except ModelError as error:
+        examined.findings += error.findings
+    return job
 
 
 def _examined(document: Document, folder: Path | None, to: str, given: Mapping[str, Any]) -> Examined:

@@ -5,15 +5,19 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from linkwright import kernels
+from linkwright.app.manifest import State
+from linkwright.app.results_folder import ResultsFolder, outdate
 from linkwright.exports import Order, read_exports
 from linkwright.kernels import Compiled
-from linkwright.model.document import located, read_document, write_aside
+from linkwright.model.document import dump, located, read_document
 from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.mechanism import Document
+from linkwright.model.origin import Origin, hashed, table_hashes
 from linkwright.model.spelled import home
 from linkwright.model.yaml_text import Source
 from linkwright.report.build import report_data
@@ -51,6 +55,24 @@ class Examined:
     source: Source = field(default_factory=Source)
     folder: Path | None = None
     """Where the files of its tables lie."""
+    file: Path | None = None
+    content: bytes | None = None
+    """The model file and what it holds; ``None`` for a document made in Python."""
+
+    @cached_property
+    def origin(self) -> Origin:
+        """Where the results come from; its date is that of the first time it is asked for."""
+        content = self.content
+        if content is None:
+            content = dump(self.document).encode() if self.document is not None else b""
+        tables = table_hashes(self.document, self.folder) if self.document is not None else {}
+        return Origin(self.file.name if self.file is not None else None, hashed(content), tables)
+
+    def read_from(self, read: Examined) -> Examined:
+        """The same, with the file that it was read from and the lines of its findings."""
+        self.source, self.file, self.content = read.source, read.file, read.content
+        self.findings = self.located(self.findings)
+        return self
 
     def located(self, findings: Iterable[Finding]) -> list[Finding]:
         """The same findings with their lines in the file."""
@@ -71,11 +93,10 @@ def read_file(path: Path) -> Examined:
         raw = path.read_bytes() if path.stat().st_size < 1 << 26 else b" " * (1 << 21)
     except OSError as error:
         data = {"file": str(path), "reason": error.strerror or str(error)}
-        return Examined(findings=[Finding("file.unreadable", data=data)])
+        return Examined(findings=[Finding("file.unreadable", data=data)], file=path)
     document, source = read_document(raw)
-    if document is None:
-        return Examined(findings=source.findings)
-    return Examined(document, source=source)
+    findings = source.findings if document is None else []
+    return Examined(document, findings=findings, source=source, folder=path.parent, file=path, content=raw)
 
 
 def examine_file(path: Path, only: str | None = None) -> Examined:
@@ -83,10 +104,7 @@ def examine_file(path: Path, only: str | None = None) -> Examined:
     read = read_file(path)
     if read.document is None:
         return read
-    examined = examine_document(read.document, path.parent, only)
-    examined.source = read.source
-    examined.findings = examined.located(examined.findings)
-    return examined
+    return examine_document(read.document, path.parent, only).read_from(read)
 
 
 def examine_document(
@@ -131,12 +149,14 @@ def _checked(compiled: Compiled | None, tasks: list[Task], orders: list[Order]) 
 @dataclass
 class Job:
     """A performed model file: outcomes by study name, and the folder they were written to; ``stopped`` is the interrupt
-    that ended it, after which the last outcome holds what was done."""
+    that ended it, after which the last outcome holds what was done; ``outdated`` is where the results of an earlier run
+    lie that are no longer current, while there are no newer ones."""
 
     examined: Examined
     outcomes: dict[str, Any] = field(default_factory=dict)
     folder: Path | None = None
     stopped: Stopped | None = None
+    outdated: Path | None = None
 
     @property
     def cycle(self) -> CycleOutcome | None:
@@ -197,7 +217,8 @@ class Job:
         document = self.examined.document
         if document is None:
             return {"done": False, "findings": [finding.as_dict() for finding in self.examined.findings]}
-        return summary(document, self.outcomes, self.examined.located([*self.examined.findings, *self.found]))
+        findings = self.examined.located([*self.examined.findings, *self.found])
+        return summary(document, self.outcomes, findings, self.examined.origin)
 
 
 def perform(examined: Examined, site: Site = NOWHERE) -> Job:
@@ -218,22 +239,83 @@ def perform(examined: Examined, site: Site = NOWHERE) -> Job:
     return job
 
 
-def write(job: Job, folder: Path, netcdf: bool = False) -> None:
-    """Write report.html, summary.json, the studies' own files (cycle.csv, sweep.csv ...) and, if asked, those in
-    netCDF, each whole or not at all."""
-    folder.mkdir(parents=True, exist_ok=True)
+@dataclass(frozen=True)
+class Writing:
+    """How results are written: files that are asked for besides the usual ones, whether foreign files may be
+    overwritten, whether CSV files begin with comments that name their origin."""
+
+    netcdf: bool = False
+    png: bool = False
+    force: bool = False
+    comments: bool = False
+
+
+USUAL = Writing()
+
+
+def carry_out(examined: Examined, site: Site, how: Writing = USUAL) -> Job:
+    """Perform the studies of an examined file and write what comes of them to the site's ``out``, if there is one.
+
+    What keeps the folder from being used stands among the findings. Raises OSError where it can't be written to.
+    """
+    if site.out is None:
+        return perform(examined, site)
+    if examined.exit_code or not examined.tasks:
+        job = perform(examined, site)
+        if examined.content is not None or examined.document is not None:
+            job.outdated = outdate(site.out, examined.origin)
+        return job
+    job = Job(examined)
+    try:
+        with _folder(examined, site.out, how) as folder:
+            names = [PARTS[task.study.name].all_files(how.netcdf, how.png) for task in examined.tasks]
+            stores = [PARTS[task.study.name].stores(task.options) for task in examined.tasks]
+            folder.begin([REPORT, SUMMARY, *(name for some in (*names, *stores) for name in some)])
+            job = perform(examined, replace(site, keep=folder.keep))
+            if job.outcomes:
+                _write(job, folder, how)
+    except ModelError as error:
+        examined.findings += error.findings
+        return job
+    job.outdated = folder.outdated
+    return job
+
+
+def write(job: Job, folder: Path, how: Writing = USUAL) -> None:
+    """Write report.html, summary.json, the studies' own files (cycle.csv, sweep.csv ...), each whole or not at all, and
+    the folder's manifest.
+
+    Raises :class:`ModelError` where foreign files stand in their way or another run writes to the folder, OSError where
+    it can't be written to.
+    """
+    with _folder(job.examined, folder, how) as place:
+        names = [PARTS[study].all_files(how.netcdf, how.png) for study in job.outcomes]
+        place.begin([REPORT, SUMMARY, *(name for some in names for name in some)])
+        _write(job, place, how)
+
+
+REPORT, SUMMARY = "report.html", "summary.json"
+
+
+def _folder(examined: Examined, path: Path, how: Writing) -> ResultsFolder:
+    return ResultsFolder(path, examined.origin, force=how.force, comments=how.comments)
+
+
+def _write(job: Job, folder: ResultsFolder, how: Writing) -> None:
     document = job.examined.document
     if document is not None and drawn(job.outcomes) is not None:
-        write_aside(folder / "report.html", page(report_data(document, job.outcomes, job.examined.findings)))
+        folder.write(REPORT, page(report_data(document, job.outcomes, job.examined.findings, job.examined.origin)))
     for study, outcome in job.outcomes.items():
-        part = PARTS[study]
-        for name, content in (part.files | part.netcdf if netcdf else part.files).items():
+        for name, content in PARTS[study].all_files(how.netcdf, how.png).items():
             if (made := content(outcome)) is not None:
-                write_aside(folder / name, made)
-    write_aside(folder / "summary.json", summary_text(job.summary) + "\n")
+                folder.write(name, made)
+    folder.write(SUMMARY, summary_text(job.summary) + "\n")
     for study, outcome in job.outcomes.items():
         PARTS[study].settle(outcome)
-    job.folder = folder
+    stores = [store for outcome in job.outcomes.values() if (store := getattr(outcome, "store", None))]
+    state: State = "interrupted" if job.stopped is not None else "failed" if job.examined.exit_code else "done"
+    folder.done(job.outcomes, stores, state)
+    job.folder = folder.path
 
 
 def summary_text(data: dict[str, Any]) -> str:
@@ -249,20 +331,23 @@ def check(model: str | Path | Document, folder: str | Path | None = None) -> lis
     return _examined(model, folder).findings
 
 
-def run(model: str | Path | Document, out: str | Path | None = None, folder: str | Path | None = None) -> Job:
+def run(
+    model: str | Path | Document,
+    out: str | Path | None = None,
+    folder: str | Path | None = None,
+    *,
+    force: bool = False,
+) -> Job:
     """Perform the studies of a model file or document; with ``out``, write its results to that folder.
 
-    ``folder`` is where the tables of a document lie; those of a file lie beside it.
+    ``folder`` is where the tables of a document lie; those of a file lie beside it. Files in ``out`` that linkwright
+    didn't write are overwritten only with ``force``.
 
     Raises :class:`ModelError` with all findings where the model can't be run at all; a motion that stops on its
     way is no exception but stands in ``job.cycle.failures``.
     """
-    examined = _examined(model, folder)
-    raise_errors(examined.findings)
-    job = perform(examined, Site(out=Path(out) if out is not None else None))
-    raise_errors(examined.findings)
-    if out is not None:
-        write(job, Path(out))
+    job = carry_out(_examined(model, folder), Site(out=Path(out) if out is not None else None), Writing(force=force))
+    raise_errors(job.examined.findings)
     if job.stopped is not None:
         raise job.stopped
     return job

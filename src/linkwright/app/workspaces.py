@@ -7,11 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from linkwright.app.alone import perform_alone
-from linkwright.app.job import Job
-from linkwright.model.document import write_aside
-from linkwright.model.machine import needed
 from linkwright.model.mechanism import Document
-from linkwright.report.workspace_files import png
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 
@@ -26,22 +22,17 @@ def workspace(
     options: Mapping[str, Any] | None = None,
     out: str | Path | None = None,
     folder: str | Path | None = None,
+    force: bool = False,
 ) -> WorkspaceOutcome:
     """Where a point gets to with two drives, in each assembly mode.
 
     What isn't given is that of the file's study ``workspace``: ``values`` of parameters (its key ``for``), as
     ``{"alpha": [0, 60, 90]}``; ``options`` are further keys of it, written as there. With ``out``, a folder, files are
-    written there. Raises :class:`ModelError` with all findings.
+    written there, over those that linkwright didn't write only with ``force``. Raises :class:`ModelError` with all
+    findings.
     """
     given = {"point": point, "for": values, "modes": modes, "drives": drives, "chord": chord}
     stated = {key: value for key, value in given.items() if value is not None}
-    outcome = perform_alone(model, "workspace", {**(options or {}), **stated}, out=out, folder=folder)
+    outcome = perform_alone(model, "workspace", {**(options or {}), **stated}, out=out, folder=folder, force=force)
     assert isinstance(outcome, WorkspaceOutcome)
     return outcome
-
-
-def write_png(job: Job, folder: Path) -> None:
-    """Write the pictures of a workspace as workspace.png; :class:`ModelError` where the package for it is missing."""
-    renderer = needed("resvg_py", "png")
-    if job.workspace is not None and (made := png(job.workspace, renderer)) is not None:
-        write_aside(folder / "workspace.png", made)

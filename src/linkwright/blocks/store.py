@@ -65,18 +65,27 @@ class Stored:
         if saved is None and path.exists() and not anew:
             raise ModelError([Finding("file.exists", (), {"file": str(path)})])
         self.next = 0 if saved is None else saved.next
-        if self.next == 0:
+        there = None if saved is None else self._opened(zarr)
+        if there is None and self.next:
+            raise ModelError([Finding("blocks.corrupt", (), {"file": str(path)})])
+        if there is None:
             self.save()
             try:
-                self._arrays = self._made(zarr, dict(attributes or {}))
+                there = self._made(zarr, dict(attributes or {}))
             except OSError as error:
                 raise unsaved(path, error) from None
-            return
+        self._arrays = there
+
+    def _opened(self, zarr: Any) -> dict[str, Any] | None:
+        """The arrays of a store that was made whole; ``None`` for another. One of which nothing is counted yet isn't
+        made again: whoever fills it writes the same chunks."""
         try:
-            group = zarr.open_group(path, mode="r+")
-            self._arrays = {v.name: group[stored_name(v.name)] for v in self._variables}
+            group = zarr.open_group(self._path, mode="r+")
+            if group.metadata.consolidated_metadata is None:  # what is written last
+                return None
+            return {v.name: group[stored_name(v.name)] for v in self._variables}
         except (OSError, KeyError, ValueError):
-            raise ModelError([Finding("blocks.corrupt", (), {"file": str(path)})]) from None
+            return None
 
     def _made(self, zarr: Any, attributes: dict[str, Any]) -> dict[str, Any]:
         sizes = {"sample": self._cut.samples, "pose": self._cut.poses}

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import io
+import os
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,7 +17,8 @@ from linkwright import __version__
 from linkwright.words import say
 
 if TYPE_CHECKING:
-    from linkwright.app import Examined, Job
+    from linkwright.app import Examined, Writing
+    from linkwright.blocks import Runner
 
 
 @click.group(help=say("cli.help"), context_settings={"help_option_names": ["-h", "--help"]})
@@ -26,25 +29,52 @@ def cli() -> None:
 
 _file = click.argument("file", type=click.Path(path_type=Path))
 _json = click.option("--json", "as_json", is_flag=True, help=say("cli.json"))
+_out = click.option("--out", type=click.Path(path_type=Path), help=say("cli.out"))
+_netcdf = click.option("--netcdf", is_flag=True, help=say("cli.netcdf"))
+
+
+def _written(command: Callable[..., None]) -> Callable[..., None]:
+    """The options of a command that writes results to a folder."""
+    for option in (
+        click.option("--csv-comments", "comments", is_flag=True, help=say("cli.csv_comments")),
+        click.option("--force", is_flag=True, help=say("cli.force_folder")),
+        _out,
+        _file,
+    ):
+        command = option(command)
+    return command
 
 
 @cli.command(help=say("cli.run"))
-@_file
-@click.option("--out", type=click.Path(path_type=Path), help=say("cli.out"))
-@click.option("--netcdf", is_flag=True, help=say("cli.netcdf"))
+@_written
+@_netcdf
 @_json
-def run(file: Path, out: Path | None, netcdf: bool, as_json: bool) -> None:
+def run(file: Path, out: Path | None, force: bool, comments: bool, netcdf: bool, as_json: bool) -> None:
     """Perform a file's studies."""
+    from linkwright import app
+
+    how = app.Writing(netcdf=netcdf, force=force, comments=comments)
+    _carry_out(app.examine_file(file), file, "run", out, as_json, how)
+
+
+def _carry_out(
+    examined: Examined,
+    file: Path,
+    study: str,
+    out: Path | None,
+    as_json: bool,
+    how: Writing,
+    runner: Runner | None = None,
+    fresh: bool = False,
+) -> None:
+    """Perform the studies of a file, write what comes of them, and tell it."""
     from linkwright import app
     from linkwright.cli import show
     from linkwright.studies import Site
 
-    examined = app.examine_file(file)
     folder = out or _beside(file)
-    with show.working(file, "run", quiet=as_json) as progress:
-        job = app.perform(examined, Site(out=folder, progress=progress))
-        if examined.document is not None and job.outcomes:
-            _writing(folder, job, netcdf)
+    with show.working(file, study, quiet=as_json) as progress, _writable(folder):
+        job = app.carry_out(examined, Site(out=folder, runner=runner, progress=progress, fresh=fresh), how)
     _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
 
 
@@ -59,30 +89,34 @@ def _end(
     from linkwright.app.job import summary_text
     from linkwright.cli import show
 
-    if as_json:
-        show.plain(summary_text(data()))
-    else:
-        show.findings(examined, file)
-        tell()
+    with _read_or_not():
+        if as_json:
+            show.plain(summary_text(data()))
+        else:
+            show.findings(examined, file)
+            tell()
     sys.exit(code)
 
 
-def _writing(folder: Path, job: Job, netcdf: bool, png: bool = False) -> None:
-    from linkwright import app
+@contextmanager
+def _read_or_not() -> Iterator[None]:
+    """What is printed may go into a pipe whose reader has left (``linkwright run FILE | head``): then all is done."""
+    try:
+        yield
+        sys.stdout.flush()
+    except BrokenPipeError:
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        for stream in (sys.stdout, sys.stderr):  # for what is left in their buffers
+            os.dup2(nowhere, stream.fileno())
 
-    def write() -> None:
-        app.write(job, folder, netcdf)
-        if png:
-            app.write_png(job, folder)
 
-    _try_writing(folder, write)
-
-
-def _try_writing(folder: Path, write: Callable[[], None]) -> None:
+@contextmanager
+def _writable(folder: Path) -> Iterator[None]:
+    """A folder that can't be written to is told as such."""
     from linkwright.cli import show
 
     try:
-        write()
+        yield
     except OSError as error:
         show.cannot_write(folder, error)
         sys.exit(2)
@@ -132,13 +166,12 @@ def _at_length(command: Callable[..., None]) -> Callable[..., None]:
     """The options of a command that performs one long study alone."""
     for option in (
         _json,
-        click.option("--netcdf", is_flag=True, help=say("cli.netcdf")),
+        _netcdf,
         click.option("--fresh", is_flag=True, help=say("cli.fresh")),
         click.option("--kernel", metavar="NAME", help=say("cli.kernel")),
         click.option("--workers", type=click.IntRange(1, 1024), help=say("cli.workers")),
         click.option("--cluster", metavar="ADDRESS", help=say("cli.cluster")),
-        click.option("--out", type=click.Path(path_type=Path), help=say("cli.out")),
-        _file,
+        _written,
     ):
         command = option(command)
     return command
@@ -152,21 +185,18 @@ def _perform_alone(
     cluster: str | None,
     workers: int | None,
     fresh: bool,
+    force: bool,
+    comments: bool,
     netcdf: bool,
     as_json: bool,
 ) -> None:
     """Perform one study of a file, with the options ``given`` in place of its own."""
     from linkwright import app
-    from linkwright.cli import show
-    from linkwright.studies import Site
 
     examined = app.examine_alone(file, study, given)
-    folder = out or _beside(file)
-    with app.runner_of(workers, cluster) as runner, show.working(file, study, quiet=as_json) as progress:
-        job = app.perform(examined, Site(out=folder, runner=runner, progress=progress, fresh=fresh))
-        if job.outcomes:
-            _writing(folder, job, netcdf)
-    _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
+    how = app.Writing(netcdf=netcdf, force=force, comments=comments)
+    with app.runner_of(workers, cluster) as runner:
+        _carry_out(examined, file, study, out, as_json, how, runner, fresh)
 
 
 @cli.command(help=say("cli.sweep"))
@@ -185,18 +215,15 @@ def accuracy(samples: int | None, kernel: str | None, **others: Any) -> None:
 
 
 @cli.command(help=say("cli.workspace"))
-@_file
-@click.option("--out", type=click.Path(path_type=Path), help=say("cli.out"))
+@_written
 @click.option("--dxf", is_flag=True, help=say("cli.dxf"))
 @click.option("--png", is_flag=True, help=say("cli.png"))
 @_json
-def workspace(file: Path, out: Path | None, dxf: bool, png: bool, as_json: bool) -> None:
+def workspace(file: Path, out: Path | None, force: bool, comments: bool, dxf: bool, png: bool, as_json: bool) -> None:
     """Perform the workspace study alone."""
     from linkwright import app
-    from linkwright.cli import show
     from linkwright.model.findings import ModelError
     from linkwright.model.machine import needed
-    from linkwright.studies import Site
 
     examined = app.examine_file(file, only="workspace")
     for asked, package, extra in ((dxf, "ezdxf", "cad"), (png, "resvg_py", "png")):
@@ -205,54 +232,45 @@ def workspace(file: Path, out: Path | None, dxf: bool, png: bool, as_json: bool)
                 needed(package, extra)
         except ModelError as error:
             examined.findings += error.findings
-    folder = out or _beside(file)
-    with show.working(file, "workspace", quiet=as_json) as progress:
-        job = app.perform(examined, Site(out=folder, progress=progress))
-        if job.outcomes:
-            _writing(folder, job, False, png)
-    _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
+    _carry_out(examined, file, "workspace", out, as_json, app.Writing(png=png, force=force, comments=comments))
 
 
 @cli.command(help=say("cli.export"))
-@_file
+@_written
 @click.option("--to", required=True, metavar="NAME", help=say("cli.to"))
-@click.option("--out", type=click.Path(path_type=Path), help=say("cli.out"))
 @click.option("--dialect", metavar="NAME", help=say("cli.dialect"))
 @click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help=say("cli.set"))
 @_json
 def export(
-    file: Path, to: str, out: Path | None, dialect: str | None, settings: tuple[str, ...], as_json: bool
+    file: Path,
+    out: Path | None,
+    force: bool,
+    comments: bool,
+    to: str,
+    dialect: str | None,
+    settings: tuple[str, ...],
+    as_json: bool,
 ) -> None:
     """Write a mechanism for another tool."""
     from linkwright import app
     from linkwright.cli import show
 
-    folder = out or _beside(file)
-    with show.working(file, to, quiet=as_json):
+    folder, how = out or _beside(file), app.Writing(force=force, comments=comments)
+    with show.working(file, to, quiet=as_json), _writable(folder):
         examined = app.examine_export(file, to, settings, {"dialect": dialect})
-        job = app.export_of(examined, to)
-        _try_writing(folder, lambda: app.write_export(job, folder))
+        job = app.export_into(examined, to, folder, how)
     _end(file, examined, as_json, lambda: job.summary, lambda: show.export(job, file), job.exit_code)
 
 
 @cli.command(help=say("cli.cam"))
-@_file
-@click.option("--out", type=click.Path(path_type=Path), help=say("cli.out"))
+@_written
 @click.option("--post", metavar="NAME", multiple=True, help=say("cli.post"))
 @_json
-def cam(file: Path, out: Path | None, post: tuple[str, ...], as_json: bool) -> None:
+def cam(file: Path, out: Path | None, force: bool, comments: bool, post: tuple[str, ...], as_json: bool) -> None:
     """Perform the cam study alone."""
     from linkwright import app
-    from linkwright.cli import show
-    from linkwright.studies import Site
 
-    examined = app.examine_cam(file, post)
-    folder = out or _beside(file)
-    with show.working(file, "cam", quiet=as_json) as progress:
-        job = app.perform(examined, Site(out=folder, progress=progress))
-        if job.outcomes:
-            _writing(folder, job, False)
-    _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
+    _carry_out(app.examine_cam(file, post), file, "cam", out, as_json, app.Writing(force=force, comments=comments))
 
 
 @cli.command(help=say("cli.bench"))
@@ -294,7 +312,8 @@ def new(name: str | None, as_list: bool, out: Path | None, force: bool) -> None:
     from linkwright.cli import show
 
     if name is None or as_list:
-        show.gallery()
+        with _read_or_not():
+            show.gallery()
         return
     file = out or Path(f"{name}.yaml")
     if findings := start(name, file, force):
@@ -310,7 +329,8 @@ def schema() -> None:
 
     from linkwright.exports.schema import file_schema
 
-    click.echo(json.dumps(file_schema(), indent=2, ensure_ascii=False))
+    with _read_or_not():
+        click.echo(json.dumps(file_schema(), indent=2, ensure_ascii=False))
 
 
 def main() -> None:

@@ -23,7 +23,7 @@ from linkwright.report.accuracy_page import sentences as accuracy_sentences
 from linkwright.report.accuracy_tables import further, overview
 from linkwright.report.cam import cam_sentences, cam_tables
 from linkwright.report.data import Grid, MeasureValue
-from linkwright.report.facts import checks, facts
+from linkwright.report.facts import checks, facts, remarks
 from linkwright.report.limits import limits_entry, limits_tables
 from linkwright.report.modes import circuit_text, mode_text, modes_data
 from linkwright.report.parts import measure
@@ -33,9 +33,18 @@ from linkwright.report.sweep import sweep_tables
 from linkwright.report.workspace import workspace_sentences, workspace_tables
 from linkwright.words import say
 
-out = Console(highlight=False, soft_wrap=True)
-wide = out if out.is_terminal else Console(highlight=False, soft_wrap=True, width=120)  # a pipe has no width
-err = Console(stderr=True, highlight=False, soft_wrap=True)
+
+class Stream(Console):
+    """A console that leaves it to the command what becomes of a pipe whose reader has left."""
+
+    def on_broken_pipe(self) -> None:
+        """Raise the error on; Rich itself would end with exit code 1."""
+        raise
+
+
+out = Stream(highlight=False, soft_wrap=True)
+wide = out if out.is_terminal else Stream(highlight=False, soft_wrap=True, width=120)  # a pipe has no width
+err = Stream(stderr=True, highlight=False, soft_wrap=True)
 
 _NUMBERS = ("value", "figure", "cold", "pose", "ratio", "deviation")
 _STYLES = {"error": "bold red", "warning": "bold yellow", "note": "bold"}
@@ -137,6 +146,8 @@ def job(done: Job, file: Path) -> None:
         finding(item, file)
     if done.folder is not None:
         written(done.folder)
+    if done.outdated is not None:
+        err.print(escape(say("cli.outdated", folder=done.outdated)))
 
 
 def export(done: ExportJob, file: Path) -> None:
@@ -209,6 +220,8 @@ def _certificate(done: Job) -> None:
         mark = "[green]✓[/]" if check["ok"] else "[bold red]✗[/]"
         table.add_row(escape(check["name"]), check["figure"], f"{mark} {escape(check['sentence'])}")
     out.print(table)
+    for note in remarks(certificate):
+        out.print(escape(note))
     out.print()
 
 

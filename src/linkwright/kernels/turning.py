@@ -49,9 +49,10 @@ def turns_of(kernel: Kernel, home: Any, x: Array, t: Array, p: Array, motion: Mo
 
 def _path(angle: Array, rate: Array, grid: Array) -> tuple[Array, Array]:
     """Angles without jumps, NaN after the first one that isn't known; the largest turn of each sample."""
-    turned = np.diff(grid) * (rate[:, 1:] + rate[:, :-1]) / 2
     path = angle.copy()
-    path[:, 1:] = angle[:, :1] + np.cumsum(turned + wrapped(np.diff(angle) - turned), axis=1)
+    with np.errstate(invalid="ignore"):  # a rate is infinite in a dead centre
+        turned = np.diff(grid) * (rate[:, 1:] + rate[:, :-1]) / 2
+        path[:, 1:] = angle[:, :1] + np.cumsum(turned + wrapped(np.diff(angle) - turned), axis=1)
     return path, np.fmax.reduce(np.abs(turned), axis=1, initial=0.0)
 
 
@@ -60,4 +61,5 @@ def _between(path: Array, rate: Array, grid: Array, t: Array) -> Array:
     step = np.maximum(grid[..., 1:2], np.finfo(float).tiny)
     k = np.broadcast_to(np.clip(np.nan_to_num(t // step), 0, grid.shape[-1] - 1).astype(int), (len(path), t.shape[-1]))
     here, slope = np.take_along_axis(path, k, axis=1), np.take_along_axis(rate, k, axis=1)
-    return np.asarray(here + slope * (t - step * k))
+    with np.errstate(invalid="ignore"):
+        return np.asarray(here + slope * (t - step * k))

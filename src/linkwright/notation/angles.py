@@ -12,8 +12,9 @@ MAX_TURN = 0.5
 
 
 def wrapped(angle: Array) -> Array:
-    """The same angles in -pi..pi."""
-    return np.asarray(np.mod(angle + np.pi, 2 * np.pi) - np.pi)
+    """The same angles in -pi..pi; NaN for what is no finite angle."""
+    with np.errstate(invalid="ignore"):
+        return np.asarray(np.mod(angle + np.pi, 2 * np.pi) - np.pi)
 
 
 def whole_turns(angle: Array, near: Array | float) -> Array:
@@ -24,7 +25,9 @@ def whole_turns(angle: Array, near: Array | float) -> Array:
 def steps(places: Array, angle: Array, rate: Array) -> tuple[Array, float]:
     """The steps of an angle from place to place (the last axis), and the largest one that its rates foretell.
 
-    The rates say how far it turned; the angles only have to agree with that but for whole turns.
+    The rates say how far it turned; the angles only have to agree with that but for whole turns. Where a rate is
+    infinite, as it is in a dead centre, the step is NaN.
     """
-    turned = np.diff(places) * (rate[..., 1:] + rate[..., :-1]) / 2
-    return turned + wrapped(np.diff(angle) - turned), float(np.abs(turned).max(initial=0.0))
+    with np.errstate(invalid="ignore"):
+        turned = np.diff(places) * (rate[..., 1:] + rate[..., :-1]) / 2
+        return turned + wrapped(np.diff(angle) - turned), float(np.abs(turned).max(initial=0.0))

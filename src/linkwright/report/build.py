@@ -8,10 +8,10 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-import linkwright
 from linkwright.model.document import dump
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
+from linkwright.model.origin import Origin, hashed
 from linkwright.model.pins import spring_ends
 from linkwright.model.signals import PAIRED
 from linkwright.model.units import LENGTH, TIME
@@ -48,11 +48,17 @@ MAX_STEPS = 800
 _RATES = (("position", ""), ("velocity", "v"), ("acceleration", "a"))
 
 
-def report_data(document: Document, outcomes: Mapping[str, Any], examined: Sequence[Finding] = ()) -> ReportData:
+def report_data(
+    document: Document,
+    outcomes: Mapping[str, Any],
+    examined: Sequence[Finding] = (),
+    origin: Origin | None = None,
+) -> ReportData:
     """Everything that the report of some outcomes shows, in the file's units. One of them has something to draw.
 
-    ``examined`` are the findings on the file itself.
+    ``examined`` are the findings on the file itself. Without an ``origin`` it is that of a document made in Python.
     """
+    origin = origin or Origin(None, hashed(dump(document).encode()))
     whole = drawn(outcomes)
     assert whole is not None
     result = whole.thinned(MAX_STEPS)
@@ -61,7 +67,8 @@ def report_data(document: Document, outcomes: Mapping[str, Any], examined: Seque
     data: ReportData = {
         "title": document.name,
         "subtitle": document.note or "",
-        "version": linkwright.__version__,
+        "origin": origin_text(origin),
+        "version": origin.version,
         "language": LANGUAGE,
         "words": words,
         "time": axis(result),
@@ -69,6 +76,7 @@ def report_data(document: Document, outcomes: Mapping[str, Any], examined: Seque
         "plots": plots(result) if result.t[-1] > result.t[0] else [],
         "measures": [],
         "certificate": [],
+        "remarks": [],
         "limits": [],
         "structure": facts(result.run.compiled),
         "failures": [_failure(finding) for finding in findings if finding.severity != "note"],
@@ -80,6 +88,12 @@ def report_data(document: Document, outcomes: Mapping[str, Any], examined: Seque
             data |= part.page(outcomes[name])  # type: ignore[typeddict-item]
             data["scene"] |= part.scene(outcomes[name])  # type: ignore[typeddict-item]
     return data
+
+
+def origin_text(origin: Origin) -> str:
+    """Where the results come from, in a sentence."""
+    data = {"sha256": origin.short, "date": origin.date, "version": origin.version}
+    return say("report.origin", file=origin.file, **data) if origin.file else say("report.origin.python", **data)
 
 
 def axis(result: Result) -> Time:

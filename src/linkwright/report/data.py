@@ -248,10 +248,12 @@ class Failure(TypedDict):
 
 
 class ReportData(TypedDict):
-    """Everything on the page. ``words``: the texts of the catalogue, in ``language``."""
+    """Everything on the page. ``origin``: model file, hash, date and version in a sentence; ``remarks``: what else is to
+    be said of the run beside its checks; ``words``: the texts of the catalogue, in ``language``."""
 
     title: str
     subtitle: str
+    origin: str
     version: str
     language: str
     words: Mapping[str, str]
@@ -260,6 +262,7 @@ class ReportData(TypedDict):
     plots: Sequence[Plot]
     measures: Sequence[Measure]
     certificate: Sequence[Check]
+    remarks: Sequence[str]
     limits: NotRequired[Sequence[Grid]]
     reactions: NotRequired[Sequence[Grid]]
     structure: Sequence[Fact]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -136,28 +138,59 @@ def _order(compiled: Compiled) -> list[str]:
 
 
 def checks(certificate: Certificate, time_text: str) -> list[Check]:
-    """The certificate in words; ``time_text`` is the time of the nearest singular pose with its unit."""
+    """What the certificate verifies, in words; ``time_text`` is the time of the nearest singular pose with its unit.
+
+    Only what can fail stands here; what else is to be said of a run is one of its :func:`remarks`.
+    """
+    return [check for made in CHECKS for check in made(certificate, time_text)]
+
+
+def remarks(certificate: Certificate) -> list[str]:
+    """What is to be said of a run that is no check: that it has no forces, which kernel computed it."""
     c = certificate
-    lines = [_proof(name, f"{value:.1e}", value < PROVEN, poses=c.poses) for name, value in c.residuals.items()]
-    if c.equilibrium is None:
-        lines.append(_proof("forces", "-", True))
-    lines.append(_proof("mobility", str(c.mobility), c.mobility == c.gruebler, rank=c.rank, gruebler=c.gruebler))
-    if c.nearest is not None:
-        near = c.nearest
-        lines.append(
-            _proof("nearest", f"{near.determinant:.4g}", near.determinant > FAR, group=near.group, time=time_text)
-        )
+    said = [say("proof.note.forces")] if c.equilibrium is None else []
+    return [*said, say("proof.note.kernel", poses=c.poses, kernel=c.kernel, reason=c.choice.reason)]
+
+
+def _residuals(c: Certificate, time_text: str) -> Iterator[Check]:
+    for name, value in c.residuals.items():
+        yield _proof(name, f"{value:.1e}", value < PROVEN, poses=c.poses)
+
+
+def _mobility(c: Certificate, time_text: str) -> Iterator[Check]:
+    yield _proof("mobility", str(c.mobility), c.mobility == c.gruebler, rank=c.rank, gruebler=c.gruebler)
+
+
+def _nearest(c: Certificate, time_text: str) -> Iterator[Check]:
+    if (near := c.nearest) is not None:
+        figure, ok = f"{near.determinant:.4g}", near.determinant > FAR
+        check = _proof("nearest", figure, ok, group=near.group, time=time_text)
         if c.changes:
-            lines[-1]["sentence"] += " " + say("proof.nearest.apart")
-    kept = [rule for rule in c.branches.values() if rule]
-    if kept:
+            check["sentence"] += " " + say("proof.nearest.apart")
+        yield check
+
+
+def _branches(c: Certificate, time_text: str) -> Iterator[Check]:
+    if kept := [rule for rule in c.branches.values() if rule]:
         text = say(f"proof.branches.{'changed' if c.changes else 'text'}", branches="; ".join(kept))
-        lines.append({"name": say("proof.branches"), "figure": str(len(kept)), "sentence": text, "ok": True})
+        yield {"name": say("proof.branches"), "figure": str(len(kept)), "sentence": text, "ok": True}
+
+
+def _followed(c: Certificate, time_text: str) -> Iterator[Check]:
     if c.followed:
         steps, worst = (max(column) for column in zip(*c.followed.values(), strict=True))
         groups = ", ".join(c.followed)
-        lines.append(_proof("followed", f"{worst:.1e}", worst < CLOSE, groups=groups, steps=steps))
-    return [*lines, _proof("kernel", str(c.poses), True, poses=c.poses, kernel=c.kernel, reason=c.choice.reason)]
+        yield _proof("followed", f"{worst:.1e}", worst < CLOSE, groups=groups, steps=steps)
+
+
+CHECKS: tuple[Callable[[Certificate, str], Iterator[Check]], ...] = (
+    _residuals,
+    _mobility,
+    _nearest,
+    _branches,
+    _followed,
+)
+"""In the order in which they are shown; each gives a line, or none where there is nothing of its kind."""
 
 
 def _proof(name: str, figure: str, ok: bool, **data: object) -> Check:

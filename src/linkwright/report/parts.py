@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-import linkwright
 from linkwright.measures import Grade, MeasureResult
 from linkwright.model.findings import Finding
+from linkwright.model.machine import needed
 from linkwright.model.mechanism import Document
+from linkwright.model.origin import Origin
 from linkwright.model.units import TIME
 from linkwright.report.accuracy import accuracy_entry
 from linkwright.report.accuracy_files import bands_csv as accuracy_bands_csv
@@ -19,7 +20,7 @@ from linkwright.report.accuracy_page import accuracy_page
 from linkwright.report.cam import cam_entry, cam_page
 from linkwright.report.cam_files import FILES as CAM_FILES
 from linkwright.report.data import Measure
-from linkwright.report.facts import checks
+from linkwright.report.facts import checks, remarks
 from linkwright.report.limits import limits_entry, limits_tables
 from linkwright.report.modes import modes_data, told
 from linkwright.report.reactions import reactions_csv, reactions_entry, reactions_tables
@@ -28,13 +29,14 @@ from linkwright.report.sweep import sweep_entry, sweep_page
 from linkwright.report.sweep_files import bands_csv, samples_csv
 from linkwright.report.sweep_files import netcdf_bytes as sweep_netcdf
 from linkwright.report.workspace import workspace_entry, workspace_page
-from linkwright.report.workspace_files import boundary_csv, dxf, geojson, svg
+from linkwright.report.workspace_files import boundary_csv, dxf, geojson, png, svg
 from linkwright.report.workspace_parts import FILES as WORKSPACE_FILES
 from linkwright.report.workspace_picture import areas
 from linkwright.results import Result
 from linkwright.results.netcdf import netcdf_bytes
 from linkwright.studies import CycleOutcome, LimitsOutcome, SweepOutcome
 from linkwright.studies.accuracy.outcome import AccuracyOutcome
+from linkwright.studies.sample_kept import store
 from linkwright.words import say
 
 
@@ -44,8 +46,8 @@ class Part:
 
     ``summary`` gives its entries in summary.json, ``page`` its keys of the report's data, ``result`` what the report
     draws (where no study before it has one), ``scene`` what lies behind that, ``files`` the text of further files by
-    name (none of those it lacks), ``netcdf`` those that are written only where asked for. ``settle`` is told that all
-    is written.
+    name (none of those it lacks), ``netcdf`` and ``png`` those that are written only where asked for, ``stores`` the
+    names of the Zarr stores that options fill while the study runs. ``settle`` is told that all is written.
     """
 
     summary: Callable[[Any], dict[str, Any]]
@@ -54,7 +56,13 @@ class Part:
     scene: Callable[[Any], dict[str, Any]] = lambda outcome: {}
     files: dict[str, Callable[[Any], str | bytes | None]] = field(default_factory=dict)
     netcdf: dict[str, Callable[[Any], str | bytes | None]] = field(default_factory=dict)
+    png: dict[str, Callable[[Any], str | bytes | None]] = field(default_factory=dict)
+    stores: Callable[[Any], Sequence[str]] = lambda options: ()
     settle: Callable[[Any], None] = lambda outcome: None
+
+    def all_files(self, netcdf: bool = False, png: bool = False) -> dict[str, Callable[[Any], str | bytes | None]]:
+        """All files with those that are asked for."""
+        return self.files | (self.netcdf if netcdf else {}) | (self.png if png else {})
 
 
 def _cycle_page(outcome: CycleOutcome) -> dict[str, Any]:
@@ -65,6 +73,7 @@ def _cycle_page(outcome: CycleOutcome) -> dict[str, Any]:
     return {
         "measures": [measure(m, second, time_unit) for m in outcome.measures],
         "certificate": checks(result.certificate, nearest_text) if result.certificate else [],
+        "remarks": remarks(result.certificate) if result.certificate else [],
     }
 
 
@@ -135,6 +144,7 @@ PARTS: dict[str, Part] = {
         result=lambda outcome: Result(outcome.run),
         files={"sweep.csv": samples_csv, "sweep_bands.csv": bands_csv},
         netcdf={"sweep.nc": sweep_netcdf},
+        stores=lambda options: [store("sweep")] if options.keeps else [],
         settle=SweepOutcome.settle,
     ),
     "accuracy": Part(
@@ -157,6 +167,7 @@ PARTS: dict[str, Part] = {
             "workspace.dxf": dxf,
             **WORKSPACE_FILES,
         },
+        png={"workspace.png": lambda outcome: png(outcome, needed("resvg_py", "png"))},
     ),
     "reactions": Part(
         summary=reactions_entry,
@@ -187,10 +198,12 @@ def found(outcomes: Mapping[str, Any]) -> list[Finding]:
     return [*failures, *(finding for finding in warnings if (finding.code, finding.path) not in told)]
 
 
-def summary(document: Document, outcomes: Mapping[str, Any], findings: list[Finding]) -> dict[str, Any]:
-    """What ``summary.json`` holds: name, verdict, the entries of each study, all findings of the file and its run."""
+def summary(document: Document, outcomes: Mapping[str, Any], findings: list[Finding], origin: Origin) -> dict[str, Any]:
+    """What ``summary.json`` holds: origin, name, verdict, the entries of each study, all findings of the file and its
+    run."""
     done = bool(outcomes) and all(outcome.done for outcome in outcomes.values())
-    data: dict[str, Any] = {"schema": SCHEMA, "linkwright": linkwright.__version__, "name": document.name, "done": done}
+    data: dict[str, Any] = {"schema": SCHEMA, "linkwright": origin.version, **origin.as_dict()}
+    data |= {"name": document.name, "done": done}
     for name, part in PARTS.items():
         if name in outcomes:
             entry = part.summary(outcomes[name])

@@ -35,6 +35,7 @@ def header(data: ReportData) -> str:
     subtitle = f'<p class="subtitle">{escape(data["subtitle"])}</p>' if data["subtitle"] else ""
     return (
         f"<header><h1>{escape(data['title'])}</h1>{subtitle}"
+        f'<p class="origin">{escape(data["origin"])}</p>'
         f'<p class="summary">{" ".join(badges)}</p>{_contents(data)}</header>'
     )
 
@@ -118,7 +119,8 @@ def _measure(measure: Measure, data: ReportData) -> Sequence[str]:
 def certificate(data: ReportData) -> str:
     """What proves the figures, line by line."""
     rows = (_check(check, data) for check in data["certificate"])
-    return _table(data, "certificate", ("check", "figure", "meaning", "verdict"), rows)
+    after = "".join(f'<p class="note">{escape(remark)}</p>' for remark in data["remarks"])
+    return _table(data, "certificate", ("check", "figure", "meaning", "verdict"), rows, after)
 
 
 def _check(check: Check, data: ReportData) -> Sequence[str]:
@@ -246,7 +248,7 @@ def footer(data: ReportData) -> str:
     return f"<footer>{escape(made)}</footer>"
 
 
-def _table(data: ReportData, name: str, heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+def _table(data: ReportData, name: str, heads: Sequence[str], rows: Iterable[Sequence[str]], after: str = "") -> str:
     titles = [escape(data["words"][f"report.{head}"]) for head in heads]
     body = "".join(
         "<tr>"
@@ -259,7 +261,7 @@ def _table(data: ReportData, name: str, heads: Sequence[str], rows: Iterable[Seq
     head = "".join(f'<th scope="col">{title}</th>' for title in titles)
     return (
         f'<section id="{name}"><h2>{escape(data["words"][f"report.{name}"])}</h2>'
-        f'<table class="{name}"><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></section>'
+        f'<table class="{name}"><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>{after}</section>'
     )
 
 

@@ -63,7 +63,8 @@ def row_of(run: Run, row: str, more: Sequence[float] = ()) -> tuple[Array, Array
     def rates(share: Array) -> tuple[Array, Array]:
         t, slope = run.place(share)
         values, slopes = run.compiled.rates([row], t)
-        return values, slopes * slope
+        with np.errstate(invalid="ignore"):  # an infinite rate where the run's pace is zero: no sign is known there
+            return values, slopes * slope
 
     if row not in run.rows:
         shares = np.union1d(np.linspace(0.0, 1.0, max(run.grid, 200) + 1), stationary(rates, 0.0, 1.0, run.grid)[0])

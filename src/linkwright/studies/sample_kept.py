@@ -77,6 +77,7 @@ class Kept:
             except OSError as error:
                 raise unsaved(site.out, error) from None
             files.append(site.out / f"{study}-{key[:12]}.{name}")
+            site.keep(files[-1], study)
             return Checkpoint(files[-1], key, site.fresh)
 
         rows = len(task.figures.columns) + len(task.figures.required)
@@ -85,8 +86,10 @@ class Kept:
         made = cls(samples, Folding(task.cut, task.reductions, kept("signals")), files=files)
         if task.options.keeps and task.signals.texts:
             if site.out is not None:
-                made.stored = _stored(task, key, site.out, site.fresh)
                 files.append(site.out / f"{store(study)}.checkpoint")
+                for path in (files[-1], site.out / store(study)):
+                    site.keep(path, study)
+                made.stored = _stored(task, key, site.out, site.fresh)
             elif len(task.signals.texts) * task.cut.samples * task.cut.poses > VALUES:
                 raise ModelError([Finding("study.no-folder", ("studies", study, "keep"), {"limit": f"{VALUES:,}"})])
             else:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,8 +18,9 @@ class Site:
     """Around a study.
 
     ``document`` is the file, ``folder`` where its tables lie. Into ``out`` go files that are too large for memory, and
-    what an interrupted study needs to go on; ``fresh`` begins anew all the same. ``runner`` performs large work (as
-    many threads of this process as are of use where there is none), ``progress`` is told how far it is.
+    what an interrupted study needs to go on, and ``keep`` is told of each of these, with the study's name, before it is
+    made; ``fresh`` begins anew all the same. ``runner`` performs large work (as many threads of this process as are of
+    use where there is none), ``progress`` is told how far it is.
     """
 
     document: Document | None = None
@@ -27,6 +29,7 @@ class Site:
     runner: Runner | None = None
     progress: Progress | None = None
     fresh: bool = False
+    keep: Callable[[Path, str], None] = lambda path, study: None
 
 
 NOWHERE = Site()

@@ -177,9 +177,9 @@ def _lowest(here: Array, around: Array) -> Array:
     """Where a function is least, (2, n), by the parabolas through its values at places (n,) and one step along all
     :data:`WAYS` (8 n,); in steps, no more than three."""
     v = around.reshape(len(WAYS), -1)
-    gx, gy = (v[6] - v[1]) / 2, (v[4] - v[3]) / 2
-    hxx, hyy, hxy = v[6] + v[1] - 2 * here, v[4] + v[3] - 2 * here, (v[7] + v[0] - v[5] - v[2]) / 4
-    with np.errstate(all="ignore"):
+    with np.errstate(all="ignore"):  # infinite where the groups can't be assembled: no step there
+        gx, gy = (v[6] - v[1]) / 2, (v[4] - v[3]) / 2
+        hxx, hyy, hxy = v[6] + v[1] - 2 * here, v[4] + v[3] - 2 * here, (v[7] + v[0] - v[5] - v[2]) / 4
         found = np.stack([hxy * gy - hyy * gx, hxy * gx - hxx * gy]) / (hxx * hyy - hxy * hxy)
     return np.asarray(np.clip(np.nan_to_num(found, posinf=0.0, neginf=0.0), -3.0, 3.0))
 

@@ -135,6 +135,18 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Write one of these: {near}. 'linkwright new' lists all.",
     ),
     # Large studies.
+    "folder.busy": (
+        "Another run is writing to the folder {folder}.",
+        "Wait until it ends, or choose another folder with --out.",
+    ),
+    "folder.busy-with": (
+        "Another run is writing to the folder {folder}: {model}, started {date}, process {process} on {host}.",
+        "Wait until it ends, or choose another folder with --out.",
+    ),
+    "folder.foreign": (
+        "These files in {folder} would be overwritten, but linkwright didn't write them or they were changed since: {files}.",
+        "Move or rename them, choose another folder with --out, or add --force to overwrite them.",
+    ),
     "blocks.other-work": (
         "The file {file} keeps the state of another study: the model, the options or the version differ.",
         "Give this study another file, put back what it was begun with, or start anew, which writes over the file.",

@@ -1,0 +1,136 @@
+"""The manifest of a results folder: what linkwright wrote there, from which model, and whether it is complete."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+from typing import Annotated, Literal
+
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
+
+import linkwright
+from linkwright.model.document import write_aside
+from linkwright.model.origin import Origin, hashed
+from linkwright.words import say
+
+NAME = "linkwright-manifest.json"
+OUTDATED = "outdated"
+"""The folder for the last results that no longer are the model's."""
+_STATE = re.compile(r"\w+(-[0-9a-f]+\.(samples|signals)|\.zarr|\.zarr\.checkpoint)")
+
+
+def _plain(name: str) -> str:
+    """A manifest may have been edited: no name in it leads out of its folder."""
+    if name in ("", ".", "..") or set(name) & set('/\\:"\0'):
+        raise ValueError("no plain name")
+    return name
+
+
+def _resumable(name: str) -> str:
+    if not _STATE.fullmatch(name):
+        raise ValueError("no file of an interrupted study")
+    return name
+
+
+class _Strict(BaseModel):
+    model_config = ConfigDict(extra="forbid")
+
+
+class Entry(_Strict):
+    """A file with its size (bytes) and SHA-256; or a folder, such as a Zarr store, with its count of ``files`` and
+    the size of all of them."""
+
+    name: Annotated[str, AfterValidator(_plain)]
+    size: int
+    sha256: str | None = None
+    files: int | None = None
+
+    @classmethod
+    def of(cls, name: str, content: bytes) -> Entry:
+        """A file that is about to be written."""
+        return cls(name=name, size=len(content), sha256=hashed(content))
+
+    @classmethod
+    def of_folder(cls, path: Path) -> Entry:
+        """A folder that is complete."""
+        files, size = _extent(path)
+        return cls(name=path.name, size=size, files=files)
+
+    def unchanged(self, folder: Path) -> bool:
+        """Whether it still lies in the folder as it was written."""
+        path = folder / self.name
+        try:
+            if path.is_symlink():
+                return False
+            if self.files is not None:
+                return path.is_dir() and _extent(path) == (self.files, self.size)
+            return path.is_file() and path.stat().st_size == self.size and hashed(path.read_bytes()) == self.sha256
+        except OSError:
+            return False
+
+
+def _extent(path: Path) -> tuple[int, int]:
+    """How many files a folder has, and their size."""
+    sizes = [Path(top, name).stat().st_size for top, _, names in os.walk(path) for name in names]
+    return len(sizes), sum(sizes)
+
+
+State = Literal["running", "done", "interrupted", "failed", "outdated"]
+
+
+class Part(_Strict):
+    """What one kind of command wrote: the studies, or an export.
+
+    ``outdated`` are the files of the last run that was done, in the folder of that name; ``resumable`` the files from
+    which interrupted studies go on, each with its study; ``process`` and ``host`` those of a run under way.
+    """
+
+    state: State
+    linkwright: str = linkwright.__version__
+    date: str
+    process: int | None = None
+    host: str | None = None
+    files: list[Entry] = Field(default_factory=list)
+    outdated: list[Entry] = Field(default_factory=list)
+    resumable: dict[Annotated[str, AfterValidator(_resumable)], str] = Field(default_factory=dict)
+
+
+class Model(_Strict):
+    """The model that all files come from: its file, its content and that of its tables as SHA-256."""
+
+    file: str | None = None
+    sha256: str
+    tables: dict[str, str] = Field(default_factory=dict)
+
+    @classmethod
+    def of(cls, origin: Origin) -> Model:
+        """Those of an origin."""
+        return cls(file=origin.file, sha256=origin.sha256, tables=dict(origin.tables))
+
+
+class Manifest(_Strict):
+    """All of it; ``manifest`` is the version of this format."""
+
+    manifest: Literal[1] = 1
+    about: str = ""
+    model: Model
+    written: dict[str, Part] = Field(default_factory=dict)
+
+    @property
+    def empty(self) -> bool:
+        """Whether it names no file."""
+        return not any(part.files or part.outdated or part.resumable for part in self.written.values())
+
+    def write(self, folder: Path) -> None:
+        """Write it, whole or not at all. Raises OSError."""
+        self.about = say("manifest.about")
+        write_aside(folder / NAME, self.model_dump_json(indent=2, exclude_none=True) + "\n")
+
+
+def read_manifest(folder: Path) -> Manifest | None:
+    """The manifest of a folder; ``None`` where there is none that can be read."""
+    try:
+        return Manifest.model_validate_json((folder / NAME).read_bytes())
+    except (OSError, ValidationError):
+        return None

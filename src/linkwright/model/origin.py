@@ -1,0 +1,62 @@
+"""Where results come from: the model file and its content, the tables beside it, the date, the version."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import linkwright
+from linkwright.model.mechanism import Document
+
+DIGITS = 12
+"""So many hex digits of a hash are shown to people."""
+
+
+def now() -> str:
+    """The date and time with its zone, in ISO 8601; that of ``SOURCE_DATE_EPOCH`` (s since 1970, UTC) where it is set,
+    so that two runs write the same bytes."""
+    epoch = os.environ.get("SOURCE_DATE_EPOCH", "")
+    moment = datetime.fromtimestamp(int(epoch), UTC) if epoch.isdecimal() else datetime.now().astimezone()
+    return moment.isoformat(timespec="seconds")
+
+
+def hashed(content: bytes) -> str:
+    """The SHA-256 of some content, in hex."""
+    return sha256(content).hexdigest()
+
+
+@dataclass(frozen=True)
+class Origin:
+    """The model ``file`` by its name (``None`` for a document made in Python), the SHA-256 of its content in hex (of a
+    document the text that it would be saved as), those of the ``tables`` beside it by file name."""
+
+    file: str | None
+    sha256: str
+    tables: Mapping[str, str] = field(default_factory=dict)
+    date: str = field(default_factory=now)
+    version: str = linkwright.__version__
+
+    @property
+    def short(self) -> str:
+        """The hash as it is shown to people."""
+        return self.sha256[:DIGITS]
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain data for the summary."""
+        return {"model": {"file": self.file, "sha256": self.sha256}, "date": self.date}
+
+
+def table_hashes(document: Document, folder: Path | None) -> dict[str, str]:
+    """The hashes of a document's tables by file name, of those that can be read."""
+    found = {}
+    for name in sorted({table.file for table in document.tables.values() if table.file is not None}):
+        try:
+            found[name] = hashed(((folder or Path()) / name).read_bytes())
+        except OSError:  # the examination says so
+            continue
+    return found
