@@ -248,8 +248,8 @@ class Failure(TypedDict):
 
 
 class ReportData(TypedDict):
-    """Everything on the page. ``origin``: model file, hash, date and version in a sentence; ``remarks``: what else is to
-    be said of the run beside its checks; ``words``: the texts of the catalogue, in ``language``."""
+    """Everything on the page. ``origin``: model file, hash, date and version in a sentence; ``remarks``: what else is
+    to be said of the run beside its checks; ``words``: the texts of the catalogue, in ``language``."""
 
     title: str
     subtitle: str

@@ -202,6 +202,7 @@ def summary(document: Document, outcomes: Mapping[str, Any], findings: list[Find
     """What ``summary.json`` holds: origin, name, verdict, the entries of each study, all findings of the file and its
     run."""
     done = bool(outcomes) and all(outcome.done for outcome in outcomes.values())
+    done = done and not any(finding.severity == "error" for finding in findings)
     data: dict[str, Any] = {"schema": SCHEMA, "linkwright": origin.version, **origin.as_dict()}
     data |= {"name": document.name, "done": done}
     for name, part in PARTS.items():
