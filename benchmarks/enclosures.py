@@ -17,10 +17,9 @@ import numpy as np
 
 from linkwright.app.job import examine_file
 from linkwright.enclosures import Claim, Proof, panels, proofs, prove_all
+from linkwright.measures import Measurer
 from linkwright.results import Run
-from linkwright.results.windows import intervals
 from linkwright.studies.cycle import CycleOptions, span
-from linkwright.studies.measures import Measurer, Probe
 from linkwright.studies.through import carried
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -60,15 +59,12 @@ def searched(run: Run) -> dict[str, Claim]:
     """The extremes of a run's measures, as the search finds them."""
     measures = run.compiled.mechanism.measures
     measurer = Measurer(run, [name for name, measure in measures.items() if measure.reduction in BOUNDED])
-    if not measurer.trees:
-        return {}
-    turning = dict(zip(measurer.trees, measurer.turning(), strict=True))
     found = {}
     for name, measure in measurer.measures.items():
-        spans = intervals(run, measure.window)
-        probe = Probe(run, measurer.trees[name], spans, turning[name])
-        ends = tuple((float(a), float(b)) for a, b in spans)
-        found[name] = Claim(measurer.trees[name], ends, probe.bottom().value, probe.top().value)
+        probe = measurer.probe(name, measure.window)
+        if not probe.limits:
+            ends = tuple((float(a), float(b)) for a, b in probe.intervals)
+            found[name] = Claim(probe.node, ends, probe.bottom().value, probe.top().value)
     return found
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from linkwright.studies.measures import bound
 
 from linkwright.app.job import examine_file
+from linkwright.measures import bound
 from linkwright.model.expressions import Node
 from linkwright.results import Run
 from linkwright.studies.cycle import CycleOptions, span

@@ -1,6 +1,7 @@
 """Measures: numbers taken of a run, with the places where expressions break, searches, grades and their check."""
 
 from linkwright.measures.check import misfit
+from linkwright.measures.enclosed import enclose
 from linkwright.measures.found import Found, MeasureResult
 from linkwright.measures.grades import Grade
 from linkwright.measures.measure import Measurer, bound, instants, measure_all
@@ -16,6 +17,7 @@ __all__ = [
     "Probe",
     "Search",
     "bound",
+    "enclose",
     "instants",
     "measure_all",
     "misfit",

@@ -17,11 +17,12 @@ class Kind(Enum):
 
 @dataclass(frozen=True)
 class Grade:
-    """A kind, and the ``width`` (s) below which a feature may hide from a search; ``None`` of the others."""
+    """A kind, the ``width`` (s) below which a feature may hide from a search (``None`` of the others), and the
+    ``reason`` why a proof that was tried remained open."""
 
     kind: Kind
     width: float | None = None
+    reason: str = ""
 
 
 SAMPLED = Grade(Kind.SAMPLED)
-ENCLOSED = Grade(Kind.ENCLOSED)

@@ -49,6 +49,7 @@ class Measurer:
     run: Run
     names: Sequence[str]
     findings: list[Finding] = field(default_factory=list)
+    _noticed: list[float] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         quantities = self.run.compiled.quantities
@@ -61,7 +62,13 @@ class Measurer:
     @cached_property
     def search(self) -> Search:
         """What all expressions do over the run, searched for together."""
-        return Search(self.run, list(self.trees.values()))
+        return Search(self.run, list(self.trees.values()), self._noticed)
+
+    def look_at(self, times: Sequence[float]) -> None:
+        """Search again, closely at some times (s), and forget what was found."""
+        self._noticed += times
+        self.findings.clear()
+        del self.search
 
     def probe(self, key: str, window: str | None) -> Probe:
         """An expression over a window."""

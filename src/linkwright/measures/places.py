@@ -50,11 +50,12 @@ class Hard:
 class Places:
     """The places of a run for some expressions (bound to SI): ``hard`` ones of each, the ``pieces`` between all cuts.
 
-    ``settled``: whether the searches for them have stood still.
+    ``noticed`` are times (s) to look at closely besides. ``settled``: whether the searches have stood still.
     """
 
     run: Run
     trees: Sequence[Node]
+    noticed: Sequence[float] = ()
     hard: dict[Node, list[Hard]] = field(default_factory=dict)
     pieces: Pieces = field(init=False)
     settled: bool = True
@@ -63,7 +64,7 @@ class Places:
         run = self.run
         self._zeros: dict[Feature, Array] = {}
         self._cuts: list[Array] = [run.breaks]
-        self._more: list[Array] = []
+        self._more: list[Array] = [self._around(np.array(self.noticed))] if self.noticed else []
         self._tables()
         own = {tree: features(tree, self._find) for tree in self.trees}
         acting = [feature for tree in _acting(run) for feature in features(tree, self._find)]
@@ -154,6 +155,13 @@ class Places:
         wide = away * (beside < 2.0 * here)
         width = np.nanmax(np.where(inside, wide, 0.0), axis=2, keepdims=True)
         return np.asarray(t[inside & (away >= SHARE * width)])
+
+    def _around(self, places: Array) -> Array:
+        """Times beside places, nearer and nearer."""
+        run, step = self.run, (self.run.stop - self.run.start) / self.run.grid
+        away = step * 0.5 ** np.arange(HALVINGS)
+        t = (places[:, None, None] + np.array([-1.0, 1.0])[:, None] * away[away > CLOSEST * step]).ravel()
+        return np.concatenate([places, t[(t >= run.start) & (t <= run.stop)]])
 
     def _hard(self, some: list[Feature]) -> list[Hard]:
         """The places of an expression's own break functions, those at one time together."""

@@ -46,11 +46,11 @@ class Limits:
 
 
 class Search:
-    """What expressions (bound to SI) do over a run, searched for together."""
+    """What expressions (bound to SI) do over a run, searched for together, closely at ``noticed`` times (s) too."""
 
-    def __init__(self, run: Run, trees: Sequence[Node]) -> None:
+    def __init__(self, run: Run, trees: Sequence[Node], noticed: Sequence[float] = ()) -> None:
         self.run, self.trees = run, [*dict.fromkeys(trees)]
-        self.places = Places(run, self.trees)
+        self.places = Places(run, self.trees, noticed)
         self.turned: Turning = turning(lambda t: run.all_rates(self.trees, t), self.places.pieces, run.grid)
         self._limits: dict[Node, list[Limits]] = {}
 

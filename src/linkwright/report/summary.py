@@ -54,9 +54,12 @@ def _sign(value: float) -> str:
 
 
 def grade_entry(grade: Grade, second: float) -> dict[str, Any]:
-    """How sure a number is: ``kind``, and of a searched one the ``width`` below which features may be missed."""
+    """How sure a number is: ``kind``, and of a searched one the ``width`` below which features may be missed and
+    why it isn't enclosed, where that was tried."""
     entry: dict[str, Any] = {"kind": grade.kind.value}
-    return entry if grade.width is None else entry | {"width": grade.width / second}
+    if grade.width is not None:
+        entry["width"] = grade.width / second
+    return entry | ({"not_enclosed": grade.reason} if grade.reason else {})
 
 
 def certificate_entry(result: Result, second: float, time_unit: str) -> dict[str, Any] | None:

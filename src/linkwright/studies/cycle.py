@@ -10,7 +10,7 @@ import numpy as np
 from pydantic import Field, ValidationError, ValidationInfo, model_validator
 
 from linkwright.kernels import Compiled
-from linkwright.measures import Measurer, MeasureResult, misfit
+from linkwright.measures import Measurer, MeasureResult, enclose, misfit
 from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen, fault
 from linkwright.model.findings import Finding, ModelError, Term
@@ -120,7 +120,7 @@ class Cycle:
         certificate = certify(run)
         result = Result(run, certificate=certificate)
         measurer = Measurer(run, [*compiled.mechanism.measures])
-        measures = measurer.all()
+        measures = enclose(measurer, measurer.all())
         result.certificate = replace(certificate, measures=misfit(measurer, measures))
         measurer.findings += lost(run)
         faults = [finding for finding in measurer.findings if finding.severity == "error"]
