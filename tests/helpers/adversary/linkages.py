@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any
 
 import mpmath
@@ -27,9 +28,13 @@ class FourBar:
 
     def __init__(self, a: float, b: float, c: float, d: float, phi0: float) -> None:
         self.lengths, self.phi0 = (a, b, c, d), phi0
+        self._exact = lru_cache(maxsize=1000)(self._pose)
 
     def pose(self, t: Any) -> tuple[Any, Any, Any]:
         """B, C - B and C - D as complex numbers."""
+        return self._exact(t) if isinstance(t, mpmath.mpf) else self._pose(t)
+
+    def _pose(self, t: Any) -> tuple[Any, Any, Any]:
         exact = isinstance(t, mpmath.mpf)
         a, b, c, d = map(mpf, self.lengths) if exact else self.lengths
         turned = mpmath.expj(t + mpf(self.phi0)) if exact else np.exp(1j * (t + self.phi0))
@@ -125,7 +130,7 @@ def four_bar_batch(seed: int, source: random.Random, count: int) -> Batch:
     bar = FourBar(a, b, c, 1.0, source.uniform(-3, 3))
     batch = Batch(seed, bar.document({"duration": f"{length!r} s", "samples": samples}))
     linkage = Linkage(bar, length)
-    while len(batch.cases) < count:
+    while len(batch.cases) < min(count, 24):
         d = Draw(source, length, samples)
         d.w = length * d.log(-7, -1)
         kind = list(Linkage.KINDS)[len(batch.cases) % len(Linkage.KINDS)]
@@ -155,6 +160,7 @@ class Linkage:
         self.alpha = signal("(rocker.alpha/(1 rad/s^2))", bar.alpha, bar.alpha, noise)
         self.cx = signal("(C.x/(1 m))", lambda t: self.joint(t).real, lambda t: self.joint(t).real, noise)
         self.cy = signal("(C.y/(1 m))", lambda t: self.joint(t).imag, lambda t: self.joint(t).imag, noise)
+        self.heights = bounds(self.cy, [(mpf(0), mpf(length))], ())
         pin = bar.pose
         self.bx = signal("(B.x/(1 m))", lambda t: pin(t)[0].real, lambda t: pin(t)[0].real)
         self.by = signal("(B.y/(1 m))", lambda t: pin(t)[0].imag, lambda t: pin(t)[0].imag)
@@ -201,8 +207,7 @@ class Linkage:
     def touch(self, d: Draw) -> Any:
         """1/(C.y - c) where C.y comes within w^2/2 of c, or just passes it."""
         f = self.cy
-        b = bounds(f, [(mpf(0), mpf(self.length))], ())
-        one, way = d.pick((b.high, 1), (b.low, -1))
+        one, way = d.pick((self.heights.high, 1), (self.heights.low, -1))
         gap = d.w * d.w / 2
         c = one.value + way * gap * d.pick(-1, 1)
         at = roots(lambda t: self.joint(t).imag - (mpf(c) if isinstance(t, mpmath.mpf) else c), self.length)

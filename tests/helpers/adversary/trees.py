@@ -187,5 +187,9 @@ def _noise(node: Tree, t: Any) -> tuple[Any, Any]:
         return leaf.exact(t), mpmath.mpf(leaf.noise(t))
     values, noises = zip(*(_noise(arg, t) for arg in node.args), strict=True)
     value = EXACT[node.op](*values)
+    if node.op == "sqrt" or (node.op == "^" and 0 < values[1] < 1):  # steep at zero, but never by more than this
+        power = mpmath.mpf(1) / 2 if node.op == "sqrt" else values[1]
+        linear = power * abs(value) / abs(values[0]) * noises[0] if values[0] else mp.inf
+        return value, min(linear, noises[0] ** power) + abs(value) * 2 * ROUND
     slopes = SLOPES[node.op](value, *values)
     return value, sum((abs(s) * n for s, n in zip(slopes, noises, strict=True)), abs(value) * 2 * ROUND)
