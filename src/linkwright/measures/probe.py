@@ -23,6 +23,8 @@ from linkwright.results.windows import Interval
 Array = NDArray[np.float64]
 
 
+SAME = 1e-6
+"""Values on a cut and beside it that differ by less than this share are those of a kink."""
 BEYOND = 1e-6
 """Nearer to a pole than this share of the run, values may overflow."""
 
@@ -162,7 +164,12 @@ class Probe:
             if t.size:
                 jet = self.run.jets(self.node, t)
                 values = np.asarray(jet.d[0] + np.nan_to_num(jet.d[1]) * (centre - t))
-                found += [Peak(v, at, name) for v, at in zip(values.tolist(), centre.tolist(), strict=True)]
+                there = self.values(centre)
+                jumps = ~(np.abs(values - there) <= SAME * np.abs(values))
+                found += [
+                    Peak(v, at, name if jump else "")
+                    for v, at, jump in zip(values.tolist(), centre.tolist(), jumps.tolist(), strict=True)
+                ]
         return found
 
     def _at(self, time: float) -> list[Interval]:
