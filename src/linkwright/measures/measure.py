@@ -50,6 +50,7 @@ class Measurer:
     names: Sequence[str]
     findings: list[Finding] = field(default_factory=list)
     _noticed: list[float] = field(default_factory=list)
+    _probes: dict[tuple[str, str | None], Probe] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         quantities = self.run.compiled.quantities
@@ -68,11 +69,14 @@ class Measurer:
         """Search again, closely at some times (s), and forget what was found."""
         self._noticed += times
         self.findings.clear()
+        self._probes.clear()
         del self.search
 
     def probe(self, key: str, window: str | None) -> Probe:
         """An expression over a window."""
-        return Probe(self.search, self.trees[key], intervals(self.run, window))
+        if (key, window) not in self._probes:
+            self._probes[key, window] = Probe(self.search, self.trees[key], intervals(self.run, window))
+        return self._probes[key, window]
 
     def all(self) -> list[MeasureResult]:
         """Every measure, in the order of the names."""

@@ -16,6 +16,7 @@ from linkwright.measures.places import Hard, Places
 from linkwright.measures.search import Turning, turning
 from linkwright.measures.sides import Side, Sides
 from linkwright.model.expressions import Node
+from linkwright.notation import Jet
 from linkwright.results import Run
 from linkwright.results.breaks import ASIDE
 from linkwright.results.windows import Interval
@@ -25,6 +26,8 @@ Array = NDArray[np.float64]
 
 SAME = 1e-6
 """Values on a cut and beside it that differ by less than this share are those of a kink."""
+FEW = 1 << 10
+"""So many times are few: making a program costs more than computing all signals there."""
 BEYOND = 1e-6
 """Nearer to a pole than this share of the run, values may overflow."""
 
@@ -52,6 +55,7 @@ class Search:
 
     def __init__(self, run: Run, trees: Sequence[Node], noticed: Sequence[float] = ()) -> None:
         self.run, self.trees = run, [*dict.fromkeys(trees)]
+        self.signals = run.signals_of(self.trees)
         self.places = Places(run, self.trees, noticed)
         self.turned: Turning = turning(lambda t: run.all_rates(self.trees, t), self.places.pieces, run.grid)
         self._limits: dict[Node, list[Limits]] = {}
@@ -115,7 +119,15 @@ class Probe:
 
     def values(self, t: Array) -> Array:
         """The expression at times, SI."""
-        return np.asarray(self.run.jets(self.node, t).d[0])
+        return np.asarray(self.jets(t).d[0])
+
+    def jets(self, t: Array) -> Jet:
+        """The expression with its rate; at few times by the program of all expressions, which is made already."""
+        if t.size > FEW:
+            return self.run.jets(self.node, t)
+        names = self.search.signals
+        rows = dict(zip(names, zip(*self.run.rates(names, t), strict=True), strict=True)) if names else {}
+        return self.run.combine(self.node, t, rows)
 
     @cached_property
     def near(self) -> float:
@@ -162,7 +174,7 @@ class Probe:
             kept &= np.isin(sides, self._away(sides))
             t, centre = sides[kept], centres[kept]
             if t.size:
-                jet = self.run.jets(self.node, t)
+                jet = self.jets(t)
                 values = np.asarray(jet.d[0] + np.nan_to_num(jet.d[1]) * (centre - t))
                 there = self.values(centre)
                 jumps = ~(np.abs(values - there) <= SAME * np.abs(values))
