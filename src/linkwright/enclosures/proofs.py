@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.enclosures.bounds import above
+from linkwright.enclosures.bounds import ROUND, above, evaluated
 from linkwright.enclosures.motion import Enclosure
 from linkwright.enclosures.panels import MARGIN, PRECISE
 from linkwright.enclosures.taylor import TaylorModel
@@ -18,9 +18,10 @@ from linkwright.results import Run
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
+Whole = NDArray[np.intp]
 Span = tuple[float, float]
 
-FIRST = 24
+FIRST = 48
 """Panels over the run to begin with."""
 NARROWEST = 2.0**-34
 """No panel is cut below this share of the run."""
@@ -28,7 +29,7 @@ VAGUEST = 2.0**-24
 """Nor one below this share of it of which nothing is known."""
 BUDGET = 2000
 """Panels evaluated at most."""
-ROUND = 8
+OVERHEAD = 8
 """What a round of evaluations costs besides, in panels."""
 CLOSE, ROUND_OFF = 1e-9, 1e-10
 """How far values may lie outside: over the distance of the limits, and over their magnitude."""
@@ -68,8 +69,8 @@ class Proof:
     """What is known of a claim: ``low`` and ``high`` hold all values over the panels that are decided.
 
     ``open`` are the panels (s) of which nothing is proven, for the caller to look at; ``reason`` says why there are
-    any: "change-point", "undefined" (a denominator that may vanish, a root that
-    may leave its domain), "round-off" (the bounds don't fall any further), "budget"; or "refuted".
+    any: "change-point", "undefined" (a denominator that may vanish, a root that may leave its domain), "round-off" (the
+    bounds don't fall any further), "budget" (panels are left, or too narrow to be cut); or "refuted".
     """
 
     low: float
@@ -101,7 +102,7 @@ def prove(
 def prove_all(run: Run, claims: Sequence[Claim], edges: Sequence[float] = (), budget: int = BUDGET) -> list[Proof]:
     """Prove claims on expressions of one run together: every panel is evaluated once for all of them.
 
-    Panels also end at ``edges`` (s): times at which something may jump or bend, to round-off. Within 1e-12 of the run
+    Panels also end at ``edges`` (s): times at which something may jump or bend, to round-off. Within 1e-13 of the run
     of an edge, values count as those of both sides. ``budget`` is the number of panels that are evaluated at most.
     """
     return _proofs(run, claims, edges, budget, False)
@@ -177,16 +178,17 @@ class _Search:
     def go(self, budget: int) -> None:
         """Evaluate and cut panels until all are decided."""
         spent = 0
-        while self.panels.count and (cost := spent + self.panels.count + ROUND) <= budget:
+        while self.panels.count and (cost := spent + self.panels.count + OVERHEAD) <= budget:
             spent = cost
             self.count += self.asked.sum(axis=1)
             self.decide()
             undecided = np.any(self.asked, axis=0)
             self._keep(undecided)
             width = (self.panels.stop - self.panels.start) / (self.run.stop - self.run.start)
-            narrow = self.asked & ((width < NARROWEST) | ((width < VAGUEST) & ~np.isfinite(self.last[0])))
+            narrow = self.asked & ((width < NARROWEST) | ((width < VAGUEST) & np.isnan(self.last[0])))
             for claim, panel in zip(*np.nonzero(narrow), strict=True):
                 self.closed.append((int(claim), self._span(int(panel))))
+                self.undefined[claim] |= np.isnan(self.last[0, claim, panel])
             self.asked &= ~narrow
             self._keep(np.any(self.asked, axis=0))
             self.panels, self.asked = self.panels.halves(), np.concatenate([self.asked, self.asked], axis=1)
@@ -207,7 +209,6 @@ class _Search:
             c[: len(model.c), here], r[here] = model.c[:, panel[here]], model.r[panel[here]]
         low, high = TaylorModel(c, r, self.panels.some(panel)).range()
         known = np.isfinite(low) & np.isfinite(high)
-        self.undefined[claim[~known]] = True
         limits = self.limits[claim]
         if self.zeros:
             with np.errstate(invalid="ignore"):
@@ -217,19 +218,12 @@ class _Search:
                 loose = known & ((low < limits[:, 0]) | (high > limits[:, 1]))
         if loose.any():
             some = c[:, loose]
-            top, reached, at = above(some)
-            bottom, sunk, place = above(-some)
+            top, at = above(some)
+            bottom, place = above(-some)
             high[loose] = np.minimum(high[loose], top + r[loose])
             low[loose] = np.maximum(low[loose], -bottom - r[loose])
-            for wrong, sign_, value, h in (
-                (reached - r[loose] > limits[loose, 1], 1.0, reached - r[loose], at),
-                (sunk - r[loose] > -limits[loose, 0], -1.0, sunk - r[loose], place),
-            ):
-                for k in np.flatnonzero(wrong):
-                    which = np.flatnonzero(loose)[k]
-                    i, on = int(claim[which]), panel[which]
-                    time = float(self.panels.mid[on] + self.panels.half[on] * h[k])
-                    self._refute(i, Refuted(time, float(sign_ * value[k])))
+            self._refute(claim[loose], panel[loose], some, r[loose], at, 1.0)
+            self._refute(claim[loose], panel[loose], -some, r[loose], place, -1.0)
         with np.errstate(invalid="ignore"):
             if self.zeros:
                 decided = known & ((low > 0) | (high < 0))
@@ -244,13 +238,20 @@ class _Search:
             self.closed.append((int(i), self._span(int(on))))
             self.stalled.add(int(i))
         self.last[1] = self.last[0]
-        self.last[0, claim, panel] = r
+        self.last[0, claim, panel] = np.where(np.isfinite(r), r, np.nan)
         self.asked[claim[decided | noise], panel[decided | noise]] = False
         for i in self.refuted:
             self.asked[i] = False
 
-    def _refute(self, claim: int, by: Refuted) -> None:
-        self.refuted.setdefault(claim, by)
+    def _refute(self, claim: Whole, panel: Whole, c: Array, r: Array, h: Array, way: float) -> None:
+        """Note which claims a polynomial passes at places h of its panel, clear of the margins."""
+        h = np.clip(h, -self.panels.inner[panel], self.panels.inner[panel])
+        value = evaluated(c, h)
+        value = value - r - 8 * len(c) * ROUND * np.abs(c).sum(axis=0)
+        limit = self.limits[claim, 1] if way > 0 else -self.limits[claim, 0]
+        for k in np.flatnonzero(value > limit):
+            time = float(self.panels.mid[panel[k]] + self.panels.half[panel[k]] * h[k])
+            self.refuted.setdefault(int(claim[k]), Refuted(time, float(way * value[k])))
 
     def proofs(self) -> list[Proof]:
         """What came out."""
@@ -264,6 +265,8 @@ class _Search:
                 reason, spans = "refuted", []
             elif spans:
                 reason = self._why(i)
+            elif low > high:  # no panel lies in the spans
+                reason, spans = "budget", [*self.claims[i].spans]
             found.append(Proof(low, high, _joined(spans), reason, int(self.count[i]), self.refuted.get(i)))
         return found
 
@@ -272,7 +275,8 @@ class _Search:
             return "change-point"
         if claim in self.stalled:
             return "round-off"
-        return "undefined" if self.undefined[claim] else "budget"
+        vague = self.undefined[claim] or np.isnan(self.last[0, claim, self.asked[claim]]).any()
+        return "undefined" if vague else "budget"
 
 
 def _covered(start: Array, stop: Array, spans: Sequence[Span], close: float) -> Flags:
