@@ -1,8 +1,8 @@
 """What it costs to prove the extremes of every example's measures, against searching for them.
 
-python benchmarks/enclosures.py              the table of all examples
-python benchmarks/enclosures.py four_bar     those with this in their names
-python benchmarks/enclosures.py --orders     all of them at other degrees and numbers of first panels
+python benchmarks/proofs.py              the table of all examples
+python benchmarks/proofs.py four_bar     those with this in their names
+python benchmarks/proofs.py --orders     all of them at other degrees and numbers of first panels
 """
 
 from __future__ import annotations
