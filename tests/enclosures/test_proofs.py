@@ -129,6 +129,15 @@ def test_a_jump_counts_with_both_sides() -> None:
     assert without.refuted is None
 
 
+def test_many_turns() -> None:
+    """The panels grow with the turns that the drives make."""
+    run = Run(compiled_from(four_bar(a=1.0, b=3.0, c=3.0, d=4.0)), 0.0, 40 * 2 * np.pi, 4000)
+    node = bound(run, "rocker.omega")
+    low, high = extremes(run, node, 0.0, 2 * np.pi)
+    proof = prove(run, node, [(run.start, run.stop)], low, high)
+    assert proof.done, proof.reason
+
+
 def test_the_budget_ends_it() -> None:
     run = example_run("four_bar.yaml")
     node = trees(run)["torque"]

@@ -21,14 +21,14 @@ Flags = NDArray[np.bool_]
 Whole = NDArray[np.intp]
 Span = tuple[float, float]
 
-FIRST = 48
-"""Panels over the run to begin with."""
+FIRST, MOST_FIRST = 48, 1 << 13
+"""Panels to begin with: over the run, or over a turn of the drive that turns most; and of all at most."""
 NARROWEST = 2.0**-34
 """No panel is cut below this share of the run."""
 VAGUEST = 2.0**-24
 """Nor one below this share of it of which nothing is known."""
-BUDGET = 2000
-"""Panels evaluated at most."""
+BUDGET = 40
+"""Panels evaluated at most, over those to begin with."""
 OVERHEAD = 8
 """What a round of evaluations costs besides, in panels."""
 CLOSE, ROUND_OFF = 1e-9, 1e-10
@@ -93,32 +93,46 @@ def prove(
     low: float,
     high: float,
     edges: Sequence[float] = (),
-    budget: int = BUDGET,
+    budget: int | None = None,
 ) -> Proof:
     """Prove that an expression stays between two values; see :func:`prove_all`."""
     return prove_all(run, [Claim(node, tuple(spans), low, high)], edges, budget)[0]
 
 
-def prove_all(run: Run, claims: Sequence[Claim], edges: Sequence[float] = (), budget: int = BUDGET) -> list[Proof]:
+def prove_all(run: Run, claims: Sequence[Claim], edges: Sequence[float] = (), budget: int | None = None) -> list[Proof]:
     """Prove claims on expressions of one run together: every panel is evaluated once for all of them.
 
     Panels also end at ``edges`` (s): times at which something may jump or bend, to round-off. Within 1e-13 of the run
-    of an edge, values count as those of both sides. ``budget`` is the number of panels that are evaluated at most.
+    of an edge, values count as those of both sides. ``budget`` is the number of panels that are evaluated at most, by
+    default some 2000 a turn of the drives.
     """
     return _proofs(run, claims, edges, budget, False)
 
 
 def sign(
-    run: Run, node: Node, spans: Sequence[Span], edges: Sequence[float] = (), budget: int = BUDGET
+    run: Run, node: Node, spans: Sequence[Span], edges: Sequence[float] = (), budget: int | None = None
 ) -> tuple[tuple[Span, ...], str]:
     """Where an expression may have a zero (spans, s), and why that isn't known better; elsewhere it has none."""
     (proof,) = _proofs(run, [Claim(node, tuple(spans), -np.inf, np.inf)], edges, budget, True)
     return proof.open, proof.reason
 
 
-def _proofs(run: Run, claims: Sequence[Claim], edges: Sequence[float], budget: int, zeros: bool) -> list[Proof]:
+def _first(run: Run) -> int:
+    """The number of panels over the run to begin with."""
+    t = np.linspace(run.start, run.stop, 1025)
+    turns = [1.0]
+    for name in run.compiled.graph.motors:
+        if run.compiled.mechanism.prescribed(name).turns:
+            rate = np.abs(np.broadcast_to(run.compiled.laws[name](t).d[1], t.shape))
+            turns.append(float(rate.mean()) * (run.stop - run.start) / (2 * np.pi))
+    return int(min(FIRST * max(turns), MOST_FIRST))
+
+
+def _proofs(run: Run, claims: Sequence[Claim], edges: Sequence[float], budget: int | None, zeros: bool) -> list[Proof]:
     """In doubles; what round-off leaves open there, in long doubles."""
-    search = _Search(run, Enclosure(run, [claim.node for claim in claims]), claims, edges, zeros)
+    first = _first(run)
+    budget = BUDGET * first if budget is None else budget
+    search = _Search(run, Enclosure(run, [claim.node for claim in claims]), claims, edges, zeros, first)
     search.go(budget)
     found = search.proofs()
     left = [i for i, proof in enumerate(found) if proof.reason == "round-off"]
@@ -126,7 +140,7 @@ def _proofs(run: Run, claims: Sequence[Claim], edges: Sequence[float], budget: i
     if not left or not PRECISE or spent >= budget:
         return found
     again = [replace(claims[i], spans=found[i].open) for i in left]
-    search = _Search(run, Enclosure(run, [claim.node for claim in again], True), again, edges, zeros, first=1)
+    search = _Search(run, Enclosure(run, [claim.node for claim in again], True), again, edges, zeros, 1)
     search.go(budget - spent)
     for i, proof in zip(left, search.proofs(), strict=True):
         low, high = min(found[i].low, proof.low), max(found[i].high, proof.high)
@@ -142,16 +156,14 @@ class _Search:
         claims: Sequence[Claim],
         edges: Sequence[float],
         zeros: bool,
-        first: int | None = None,
+        first: int,
     ) -> None:
         self.run, self.enclosure, self.claims, self.zeros = run, enclosure, claims, zeros
         length = run.stop - run.start
         ends = [end for claim in claims for span in claim.spans for end in span]
         bands = [(p.time - GAP * p.width, p.time + GAP * p.width) for p in run.compiled.passages.every]
         ends += [end for band in bands for end in band]
-        every = np.unique(
-            np.clip([*ends, *edges, *np.linspace(run.start, run.stop, (first or FIRST) + 1)], run.start, run.stop)
-        )
+        every = np.unique(np.clip([*ends, *edges, *np.linspace(run.start, run.stop, first + 1)], run.start, run.stop))
         # Edges nearer to one another than the panels' margin are one.
         every = every[np.append(True, np.diff(every) > MARGIN * length)]
         start, stop = every[:-1], every[1:]
