@@ -2,12 +2,18 @@
 
 from pathlib import Path
 
+import exact
 import numpy as np
 import pytest
+from hypothesis import given, settings
 
+from helpers.compiled import compiled_of, regular
+from helpers.random_mechanisms import DURATION, mechanisms
 from helpers.runs import EXAMPLES, edges, example_run, trees
 from linkwright.enclosures import Enclosure
 from linkwright.enclosures.bounds import evaluated
+from linkwright.model.expressions import parse
+from linkwright.results import Run
 
 NAMES = sorted(
     path.name for path in EXAMPLES.glob("*.yaml") if "measures:" in path.read_text() and "  cycle:" in path.read_text()
@@ -37,6 +43,48 @@ def test_samples_lie_inside(name: str) -> None:
         assert np.isfinite(model.r).mean() > (0.5 if name != "parallelogram.yaml" else 0.0), measure
 
 
+def test_the_paper_feeder_in_50_digits() -> None:
+    """Enclosures hold what a formulation of its own gives in 50 digits, its decimals against their doubles apart."""
+    run = example_run("paper_feeder.yaml")
+    names = ["motor.torque", "force(frame, crank).x", "force(rocker, coupler).y", "E.x", "E.vx", "rocker.alpha"]
+    swapped = [name.replace("rocker, coupler", "coupler, rocker") for name in names]
+    enclosure = Enclosure(run, [run.compiled.quantities.dimensions.bind(parse(name), None) for name in names])
+    ends = np.linspace(run.start, run.stop, 401)
+    on = enclosure.panels(ends[:-1], ends[1:])
+    models = enclosure(on)
+    some = np.arange(3, 400, 23)
+    h = np.linspace(-1, 1, some.size)
+    t = on.mid[some] + on.half[some] * h
+    true = exact.reference(exact.feeder, swapped, t)
+    for name, model, value in zip(names, models, true, strict=True):
+        value = -value if "rocker, coupler" in name else value
+        away = np.abs(evaluated(model.c[:, some], h) - value) - model.r[some]
+        assert away.max() <= 3e-15 * np.abs(value).max(), name
+        assert model.r.max() < 1e-9 * np.abs(value).max(), name
+
+
+@settings(max_examples=40)
+@given(plain=mechanisms())
+def test_random_mechanisms_lie_inside(plain) -> None:  # type: ignore[no-untyped-def]
+    compiled = compiled_of(plain)
+    t = np.linspace(0.0, DURATION, 401)
+    regular(compiled, t)
+    run = Run(compiled, 0.0, DURATION, 100)
+    names = [f"{drive}.power" for drive in compiled.graph.drives]
+    names += [f"{link}.{row}" for link in compiled.structure.topology.moving for row in ("angle", "alpha")]
+    nodes = [compiled.quantities.dimensions.bind(parse(name), None) for name in names]
+    enclosure = Enclosure(run, nodes)
+    ends = np.linspace(0.0, DURATION, 81)
+    on = enclosure.panels(ends[:-1], ends[1:])
+    panel = np.minimum((t / DURATION * 80).astype(int), 79)
+    h = (t - on.mid[panel]) / on.half[panel]
+    for name, node, model in zip(names, nodes, enclosure(on), strict=True):
+        value = np.asarray(run.jets(node, t).d[0])
+        away = np.abs(evaluated(model.c[:, panel], h) - value) - model.r[panel]
+        assert away.max() <= 1e-11 * np.abs(value).max() + 1e-13, name
+        assert np.isfinite(model.r).all()
+
+
 def test_halved_panels_are_enclosed_more_closely_by_the_order() -> None:
     run = example_run("paper_feeder.yaml")
     enclosure = Enclosure(run, [trees(run)["M0_feed"]])
@@ -51,17 +99,11 @@ def test_halved_panels_are_enclosed_more_closely_by_the_order() -> None:
 def test_turns_of_angles_are_counted() -> None:
     """An angle that the graph knows from its axis alone runs on over whole turns."""
     run = example_run("jansen_leg.yaml")
-    node = run.compiled.quantities.dimensions.bind(_parsed("crank.angle"), None)
+    node = run.compiled.quantities.dimensions.bind(parse("crank.angle"), None)
     enclosure = Enclosure(run, [node])
     ends = np.linspace(run.start, run.stop, 21)
     (model,) = enclosure(enclosure.panels(ends[:-1], ends[1:]))
     assert model.c[0, -1] - model.c[0, 0] == pytest.approx(2 * np.pi * 0.95)
-
-
-def _parsed(text: str):  # type: ignore[no-untyped-def]
-    from linkwright.model.expressions import parse
-
-    return parse(text)
 
 
 def test_the_files_are_there() -> None:

@@ -129,15 +129,24 @@ def test_a_jump_counts_with_both_sides() -> None:
     assert without.refuted is None
 
 
+def test_many_turns() -> None:
+    """The panels grow with the turns that the drives make."""
+    run = Run(compiled_from(four_bar(a=1.0, b=3.0, c=3.0, d=4.0)), 0.0, 40 * 2 * np.pi, 4000)
+    node = bound(run, "rocker.omega")
+    low, high = extremes(run, node, 0.0, 2 * np.pi)
+    proof = prove(run, node, [(run.start, run.stop)], low, high)
+    assert proof.done, proof.reason
+
+
 def test_the_budget_ends_it() -> None:
     run = example_run("four_bar.yaml")
     node = trees(run)["torque"]
     low, high = extremes(run, node, 0.0, 0.5)
-    proof = prove(run, node, [(0.0, 0.5)], low, high, budget=25)
+    proof = prove(run, node, [(0.0, 0.5)], low, high, budget=60)
     assert not proof.done
     assert proof.reason == "budget"
     assert proof.open
-    assert prove(run, node, [(0.0, 0.5)], low, high, budget=25) == proof
+    assert prove(run, node, [(0.0, 0.5)], low, high, budget=60) == proof
 
 
 def test_change_points_are_said() -> None:
@@ -156,6 +165,20 @@ def test_signs() -> None:
     assert len(open_) == 1
     assert open_[0][0] < np.pi < open_[0][1]
     assert open_[0][1] - open_[0][0] < 1e-6
+
+
+def test_what_lies_just_outside_a_window_neither_refutes_nor_hinders() -> None:
+    """A window of 1e-3 of the run, with the extremes of a steep line at its ends."""
+    run = Run(compiled_from(four_bar()), 0.0, 6.0, 100)
+    node = bound(run, "motor.angle")
+    a, b = 3.0, 3.006
+    assert prove(run, node, [(a, b)], a + 0.5, b + 0.5).done
+
+
+def test_a_window_without_length_is_no_proof() -> None:
+    run = Run(compiled_from(four_bar()), 0.0, 6.0, 100)
+    assert not prove(run, bound(run, "motor.angle"), [(3.0, 3.0)], -1e3, 1e3).done
+    assert not prove(run, bound(run, "motor.angle"), [(0.0, 6.0)], np.nan, 1e3, budget=200).done
 
 
 def test_nothing_decided_is_no_proof() -> None:

@@ -33,15 +33,15 @@ def bounds(c: Array) -> tuple[Array, Array]:
     return -above(-c)[0], above(c)[0]
 
 
-def above(c: Array) -> tuple[Array, Array, Array]:
-    """An upper bound of each polynomial, a value that it reaches (less round-off), and its h: (panels,) each.
+def above(c: Array) -> tuple[Array, Array]:
+    """An upper bound of each polynomial, and the h of a value near it: (panels,) each.
 
     On each part the polynomial is monotone or convex, with its largest value at an end; or concave, below any of its
     tangents; or else below its Taylor polynomial there.
     """
     terms = len(c)
     if terms == 1:
-        return c[0], c[0], np.zeros_like(c[0])
+        return c[0], np.zeros_like(c[0])
     size = np.add.reduce(np.abs(c), axis=0) * UP
     slack = 4 * (terms + 2) * ROUND * size
     k = np.arange(terms, dtype=float)[:, None]
@@ -80,4 +80,4 @@ def above(c: Array) -> tuple[Array, Array, Array]:
         best = np.argsort(value, kind="stable")  # the largest is written last
         better = value[best] > reached[panel[best]]
         reached[panel[best][better]], at[panel[best][better]] = value[best][better], h[best][better]
-    return bound.max(axis=0) + slack, reached - slack, at
+    return bound.max(axis=0) + slack, at

@@ -107,25 +107,19 @@ def exp(x: Any) -> TaylorModel:
 
 @register("log")
 def log(x: Any) -> TaylorModel:
-    """Natural logarithm."""
+    """Natural logarithm: that of the first coefficient, and that of the argument over it, which is near 1."""
     x = lift(x)
     n = _order(x)
-    first = x.c[0]
-    least = np.where(first - x.spread() > 0, (first - x.spread()) * (1 - 1e-12), np.nan)
     with np.errstate(all="ignore"):
-        value = np.log(first)
-        terms = [value, *(-((-1.0 / first) ** k) / k for k in range(1, n + 1))]
-        error = 2 * ulps(x) * (np.abs(value) + n * np.maximum(1.0, np.abs(1 / first)) ** n)
-        # Terms of a small first coefficient are large, and so are their errors: better over the first coefficient.
-    if len(x.c) > 1:
-        scaled = x * TaylorModel((1.0 / first)[None], np.zeros_like(first), x.on)
-        start = TaylorModel(value[None], 3 * ulps(x) * (np.abs(value) + 1), x.on)
-        one = np.ones_like(first)
-        near = [np.log(scaled.c[0]), *(-((-1.0 / scaled.c[0]) ** k) / k for k in range(1, n + 1))]
-        low = scaled.c[0] - scaled.spread()
-        low = np.where((low > 0) & (least > 0), low * (1 - 1e-12), np.nan)
-        return start + composed(scaled, near, 16 * ulps(x) * one, 1 / ((n + 1) * low ** (n + 1)))
-    return composed(x, terms, error, 1 / ((n + 1) * least ** (n + 1)))
+        value, over = np.log(x.c[0]), 1.0 / x.c[0]
+        none = np.zeros_like(over)
+        near = x * TaylorModel(over[None], none, x.on)
+        least = near.c[0] - near.spread()
+        least = np.where((least > 0) & (x.c[0] > 0), least * (1 - 1e-12), np.nan)
+        terms = [np.log(near.c[0]), *(-((-1.0 / near.c[0]) ** k) / k for k in range(1, n + 1))]
+        rest = composed(near, terms, 16 * ulps(x), 1 / ((n + 1) * least ** (n + 1)))
+    # The logarithm of the rounded inverse is that of the first coefficient to round-off, which is counted here.
+    return rest + TaylorModel(value[None], none + 3 * ulps(x) * (np.abs(value) + 1), x.on)
 
 
 @register("sqrt")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -98,22 +99,28 @@ class Inputs:
 
     def over(self, on: Panels) -> Any:
         """The rows over panels, each made when it is asked for."""
-        compiled, graph = self.compiled, self.compiled.graph
+        compiled = self.compiled
         made: dict[int, TaylorModel] = {}
-        laws: dict[str, Jet] = {}
         time = TaylorModel.time(on)
-        middle: list[Array] = []
 
-        def at_middle(row: int) -> Array:
-            if not middle:
-                middle.append(compiled.inputs(on.mid.astype(float)))
-            return np.asarray(middle[0][row])
+        @cache
+        def middle() -> Array:
+            return compiled.inputs(on.mid.astype(float))
 
+        def same(row: int) -> TaylorModel:
+            """What is the same all over a panel."""
+            return TaylorModel(middle()[row][None], np.zeros(on.count), on)
+
+        @cache
         def drive(name: str) -> Jet:
-            if name not in laws:
-                law = compiled.laws[name]
-                laws[name] = law.of(time, law.parameters, False)  # type: ignore[arg-type]
-            return laws[name]
+            law = compiled.laws[name]
+            return law.of(time, law.parameters, False)  # type: ignore[arg-type]
+
+        @cache
+        def ratio(name: str) -> tuple[Any, Any]:
+            law = compiled.supply.cams[name]
+            motor = drive(law.motor)
+            return law.ratio(motor.d[0], motor.d[1], law.parameters)
 
         def make(row: int) -> TaylorModel:
             if row in self.solved:
@@ -122,23 +129,22 @@ class Inputs:
             name = self.rows[row]
             kind, _, rest = name.partition("/")
             if rest:
-                return self.action(kind, rest, row, x, drive, at_middle, on)
+                return self.action(kind, rest, row, x, ratio, same)
             if name == "t":
                 return time
             owner, _, last = name.rpartition(":")
             if owner in compiled.laws and last.isdigit():
                 return lift(drive(owner).d[int(last)])
-            return TaylorModel(at_middle(row)[None], np.zeros(on.count), on)
+            return lift(same(row))
 
         def x(row: int) -> TaylorModel:
             if row not in made:
                 made[row] = make(row)
             return made[row]
 
-        assert graph.width == 5
         return x
 
-    def action(self, kind: str, rest: str, row: int, x: Any, drive: Any, at_middle: Any, on: Panels) -> TaylorModel:
+    def action(self, kind: str, rest: str, row: int, x: Any, ratio: Any, same: Any) -> TaylorModel:
         """An input of loads and springs."""
         compiled, graph = self.compiled, self.compiled.graph
         if kind == "table":
@@ -152,7 +158,5 @@ class Inputs:
             return lift((table.integral if lookup.integral else table.or_nan)(argument).d[which])
         if kind == "ratio":
             name, _, k = rest.rpartition("/")
-            law = compiled.supply.cams[name]
-            motor = drive(law.motor)
-            return lift(law.ratio(motor.d[0], motor.d[1], law.parameters)[int(k)])
-        return TaylorModel(at_middle(row)[None], np.zeros(on.count), on)
+            return lift(ratio(name)[int(k)])
+        return lift(same(row))

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 ORDER = 7
-"""The degree of the polynomials: chosen by measurement (benchmarks/enclosures.py)."""
-MARGIN = 1e-12
+"""The degree of the polynomials: chosen by measurement (benchmarks/proofs.py)."""
+MARGIN = 1e-13
 """A panel overlaps its neighbours by this share of the run, as break times are known to round-off only."""
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.enclosures.bounds import above
+from linkwright.enclosures.bounds import ROUND, above, evaluated
 from linkwright.enclosures.motion import Enclosure
 from linkwright.enclosures.panels import MARGIN, PRECISE
 from linkwright.enclosures.taylor import TaylorModel
@@ -18,17 +18,18 @@ from linkwright.results import Run
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
+Whole = NDArray[np.intp]
 Span = tuple[float, float]
 
-FIRST = 24
-"""Panels over the run to begin with."""
+FIRST, MOST_FIRST = 48, 1 << 13
+"""Panels to begin with: over the run, or over a turn of the drive that turns most; and of all at most."""
 NARROWEST = 2.0**-34
 """No panel is cut below this share of the run."""
 VAGUEST = 2.0**-24
 """Nor one below this share of it of which nothing is known."""
-BUDGET = 2000
-"""Panels evaluated at most."""
-ROUND = 8
+BUDGET = 40
+"""Panels evaluated at most, over those to begin with."""
+OVERHEAD = 8
 """What a round of evaluations costs besides, in panels."""
 CLOSE, ROUND_OFF = 1e-9, 1e-10
 """How far values may lie outside: over the distance of the limits, and over their magnitude."""
@@ -68,8 +69,8 @@ class Proof:
     """What is known of a claim: ``low`` and ``high`` hold all values over the panels that are decided.
 
     ``open`` are the panels (s) of which nothing is proven, for the caller to look at; ``reason`` says why there are
-    any: "change-point", "undefined" (a denominator that may vanish, a root that
-    may leave its domain), "round-off" (the bounds don't fall any further), "budget"; or "refuted".
+    any: "change-point", "undefined" (a denominator that may vanish, a root that may leave its domain), "round-off" (the
+    bounds don't fall any further), "budget" (panels are left, or too narrow to be cut); or "refuted".
     """
 
     low: float
@@ -92,32 +93,46 @@ def prove(
     low: float,
     high: float,
     edges: Sequence[float] = (),
-    budget: int = BUDGET,
+    budget: int | None = None,
 ) -> Proof:
     """Prove that an expression stays between two values; see :func:`prove_all`."""
     return prove_all(run, [Claim(node, tuple(spans), low, high)], edges, budget)[0]
 
 
-def prove_all(run: Run, claims: Sequence[Claim], edges: Sequence[float] = (), budget: int = BUDGET) -> list[Proof]:
+def prove_all(run: Run, claims: Sequence[Claim], edges: Sequence[float] = (), budget: int | None = None) -> list[Proof]:
     """Prove claims on expressions of one run together: every panel is evaluated once for all of them.
 
-    Panels also end at ``edges`` (s): times at which something may jump or bend, to round-off. Within 1e-12 of the run
-    of an edge, values count as those of both sides. ``budget`` is the number of panels that are evaluated at most.
+    Panels also end at ``edges`` (s): times at which something may jump or bend, to round-off. Within 1e-13 of the run
+    of an edge, values count as those of both sides. ``budget`` is the number of panels that are evaluated at most, by
+    default some 2000 a turn of the drives.
     """
     return _proofs(run, claims, edges, budget, False)
 
 
 def sign(
-    run: Run, node: Node, spans: Sequence[Span], edges: Sequence[float] = (), budget: int = BUDGET
+    run: Run, node: Node, spans: Sequence[Span], edges: Sequence[float] = (), budget: int | None = None
 ) -> tuple[tuple[Span, ...], str]:
     """Where an expression may have a zero (spans, s), and why that isn't known better; elsewhere it has none."""
     (proof,) = _proofs(run, [Claim(node, tuple(spans), -np.inf, np.inf)], edges, budget, True)
     return proof.open, proof.reason
 
 
-def _proofs(run: Run, claims: Sequence[Claim], edges: Sequence[float], budget: int, zeros: bool) -> list[Proof]:
+def _first(run: Run) -> int:
+    """The number of panels over the run to begin with."""
+    t = np.linspace(run.start, run.stop, 1025)
+    turns = [1.0]
+    for name in run.compiled.graph.motors:
+        if run.compiled.mechanism.prescribed(name).turns:
+            rate = np.abs(np.broadcast_to(run.compiled.laws[name](t).d[1], t.shape))
+            turns.append(float(rate.mean()) * (run.stop - run.start) / (2 * np.pi))
+    return int(min(FIRST * max(turns), MOST_FIRST))
+
+
+def _proofs(run: Run, claims: Sequence[Claim], edges: Sequence[float], budget: int | None, zeros: bool) -> list[Proof]:
     """In doubles; what round-off leaves open there, in long doubles."""
-    search = _Search(run, Enclosure(run, [claim.node for claim in claims]), claims, edges, zeros)
+    first = _first(run)
+    budget = BUDGET * first if budget is None else budget
+    search = _Search(run, Enclosure(run, [claim.node for claim in claims]), claims, edges, zeros, first)
     search.go(budget)
     found = search.proofs()
     left = [i for i, proof in enumerate(found) if proof.reason == "round-off"]
@@ -125,7 +140,7 @@ def _proofs(run: Run, claims: Sequence[Claim], edges: Sequence[float], budget: i
     if not left or not PRECISE or spent >= budget:
         return found
     again = [replace(claims[i], spans=found[i].open) for i in left]
-    search = _Search(run, Enclosure(run, [claim.node for claim in again], True), again, edges, zeros, first=1)
+    search = _Search(run, Enclosure(run, [claim.node for claim in again], True), again, edges, zeros, 1)
     search.go(budget - spent)
     for i, proof in zip(left, search.proofs(), strict=True):
         low, high = min(found[i].low, proof.low), max(found[i].high, proof.high)
@@ -141,16 +156,14 @@ class _Search:
         claims: Sequence[Claim],
         edges: Sequence[float],
         zeros: bool,
-        first: int | None = None,
+        first: int,
     ) -> None:
         self.run, self.enclosure, self.claims, self.zeros = run, enclosure, claims, zeros
         length = run.stop - run.start
         ends = [end for claim in claims for span in claim.spans for end in span]
         bands = [(p.time - GAP * p.width, p.time + GAP * p.width) for p in run.compiled.passages.every]
         ends += [end for band in bands for end in band]
-        every = np.unique(
-            np.clip([*ends, *edges, *np.linspace(run.start, run.stop, (first or FIRST) + 1)], run.start, run.stop)
-        )
+        every = np.unique(np.clip([*ends, *edges, *np.linspace(run.start, run.stop, first + 1)], run.start, run.stop))
         # Edges nearer to one another than the panels' margin are one.
         every = every[np.append(True, np.diff(every) > MARGIN * length)]
         start, stop = every[:-1], every[1:]
@@ -177,16 +190,17 @@ class _Search:
     def go(self, budget: int) -> None:
         """Evaluate and cut panels until all are decided."""
         spent = 0
-        while self.panels.count and (cost := spent + self.panels.count + ROUND) <= budget:
+        while self.panels.count and (cost := spent + self.panels.count + OVERHEAD) <= budget:
             spent = cost
             self.count += self.asked.sum(axis=1)
             self.decide()
             undecided = np.any(self.asked, axis=0)
             self._keep(undecided)
             width = (self.panels.stop - self.panels.start) / (self.run.stop - self.run.start)
-            narrow = self.asked & ((width < NARROWEST) | ((width < VAGUEST) & ~np.isfinite(self.last[0])))
+            narrow = self.asked & ((width < NARROWEST) | ((width < VAGUEST) & np.isnan(self.last[0])))
             for claim, panel in zip(*np.nonzero(narrow), strict=True):
                 self.closed.append((int(claim), self._span(int(panel))))
+                self.undefined[claim] |= np.isnan(self.last[0, claim, panel])
             self.asked &= ~narrow
             self._keep(np.any(self.asked, axis=0))
             self.panels, self.asked = self.panels.halves(), np.concatenate([self.asked, self.asked], axis=1)
@@ -207,7 +221,6 @@ class _Search:
             c[: len(model.c), here], r[here] = model.c[:, panel[here]], model.r[panel[here]]
         low, high = TaylorModel(c, r, self.panels.some(panel)).range()
         known = np.isfinite(low) & np.isfinite(high)
-        self.undefined[claim[~known]] = True
         limits = self.limits[claim]
         if self.zeros:
             with np.errstate(invalid="ignore"):
@@ -217,19 +230,12 @@ class _Search:
                 loose = known & ((low < limits[:, 0]) | (high > limits[:, 1]))
         if loose.any():
             some = c[:, loose]
-            top, reached, at = above(some)
-            bottom, sunk, place = above(-some)
+            top, at = above(some)
+            bottom, place = above(-some)
             high[loose] = np.minimum(high[loose], top + r[loose])
             low[loose] = np.maximum(low[loose], -bottom - r[loose])
-            for wrong, sign_, value, h in (
-                (reached - r[loose] > limits[loose, 1], 1.0, reached - r[loose], at),
-                (sunk - r[loose] > -limits[loose, 0], -1.0, sunk - r[loose], place),
-            ):
-                for k in np.flatnonzero(wrong):
-                    which = np.flatnonzero(loose)[k]
-                    i, on = int(claim[which]), panel[which]
-                    time = float(self.panels.mid[on] + self.panels.half[on] * h[k])
-                    self._refute(i, Refuted(time, float(sign_ * value[k])))
+            self._refute(claim[loose], panel[loose], some, r[loose], at, 1.0)
+            self._refute(claim[loose], panel[loose], -some, r[loose], place, -1.0)
         with np.errstate(invalid="ignore"):
             if self.zeros:
                 decided = known & ((low > 0) | (high < 0))
@@ -244,13 +250,20 @@ class _Search:
             self.closed.append((int(i), self._span(int(on))))
             self.stalled.add(int(i))
         self.last[1] = self.last[0]
-        self.last[0, claim, panel] = r
+        self.last[0, claim, panel] = np.where(np.isfinite(r), r, np.nan)
         self.asked[claim[decided | noise], panel[decided | noise]] = False
         for i in self.refuted:
             self.asked[i] = False
 
-    def _refute(self, claim: int, by: Refuted) -> None:
-        self.refuted.setdefault(claim, by)
+    def _refute(self, claim: Whole, panel: Whole, c: Array, r: Array, h: Array, way: float) -> None:
+        """Note which claims a polynomial passes at places h of its panel, clear of the margins."""
+        h = np.clip(h, -self.panels.inner[panel], self.panels.inner[panel])
+        value = evaluated(c, h)
+        value = value - r - 8 * len(c) * ROUND * np.abs(c).sum(axis=0)
+        limit = self.limits[claim, 1] if way > 0 else -self.limits[claim, 0]
+        for k in np.flatnonzero(value > limit):
+            time = float(self.panels.mid[panel[k]] + self.panels.half[panel[k]] * h[k])
+            self.refuted.setdefault(int(claim[k]), Refuted(time, float(way * value[k])))
 
     def proofs(self) -> list[Proof]:
         """What came out."""
@@ -264,6 +277,8 @@ class _Search:
                 reason, spans = "refuted", []
             elif spans:
                 reason = self._why(i)
+            elif low > high:  # no panel lies in the spans
+                reason, spans = "budget", [*self.claims[i].spans]
             found.append(Proof(low, high, _joined(spans), reason, int(self.count[i]), self.refuted.get(i)))
         return found
 
@@ -272,7 +287,8 @@ class _Search:
             return "change-point"
         if claim in self.stalled:
             return "round-off"
-        return "undefined" if self.undefined[claim] else "budget"
+        vague = self.undefined[claim] or np.isnan(self.last[0, claim, self.asked[claim]]).any()
+        return "undefined" if vague else "budget"
 
 
 def _covered(start: Array, stop: Array, spans: Sequence[Span], close: float) -> Flags:

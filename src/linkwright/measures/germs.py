@@ -311,6 +311,14 @@ def _where(condition: Germ, a: Germ, b: Germ) -> Germ:
     return a if condition.c[0] else b
 
 
+def _minimum(a: Germ, b: Germ) -> Germ:
+    return b if b < a else a
+
+
+def _maximum(a: Germ, b: Germ) -> Germ:
+    return b if b > a else a
+
+
 def _hypot(a: Germ, b: Germ) -> Germ:
     return _sqrt(a * a + b * b)
 
@@ -325,5 +333,7 @@ _SPECIAL: dict[str, Callable[..., Germ]] = {
     "arctan2": _arctan2,
     "hypot": _hypot,
     "abs": abs,
+    "minimum": _minimum,
+    "maximum": _maximum,
     "where": _where,
 }

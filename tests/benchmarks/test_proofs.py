@@ -1,0 +1,25 @@
+"""The benchmark of proofs proves an example's extremes and says what it cost."""
+
+import proofs
+import pytest
+
+
+def test_a_row_of_the_table(capsys: pytest.CaptureFixture[str]) -> None:
+    proofs.table("four_bar_allocation")
+    head, row = capsys.readouterr().out.splitlines()
+    assert row.split()[:3] == ["four_bar_allocation", "1", "1"]
+    assert len(row.split()) == 7
+    assert "search ms" in head
+
+
+def test_all_examples_are_proven() -> None:
+    """All extremes of measures of all examples, but near change points and where a pivot of many forces vanishes."""
+    left: dict[str, dict[str, str]] = {}
+    for case in proofs.cases():
+        for name, proof in proofs.proven(case, 1)[0].items():
+            assert proof.refuted is None, (case.name, name)
+            if not proof.done:
+                left.setdefault(case.name, {})[name] = proof.reason
+    assert left.pop("parallelogram") == dict.fromkeys(("tilt", "lag", "lift"), "change-point")
+    assert left.pop("class_four", {}).keys() <= {"torque"}
+    assert not left
