@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 import linkwright as lw
-from app.models import FORM, FORM_LINES, KINDS, NAMES, NAMES_LINES, SOUND, STUCK, UNMET, WARNED
+from app.models import FORM, FORM_LINES, KINDS, NAMES, NAMES_LINES, NO_STUDY, SOUND, STUCK, UNMET, WARNED
 from linkwright.app import examine_file, perform
 
 
@@ -163,3 +163,24 @@ def test_the_same_run_twice_is_the_same_to_the_bit(tmp_path: Path) -> None:
         lw.run(path, tmp_path / name)
     for name in ("cycle.csv", "summary.json", "report.html"):
         assert (tmp_path / "one" / name).read_bytes() == (tmp_path / "two" / name).read_bytes()
+
+
+def test_notes_come_last_and_change_no_exit_code(tmp_path: Path) -> None:
+    """Gravity of 9.81 mm/s^2 is a warning, 1 deg/s a note, though it stands before it."""
+    text = SOUND.replace("gravity: [0, -9.80665 m/s^2]\n", "").replace("120 rpm", "1")
+    path = file(tmp_path, text.replace("studies:", "gravity: [0, -9.81]\nstudies:"))
+    assert [(f.code, f.severity) for f in lw.check(path)] == [("gravity.size", "warning"), ("plausible.speed", "note")]
+    job = lw.run(path, tmp_path / "out")
+    assert job.exit_code == 0
+    assert [f["severity"] for f in job.summary["findings"]] == ["warning", "note"]
+    page = (tmp_path / "out" / "report.html").read_text("utf-8")
+    banner, notes = (page.split(f'<section id="{name}"')[1].split("</section>")[0] for name in ("failures", "notes"))
+    assert "gravity.size" in banner and "plausible.speed" not in banner
+    assert "plausible.speed" in notes
+    assert "240 deg/s" not in page and "motor: crank on frame, 1 deg/s = 0.166667 rpm, one turn 360 s" in page
+
+
+def test_a_warning_is_no_study(tmp_path: Path) -> None:
+    path = file(tmp_path, NO_STUDY.replace("-9.80665 m/s^2", "-9.81"))
+    job = perform(examine_file(path))
+    assert {f["code"] for f in job.summary["findings"]} == {"gravity.size", "study.none"}

@@ -327,3 +327,13 @@ def test_bounds_without_units_follow_what_they_bound() -> None:
     q = compiled.quantities
     assert q.parameters["limit"] == pytest.approx(0.05)
     assert q.parameters["late"] == pytest.approx(1.5707963267948966)
+
+
+def test_a_call_of_links_that_is_no_signal_is_told_once() -> None:
+    """Not as an unknown table, an unknown function and an unknown parameter."""
+    (finding,) = found(measures={"m": {"max": "2*moment(coupler)"}})
+    assert (finding.code, finding.data["name"]) == ("signal.unknown", "moment(coupler)")
+    assert {f.code for f in found(measures={"m": {"max": "frob(q)"}})} == {
+        "expression.unknown-function",
+        "name.unknown-parameter",
+    }

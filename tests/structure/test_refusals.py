@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from helpers.examples import UNITS, four_bar, slider_crank
+from linkwright.kernels import examine
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.structure import Group, decompose
@@ -277,3 +278,13 @@ def test_one_drive_too_many_is_named() -> None:
     second = {"turns": "rocker", "on": "frame", "speed": 1, "start": 0}
     finding = only(four_bar(drives={**four_bar()["drives"], "second": second}))
     assert (finding.code, finding.element) == ("structure.drive-too-many", "drives.second")
+
+
+def test_a_structure_without_drives_is_refused_for_its_mobility() -> None:
+    """Two links on a slide and two pins: 3 * 2 - 2 * 3 = 0. A four-bar without drives lacks a drive."""
+    data = slider_crank(drives={}, assembly={})
+    del data["links"]["rod"]
+    data["links"]["crank"]["points"] = {"A": [0, 0], "C": [3, 0]}
+    (finding,) = examine(Document.model_validate(data))[1]
+    assert (finding.code, finding.data["mobility"]) == ("structure.no-freedom", 0)
+    assert [f.code for f in examine(Document.model_validate(four_bar(drives={})))[1]] == ["model.no-drive"]

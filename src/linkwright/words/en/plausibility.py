@@ -55,7 +55,7 @@ PLAUSIBILITY_TEXTS: dict[str, tuple[str, str]] = {
 }
 
 PLAUSIBILITY_TERMS: dict[str, str] = {
-    "gravity": "earth, 'earth along [x, y]' or [gx, gy]",
+    "gravity": "earth, 'earth along [x, y]', or [gx, gy] such as [0, -9.81 m/s^2]",
     "below": "below",
     "above": "above",
     "or-rule": ": write '{rule}'",

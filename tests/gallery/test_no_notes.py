@@ -1,0 +1,18 @@
+"""Notes are rare: the examples and the models of the gallery have none, nor warnings on their inputs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import linkwright as lw
+from linkwright import gallery
+
+EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.yaml"))
+MODELS = [Path(gallery.__file__).parent / f"{name}.yaml" for name in gallery.names()]
+
+
+@pytest.mark.parametrize("path", [*EXAMPLES, *MODELS], ids=lambda path: path.stem)
+def test_nothing_is_noted(path: Path) -> None:
+    assert lw.check(path) == []

@@ -1,0 +1,74 @@
+"""Elements that there aren't are refused by their names, once each, with what can be written instead."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import pytest
+
+import linkwright as lw
+from helpers.examples import slider_crank
+from linkwright.model.absent import CODES
+from linkwright.model.document import parse_document
+from linkwright.model.findings import ModelError
+from linkwright.words import catalogue
+
+
+def refused(**sections: Any) -> list[tuple[str, str]]:
+    with pytest.raises(ModelError) as caught:
+        parse_document(slider_crank(**sections))
+    return [(finding.code, finding.element) for finding in caught.value.findings]
+
+
+@pytest.mark.parametrize("word", sorted(CODES))
+def test_every_word_as_a_section(word: str) -> None:
+    if CODES[word] == "element.limits":  # a study is called so
+        assert refused(**{word: {}}) == [("file.unknown-key", word)]
+    else:
+        assert refused(**{word: {}}) == [(CODES[word], word)]
+
+
+@pytest.mark.parametrize(
+    "joint",
+    [
+        {"gear": ["crank", "rod"], "ratio": 2},
+        {"type": "Gear", "links": ["crank", "rod"]},
+        {"kind": "gear-pair"},
+        "gear",
+    ],
+)
+def test_as_a_kind_of_joint_told_once(joint: Any) -> None:
+    """The kind that is missing isn't told besides, nor the keys that belong to it."""
+    ((code, element),) = refused(joints={"g": joint})
+    assert (code, element.split(".")[:2]) == ("element.gear", ["joints", "g"])
+
+
+def test_beside_what_is_right_and_what_else_is_wrong() -> None:
+    bore = {"prismatic": ["frame", "piston"], "line": ["F at 0", "C at 0"], "friction": 0.1, "travel": [1]}
+    found = refused(joints={"bore": bore}, colour=3)
+    assert sorted(found) == [
+        ("element.friction", "joints.bore.friction"),
+        ("file.expected", "joints.bore.travel"),
+        ("file.unknown-key", "colour"),
+    ]
+
+
+def test_near_misses_stay_near_misses() -> None:
+    with pytest.raises(ModelError) as caught:
+        parse_document(slider_crank(sprins={}, joint={}))
+    assert {f.data["near"] for f in caught.value.findings} == {"springs", "joints"}
+
+
+def test_the_friction_that_is_proposed_works() -> None:
+    """20 N against the motion: the drive's work over a turn is 20 N times the way there and back, 2 x 2 m."""
+    mend = catalogue()["element.friction.mend"]
+    force = re.search(r'force: "([^"]+)"', mend)
+    assert force is not None
+    load = {"on": "piston", "at": "C", "along": "bore", "force": force[1].replace("guide", "bore")}
+    data = slider_crank(loads={"friction": load}, measures={"power": {"mean": "motor.power"}})
+    data["studies"] = {"cycle": {"turns": "1 motor", "samples": 400}}
+    job = lw.run(lw.Document.model_validate(data))
+    assert job.cycle is not None
+    work = job.cycle.measures[0].shown() * 2 * 3.141592653589793
+    assert work == pytest.approx(20 * 4, rel=1e-4)  # 1 mm/s of the greatest 1 m/s is sticky
