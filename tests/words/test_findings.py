@@ -68,6 +68,7 @@ TITLES = {
     "measure": "Measures",
     "nc": "NC code of cams",
     "study": "Studies",
+    "reactions": "Reactions of structures",
     "export": "Exports",
     "clearance": "Clearances",
     "tolerance": "Tolerances",

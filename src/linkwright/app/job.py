@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
@@ -25,6 +25,7 @@ from linkwright.report.page import page
 from linkwright.report.parts import PARTS, drawn, found, summary
 from linkwright.studies import (
     NOWHERE,
+    STUDIES,
     CycleOutcome,
     LimitsOutcome,
     ModesOutcome,
@@ -37,6 +38,7 @@ from linkwright.studies import (
 from linkwright.studies.accuracy.outcome import AccuracyOutcome
 from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.studies.reactions import ReactionsOutcome
+from linkwright.studies.registry import OfStructures
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite", "export.cannot-")
@@ -116,7 +118,7 @@ def examine_document(
     orders, wrong = read_exports(document.exports)
     tasks = [task for task in tasks if to is None and only in (None, task.study.name)]
     orders = [order for order in orders if only is None and to in (None, order.target.name)]
-    examine, beside = _examination(document, tasks, orders)
+    examine, beside = _examination(document.studies if only is None else [only], tasks, orders)
     findings += beside
     compiled, faults = examine(document, folder)
     checked = _checked(compiled, tasks, orders)
@@ -127,15 +129,24 @@ def examine_document(
     return Examined(document, compiled, tasks, orders, findings, folder=folder)
 
 
-def _examination(document: Document, tasks: list[Task], orders: list[Order]) -> tuple[Any, list[Finding]]:
-    """How a document is compiled, and what can't stand beside a study that brings a way of its own."""
-    own = next((task.study for task in tasks if hasattr(task.study, "examine")), None)
-    if own is None:
+def _examination(
+    asked: Collection[str], tasks: list[Task], orders: list[Order]
+) -> tuple[Callable[..., tuple[Compiled | None, list[Finding]]], list[Finding]]:
+    """How a document is compiled for the studies that it asks for, and what can't stand beside one that brings a way of
+    its own."""
+    alone = {name: study for name, study in STUDIES.items() if name in asked and isinstance(study, OfStructures)}
+    if not alone:
         return kernels.examine, []
-    others = [("studies", task.study.name) for task in tasks if task.study is not own]
+    ((own, study),) = alone.items()
+    others = [("studies", task.study.name) for task in tasks if task.study.name != own]
     others += [("exports", order.target.name) for order in orders]
-    found = [Finding("study.alone", path, {"study": own.name, "name": path[1]}) for path in others]
-    return (own.examine if not found else lambda *_: (None, [])), found
+    found = [Finding("study.alone", path, {"study": own, "name": path[1]}) for path in others]
+    return (study.examine if not found else _nothing), found
+
+
+def _nothing(*_: Any) -> tuple[None, list[Finding]]:
+    """What compiles no document."""
+    return None, []
 
 
 def _checked(compiled: Compiled | None, tasks: list[Task], orders: list[Order]) -> list[Finding]:

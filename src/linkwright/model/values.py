@@ -13,7 +13,7 @@ from linkwright.model.fields import Expression
 from linkwright.model.findings import Finding, Term
 from linkwright.model.places import Place, Scope, crossed, figure, position_parts, spring_dimensions
 from linkwright.model.quantities import LARGEST, Quantities
-from linkwright.model.slides import pairs_of
+from linkwright.model.slides import closing, pairs_of
 from linkwright.model.units import Dimension
 
 PARALLEL = 1e-9
@@ -112,7 +112,7 @@ def tilts(q: Quantities) -> Iterator[tuple[str, list[str], Any]]:
     others give it, where that isn't 0: its name, those of all slides joined to it, the angle."""
     parts: dict[str, dict[str, Any]] = {}  # by link the directions of all links that slides join to it
     pairs = pairs_of(q.mechanism)
-    for name in pairs:
+    for name in pairs if closing(pairs.items()) else ():
         joint = q.mechanism.joints[name]
         assert joint.line is not None
         (a, b), (here, there) = joint.links, (q.value(line.angle, u.ANGLE) for line in joint.line)

@@ -2,25 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar, Protocol
+from pathlib import Path
+from typing import Any, ClassVar, Protocol, runtime_checkable
 
 from pydantic import BaseModel
 
 from linkwright.kernels import Compiled
 from linkwright.model.findings import Finding
+from linkwright.model.mechanism import Mechanism
+from linkwright.model.places import Place
 from linkwright.notation.registry import Registry
 from linkwright.studies.sections import read_section
 from linkwright.studies.site import Site
 
 
 class Study(Protocol):
-    """What a study gives: its name in the file, its options, and a run that makes an outcome.
-
-    One that is about another kind of mechanism than one that is driven brings an ``examine`` of its own, in place of
-    :func:`linkwright.kernels.examine`; then it stands alone in its file.
-    """
+    """What a study gives: its name in the file, its options, and a run that makes an outcome."""
 
     name: ClassVar[str]
     options: ClassVar[type[BaseModel]]
@@ -30,6 +29,17 @@ class Study(Protocol):
 
     def run(self, compiled: Compiled, options: Any, site: Site) -> Any:
         """The study's outcome, performed where ``site`` says."""
+
+
+@runtime_checkable
+class OfStructures(Protocol):
+    """A study of mechanisms that aren't driven: it stands alone in its file and brings its own way of compiling one, in
+    place of :func:`linkwright.kernels.examine`."""
+
+    def examine(
+        self, mechanism: Mechanism, folder: Path | None = None, uses: Sequence[Place] = ()
+    ) -> tuple[Compiled | None, list[Finding]]:
+        """Compile a mechanism as far as it goes, with all findings."""
 
 
 STUDIES: Registry[Study] = Registry()
