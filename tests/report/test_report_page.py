@@ -131,8 +131,8 @@ def test_empty_parts_leave_no_headings(report: ReportData) -> None:
 
 def test_every_word_comes_from_the_catalogue(report: ReportData) -> None:
     """With every word marked, no letter outside the marks is left but those of the data."""
-    report.update(title="1", subtitle="2", version="3", model_text="4", plots=[], structure=[])
-    report.update(measures=[], certificate=[], failures=[])
+    report.update(title="1", subtitle="2", version="3", model_text="4", origin="5", plots=[], structure=[])
+    report.update(measures=[], certificate=[], notes=[], failures=[])
     report["words"] = dict.fromkeys(REPORT, "#")
     body = page(report).split("<body>")[1].split("<script")[0]
     assert re.findall(r"[A-Za-z]+", re.sub(r"<[^>]*>", "", body)) == []
