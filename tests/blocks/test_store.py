@@ -77,6 +77,32 @@ def test_files_are_the_same_resumed(stop: int, tmp_path: Path, expected: dict[st
     assert carry(WORK, storing(WORK, tmp_path / "z")).poses == 0
 
 
+def test_a_store_begun_twice_loses_nothing(tmp_path: Path, expected: dict[str, bytes]) -> None:
+    """A second one on the same store, before the first one has counted anything, doesn't wipe its chunks."""
+    first = storing(WORK, tmp_path / "z")
+    for atom in range(3):
+        first.take(atom, WORK.open().perform(atom))
+    storing(WORK, tmp_path / "z")
+    for atom in range(3, CUT.atoms):
+        first.take(atom, WORK.open().perform(atom))
+    first.save()
+    assert files(tmp_path / "z") == expected
+
+
+def test_a_store_that_was_half_made_is_made_again(
+    tmp_path: Path, expected: dict[str, bytes], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(path: Path) -> None:
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr(zarr, "consolidate_metadata", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            storing(WORK, tmp_path / "z")
+    assert carry(WORK, storing(WORK, tmp_path / "z")).done
+    assert files(tmp_path / "z") == expected
+
+
 # A full disk.
 
 

@@ -129,6 +129,7 @@ def report(feeder: Feeder) -> ReportData:
     return {
         "title": "Packaging paper feeder",
         "subtitle": "Cycle of 1.5 s, 201 poses, crank at -40 rpm",
+        "origin": "Model file model.yaml (SHA-256 0123456789ab), 2026-01-01T12:00:00+00:00, linkwright 0.1.0",
         "version": "0.1.0",
         "language": "en",
         "words": dict(REPORT),
@@ -164,6 +165,7 @@ def report(feeder: Feeder) -> ReportData:
                 "verdict": None,
             },
         ],
+        "notes": ["201 poses computed with the numpy kernel: little work."],
         "certificate": [
             {
                 "name": "closure",

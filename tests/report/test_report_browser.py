@@ -165,7 +165,9 @@ def test_pointing_into_a_plot_moves_the_mechanism_and_leaving_goes_back(show: An
 
 def test_dragging_enlarges_a_span_in_all_plots(show: Any, report: ReportData) -> None:
     view = show(report)
-    area = view.page.locator(".u-over").first.bounding_box()
+    plot = view.page.locator(".u-over").first
+    plot.scroll_into_view_if_needed()
+    area = plot.bounding_box()
     y = area["y"] + 50
     view.page.mouse.move(area["x"] + area["width"] * 0.2, y)
     view.page.mouse.down()

@@ -64,6 +64,13 @@ def test_scripts_stay_whole(report: ReportData) -> None:
     assert "The MIT License" in html  # the plots' library travels with its licence
 
 
+def test_only_checks_are_counted(report: ReportData) -> None:
+    """What else is said of the run stands below them."""
+    html = page(report)
+    assert "Verification: 1 of 2 checks passed" in html
+    assert '</table><p class="note">201 poses computed with the numpy kernel: little work.</p>' in html
+
+
 def test_payload_is_what_was_given(report: ReportData) -> None:
     data = json.loads(Page(page(report)).payload)
     assert data["scene"] == json.loads(json.dumps(compact(report["scene"])))
@@ -73,8 +80,9 @@ def test_payload_is_what_was_given(report: ReportData) -> None:
 
 def test_hostile_names_are_text_everywhere(report: ReportData) -> None:
     clean = [tag for tag, _ in Page(page(report)).tags]
-    for key in ("title", "subtitle", "version", "language", "model_text"):
+    for key in ("title", "subtitle", "origin", "version", "language", "model_text"):
         report[key] = HOSTILE
+    report["notes"] = [HOSTILE]
     report["words"] = dict.fromkeys(REPORT, HOSTILE)
     for measure in report["measures"]:
         measure.update(name=HOSTILE, text=HOSTILE, unit=HOSTILE, requirement=HOSTILE)
@@ -123,8 +131,8 @@ def test_empty_parts_leave_no_headings(report: ReportData) -> None:
 
 def test_every_word_comes_from_the_catalogue(report: ReportData) -> None:
     """With every word marked, no letter outside the marks is left but those of the data."""
-    report.update(title="1", subtitle="2", version="3", model_text="4", plots=[], structure=[])
-    report.update(measures=[], certificate=[], failures=[])
+    report.update(title="1", subtitle="2", version="3", model_text="4", origin="5", plots=[], structure=[])
+    report.update(measures=[], certificate=[], notes=[], failures=[])
     report["words"] = dict.fromkeys(REPORT, "#")
     body = page(report).split("<body>")[1].split("<script")[0]
     assert re.findall(r"[A-Za-z]+", re.sub(r"<[^>]*>", "", body)) == []

@@ -21,12 +21,13 @@ from linkwright.studies import Site
 
 @dataclass
 class ExportJob:
-    """A performed export: what came of it, and the folder it was written to."""
+    """A performed export: what came of it, the folder it was written to; ``outdated`` as :class:`Job` has it."""
 
     examined: Examined
     to: str
     exported: Exported | None = None
     folder: Path | None = None
+    outdated: Path | None = None
 
     @property
     def found(self) -> list[Finding]:
@@ -113,9 +114,10 @@ def export_into(examined: Examined, to: str, folder: Path, how: Writing = USUAL)
     """
     kind = f"export {to}"
     if examined.exit_code or not examined.orders:
+        job = export_of(examined, to)
         if examined.content is not None or examined.document is not None:
-            outdate(folder, examined.origin, kind)
-        return export_of(examined, to)
+            job.outdated = outdate(folder, examined.origin, kind)
+        return job
     job = ExportJob(examined, to)
     try:
         with ResultsFolder(folder, examined.origin, kind, force=how.force, comments=how.comments) as place:
@@ -126,6 +128,7 @@ def export_into(examined: Examined, to: str, folder: Path, how: Writing = USUAL)
                     place.write(name, content)
                 place.done()
                 job.folder = folder
+        job.outdated = place.outdated
     except ModelError as error:
         examined.findings += error.findings
     return job

@@ -77,13 +77,14 @@ class ResultsFolder:
         """
         manifest, model = self._manifest, Model.of(self._origin)
         before = manifest.written.get(self._kind)
-        others = manifest.written.values() if manifest.model != model else filter(None, [before])
-        old = {id(part): [entry for entry in part.files if entry.unchanged(self.path)] for part in others}
-        self._refuse([*names, NAME], [entry for entries in old.values() for entry in entries])
+        for part in manifest.written.values():
+            part.files = [entry for entry in part.files if entry.unchanged(self.path)]
+        old = {kind: part for kind, part in manifest.written.items() if kind == self._kind or manifest.model != model}
+        self._refuse([*names, NAME], [entry for part in old.values() for entry in part.files])
         self._begun = True
-        for part in list(manifest.written.values()):
-            if id(part) in old:
-                self._set_aside(part, old[id(part)])
+        for kind, part in manifest.written.items():
+            if kind in old:
+                self._set_aside(part)
             elif part.state == "running":  # it was killed: the folder's lock is free
                 part.state = "failed"
         if before is not None:
@@ -95,10 +96,10 @@ class ResultsFolder:
         manifest.write(self.path)
 
     def _refuse(self, names: Iterable[str], old: list[Entry]) -> None:
-        """Raise :class:`ModelError` for files that would be overwritten, though linkwright didn't write them."""
+        """Raise :class:`ModelError` for files that would be overwritten, though linkwright didn't write them; ``old``
+        ones are about to be moved."""
         parts = self._manifest.written.values()
-        own = {entry.name for entry in old} | {name for part in parts for name in part.resumable}
-        own |= {entry.name for part in parts for entry in part.files if entry.unchanged(self.path)}
+        own = {name for part in parts for name in (*part.resumable, *(entry.name for entry in part.files))}
         own |= {NAME} if read_manifest(self.path) else set()
         aside = self.path / OUTDATED
         there = {entry.name for part in parts for entry in part.outdated if entry.unchanged(aside)}
@@ -109,17 +110,17 @@ class ResultsFolder:
             data = {"folder": str(self.path), "files": ", ".join(foreign)}
             raise ModelError([Finding("folder.foreign", data=data)])
 
-    def _set_aside(self, part: Part, entries: list[Entry]) -> None:
+    def _set_aside(self, part: Part) -> None:
         """Move files of a run that was done to ``outdated``; remove those of one that wasn't."""
-        if part.state == "done" and entries:
+        if part.state == "done" and part.files:
             self._clear(part)
-            part.outdated = entries
+            part.outdated = part.files
             self._manifest.write(self.path)  # whatever stops it here, they are known in both places
             (self.path / OUTDATED).mkdir(exist_ok=True)
-            for entry in entries:
+            for entry in part.files:
                 (self.path / entry.name).replace(self.path / OUTDATED / entry.name)
         else:
-            for entry in entries:
+            for entry in part.files:
                 _remove(self.path / entry.name)
         part.files, part.state = [], "outdated"
 

@@ -144,6 +144,11 @@ def job(done: Job, file: Path) -> None:
         _grids(cam_tables(done.cam))
     for item in done.examined.located(done.found):
         finding(item, file)
+    _where(done)
+
+
+def _where(done: Job | ExportJob) -> None:
+    """Where files lie, the new ones and those that are no longer current."""
     if done.folder is not None:
         written(done.folder)
     if done.outdated is not None:
@@ -156,8 +161,7 @@ def export(done: ExportJob, file: Path) -> None:
         out.print(escape(text))
     for item in done.found:
         finding(item, file)
-    if done.folder is not None:
-        written(done.folder)
+    _where(done)
 
 
 def modes(done: ModesJob) -> None:
