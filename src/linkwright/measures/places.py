@@ -34,6 +34,9 @@ TOUCH = 1e-6
 """A break function that comes this near to zero, over its largest value, may touch it."""
 MOST = 1 << 10
 """The most narrow places of one break function that are looked at closely."""
+LITTLE, MOSTLY = 1e-13, 0.9
+"""What signals are off by, over what is usual of their dimension, and at which share of the times an expression that is
+no more than what comes of that is round-off."""
 BETWEEN = np.array([0.0, 0.25, 0.5, 0.75])
 """Where between the knots of a table is looked, as shares."""
 
@@ -122,10 +125,12 @@ class Places:
         crossed = zeros(rates, pieces, turned, run.grid)
         cuts = (pieces.before + pieces.after) / 2
         corners = np.concatenate([[run.start, run.stop], np.clip(cuts, run.start, run.stop)])
-        usual = np.abs(rates(np.linspace(run.start, run.stop, 257))[0])
+        times = np.linspace(run.start, run.stop, 257)
+        usual = np.abs(rates(times)[0])
+        vague = [False] * len(rows) + self._vague(trees, times)
         for i, row in enumerate([*rows, *some]):
             known = usual[i][np.isfinite(usual[i])]
-            if not known.size or not known.max() > 0:
+            if not known.size or not known.max() > 0 or vague[i]:
                 continue
             least = np.union1d(turned.times[i], corners)
             size = np.abs(_row(rates, i, least))
@@ -139,6 +144,25 @@ class Places:
                 near = near if row.kind is Kind.KINK else np.union1d(near, crossed[i])
             if near.size:
                 self._more.append(self._narrow(rates, i, near, turned.width))
+
+    def _vague(self, trees: Sequence[Node], t: Array) -> list[bool]:
+        """Which expressions are round-off all along: they change by their own size where their signals change by a
+        little of theirs."""
+        run, names = self.run, self.run.signals_of(trees)
+        if not names:
+            return [False] * len(trees)
+        values, slopes = run.rates(names, t)
+        sizes = np.array([[run.usual(run.dimension(name))] for name in names])
+        shift = LITTLE * np.sin(1.0 + np.arange(len(names)))[:, None] * np.maximum(np.abs(values), sizes)
+        found = []
+        for tree in trees:
+            plain, other = (
+                run.combine(tree, t, dict(zip(names, zip(rows, slopes, strict=True), strict=True))).d[0]
+                for rows in (values, values + shift)
+            )
+            with np.errstate(invalid="ignore"):
+                found.append(bool((np.abs(plain) <= np.abs(other - plain)).mean() > MOSTLY))
+        return found
 
     def _narrow(self, rates: Rates, i: int, places: Array, step: float) -> Array:
         """Times beside narrow places, nearer and nearer, down to where the break function doesn't change any more."""
