@@ -261,3 +261,26 @@ def test_limits_modes_and_a_report(tmp_path: Any) -> None:
     assert len(job.summary["modes"]["modes"]) == 1
     page = (tmp_path / "report.html").read_text()
     assert "slide as the group PP" in page
+
+
+@pytest.mark.parametrize(
+    ("sections", "code"),
+    [
+        ({"exports": {"mjcf": {}}}, "export.cannot-close-slides"),
+        (
+            {
+                "parameters": {"h": {"value": 10, "tolerance": 0.1}},
+                "measures": {"f": {"max": "press.force"}},
+                "studies": {
+                    "cycle": {"duration": "1 s", "samples": 10},
+                    "accuracy": {"clearances": {"across": {"clearance": 0.05, "length": 40}}},
+                },
+            },
+            "clearance.indeterminate",
+        ),
+    ],
+)
+def test_what_needs_a_moment_of_the_loop_is_refused(sections: Any, code: str) -> None:
+    findings = job_of(wedge(**sections)).examined.findings
+    assert code in [finding.code for finding in findings]
+    assert all(finding.what and finding.mend for finding in findings)

@@ -142,7 +142,7 @@ def reactions(data: ReportData) -> str:
 def _grids(data: ReportData, name: str, grids: Iterable[Grid]) -> str:
     """A section of tables alone."""
     tables = "".join(map(_grid, grids))
-    title = escape(data["words"][f"report.{name}"])
+    title = escape(data["words"][f"report.{name}"]) if tables else ""
     return tables and f'<section id="{name}"><h2>{title}</h2>{tables}</section>'
 
 
