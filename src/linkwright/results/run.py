@@ -203,6 +203,7 @@ class Run:
         share = np.linspace(0.0, part, max(self.steps, 64) + 1)
         grid, slope = self.place(share)
         angle, omega = self.compiled.evaluate(names, grid)
+        known_before = -1
         while True:
             known = np.isfinite(angle) & np.isfinite(omega) & self.clear(grid)
             share, grid, angle, omega, slope = (row[known] for row in (share, grid, angle, omega, slope))
@@ -211,11 +212,12 @@ class Run:
             rate = omega * slope
             far = np.abs(np.diff(share) * (rate[1:] + rate[:-1]) / 2)
             wide = np.flatnonzero((far >= MAX_TURN) & (np.diff(share) > NARROWEST * part))
-            if not wide.size:
+            if not wide.size or share.size == known_before:  # what lies between can't be followed
                 turned, _ = angles.steps(share, angle, rate)
                 return grid, np.concatenate([angle[:1], angle[:1] + np.cumsum(turned)])
             if far.sum() / MAX_TURN > MAX_GRID or share.size > MAX_GRID:
                 return None
+            known_before = share.size
             middle = (share[wide] + share[wide + 1]) / 2
             more, steepness = self.place(middle)
             own = self.compiled.evaluate(names, more)
