@@ -83,7 +83,7 @@ def run(s: Sketch, verdict: Verdict) -> None:
     examined = examine_document(Document.model_validate(s.data()))
     job = perform(examined)
     # What runs without a proof isn't refused: it is judged below, by how near it is to a singular pose.
-    found = [f for f in (*examined.findings, *job.found) if f.code != "motion.unproven"]
+    found = [f for f in (*examined.findings, *job.found) if f.code != "motion.unproven" and f.severity != "note"]
     compiled = examined.compiled
     judge = Judge(s, compiled)
     if found:

@@ -173,12 +173,13 @@ LEVELS = {
     "blocks": 7,
     "results": 8,
     **dict.fromkeys(("cam", "enclosures"), 9),
-    "studies": 10,
-    "report": 11,
-    "exports": 12,
-    "app": 13,
-    "cli": 14,
-    "__main__": 15,
+    "measures": 10,
+    "studies": 11,
+    "report": 12,
+    "exports": 13,
+    "app": 14,
+    "cli": 15,
+    "__main__": 16,
 }
 # The side floors know of nothing but what is named here.
 SIDES = {"notation": set(), "words": set(), "gallery": set(), "laws": {"notation"}, "tolerances": {"notation"}}

@@ -153,7 +153,7 @@ def test_the_command_as_json(write: Any) -> None:
     code, out, err = run("limits", str(write(BOTH)), "--json")
     data = json.loads(out)
     assert (code, err) == (0, "")
-    assert set(data) == {"linkwright", "model", "date", "name", "done", "limits", "findings"}
+    assert set(data) == {"schema", "linkwright", "model", "date", "name", "done", "limits", "findings"}
 
 
 def test_the_command_on_a_wrong_file(write: Any) -> None:
