@@ -470,3 +470,21 @@ def test_some_names_only() -> None:
     assert [*many.met] == ["stroke"]
     whole = some.measuring.of(some.p)
     assert many.figures["M0_feed"]["max"].values == near(whole.figures["M0_feed"]["max"].values)
+
+
+def test_samples_in_which_a_denominator_vanishes_have_no_number() -> None:
+    """The slider's largest x is sqrt((r + l)^2 - e^2): 209.04 mm at r = 50 mm, so that some samples pass 209 mm."""
+    data = slider_crank(measures={"m": {"max": "1 mm/(210 mm - C.x)"}, "x": {"max": "C.x"}})
+    radii = [0.045, 0.0505, 0.0509, 0.05095, 0.051, 0.055]
+    some = batch(data, r=radii)
+    many = some.measuring.of(some.p)
+    reach = np.sqrt((np.array(radii) + 0.16) ** 2 - 0.02**2)
+    assert np.isnan(many.figures["m"][""].values).tolist() == (reach > 0.21).tolist()
+    finite = reach < 0.21
+    assert many.figures["m"][""].values[finite] == pytest.approx(1e-3 / (0.21 - reach[finite]), rel=1e-8)
+    assert many.figures["x"][""].values == pytest.approx(reach, rel=1e-12)
+
+
+def test_samples_near_a_change_point_have_the_peaks_of_their_own_runs() -> None:
+    data = four_bar(d=100, measures={"torque": {"extremes": "motor.torque"}, "rms": {"rms": "rocker.omega"}})
+    batch(data, d=[0.1, 0.0801, 0.080001, 0.08000001]).check()

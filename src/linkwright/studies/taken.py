@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 
 Mask = NDArray[np.bool_]
 
+SETTLED = 1e-9
+"""A mean that differs by more than this share of the mean magnitude from that on half as many panels isn't settled."""
 STEEP = 3.0
 """A curve whose neighbours are so many times its least magnitude on the grid comes too near to zero for it."""
 
@@ -66,7 +68,7 @@ class Taken:
     def many(self) -> Many:
         """All of them."""
         asked = self.measuring
-        self.extremes = self.all_extremes()
+        self.extremes, self.coarse = self.all_extremes(), dict[str, Mask]()
         many = Many(self.failed())
         for name, measure in asked.measures.items():
             many.figures[name] = self.blank(measure) if name in asked.single else self.figures(name, measure)
@@ -74,7 +76,8 @@ class Taken:
         near = self.bunch.fast | self.close([row for row in asked.rows if not row.startswith("span:")])
         for name in asked.measures:
             if name not in asked.single:
-                self.singly(many, [name], (near | self.close(asked.hard(name))) & ~many.failed)
+                some = near | self.close(asked.hard(name)) | self.coarse.get(name, False)
+                self.singly(many, [name], some & ~many.failed)
         for name, found in many.figures.items():
             for figures in found.values():
                 unknown = many.failed | ~np.isfinite(figures.values)
@@ -188,7 +191,10 @@ class Taken:
         asked, bunch, window = self.measuring, self.bunch, self.windows[measure.window]
         places = corners(bunch, asked.trees[name], asked.kinks)
         power, panels = POWERS[measure.reduction], asked.panels[name]
-        values, _ = mean(bunch, asked.trees[name], window, power, panels, places)
+        values, size = mean(bunch, asked.trees[name], window, power, panels, places)
+        half, _ = mean(bunch, asked.trees[name], window, power, panels // 2, places)
+        with np.errstate(invalid="ignore"):
+            self.coarse[name] = ~(np.abs(values - half) <= SETTLED * size)
         if measure.reduction == "rms":
             values = np.sqrt(values)
         if measure.reduction == "path":
