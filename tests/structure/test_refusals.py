@@ -286,5 +286,5 @@ def test_a_structure_without_drives_is_refused_for_its_mobility() -> None:
     del data["links"]["rod"]
     data["links"]["crank"]["points"] = {"A": [0, 0], "C": [3, 0]}
     (finding,) = examine(Document.model_validate(data))[1]
-    assert (finding.code, finding.data["mobility"]) == ("structure.no-freedom", 0)
+    assert (finding.code, finding.data["mobility"]) == ("model.no-freedom", 0)
     assert [f.code for f in examine(Document.model_validate(four_bar(drives={})))[1]] == ["model.no-drive"]

@@ -23,7 +23,7 @@ MM, DEG = 1e-3, np.pi / 180
 
 def limits_of(data: Mapping[str, Any], **options: Any) -> LimitsOutcome:
     job = job_of({**data, "studies": {**data.get("studies", {}), "limits": options}})
-    assert not job.examined.findings
+    assert all(finding.severity == "note" for finding in job.examined.findings)
     assert job.limits is not None
     return job.limits
 
@@ -587,3 +587,20 @@ def test_a_motion_that_stops_is_a_warning_here() -> None:
 )
 def test_wrong_options(options: dict[str, Any], code: str) -> None:
     assert codes(refused(four_bar(studies={"limits": options}))) == [code]
+
+
+def test_an_output_that_stands_at_zero_to_round_off_has_no_dead_centres() -> None:
+    """Crank and rod of one length, folded: the slider stands on the crank's axis, its place 1e-17 of their length."""
+    data = slider_crank(r=300, l=300, e=0, assembly={"C": "behind B along guide"})
+    data["drives"] = {"motor": {"turns": "crank", "on": "frame", "speed": "60 rpm", "start": "30 deg"}}
+    outcome = limits_of({**data, "studies": {}}, ranges={"motor": ["10 deg", "60 deg"]})
+    guide = course(only(outcome)[1], "guide.s")
+    assert abs(guide.high.value - guide.low.value) < 1e-15
+    assert guide.reversals == ()
+
+
+def test_a_signal_with_a_pole_inside_the_range_is_unbounded_in_both_directions() -> None:
+    """Transmission ratio of a crank-rocker: at the rocker's two ends it passes through infinity."""
+    outcome = limits_of(four_bar(), signals=["crank.omega/rocker.omega"])
+    ratio = course(outcome.drives[0].ranges[0][1], "crank.omega/rocker.omega")
+    assert (ratio.low.value, ratio.high.value) == (-np.inf, np.inf)

@@ -51,7 +51,7 @@ def modes_of_document(document: Document, folder: Path | None, options: ModesOpt
     tasks, findings = read_studies({k: v for k, v in document.studies.items() if k == "modes"})
     made = prepare(document, folder)
     findings += made.findings
-    if [finding.code for finding in findings] == ["model.no-drive"]:
+    if [finding.code for finding in findings] in (["model.no-drive"], ["model.no-freedom"]):
         made.structure = decompose(made.mechanism)  # what can't move can be put together all the same
         findings = [] if not made.structure.findings else findings
     job = ModesJob(Examined(document, findings=findings))

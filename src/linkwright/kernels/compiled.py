@@ -34,7 +34,6 @@ from linkwright.model.plausible import implausible
 from linkwright.model.quantities import Quantities
 from linkwright.model.spelled import Spelled, spell_out
 from linkwright.structure import Cluster, Group, Structure, Topology, decompose
-from linkwright.structure.refusals import immovable
 
 Array = NDArray[np.float64]
 Made = TypeVar("Made")
@@ -237,8 +236,7 @@ def examine(
     """
     made = prepare(mechanism, folder, uses)
     if made.findings:
-        undriven = [finding.code for finding in made.findings] == ["model.no-drive"]
-        return None, [*(immovable(made.structure.topology) if undriven else ())] or made.findings
+        return None, made.findings
     assembly = assemble(made.quantities, made.structure, values_at(made.laws, 0.0))
     if assembly.findings:
         return None, made.spelled.home(assembly.findings)

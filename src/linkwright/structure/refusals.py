@@ -32,13 +32,6 @@ def unsolved(placed: Placed) -> Iterator[Finding]:
             yield Finding("structure.higher-group", path, {"links": names, "most": placed.LARGEST})
 
 
-def immovable(topology: Topology) -> Iterator[Finding]:
-    """Why a mechanism without drives has nothing to drive, where its joints leave it no freedom."""
-    if topology.gruebler <= 0:
-        data = {"mobility": topology.gruebler, "moving": len(topology.moving), "joints": topology.joint_count}
-        yield Finding("structure.no-freedom", ("joints",), data)
-
-
 def _drive_hint(placed: Placed, part: list[str]) -> str:
     """A drive line that would hold a loose part, where one of its links hangs on a known one."""
     for link in part:

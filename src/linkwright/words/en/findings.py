@@ -329,7 +329,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Give it points, for example points: {{A: [0, 0], B: [100, 0]}}.",
     ),
     "model.no-freedom": (
-        "There is no drive, and by Gruebler's count (mobility {mobility}) nothing that one could move.",
+        "The mechanism has no drive and can't move: its mobility is {mobility} by Gruebler's count.",
         "For the reactions of a structure write studies: {{reactions: {{}}}}. For a motion, remove a joint or split a link, "
         "and add a drive.",
     ),
@@ -1701,12 +1701,6 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Measure at more positions, or name fewer deviations under parameters.",
     ),
     # Structure.
-    "structure.no-freedom": (
-        "The mechanism can't move, so there is nothing to drive: its mobility is {mobility} by Gruebler's count (moving "
-        "links: {moving}, joints: {joints}).",
-        "Remove a joint or add a link, then drive it. Of a structure that is to stand still, 'studies: {{reactions: "
-        "{{}}}}' computes the reactions.",
-    ),
     "structure.drive-no-joint": (
         "{link} and {on} share no {joint} joint, so the drive can't act between them.",
         "Name two links that meet at a pin (turns) or on a line (slides).",
