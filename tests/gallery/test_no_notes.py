@@ -15,4 +15,5 @@ MODELS = [Path(gallery.__file__).parent / f"{name}.yaml" for name in gallery.nam
 
 @pytest.mark.parametrize("path", [*EXAMPLES, *MODELS], ids=lambda path: path.stem)
 def test_nothing_is_noted(path: Path) -> None:
-    assert lw.check(path) == []
+    """A loop of slides has moments that statics doesn't determine: its own warning."""
+    assert [finding for finding in lw.check(path) if finding.code != "structure.moments-indeterminate"] == []

@@ -517,6 +517,8 @@ class Reader:
             angles = tuple(self.number(angle, "angle") for _, angle in lines)
             slides[name] = PlainSlide(tuple(joint["prismatic"]), tuple(p for p, _ in lines), angles)  # type: ignore[arg-type]
         gravity = self.data.get("gravity")
+        if gravity == "earth":
+            gravity = ["0 m/s^2", "-9.80665 m/s^2"]
         return Plain(
             links,
             {name: tuple(members) for name, members in pins.items() if len(members) > 1},

@@ -140,7 +140,7 @@ def report(feeder: Feeder) -> ReportData:
             {
                 "name": "stroke",
                 "text": "span of E.x",
-                "values": [{"label": "", "value": 680.2777, "at": "t = 0.5711 s"}],
+                "values": [{"label": "", "value": 680.2777, "text": "", "at": "t = 0.5711 s", "grade": "sampled"}],
                 "unit": "mm",
                 "requirement": ">= 680 mm",
                 "verdict": True,
@@ -149,8 +149,8 @@ def report(feeder: Feeder) -> ReportData:
                 "name": "FAx_return",
                 "text": "extremes of force(frame, crank).x",
                 "values": [
-                    {"label": "min", "value": -41.23456, "at": "t = 0.3125 s"},
-                    {"label": "max", "value": 97.5, "at": "t = 0.0975 s"},
+                    {"label": "min", "value": -41.23456, "text": "", "at": "t = 0.3125 s", "grade": "sampled"},
+                    {"label": "max", "value": 97.5, "text": "", "at": "t = 0.0975 s", "grade": "sampled"},
                 ],
                 "unit": "N",
                 "requirement": "<= 90 N",
@@ -159,13 +159,13 @@ def report(feeder: Feeder) -> ReportData:
             {
                 "name": "feed_speed_max",
                 "text": "largest |E.vx| in feed",
-                "values": [{"label": "", "value": 1204.118, "at": "t = 1.012 s"}],
+                "values": [{"label": "", "value": 1204.118, "text": "", "at": "t = 1.012 s", "grade": "sampled"}],
                 "unit": "mm/s",
                 "requirement": None,
                 "verdict": None,
             },
         ],
-        "notes": ["201 poses computed with the numpy kernel: little work."],
+        "remarks": ["201 poses computed with the numpy kernel: little work."],
         "certificate": [
             {
                 "name": "closure",

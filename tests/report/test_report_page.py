@@ -82,7 +82,7 @@ def test_hostile_names_are_text_everywhere(report: ReportData) -> None:
     clean = [tag for tag, _ in Page(page(report)).tags]
     for key in ("title", "subtitle", "origin", "version", "language", "model_text"):
         report[key] = HOSTILE
-    report["notes"] = [HOSTILE]
+    report["remarks"] = [HOSTILE]
     report["words"] = dict.fromkeys(REPORT, HOSTILE)
     for measure in report["measures"]:
         measure.update(name=HOSTILE, text=HOSTILE, unit=HOSTILE, requirement=HOSTILE)

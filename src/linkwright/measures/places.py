@@ -15,10 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.measures.features import Feature, Find, Kind, features
-from linkwright.measures.search import Pieces, Rates, turning, zeros
+from linkwright.measures.search import STILL, Pieces, Rates, turning, zeros
 from linkwright.model.expressions import Call, Name, Node, nodes
 from linkwright.results import Run
-from linkwright.results.breaks import ASIDE, argument_of, knots, positions
+from linkwright.results.breaks import ASIDE, argument_of, knots, law_joins, positions
+from linkwright.results.breaks import zeros as zeros_of
 
 Array = NDArray[np.float64]
 
@@ -34,6 +35,8 @@ TOUCH = 1e-6
 """A break function that comes this near to zero, over its largest value, may touch it."""
 MOST = 1 << 10
 """The most narrow places of one break function that are looked at closely."""
+SMOOTH = 9
+"""The continuity from which on a join of a motion law hinders no quadrature."""
 LITTLE, MOSTLY = 1e-13, 0.9
 """What signals are off by, over what is usual of their dimension, and at which share of the times an expression that is
 no more than what comes of that is round-off."""
@@ -69,6 +72,7 @@ class Places:
         self._cuts: list[Array] = [run.breaks]
         self._more: list[Array] = [self._around(np.array(self.noticed))] if self.noticed else []
         self._tables()
+        self._more += [zeros_of(run, node) for node in law_joins(run.compiled, rough=SMOOTH)]
         own = {tree: features(tree, self._find) for tree in self.trees}
         acting = [feature for tree in _acting(run) for feature in features(tree, self._find)]
         self._search([*dict.fromkeys([*(f for some in own.values() for f in some), *acting])])
@@ -121,17 +125,18 @@ class Places:
         if not rows and not trees:
             return
         turned = turning(rates, pieces, run.grid)
-        self.settled &= all(turned.settled)
         crossed = zeros(rates, pieces, turned, run.grid)
         cuts = (pieces.before + pieces.after) / 2
         corners = np.concatenate([[run.start, run.stop], np.clip(cuts, run.start, run.stop)])
         times = np.linspace(run.start, run.stop, 257)
         usual = np.abs(rates(times)[0])
-        vague = [False] * len(rows) + self._vague(trees, times)
+        still = [bool(np.ptp(row) <= STILL) for row in usual[: len(rows)]]  # these are normalised
+        unclear = still + vague(run, trees, times)
         for i, row in enumerate([*rows, *some]):
             known = usual[i][np.isfinite(usual[i])]
-            if not known.size or not known.max() > 0 or vague[i]:
+            if not known.size or not known.max() > 0 or unclear[i]:
                 continue
+            self.settled &= turned.settled[i]
             least = np.union1d(turned.times[i], corners)
             size = np.abs(_row(rates, i, least))
             near = least[size < LOW * np.median(known)]
@@ -144,25 +149,6 @@ class Places:
                 near = near if row.kind is Kind.KINK else np.union1d(near, crossed[i])
             if near.size:
                 self._more.append(self._narrow(rates, i, near, turned.width))
-
-    def _vague(self, trees: Sequence[Node], t: Array) -> list[bool]:
-        """Which expressions are round-off all along: they change by their own size where their signals change by a
-        little of theirs."""
-        run, names = self.run, self.run.signals_of(trees)
-        if not names:
-            return [False] * len(trees)
-        values, slopes = run.rates(names, t)
-        sizes = np.array([[run.usual(run.dimension(name))] for name in names])
-        shift = LITTLE * np.sin(1.0 + np.arange(len(names)))[:, None] * np.maximum(np.abs(values), sizes)
-        found = []
-        for tree in trees:
-            plain, other = (
-                run.combine(tree, t, dict(zip(names, zip(rows, slopes, strict=True), strict=True))).d[0]
-                for rows in (values, values + shift)
-            )
-            with np.errstate(invalid="ignore"):
-                found.append(bool((np.abs(plain) <= np.abs(other - plain)).mean() > MOSTLY))
-        return found
 
     def _narrow(self, rates: Rates, i: int, places: Array, step: float) -> Array:
         """Times beside narrow places, nearer and nearer, down to where the break function doesn't change any more."""
@@ -215,6 +201,26 @@ class Places:
         after = np.maximum.reduceat(after, first) if first.size else after
         low, high = np.clip(before[apart], run.start, run.stop), np.clip(after, run.start, run.stop)
         return Pieces(run.start, run.stop, low, high, np.concatenate([*self._more, np.empty(0)]))
+
+
+def vague(run: Run, trees: Sequence[Node], t: Array) -> list[bool]:
+    """Which expressions are round-off all along: they change by their own size where their signals change by a little
+    of theirs."""
+    names = run.signals_of(trees)
+    if not names:
+        return [False] * len(trees)
+    values, slopes = run.rates(names, t)
+    sizes = np.array([[run.usual(run.dimension(name))] for name in names])
+    found = []
+    with np.errstate(all="ignore"):
+        shift = LITTLE * np.sin(1.0 + np.arange(len(names)))[:, None] * np.maximum(np.abs(values), sizes)
+        for tree in trees:
+            plain, other = (
+                run.combine(tree, t, dict(zip(names, zip(rows, slopes, strict=True), strict=True))).d[0]
+                for rows in (values, values + shift)
+            )
+            found.append(bool((np.abs(plain) <= np.abs(other - plain)).mean() > MOSTLY))
+    return found
 
 
 def _row(rates: Rates, i: int, t: Array) -> Array:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.measures.means import Edge, Mean, mean
-from linkwright.measures.places import Hard, Places
+from linkwright.measures.places import Hard, Places, vague
 from linkwright.measures.search import Turning, turning
 from linkwright.measures.sides import Side, Sides
 from linkwright.model.expressions import Node
@@ -58,15 +58,18 @@ class Search:
         self.signals = run.signals_of(self.trees)
         self.places = Places(run, self.trees, noticed)
         self.turned: Turning = turning(lambda t: run.all_rates(self.trees, t), self.places.pieces, run.grid)
+        self._vague = vague(run, self.trees, np.linspace(run.start, run.stop, 257))
         self._limits: dict[Node, list[Limits]] = {}
 
     def stationary(self, node: Node) -> Array:
-        """The times (s) at which an expression turns, ascending."""
-        return self.turned.times[self.trees.index(node)]
+        """The times (s) at which an expression turns or may have a kink, ascending."""
+        pieces = self.places.pieces
+        return np.union1d(self.turned.times[self.trees.index(node)], (pieces.before + pieces.after) / 2)
 
     def settled(self, node: Node) -> bool:
         """Whether nothing more was found on the last, finer grids."""
-        return self.places.settled and self.turned.settled[self.trees.index(node)]
+        i = self.trees.index(node)
+        return self.places.settled and (self.turned.settled[i] or self._vague[i])
 
     def limits(self, node: Node) -> list[Limits]:
         """The places at which an expression may have other values on both sides, or none."""
@@ -114,7 +117,7 @@ class Probe:
 
     @property
     def stationary(self) -> Array:
-        """The times (s) at which the expression turns, over the whole run."""
+        """The times (s) at which the expression turns or may have a kink, over the whole run."""
         return self.search.stationary(self.node)
 
     def values(self, t: Array) -> Array:

@@ -38,6 +38,8 @@ TRIES, CLOSEST, AGREES = 16, 1e-10, 1e-11
 """Distances at which a germ is compared with values, the nearest over the run's length, and how well they agree."""
 LOOKS = 36
 """Distances at which values are compared where germs don't decide."""
+FACTOR, SHRINK = 1.05, 0.7
+"""Growth over a halving that is a pole's; the last of eight steps over the first that has a limit."""
 ALIKE = 1e-7
 """Values that change by less than this share at the nearest distances have a limit."""
 
@@ -257,27 +259,27 @@ class Sides:
         return room
 
     def compared(self, time: float, side: int) -> Side:
-        """The limit from values at distances that are halved."""
+        """The limit from values at distances that are halved, as near as there are values."""
         run = self.run
         away = self._room(np.array([time]), side)[0] * 0.5 ** np.arange(LOOKS)
         away = away[away > 1e-12 * (run.stop - run.start)]
         with np.errstate(all="ignore"):
             values = np.asarray(run.jets(self.node, time + side * away).d[0])
-            if away.size < 8:
+            values = values[: int(np.argmax(np.isnan(values)))] if np.isnan(values).any() else values
+            if values.size < 9:
                 return UNKNOWN
-            steps = np.diff(values)[-8:]
-            last = float(values[-1])
-            ratio = np.abs(values[-8:] / values[-9:-1]) if values.size > 8 else np.zeros(8)
-            if np.isnan(values[-9:]).any():
-                return UNKNOWN
-            if np.isinf(last) or (np.isfinite(ratio).all() and ratio.min() > 1.05):
+            last, near, steps = float(values[-1]), values[-9:], np.diff(values[-9:])
+            ratio = np.abs(near[1:] / near[:-1])
+            # Growth by equal factors: a pole; past the largest number: what grows even faster.
+            if np.isinf(last) or (np.isfinite(ratio).all() and ratio.min() > FACTOR):
                 ratio = ratio[np.isfinite(ratio)] if np.isfinite(ratio).any() else np.array([np.inf])
                 power = Fraction(-math.log2(float(np.clip(np.median(ratio), 1.0, 2.0**50)))).limit_denominator(12)
                 return Side(math.copysign(math.inf, last), min(power, Fraction(-1, 12)))
-            if not np.isfinite(values[-9:]).all():
+            if not np.isfinite(near).all():
                 return UNKNOWN
-            alike = np.abs(steps).max() <= ALIKE * max(float(np.abs(values[-9:]).max()), 1e-300)
-            if alike or np.abs(steps[-1]) < 0.8 * np.abs(steps[0]) * 0.9:
+            # Steps that vanish or shrink: a limit.
+            if np.abs(steps).max() <= ALIKE * np.abs(near).max() or np.abs(steps[-1]) < SHRINK * np.abs(steps[0]):
                 return Side(last)
+            # Growth by equal steps: a logarithm.
             even = np.abs(steps).min() > 0.5 * np.abs(steps).max() and (np.sign(steps) == np.sign(steps[0])).all()
             return Side(math.copysign(math.inf, float(steps[-1])), Fraction(0)) if even else UNKNOWN

@@ -52,7 +52,7 @@ def breaks(run: Run) -> Array:
         table = run.compiled.tables[lookup.table]
         if table.degree == 1 and not lookup.integral:
             found.append(knots(argument_of(run, i), table, run.start, run.stop, run.grid))
-    found += [_zeros(run, node) for node in kinks(run.compiled)]
+    found += [zeros(run, node) for node in kinks(run.compiled)]
     return np.unique(np.concatenate(found))
 
 
@@ -70,13 +70,13 @@ def kinks(compiled: Compiled, varied: Iterable[str] = ()) -> list[Node]:
     return [node for node in found if asked[node] <= {*compiled.tables}]  # not those of a drive's own table
 
 
-def law_joins(compiled: Compiled, varied: Iterable[str] = ()) -> list[Node]:
-    """What changes its sign where a drive or cam passes a join of its motion law, in every period; ``varied`` as those
-    of :func:`kinks`."""
+def law_joins(compiled: Compiled, varied: Iterable[str] = (), rough: int = ROUGH) -> list[Node]:
+    """What changes its sign where a drive or cam passes a join of its motion law whose continuity is below ``rough``,
+    in every period; ``varied`` as those of :func:`kinks`."""
     quantities = compiled.quantities
     cams = [Call(drive.cam.law, (argument(quantities, drive),)) for drive in followings(quantities).values()]
     calls = (node for law in (*positions(compiled), *cams) for node in nodes(law))
-    return [way for node in calls for way in joins(compiled.motions, node, varied)]
+    return [way for node in calls for way in joins(compiled.motions, node, varied, rough)]
 
 
 def positions(compiled: Compiled) -> list[Node]:
@@ -86,23 +86,23 @@ def positions(compiled: Compiled) -> list[Node]:
     return [quantities.bind(law, quantities.drive_dimension(n)) for n, law in drives.items() if law is not None]
 
 
-def joins(motions: Mapping[str, Motion], node: Node, varied: Iterable[str] = ()) -> list[Node]:
+def joins(motions: Mapping[str, Motion], node: Node, varied: Iterable[str] = (), rough: int = ROUGH) -> list[Node]:
     """What changes its sign at the joins of a motion law, in every period."""
     if not isinstance(node, Call) or node.attribute is not None or node.name not in motions:
         return []
     motion, argument = motions[node.name], node.args[0]
-    places: list[Node] = [Number(join.at) for join in motion.joins if join.continuity < ROUGH]
+    places: list[Node] = [Number(join.at) for join in motion.joins if join.continuity < rough]
     period: Node = Number(motion.period)
     if own := [name for name in varied if name.startswith(f"{node.name}@")]:
         places, period = [Name(name) for name in own[:-1]], Name(own[-1])
-    rough = [Binary("-", argument, place) for place in places]
+    passing = [Binary("-", argument, place) for place in places]
     if motion.beyond == "hold":
-        return [*rough]
+        return [*passing]
     turn = Binary("/", Name("pi"), period)
-    return [Call("sin", (Binary("*", way, turn),)) for way in rough]
+    return [Call("sin", (Binary("*", way, turn),)) for way in passing]
 
 
-def _zeros(run: Run, node: Node) -> Array:
+def zeros(run: Run, node: Node) -> Array:
     """The times at which an expression changes its sign."""
     return crossings(lambda t: np.asarray(run.jets(node, t).d[0]), run.start, run.stop, run.grid)
 
