@@ -26,7 +26,9 @@ from linkwright.studies.cycle import CycleOptions, span
 # which are no part of a program. To compile it would take seconds and prove nothing new.
 REPEATS = ("_accuracy", "_allocation", "_calibration", "_dwell", "_sweep", "_workspace")
 FOLDER = Path(__file__).parents[2] / "examples"
-EXAMPLES = [path for path in sorted(FOLDER.glob("*.yaml")) if not path.stem.endswith(REPEATS)]
+STRUCTURES = ("bracket",)
+"""Examples without a motion."""
+EXAMPLES = [p for p in sorted(FOLDER.glob("*.yaml")) if not p.stem.endswith(REPEATS) and p.stem not in STRUCTURES]
 REGULAR = 1e-3
 Case = tuple[Program, np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 
