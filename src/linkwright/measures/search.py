@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.results.stationary import Rows, bracketed
+from linkwright.results.stationary import Rows, roots
 
 Array = NDArray[np.float64]
 Rates = Callable[[Array], tuple[Array, Array]]
@@ -90,9 +90,9 @@ def turning(rates: Rates, pieces: Pieces, steps: int, still: Array | float = 0.0
         if all(standing) or steps >= most:
             break
         steps *= 2
-    times = _roots(lambda at: rates(at)[1], levels[-1])
+    times = roots(lambda at: rates(at)[1], levels[-1])
     if not all(standing):
-        before = _roots(lambda at: rates(at)[1], levels[0])
+        before = roots(lambda at: rates(at)[1], levels[0])
         standing = [s or _same(rates, row, before[row], times[row]) for row, s in enumerate(standing)]
     return Turning(times, standing, (pieces.stop - pieces.start) / steps)
 
@@ -111,8 +111,8 @@ def zeros(rates: Rates, pieces: Pieces, turned: Turning, steps: int) -> list[Arr
         change = np.flatnonzero((sign[:-1] != sign[1:]) & (piece[:-1] == piece[1:]))
         found.append(np.stack([at[change], at[change + 1]], axis=1))
         exact.append(t[row == 0] if np.count_nonzero(row == 0) <= row.size // 2 else t[:0])
-    roots = _roots(lambda at: rates(at)[0], found)
-    return [np.union1d(r, e) if e.size else r for r, e in zip(roots, exact, strict=True)]
+    crossed = roots(lambda at: rates(at)[0], found)
+    return [np.union1d(r, e) if e.size else r for r, e in zip(crossed, exact, strict=True)]
 
 
 def _first(steps: int) -> tuple[int, int]:
@@ -137,19 +137,6 @@ def _turns(t: Array, values: Array, slopes: Array, number: Rows, still: Array | 
         change = np.flatnonzero((sign[:-1] != sign[1:]) & (piece[:-1] == piece[1:]))
         found.append(np.stack([at[change], at[change + 1]], axis=1))
     return found
-
-
-def _roots(f: Callable[[Array], Array], brackets: list[Array]) -> list[Array]:
-    """One root in each bracket of each row, all at once."""
-    rows = np.repeat(np.arange(len(brackets)), [len(b) for b in brackets])
-    if rows.size == 0:
-        return [np.empty(0) for _ in brackets]
-
-    def chosen(t: Array, row: Rows) -> Array:
-        return np.asarray(f(t)[row, np.arange(t.size)])
-
-    x = bracketed(chosen, rows, *np.concatenate(brackets).T)
-    return [np.sort(x[rows == row]) for row in range(len(brackets))]
 
 
 def _same(rates: Rates, row: int, before: Array, now: Array) -> bool:

@@ -38,7 +38,7 @@ def stationary(
         least = np.zeros(len(values)) if scales is None else scales
         return [_brackets(t, v, s, scale) for v, s, scale in zip(values, slopes, least, strict=True)]
 
-    return _roots(lambda at: rates(at)[1], _settled(look, start, stop, steps))
+    return roots(lambda at: rates(at)[1], _settled(look, start, stop, steps))
 
 
 def fineness(rates: Callable[[Array], tuple[Array, Array]], start: float, stop: float, steps: int) -> list[int]:
@@ -66,7 +66,7 @@ def magnitude(values: Array, slopes: Array) -> tuple[Array, Array]:
 def crossings(values: Callable[[Array], Array], start: float, stop: float, steps: int) -> Array:
     """The times at which one function of time changes sign, found the same way without its rate."""
     brackets = _settled(lambda t: [_sign_changes(t, values(t))], start, stop, steps)
-    return _roots(lambda at: values(at)[None, :], brackets)[0]
+    return roots(lambda at: values(at)[None, :], brackets)[0]
 
 
 def _settled(look: Callable[[Array], list[Array]], start: float, stop: float, steps: int) -> list[Array]:
@@ -102,7 +102,7 @@ def _sign_changes(t: Array, f: Array) -> Array:
     return np.stack([at[turn], at[turn + 1]], axis=1)
 
 
-def _roots(f: Callable[[Array], Array], brackets: list[Array]) -> list[Array]:
+def roots(f: Callable[[Array], Array], brackets: list[Array]) -> list[Array]:
     """One root in each bracket of each row, all at once."""
     rows = np.repeat(np.arange(len(brackets)), [len(b) for b in brackets])
     if rows.size == 0:
