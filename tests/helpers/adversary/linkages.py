@@ -211,11 +211,13 @@ class Linkage:
         gap = d.w * d.w / 2
         c = one.value + way * gap * d.pick(-1, 1)
         at = roots(lambda t: self.joint(t).imag - (mpf(c) if isinstance(t, mpmath.mpf) else c), self.length)
-        centre = mpf(one.time)
-        if not any(abs(time - centre) < 10 * d.w for time in at):
-            near = [centre + side * mpf(d.w) * k / 8 for side in (-1, 1) for k in range(65)]
-            at += _near_roots(lambda t: self.joint(t).imag - mpf(c), sorted(near))
-        return d.w**2 / (f - c), (*self.marks(at, d.w), Mark(centre, d.w)), 2 * d.w
+        every = [mpf(one.time) + 2 * mpmath.pi * turn for turn in (-1, 0, 1)]
+        centres = [centre for centre in every if 0 <= centre <= self.length]
+        for centre in centres:
+            if not any(abs(time - centre) < 10 * d.w for time in at):
+                near = [centre + side * mpf(d.w) * k / 8 for side in (-1, 1) for k in range(65)]
+                at += _near_roots(lambda t: self.joint(t).imag - mpf(c), sorted(near))
+        return d.w**2 / (f - c), (*self.marks(at, d.w), *(Mark(centre, d.w) for centre in centres)), 2 * d.w
 
     def cut(self, d: Draw) -> Any:
         pi, phi0 = mpmath.pi, mpf(self.bar.phi0)
