@@ -170,7 +170,7 @@ class Probe:
         return found
 
     def _beside(self, centres: Array) -> list[Peak]:
-        """Both sides of cuts: where the expression goes towards each, along its rate there."""
+        """Both sides of cuts at which the expression jumps: where it goes towards each, along its rate there."""
         pieces, found = self.search.places.pieces, []
         for name, sides in (("before", pieces.before), ("after", pieces.after)):
             kept = np.logical_or.reduce([(a < sides) & (sides < b) for a, b in self.intervals])
@@ -181,9 +181,10 @@ class Probe:
                 values = np.asarray(jet.d[0] + np.nan_to_num(jet.d[1]) * (centre - t))
                 there = self.values(centre)
                 jumps = ~(np.abs(values - there) <= SAME * np.abs(values))
+                for low, high in self.run.jumps:  # of a load's jump the middle doesn't count
+                    jumps |= (centre > low) & (centre < high)
                 found += [
-                    Peak(v, at, name if jump else "")
-                    for v, at, jump in zip(values.tolist(), centre.tolist(), jumps.tolist(), strict=True)
+                    Peak(v, at, name) for v, at in zip(values[jumps].tolist(), centre[jumps].tolist(), strict=True)
                 ]
         return found
 
