@@ -95,7 +95,7 @@ def stage(data: ReportData) -> str:
 
 def measures(data: ReportData) -> str:
     """Measures with value, unit, where it happens, requirement and verdict."""
-    heads = ("measure", "value", "where", "grade", "requirement", "verdict")
+    heads = ("measure", "value", "where", "requirement", "verdict")
     return _table(data, "measures", heads, (_measure(measure, data) for measure in data["measures"]))
 
 
@@ -112,8 +112,9 @@ def _measure(measure: Measure, data: ReportData) -> Sequence[str]:
     text = f'<span class="note">{escape(measure["text"])}</span>' if measure["text"] else ""
     judged = "–" if verdict is None else _mark(verdict, words["report.pass" if verdict else "report.fail"])
     requirement = escape(measure["requirement"]) if measure["requirement"] else "–"
-    grades = "".join(f'<span class="line">{escape(entry["grade"])}</span>' for entry in measure["values"])
-    return (f"<b>{escape(measure['name'])}</b>{text}", values, where, grades, requirement, judged)
+    for grade in dict.fromkeys(entry["grade"] for entry in measure["values"]):
+        text += f'<span class="note">{escape(grade)}</span>'
+    return (f"<b>{escape(measure['name'])}</b>{text}", values, where, requirement, judged)
 
 
 def certificate(data: ReportData) -> str:

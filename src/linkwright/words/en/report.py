@@ -51,7 +51,6 @@ REPORT: dict[str, str] = {
     "report.verdict": "Verdict",
     "report.violated": "does not hold",
     "report.where": "Where",
-    "report.grade": "Grade",
     "report.cam": "Cam",
     "report.workspace": "Workspace",
     "report.whole_time": "Show the whole time",
