@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from linkwright.enclosures.bounds import UP
 from linkwright.enclosures.panels import Panels
-from linkwright.enclosures.program import Stage
+from linkwright.enclosures.program import Stage, taylor
 from linkwright.enclosures.taylor import TINY, UNITS, ZERO, TaylorModel
 from linkwright.kernels import Compiled
 from linkwright.structure import Cluster
@@ -36,8 +36,8 @@ class Solved:
         self.compiled, self.rows = compiled, compiled.graph.coordinates(cluster)
         self.n = len(self.rows)
         closure = compiled.graph.newton(cluster).closure
-        self.gaps = Stage(closure, compiled.parameters, range(self.n), dtype=dtype)
-        self.slopes = Stage(closure, compiled.parameters, range(self.n, self.n + self.n**2), dtype=dtype)
+        self.gaps = Stage(closure, compiled.parameters, range(self.n), taylor(dtype=dtype))
+        self.slopes = Stage(closure, compiled.parameters, range(self.n, self.n + self.n**2), taylor(dtype=dtype))
 
     def __call__(self, x: Rows, on: Panels) -> dict[int, TaylorModel]:
         """The coordinates by their rows, from the inputs that stand already."""

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from linkwright.enclosures.clusters import Solved
 from linkwright.enclosures.panels import MARGIN, Panels
-from linkwright.enclosures.program import Stage
+from linkwright.enclosures.program import Stage, taylor
 from linkwright.enclosures.taylor import TaylorModel, lift
 from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, nodes
 from linkwright.notation import Jet
@@ -34,7 +34,7 @@ class Enclosure:
         strict = any(
             isinstance(n, Call) and n.name == "atan2" for law in compiled.graph.actions.laws for n in nodes(law)
         )
-        self.stage = Stage(program.block, compiled.parameters, range(len(self.names)), strict, dtype)
+        self.stage = Stage(program.block, compiled.parameters, range(len(self.names)), taylor(strict, dtype))
         self.wrapped = [name for name in self.names if compiled.graph.wrapped(name)]
         self.inputs = Inputs(run, strict, dtype)
 
@@ -151,7 +151,7 @@ class Inputs:
             number, which = (int(part) for part in rest.split("/"))
             if number not in self.lookups:
                 program = graph.program([f"argument/{number}"], rates=True)
-                self.lookups[number] = Stage(program.block, compiled.parameters, (0, 1), self.strict, self.dtype)
+                self.lookups[number] = Stage(program.block, compiled.parameters, (0, 1), taylor(self.strict, self.dtype))
             lookup = graph.actions.lookups[number]
             table = compiled.tables[lookup.table]
             argument = Jet(self.lookups[number](x))

@@ -1,50 +1,91 @@
-"""A program's instructions run on Taylor models: every output enclosed over panels."""
+"""A program's instructions run on enclosures: Taylor models over panels of time, or intervals over boxes."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.enclosures.functions import FUNCTIONS, turned
+from linkwright.enclosures import functions, intervals
+from linkwright.enclosures.forms import UNIT, Form
+from linkwright.enclosures.functions import turned
+from linkwright.enclosures.intervals import Intervals
 from linkwright.enclosures.taylor import TaylorModel
 from linkwright.graph.program import ExpressionStage
 
 Array = NDArray[np.float64]
-Operation = Callable[..., TaylorModel]
+Operation = Callable[..., Any]
 
-OPERATIONS: dict[int, Operation] = {
+ARITHMETIC: dict[int, Operation] = {
     ca.OP_ADD: lambda a, b: a + b, ca.OP_SUB: lambda a, b: a - b, ca.OP_MUL: lambda a, b: a * b,
     ca.OP_DIV: lambda a, b: a / b, ca.OP_NEG: lambda a: -a, ca.OP_ASSIGN: lambda a: a,
-    ca.OP_TWICE: lambda a: a + a, ca.OP_INV: lambda a: a.inverse(), ca.OP_SQ: lambda a: a * a,
-    ca.OP_POW: lambda a, b: a**b, ca.OP_CONSTPOW: lambda a, b: a**b,
-    ca.OP_ATAN2: turned,
-    **{op: FUNCTIONS[name] for op, name in {
-        ca.OP_SQRT: "sqrt", ca.OP_SIN: "sin", ca.OP_COS: "cos", ca.OP_TAN: "tan", ca.OP_ASIN: "arcsin",
-        ca.OP_ACOS: "arccos", ca.OP_ATAN: "arctan", ca.OP_EXP: "exp", ca.OP_LOG: "log", ca.OP_FABS: "fabs",
-        ca.OP_SIGN: "sign", ca.OP_FLOOR: "floor", ca.OP_NOT: "logical_not", ca.OP_FMIN: "fmin", ca.OP_FMAX: "fmax",
-        ca.OP_HYPOT: "hypot", ca.OP_COPYSIGN: "copysign", ca.OP_LT: "less", ca.OP_LE: "less_equal",
-        ca.OP_EQ: "equal", ca.OP_NE: "not_equal", ca.OP_AND: "logical_and", ca.OP_OR: "logical_or",
-        ca.OP_IF_ELSE_ZERO: "if_else_zero",
-    }.items()},
+    ca.OP_TWICE: lambda a: a + a, ca.OP_POW: lambda a, b: a**b, ca.OP_CONSTPOW: lambda a, b: a**b,
 }  # fmt: skip
-"""What each instruction does to models. Angles of vectors run on past pi, from their values in the middle."""
+NAMES = {
+    ca.OP_SQRT: "sqrt", ca.OP_SIN: "sin", ca.OP_COS: "cos", ca.OP_TAN: "tan", ca.OP_ASIN: "arcsin",
+    ca.OP_ACOS: "arccos", ca.OP_ATAN: "arctan", ca.OP_EXP: "exp", ca.OP_LOG: "log", ca.OP_FABS: "fabs",
+    ca.OP_SIGN: "sign", ca.OP_FLOOR: "floor", ca.OP_NOT: "logical_not", ca.OP_FMIN: "fmin", ca.OP_FMAX: "fmax",
+    ca.OP_HYPOT: "hypot", ca.OP_COPYSIGN: "copysign", ca.OP_LT: "less", ca.OP_LE: "less_equal",
+    ca.OP_EQ: "equal", ca.OP_NE: "not_equal", ca.OP_AND: "logical_and", ca.OP_OR: "logical_or",
+    ca.OP_IF_ELSE_ZERO: "if_else_zero",
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of enclosure: what each instruction does to it, and a number as one."""
+
+    operations: Mapping[int, Operation]
+    number: Callable[[float], Any]
+
+
+def taylor(strict: bool = False, dtype: Any = np.float64) -> Kind:
+    """Taylor models. Angles of vectors run on past pi, from their values in the middle; ``strict`` ones jump there.
+    ``dtype`` is what constants are computed with."""
+    own = {ca.OP_INV: lambda a: a.inverse(), ca.OP_SQ: lambda a: a * a}
+    angle = functions.FUNCTIONS["arctan2"] if strict else turned
+    named = {op: functions.FUNCTIONS[name] for op, name in NAMES.items()}
+    return Kind({**ARITHMETIC, **named, **own, ca.OP_ATAN2: angle}, lambda v: TaylorModel.number(v, dtype=dtype))
+
+
+def _constant(name: str, *args: Form) -> Form:
+    """A function of parameters alone."""
+    if any(np.any(x.lean) for x in args):
+        raise NotImplementedError(f"no enclosure of {name} over boxes")
+    found = intervals.FUNCTIONS[name](*(Intervals(*x.ends) for x in args))
+    middle = (found.low + found.high) / 2
+    return Form(middle, rest=(found.high - found.low) / 2 + UNIT * abs(middle))
+
+
+BOXES = Kind(
+    {
+        **{op: partial(_constant, name) for op, name in NAMES.items()},
+        **ARITHMETIC,
+        ca.OP_POW: partial(_constant, "power"),
+        ca.OP_CONSTPOW: partial(_constant, "power"),
+        ca.OP_ATAN2: partial(_constant, "arctan2"),
+        ca.OP_SQ: Form.square,
+        ca.OP_SQRT: Form.sqrt,
+        ca.OP_INV: Form.inverse,
+        ca.OP_FABS: Form.magnitude,
+    },
+    Form,
+)
+"""Linear forms over boxes of the inputs, of what follows from them by sums, products, quotients and roots, as the
+closed forms of dyads do. They hold for the places of a box at which every root is real."""
 
 
 class Stage:
-    """A block of expressions on Taylor models: of its ``wanted`` rows, with what depends on parameters alone done.
+    """A block of expressions on a kind of enclosures: its ``wanted`` rows, with what depends on parameters alone done."""
 
-    ``strict`` angles of vectors jump at pi instead of running on; ``dtype`` is what constants are computed with.
-    """
-
-    def __init__(
-        self, stage: ExpressionStage, p: Array, wanted: Sequence[int], strict: bool = False, dtype: Any = np.float64
-    ) -> None:
-        operations = {**OPERATIONS, ca.OP_ATAN2: FUNCTIONS["arctan2"]} if strict else OPERATIONS
-        self.values: list[TaylorModel | None] = []  # of each number that is made, where it is the same at all times
+    def __init__(self, stage: ExpressionStage, p: Array, wanted: Sequence[int], kind: Kind) -> None:
+        operations = kind.operations
+        self.values: list[Any] = []  # of each number that is made, where it is the same at all times
         self.work: list[tuple[Operation, tuple[int, ...], int]] = []
         self.inputs: list[tuple[int, int]] = []  # (number, input row)
         slots: dict[int, int] = {}
@@ -56,11 +97,11 @@ class Stage:
                 continue
             value = None
             if i.op == ca.OP_CONST:
-                value = TaylorModel.number(i.value, dtype=dtype)
+                value = kind.number(i.value)
             elif i.op == ca.OP_INPUT:
                 which, row = i.args
                 if which == 1:
-                    value = TaylorModel.number(float(p[row]), dtype=dtype)
+                    value = kind.number(float(p[row]))
                 else:
                     self.inputs.append((len(self.values), row))
             else:
@@ -88,7 +129,7 @@ class Stage:
         """The input rows that the wanted rows depend on."""
         return {row for _, row in self.inputs}
 
-    def __call__(self, x: Callable[[int], TaylorModel]) -> list[TaylorModel]:
+    def __call__(self, x: Callable[[int], Any]) -> list[Any]:
         """The wanted rows, from the inputs by their rows."""
         values: list[Any] = [*self.values]
         for number, row in self.inputs:

@@ -11,6 +11,7 @@ from linkwright.graph.geometry import Geometry
 from linkwright.graph.placing import carried, driven_body, inner_joint, outer_joint
 from linkwright.graph.wedges import SolvedWedge, solve_wedge
 from linkwright.groups import REGISTRY, Dyad, InnerLine, Solved
+from linkwright.groups.dyad import determinant_of
 from linkwright.groups.joints import Twist
 from linkwright.notation import Body, Jet, Pair, Scalar
 from linkwright.structure import FRAME, Cluster, Driven, Group, Structure, Wedge
@@ -35,6 +36,25 @@ class Motion:
     def point(self, link: str, name: str) -> Pair:
         """Coordinates of a link's point in its frame."""
         return self.geometry.point(link, name)
+
+    def travel(self, joint: str) -> Jet:
+        """The distance along a prismatic joint, from the first link's point to the second's."""
+        a, b = self.geometry.mechanism.joints[joint].links
+        (first, heading), (second, _) = (self.geometry.line(joint, link) for link in (a, b))
+        start, end = self.bodies[a].point(first), self.bodies[b].point(second)
+        return end.minus(start).dot(self.bodies[a].direction(heading))
+
+    def moved(self, drive: str) -> Jet:
+        """The value of a sliding drive as it follows from the motion."""
+        topology = self.structure.topology
+        moved, joint = topology.mechanism.prescribed(drive), topology.driven(drive)[0].joint
+        travel = self.travel(joint)
+        return travel if moved.link == topology.mechanism.joints[joint].links[1] else -travel
+
+    def turned(self, drive: str) -> Pair:
+        """Cosine and sine of the value of a turning drive as it follows from the motion."""
+        moved = self.structure.topology.mechanism.prescribed(drive)
+        return self.bodies[moved.link].axis.now.turned_back(self.bodies[moved.on].axis.now)
 
 
 def solve_motion(
@@ -71,9 +91,18 @@ def _drive(motion: Motion, step: Driven, law: Jet) -> None:
     motion.twists[step] = outer.twist(body)
 
 
+def known_determinant(motion: Motion, group: Group) -> Scalar:
+    """The determinant of a dyad's closure where the poses of its links are known already."""
+    first, second = (outer_joint(motion, c, link) for c, link in zip(group.outer, group.ends, strict=True))
+    meeting = group.meeting
+    a, b = (motion.bodies[link] for link in meeting)
+    twists = (joint.twist(motion.bodies[end]) for joint, end in zip((first, second), group.ends, strict=True))
+    return determinant_of(inner_joint(motion, group.inner, meeting).slopes(a, b, *twists))
+
+
 def _group(motion: Motion, step: Group, drives: dict[str, Jet], branch: Branch) -> None:
     first, second = (outer_joint(motion, c, link) for c, link in zip(step.outer, step.ends, strict=True))
-    meeting = step.sides[0][-1], step.sides[1][-1]
+    meeting = step.meeting
     joint = inner_joint(motion, step.inner, meeting)
     sides = list(zip(step.ends, step.chains, strict=True))
     carry_a, carry_b = (partial(carried, motion, end, chain, drives) for end, chain in sides)

@@ -192,15 +192,8 @@ class View:
         link = signal.owners[0]
         return _component(self.motion.bodies[link].point(self.motion.geometry.mass(link)[1]), signal)
 
-    def travel(self, joint: str) -> Jet:
-        """The distance along a prismatic joint, from the first link's point to the second's."""
-        a, b = self.motion.geometry.mechanism.joints[joint].links
-        (first, heading), (second, _) = (self.motion.geometry.line(joint, link) for link in (a, b))
-        start, end = self.motion.bodies[a].point(first), self.motion.bodies[b].point(second)
-        return end.minus(start).dot(self.motion.bodies[a].direction(heading))
-
     def slide(self, signal: Signal) -> Scalar:
-        return self.travel(signal.owners[0]).d[SLIDE_ORDERS[signal.attribute]]
+        return self.motion.travel(signal.owners[0]).d[SLIDE_ORDERS[signal.attribute]]
 
     def drive(self, signal: Signal) -> Scalar:
         name = signal.owners[0]
@@ -222,7 +215,7 @@ class View:
             return self.laws[name].d[order]
         if drive.slides:
             joint = self.graph.structure.topology.acting(name)[0].joint
-            travel = self.travel(joint).d[order]
+            travel = self.motion.travel(joint).d[order]
             return travel if drive.link == self.motion.geometry.mechanism.joints[joint].links[1] else -travel
         link, on = self.motion.bodies[drive.link], self.motion.bodies[drive.on]
         if order:

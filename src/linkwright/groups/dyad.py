@@ -118,7 +118,7 @@ class Dyad(ABC):
         a, b = self.place(root.first, rates[0]), self.place(root.second, rates[1], second=True)
         twists = self.first.twist(a), self.second.twist(b)
         slopes = self.joint.slopes(*self.carried(a, b), *twists)
-        determinant = _determinant(slopes)
+        determinant = determinant_of(slopes)
         inverse = 1.0 / determinant if order else 0.0
         for k in range(1, order + 1):
             a = self.place(root.first, [*rates[0], 0.0])
@@ -150,7 +150,7 @@ class Dyad(ABC):
         (j11, j12), (j21, j22) = solved.slopes
         transposed = ((j11, j21), (j12, j22))
         works = [solved.twists[0].work(on_first), solved.twists[1].work(on_second)]
-        m1, m2 = _solve(transposed, 1.0 / _determinant(transposed), works)
+        m1, m2 = _solve(transposed, 1.0 / determinant_of(transposed), works)
         return self.joint.action(solved.first, solved.second, (-m1, -m2))
 
     def newton(self, start: tuple[Coordinate, Coordinate], tolerance: float = 1e-14) -> tuple[Body, Body]:
@@ -161,7 +161,7 @@ class Dyad(ABC):
             a, b = self.place(here[0], []), self.place(here[1], [], second=True)
             gaps = [float(gap.d[0]) for gap in self.inner.gap(a, b)]
             slopes = self.inner.slopes(a, b, self.first.twist(a), self.second.twist(b))
-            steps = _solve(slopes, 1.0 / _determinant(slopes), gaps)
+            steps = _solve(slopes, 1.0 / determinant_of(slopes), gaps)
             here = [_moved(q, -float(step)) for q, step in zip(here, steps, strict=True)]
             if max(map(abs, steps)) < tolerance * size:
                 break
@@ -176,7 +176,8 @@ def _moved(q: Coordinate, step: float) -> Coordinate:
     return Pair(turned.x / size, turned.y / size)
 
 
-def _determinant(m: Slopes) -> Scalar:
+def determinant_of(m: Slopes) -> Scalar:
+    """Of the closure's slopes."""
     (a, b), (c, d) = m
     return a * d - b * c
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from linkwright.report.charts import LETTER, points, ticks
 from linkwright.report.data import Chart
 from linkwright.studies.workspace.curves import Segments
-from linkwright.studies.workspace.outcome import pieces
+from linkwright.studies.workspace.shapes import pieces
 from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]

@@ -11,7 +11,9 @@ from linkwright.report.charts import figures as charts_html
 from linkwright.report.data import Grid, WorkspaceData
 from linkwright.report.workspace_parts import written
 from linkwright.report.workspace_picture import pictures
-from linkwright.studies.workspace.outcome import Figures, Workspace, WorkspaceOutcome, figures
+from linkwright.studies.workspace.certificate import Certificate
+from linkwright.studies.workspace.outcome import Workspace, WorkspaceOutcome
+from linkwright.studies.workspace.shapes import Figures, figures
 from linkwright.words import say
 
 
@@ -23,7 +25,8 @@ def workspace_entry(outcome: WorkspaceOutcome) -> dict[str, Any]:
         values = outcome.shown(one)
         for reached in one.regions:
             region = reached.region
-            more = {"unit": unit, "steps": region.steps, "change": known(region.change), "rough": reached.rough / size}
+            more = {"unit": unit, "steps": region.steps, "rough": region.rough / size}
+            more["certificate"] = certificate_entry(region.certificate, size)
             regions.append({"mode": reached.mode, **values, **_told(reached.figures, size), **more})
         if one.regions:
             both = sum_of_overlaps(one)
@@ -52,6 +55,13 @@ def workspace_entry(outcome: WorkspaceOutcome) -> dict[str, Any]:
     entry |= {"unit": unit, "regions": regions, "union": unions, "overlap": overlaps, "turning": turning}
     entry |= {"curves": curves} if curves else {}
     return {"workspace": entry | {name: part.as_dict() for name, part in outcome.parts.items()}}
+
+
+def certificate_entry(found: Certificate, size: float) -> dict[str, Any]:
+    """What is proven of a region, lengths in units of ``size`` m."""
+    area = None if found.area is None else [bound / size**2 for bound in found.area]
+    entry = {"grade": found.grade, "certified": found.certified, "area": area}
+    return entry | {"parts": found.parts, "holes": found.holes, "finest": found.finest / size}
 
 
 def sum_of_overlaps(one: Workspace) -> float:
@@ -120,7 +130,7 @@ def workspace_sentences(outcome: WorkspaceOutcome) -> list[str]:
         return [say("workspace.sentence.none")]
     data = {"point": outcome.point, "count": len(outcome.regions), "unit": unit}
     told = [say("workspace.sentence", chord=f"{outcome.chord / size:.2g}", **data)]
-    rough = max(one.rough for one in outcome.regions)
+    rough = max(one.region.rough for one in outcome.regions)
     if rough > outcome.chord:
         told.append(say("workspace.rough", rough=f"{rough / size:.2g}", unit=unit))
     return [*told, *(text for part in written(outcome) for text in part.sentences(outcome))]

@@ -17,7 +17,8 @@ from linkwright.report.plane import stacked
 from linkwright.report.workspace_parts import written as parts
 from linkwright.report.workspace_picture import pictures
 from linkwright.studies.workspace.mesh import Box
-from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, pieces
+from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome
+from linkwright.studies.workspace.shapes import pieces
 from linkwright.words import say
 
 Array = NDArray[np.float64]

@@ -14,7 +14,8 @@ from linkwright.report.data import Area, Chart
 from linkwright.report.overlay import Overlay
 from linkwright.report.plane import Plane, framed, lines, outline
 from linkwright.report.workspace_parts import written
-from linkwright.studies.workspace.outcome import Workspace, WorkspaceOutcome, pieces
+from linkwright.studies.workspace.outcome import Workspace, WorkspaceOutcome
+from linkwright.studies.workspace.shapes import pieces
 from linkwright.words import say
 
 Array = NDArray[np.float64]

@@ -84,6 +84,11 @@ class Group:
         return first, second
 
     @property
+    def meeting(self) -> tuple[str, str]:
+        """The two links at the inner joint."""
+        return self.sides[0][-1], self.sides[1][-1]
+
+    @property
     def drives(self) -> tuple[str, ...]:
         """The drives inside."""
         return tuple(edge.drive for chain in self.chains for edge in chain if edge.drive)

@@ -6,7 +6,7 @@ drives' ranges. Each is found on the triangles of a mesh and refined until its p
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -157,9 +157,9 @@ def _followed(sheet: Sheet, a: Array, b: Array) -> NDArray[np.bool_]:
     def f(q: Array) -> Array:
         return sheet.look(q).numerator
 
-    middle, found = _beside(f, a, b, rough=True)
+    middle, found = beside(f, a, b, rough=True)
     halves = np.concatenate([a, middle], axis=1), np.concatenate([middle, b], axis=1)
-    return np.asarray(found & _beside(f, *halves, rough=True)[1].reshape(2, -1).all(axis=0))
+    return np.asarray(found & beside(f, *halves, rough=True)[1].reshape(2, -1).all(axis=0))
 
 
 def _turning(sheet: Sheet, path: Callable[[Array], Array], sign: NDArray[np.bool_]) -> Array:
@@ -231,10 +231,10 @@ def refined(sheet: Sheet, kind: str, ends: Ends, chord: float, f: Callable[[Arra
     for turn in range(ROUNDS):
         if not a.shape[1]:
             break
-        middle, found = ((a + b) / 2, np.full(a.shape[1], True)) if f is None else _beside(f, a, b)
+        middle, found = ((a + b) / 2, np.full(a.shape[1], True)) if f is None else beside(f, a, b)
         pm = sheet.place(middle)[0]
         found &= np.isfinite(pm).all(axis=0)
-        off = _distance(pm, pa, pb)
+        off = distance(pm, pa, pb)
         fine = ~found | ((off <= chord) & (turn > 0))
         done.append((a[:, fine], b[:, fine], np.where(found[fine], 0.0, np.hypot(*(pb - pa)[:, fine]))))
         rest = ~fine
@@ -247,33 +247,41 @@ def refined(sheet: Sheet, kind: str, ends: Ends, chord: float, f: Callable[[Arra
     return Segments(kind, *(np.concatenate(parts, axis=-1) for parts in zip(*done, strict=True)))
 
 
-def _beside(f: Callable[[Array], Array], a: Array, b: Array, rough: bool = False) -> tuple[Array, NDArray[np.bool_]]:
+def beside(
+    f: Callable[[Array], Array],
+    a: Array,
+    b: Array,
+    rough: bool = False,
+    ways: Sequence[tuple[float, float]] = WAYS,
+    near: float | None = None,
+) -> tuple[Array, NDArray[np.bool_]]:
     """The zeros of f on the normals through the middles of segments (``rough``: where a line through two places has
     it); whether there is one nearby."""
     middle, across = (a + b) / 2, np.stack([a[1] - b[1], b[0] - a[0]])
 
-    def beside(share: Array, rows: Rows) -> Array:
+    def across_at(share: Array, rows: Rows) -> Array:
         return f(middle[:, rows] + share * across[:, rows])
 
     every = np.arange(a.shape[1])
     here = f(middle)
     share, found, end = np.zeros(every.size), here == 0, np.zeros(every.size)
-    for ways in WAYS:
+    for both in ways:
         rest = every[~found]
-        there = beside(np.repeat(ways, rest.size), np.tile(rest, len(ways))).reshape(len(ways), -1)
-        for way, value in zip(ways, there, strict=True):
+        there = across_at(np.repeat(both, rest.size), np.tile(rest, 2)).reshape(2, -1)
+        for way, value in zip(both, there, strict=True):
             fresh = ~found[rest] & (np.sign(here[rest]) * np.sign(value) < 0)
             some, ratio = rest[fresh], here[rest[fresh]] / (here[rest[fresh]] - value[fresh])
             share[some], end[some], found[some] = way * ratio, way, True
     some = np.flatnonzero(end)
     if not rough and some.size:
         low, high = np.minimum(end[some], 0.0), np.maximum(end[some], 0.0)
-        near = _near(middle[:, some], end[some] * across[:, some])
-        share[some] = bracketed(beside, some, low, high, (share[some] - low) / (high - low), near)
+        way = end[some] * across[:, some]
+        close = _near(middle[:, some], way) if near is None else near / np.hypot(*way)
+        share[some] = bracketed(across_at, some, low, high, (share[some] - low) / (high - low), close)
     return middle + share * across, found
 
 
-def _distance(p: Array, a: Array, b: Array) -> Array:
+def distance(p: Array, a: Array, b: Array) -> Array:
     """How far points are from the segments a .. b: (n,)."""
     d, r = b - a, p - a
     square = (d * d).sum(axis=0)

@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from linkwright.model import units as u
 from linkwright.studies.workspace.maps import Extreme, Map, Maps
-from linkwright.studies.workspace.outcome import Reached, Workspace, figures
+from linkwright.studies.workspace.outcome import Reached, Workspace
+from linkwright.studies.workspace.shapes import figures
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.outcome import WorkspaceOutcome

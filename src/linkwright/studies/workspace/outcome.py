@@ -16,60 +16,13 @@ from linkwright.model.findings import Finding
 from linkwright.results import Result, Run
 from linkwright.studies.workspace.mesh import RIM, Box
 from linkwright.studies.workspace.regions import Region
+from linkwright.studies.workspace.shapes import Figures, figures, without_slivers
 from linkwright.studies.workspace.turning import Turning
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.options import WorkspaceOptions
 
 Array = NDArray[np.float64]
-
-THIN = 4.0
-"""What is narrower than so many chord tolerances is where two boundaries are one, each drawn to its own chords."""
-
-
-@dataclass(frozen=True)
-class Figures:
-    """Figures of a shape: m2, m; ``bounds`` are least x, least y, largest x, largest y; ``centroid`` x, y."""
-
-    area: float
-    perimeter: float
-    holes: int
-    parts: int
-    bounds: tuple[float, float, float, float]
-    centroid: tuple[float, float]
-
-
-def figures(shape: Any) -> Figures:
-    """The figures of a polygon or several."""
-    polygons = pieces(shape)
-    if not polygons:
-        nowhere = float("nan")
-        return Figures(0.0, 0.0, 0, 0, (nowhere,) * 4, (nowhere, nowhere))
-    holes = sum(len(polygon.interiors) for polygon in polygons)
-    x, y = shape.centroid.coords[0]
-    return Figures(float(shape.area), float(shape.length), holes, len(polygons), shape.bounds, (float(x), float(y)))
-
-
-def pieces(shape: Any) -> list[Any]:
-    """The polygons of a shape."""
-    import shapely
-
-    return [part for part in shapely.get_parts(shape) if part.geom_type == "Polygon" and not part.is_empty]
-
-
-def without_slivers(shape: Any, chord: float) -> Any:
-    """A shape without the parts and holes that only chords make."""
-    import shapely
-
-    def wide(ring: Any) -> bool:
-        return bool(shapely.Polygon(ring).area > THIN * chord * ring.length / 2)
-
-    kept = [
-        shapely.Polygon(part.exterior, [ring for ring in part.interiors if wide(ring)])
-        for part in pieces(shape)
-        if wide(part.exterior)
-    ]
-    return shapely.MultiPolygon(kept) if len(kept) != 1 else kept[0]
 
 
 def shown(compiled: Compiled, values: Mapping[str, float]) -> dict[str, float]:
@@ -103,11 +56,6 @@ class Reached:
     def figures(self) -> Figures:
         """Its area and the like."""
         return figures(self.shape)
-
-    @property
-    def rough(self) -> float:
-        """How far a piece of the curves may lie off where it couldn't be refined (m)."""
-        return max((float(one.off.max(initial=0.0)) for one in self.region.segments), default=0.0)
 
 
 @dataclass(frozen=True)

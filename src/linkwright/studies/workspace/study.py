@@ -15,6 +15,7 @@ from linkwright.model.findings import Finding
 from linkwright.studies.registry import register
 from linkwright.studies.site import NOWHERE, Site
 from linkwright.studies.stopped import Stopped
+from linkwright.studies.workspace.doubts import doubts
 from linkwright.studies.workspace.never import never
 from linkwright.studies.workspace.one import Curve, curve
 from linkwright.studies.workspace.options import PATH, WorkspaceOptions, check
@@ -30,14 +31,9 @@ from linkwright.words import say
 
 Array = NDArray[np.float64]
 
-CLOSE = 1e-6
-"""Meshes are doubled until the area changes by less than this share, or that which the chords leave open."""
 LOOKS = 64
-MESHES = ((96, 1536, True), (192, 1536, False), (96, 96, False), (80, 80, False), (112, 112, False))
-"""First and last steps of meshes, and whether the same curves on two are enough; others are tried where a region
-doesn't hold all that is sampled ..."""
 SAMPLES = 20_000
-"""... at so many random values of the drives."""
+"""A region has to hold what is reached at so many random values of the drives."""
 FLAT = 1e-9
 """A jacobian's determinant below this share of its columns' lengths everywhere: the point moves along curves only."""
 
@@ -92,7 +88,7 @@ def _regions(outcome: WorkspaceOutcome, site: Site) -> tuple[int, int, bool]:
     found, stopped = together(lambda work: _found(outcome, *work), works, workers, site.progress)
     for i, (values, parameters) in enumerate(cases):
         here = [found[k] for k in range(i * len(signs), (i + 1) * len(signs)) if k in found]
-        outcome.warnings += [warning for _, warnings in here for warning in warnings]
+        outcome.failures += [finding for _, findings in here for finding in findings]
         reached = [one for one, _ in here if one is not None]
         if reached or len(here) == len(signs):
             _keep(outcome, values, parameters, reached)
@@ -117,7 +113,8 @@ def _sheet(outcome: WorkspaceOutcome, signs: Signs, parameters: Array) -> Sheet:
 
 
 def _found(outcome: WorkspaceOutcome, signs: Signs, parameters: Array) -> tuple[Reached | Curve | None, list[Finding]]:
-    """What one mode reaches, ``None`` where it can't be assembled anywhere; warnings. The outcome isn't changed."""
+    """What one mode reaches, ``None`` where it can't be assembled anywhere; what contradicts that. The outcome isn't
+    changed."""
     compiled, options, box = outcome.compiled, outcome.options, outcome.box
     mode = named(compiled, signs)
     if box is None:
@@ -129,17 +126,13 @@ def _found(outcome: WorkspaceOutcome, signs: Signs, parameters: Array) -> tuple[
     sheet = _sheet(outcome, signs, parameters)
     if _flat(sheet, box.low, box.high):
         return None, []
-    tried: list[tuple[float, Region]] = []
-    close = max(CLOSE, 10 * options.chord)
-    for first, most, quick in MESHES:
-        made = region(sheet, box, outcome.chord, first, most, close, quick)
-        tried.append((_missed(made, outcome.chord), made))
-        if not tried[-1][0]:
-            break
-    missed, best = min(tried, key=lambda one: one[0])
-    data = {"mode": mode or "-", "share": f"{100 * missed:.3g}"}
-    warnings = [Finding("workspace.incomplete", PATH, data, severity="warning")] if missed else []
-    return Reached(mode, signs, best) if best.shape.area > 0 else None, warnings
+    found = region(sheet, box, outcome.chord)
+    told = [*doubts(compiled, PATH, mode, found.certificate)]
+    if found.shape.area == 0:
+        return None, told
+    if missed := _missed(found, outcome.chord):
+        told.append(Finding("workspace.incomplete", PATH, {"mode": mode or "-", "share": f"{100 * missed:.3g}"}))
+    return Reached(mode, signs, found), told
 
 
 def _missed(found: Region, chord: float) -> float:

@@ -1352,6 +1352,56 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The region of the mode {mode} isn't whole: {share} % of the places sampled at random lie outside of it.",
         "Take another chord, or a part of the drives' ranges; trust its area as a lower bound only.",
     ),
+    "workspace.doubt-area": (
+        "The area of the mode {mode} isn't certified: as drawn it is {size} beyond the bounds that enclosures of all its "
+        "poses prove.",
+        "Take a smaller chord, or a part of the drives' ranges. Don't trust the picture near {at}.",
+    ),
+    "workspace.doubt-open": (
+        "The area of the mode {mode} isn't certified: {size} of it is left open, more than a hundredth, most of it near "
+        "{at}.",
+        "The region is very thin there, or its edges almost touch. Trust the bounds of its area, not its figures beyond "
+        "them.",
+    ),
+    "workspace.doubt-left-out": (
+        "The region of the mode {mode} isn't certified: {size} that are reached for sure lie outside of it, some near "
+        "{at}.",
+        "Take another chord, or a part of the drives' ranges; trust the bounds of its area only.",
+    ),
+    "workspace.doubt-too-much": (
+        "The region of the mode {mode} isn't certified: {size} of it can't be reached for sure, some near {at}.",
+        "Take another chord, or a part of the drives' ranges; trust the bounds of its area only.",
+    ),
+    "workspace.doubt-edge": (
+        "The edge of the mode {mode} isn't certified: it runs through places that are decided, at {size} of its corners; "
+        "one is at {at}.",
+        "Take another chord, or a part of the drives' ranges; trust the bounds of its area only.",
+    ),
+    "workspace.doubt-back": (
+        "The region of the mode {mode} isn't certified: {size} of the places tried don't come back from their drive "
+        "values, one at {at}.",
+        "This is a fault of linkwright. Please report it with the file.",
+    ),
+    "workspace.doubt-unsettled": (
+        "The region of the mode {mode} isn't certified: its area still changed by {size} when the mesh was last doubled.",
+        "Take a part of the drives' ranges, so that the mesh is finer there.",
+    ),
+    "workspace.doubt-cut": (
+        "The region of the mode {mode} isn't certified: {size} of its curves lie between parts of one face, near {at}.",
+        "A curve may be missing there. Take another chord, or a part of the drives' ranges.",
+    ),
+    "workspace.doubt-dangle": (
+        "The region of the mode {mode} isn't certified: {size} of its curves end where no other begins, near {at}.",
+        "A curve may be missing there. Take another chord, or a part of the drives' ranges.",
+    ),
+    "workspace.doubt-ring": (
+        "The region of the mode {mode} isn't certified: {size} of its curves cross themselves, near {at}.",
+        "Take another chord, or a part of the drives' ranges.",
+    ),
+    "workspace.doubt-nowhere": (
+        "The region of the mode {mode} isn't certified: {size} pieces of its curves have no place, near {at}.",
+        "Take another chord, or a part of the drives' ranges.",
+    ),
     "workspace.stopped": (
         "Interrupted with {done} of {total} regions done. These are kept; what else was asked of them may be missing.",
         "Perform the study again for the rest: it begins anew.",

@@ -1,0 +1,159 @@
+"""A mechanism turned round: its drives are free, and two slides carry one of its points to any place (x, y).
+
+The links fall apart into groups again, hung on the frame and on the point. Where all of these are dyads, every pose in
+which the point is at a place is one choice of their branches, in closed form: the inverse kinematics is exhaustive
+(J.-P. Merlet, Parallel Robots, 2nd ed. 2006, ch. 3). What tells whether a pose is one of an assembly mode are signs:
+of what stands under the roots of those dyads (``room``: the pose exists), and of the determinants of the mechanism's
+own groups in the pose (``closure``: the mode).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from copy import copy
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import casadi as ca
+
+from linkwright.graph.geometry import Geometry
+from linkwright.graph.graph import Graph
+from linkwright.graph.motion import Motion, known_determinant, solve_motion
+from linkwright.graph.program import ExpressionStage, Program
+from linkwright.model.mechanism import FRAME, Drive, Joint, Link, Mechanism
+from linkwright.notation import Jet, Scalar
+from linkwright.structure import Group, Structure, decompose
+
+AXES = ("x", "y")
+
+
+@dataclass(frozen=True)
+class Inverse:
+    """The poses in which a point is at a place.
+
+    ``groups`` are the dyads with a root of the mechanism turned round, in the order of their branches; ``modes`` the
+    mechanism's own groups with two assembly modes; ``drives`` its drives.
+    """
+
+    graph: Graph
+    structure: Structure
+    groups: tuple[Group, ...]
+
+    @property
+    def modes(self) -> tuple[Group, ...]:
+        """The mechanism's own groups with two assembly modes."""
+        return self.graph.branched
+
+    @property
+    def drives(self) -> tuple[str, ...]:
+        """Its drives."""
+        return self.graph.drives
+
+    def turns(self, drive: str) -> bool:
+        """Whether a drive's value is an angle."""
+        return bool(self.graph.structure.topology.mechanism.prescribed(drive).turns)
+
+    def branches(self) -> list[tuple[float, ...]]:
+        """All choices of branches: of a cylinder the one in which its length isn't negative."""
+        cylinders = self.structure.topology.mechanism.cylinders
+        found: list[tuple[float, ...]] = [()]
+        for group in self.groups:
+            options = (group.front,) if group.inner.joint in cylinders else (1.0, -1.0)
+            found = [(*one, sign) for one in found for sign in options]
+        return found
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """The rows of the program: rooms (m^2), closures, then of each drive its cosine and sine or its travel (m)."""
+        rows = [f"room:{group.label}" for group in self.groups]
+        rows += [f"closure:{group.label}" for group in self.modes]
+        for drive in self.drives:
+            rows += [f"{drive}:cos", f"{drive}:sin"] if self.turns(drive) else [f"{drive}:travel"]
+        return tuple(rows)
+
+    @cached_property
+    def _symbols(self) -> tuple[Any, Any, Any]:
+        """The inputs (x and y of the place, the branches), the parameters, the rows."""
+        place, signs = ca.SX.sym("place", 2), [ca.SX.sym(group.label) for group in self.groups]
+        values = [ca.SX.sym(name) for name in self.graph.parameters]
+        quantities = copy(self.graph.quantities)
+        quantities.mechanism = self.structure.topology.mechanism
+        geometry = Geometry(quantities, dict(zip(self.graph.parameters, values, strict=True)))
+        drives = {axis: Jet([place[k]]) for k, axis in enumerate(AXES)}
+        chosen = dict(zip(self.groups, signs, strict=True))
+        motion = solve_motion(self.structure, geometry, drives, lambda group, _: chosen.get(group, 1.0), _no_clusters)
+        return ca.vertcat(place, *signs), ca.vertcat(*values), ca.vertcat(*map(ca.SX, self._rows(motion)))
+
+    def _rows(self, motion: Motion) -> Iterator[Scalar]:
+        for group in self.groups:
+            yield motion.dyads[group][0].room()
+        own = Motion(self.graph.structure, motion.geometry, 0, motion.bodies)
+        for group in self.modes:
+            yield known_determinant(own, group)
+        for drive in self.drives:
+            yield from own.turned(drive) if self.turns(drive) else own.moved(drive).d[:1]
+
+    @cached_property
+    def program(self) -> Program:
+        """The rows :attr:`names` of inputs x, y (m) and the branches."""
+        x, p, rows = self._symbols
+        return self._program(x, p, rows, self.names)
+
+    @cached_property
+    def slopes(self) -> Program:
+        """Their derivatives by x, then those by y."""
+        x, p, rows = self._symbols
+        names = [f"d({name})/d({axis})" for axis in AXES for name in self.names]
+        return self._program(x, p, ca.reshape(ca.densify(ca.jacobian(rows, x[:2])), -1, 1), tuple(names))
+
+    def _program(self, x: Any, p: Any, rows: Any, names: tuple[str, ...]) -> Program:
+        inputs = (*AXES, *(f"branch:{group.label}" for group in self.groups))
+        return Program((), ExpressionStage.from_rows(x, p, [rows]), inputs, self.graph.parameters, names)
+
+
+def _no_clusters(_: Any) -> list[Scalar]:
+    raise AssertionError("no higher groups")
+
+
+def inverse(graph: Graph, point: str) -> Inverse | None:
+    """The mechanism of a graph turned round at one of its points; ``None`` where it falls apart into other groups than
+    dyads, or into none."""
+    structure = decompose(carried(graph.structure.topology.mechanism, point))
+    if structure.findings or structure.clusters or graph.structure.clusters:
+        return None
+    groups = tuple(group for group in structure.groups if group.modes > 1)
+    return Inverse(graph, structure, groups)
+
+
+def carried(mechanism: Mechanism, point: str) -> Mechanism:
+    """A mechanism whose drives are free, and one of whose points two slides carry: along x, and on that along y."""
+    taken = {*mechanism.links, *mechanism.joints, *(name for link in mechanism.links.values() for name in link.points)}
+    foot, seat, *names = (_unused(name, taken) for name in ("foot", "seat", "along_x", "along_y", "at_x", "at_y"))
+    stages, slides = names[:2], names[2:]
+    frame = mechanism.links[FRAME]
+    links = {**mechanism.links, FRAME: frame.model_copy(update={"points": {**frame.points, **_origin(foot).points}})}
+    links |= {stages[0]: _origin(seat), stages[1]: _origin(point)}
+    lines = ([f"{foot} at 0 deg", f"{seat} at 0 deg"], [f"{seat} at 90 deg", f"{point} at 90 deg"])
+    pairs = ([FRAME, stages[0]], stages)
+    joints = {
+        slide: Joint.model_validate({"prismatic": pair, "line": line})
+        for slide, pair, line in zip(slides, pairs, lines, strict=True)
+    }
+    drives = {
+        axis: Drive.model_validate({"slides": stage, "on": on, "position": 0})
+        for axis, (on, stage) in zip(AXES, pairs, strict=True)
+    }
+    update = {"links": links, "joints": {**mechanism.joints, **joints}, "drives": drives, "assembly": {}}
+    return mechanism.model_copy(update=update)
+
+
+def _unused(name: str, taken: set[str]) -> str:
+    while name in taken:
+        name += "_"
+    return name
+
+
+def _origin(point: str) -> Link:
+    """A link with one point, at its origin."""
+    return Link.model_validate({"points": {point: [0, 0]}})

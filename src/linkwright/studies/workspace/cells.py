@@ -1,0 +1,266 @@
+"""The plane of the working point in square cells, each decided by enclosures: reached, not reached, or open.
+
+A cell is reached when one pose has all its functions positive all over it; it isn't when each pose has a negative one.
+Others are cut into four, down to a size; then on where the edge of the region doesn't run through as one line. What the
+open cells hold is bounded by their functions' linear parts and what these leave (the mean value form: Moore, Kearfott,
+Cloud, Introduction to Interval Analysis, 2009, ch. 6). So the area is enclosed, whatever curves are drawn.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.enclosures.forms import Form
+from linkwright.studies.workspace.places import Places
+
+Array = NDArray[np.float64]
+Rows = NDArray[np.intp]
+Mask = NDArray[np.bool_]
+
+COARSE = 3
+"""The plane is cut so often before anything is decided ..."""
+FINE = 8
+"""... and the region's extent into two to this power cells along a side, before ..."""
+DEEP = 12
+"""... cells that more than one line may pass are halved so many times more, ..."""
+SHARP = 0.02
+"""... or of which more than this share is left open, ..."""
+MOST = 100_000
+"""... as long as they are no more than that, ..."""
+FEW, LITTLE = 400, 2e-4
+"""... and of more than so many as long as they are more than this share of the area of all."""
+
+
+CORNERS = np.array([[-1.0, 1.0, -1.0, 1.0], [-1.0, -1.0, 1.0, 1.0]])
+"""A square's corners ..."""
+SIDES = np.array([[0, 1], [0, 2], [1, 3], [2, 3]])
+"""... and its sides by these."""
+
+
+@dataclass
+class Cells:
+    """Square cells: the corner (m) and side (m) of the whole, numbers (2, n) and ``level`` (n,) of each."""
+
+    corner: Array
+    side: float
+    number: Rows
+    level: Rows
+
+    @property
+    def size(self) -> Array:
+        """The sides (m): (n,)."""
+        return self.side * 2.0 ** -self.level.astype(float)
+
+    @property
+    def low(self) -> Array:
+        """The lower left corners: (2, n)."""
+        return self.corner[:, None] + self.number * self.size
+
+    @property
+    def high(self) -> Array:
+        """The upper right corners; those of neighbours are the same numbers."""
+        return self.corner[:, None] + (self.number + 1) * self.size
+
+    @property
+    def middle(self) -> Array:
+        """The centres."""
+        return self.corner[:, None] + (self.number + 0.5) * self.size
+
+    def some(self, which: Mask | Rows) -> Cells:
+        """Some of the cells."""
+        return Cells(self.corner, self.side, self.number[:, which], self.level[which])
+
+    def quarters(self) -> Cells:
+        """Each cut into four, which follow each other."""
+        number = np.repeat(2 * self.number, 4, axis=1)
+        number += np.tile([[0, 1, 0, 1], [0, 0, 1, 1]], self.level.size)
+        return Cells(self.corner, self.side, number, np.repeat(self.level + 1, 4))
+
+
+def joined(parts: list[Cells]) -> Cells:
+    """Several sets of cells of one square as one."""
+    number = np.concatenate([part.number for part in parts], axis=1)
+    return Cells(parts[0].corner, parts[0].side, number, np.concatenate([part.level for part in parts]))
+
+
+@dataclass
+class Decided:
+    """What is decided of the plane: cells that are ``reached``, that are ``never``, and ``open`` ones. Of these
+    ``least`` and ``most`` (n,) bound the share that is reached, and ``sides`` (n, 4) says which are reached all along, 1,
+    or not anywhere, -1; 0 where that is undecided. ``edge`` are the cells of all that isn't decided in which the region's edge is to be
+    traced: larger where it is one line."""
+
+    reached: Cells
+    never: Cells
+    open: Cells
+    edge: Cells
+    least: Array
+    most: Array
+    sides: NDArray[np.int8]
+
+    @property
+    def area(self) -> tuple[float, float]:
+        """The area (m2) of the region lies between these."""
+        inner = float((self.reached.size**2).sum())
+        own = self.open.size**2
+        slack = 1e-13 * (inner + float(own.sum()))  # the sums' own round-off
+        return inner + float((self.least * own).sum()) - slack, inner + float((self.most * own).sum()) + slack
+
+
+def decided(places: Places, corner: Array, side: float, extent: float) -> Decided:
+    """The square of a ``side`` from a ``corner`` (2,), in which all of a region of some ``extent`` (m) lies."""
+    axis = np.arange(2**COARSE)
+    cells = Cells(corner, side, np.stack(np.meshgrid(axis, axis)).reshape(2, -1), np.full(4**COARSE, COARSE))
+    count = len(places.branches)
+    of, branch = np.repeat(np.arange(cells.level.size), count), np.tile(np.arange(count), cells.level.size)
+    fine, whole = int(np.ceil(np.log2(side / extent))) + FINE, cells.some(slice(0, 0))
+    reached, never, open_, edge, bounds = [whole], [whole], [whole], [whole], []
+    traced, area = np.zeros(cells.level.size, dtype=bool), 0.0
+    while cells.level.size:
+        level, size = int(cells.level[0]), float(cells.size[0])
+        forms = _Forms(places.forms(cells.middle[:, of], np.full(of.size, size / 2), branch), of, cells.level.size)
+        reached.append(cells.some(forms.reached))
+        never.append(cells.some(~forms.alive))
+        area += size**2 * int(forms.reached.sum())
+        going = forms.alive & ~forms.reached
+        kept = going[of] & ~forms.dead
+        if level >= fine:
+            plain, shares = forms.plain(kept), forms.shares(kept)
+            none = going & (shares[1] <= 0)
+            never.append(cells.some(none))
+            going &= ~none
+            kept &= going[of]
+            rest = going & ~(plain & (shares[1] - shares[0] < SHARP))
+            more = int(rest.sum())
+            last = level >= fine + DEEP or 4 * more > MOST or (more > FEW and more * size**2 < LITTLE * area)
+            stays = going if last else going & ~rest
+            drawn = going & ~traced & (plain | stays)
+            edge.append(cells.some(drawn))
+            traced |= drawn
+            open_.append(cells.some(stays))
+            bounds.append([part[stays] for part in shares])
+            going &= ~stays
+            kept &= going[of]
+        new = np.cumsum(going) - 1
+        of, branch = new[of[kept]], branch[kept]
+        cells, traced = cells.some(going).quarters(), np.repeat(traced[going], 4)
+        of, branch = (4 * of[:, None] + np.arange(4)).ravel(), np.repeat(branch, 4)
+    parts = [np.concatenate(part) for part in zip(*bounds, strict=True)] or [np.empty(0), np.empty(0), np.empty((0, 4), dtype=np.int8)]
+    return Decided(*map(joined, (reached, never, open_, edge)), *parts)
+
+
+class _Forms:
+    """The functions of pairs of a cell, numbered ``of``, and a branch as linear forms over the cell.
+
+    A function is ``open`` where its sign isn't known all over the cell; a pair ``dead`` where one is negative.
+    """
+
+    def __init__(self, forms: Form, of: Rows, count: int) -> None:
+        self.of, self.count = of, count
+        low, high = forms.ends
+        self.known = np.isfinite(low) & np.isfinite(high)
+        self.value, self.rest = np.where(self.known, forms.value, 0.0), np.where(self.known, forms.rest, np.inf)
+        self.slope = np.where(self.known, np.stack([forms.u, forms.v]), 0.0)
+        self.open = ~((low > 0) | (high < 0))
+        self.dead = (high < 0).any(axis=0)
+        self.reached, self.alive = np.zeros(count, dtype=bool), np.zeros(count, dtype=bool)
+        self.reached[of[(low > 0).all(axis=0)]] = True
+        self.alive[of[~self.dead]] = True
+
+    def plain(self, kept: Mask) -> Mask:
+        """In which cells all open functions of the pairs ``kept`` grow along one direction, by more than what their
+        forms leave open: (cells,). Then the region's edge is one line, at that width."""
+        open_ = self.open & kept
+        with np.errstate(all="ignore"):
+            unit = np.where(open_ & self.known, self.slope / np.hypot(*self.slope), 0.0)
+        way = np.zeros((2, self.count))
+        for k in range(2):
+            np.add.at(way[k], self.of, np.nan_to_num(unit[k]).sum(axis=0))
+        with np.errstate(all="ignore"):
+            way = way / np.hypot(*way)
+            grows = (way[:, self.of][:, None] * self.slope).sum(axis=0) > self.rest
+        bad = (open_ & ~grows).any(axis=0)
+        found = np.ones(self.count, dtype=bool)
+        found[self.of[bad]] = False
+        return found
+
+    def shares(self, kept: Mask) -> tuple[Array, Array, NDArray[np.int8]]:
+        """Bounds of the share of each cell that is reached, (cells,) both, and what is known of its sides."""
+        pairs = np.flatnonzero(kept)
+        of, count = self.of[pairs], self.count
+        value, rest, slope = self.value[:, pairs], self.rest[:, pairs], self.slope[:, :, pairs]
+        open_, known = self.open[:, pairs], self.known[:, pairs]
+        sure = np.where(open_, np.where(known, _share(value - rest, slope), 0.0), 1.0)
+        may = np.where(open_ & known, _share(value + rest, slope), 1.0)
+        least, most = np.zeros(count), np.zeros(count)
+        np.maximum.at(least, of, np.maximum(1.0 - (1.0 - sure).sum(axis=0), 0.0))
+        # Poses that differ behind a root share it: what it leaves counts once.
+        which, row = may.argmin(axis=0), np.arange(pairs.size)
+        key = np.stack([of, which, value[which, row], rest[which, row]])
+        _, first = np.unique(key, axis=1, return_index=True)
+        np.add.at(most, of[first], may.min(axis=0)[first])
+        corners = value + np.einsum("akn,ac->ckn", slope, CORNERS)
+        with np.errstate(all="ignore"):
+            above, below = ~open_ | (known & (corners - rest > 0)), open_ & known & (corners + rest < 0)
+        first, last = SIDES.T
+        within = (above[first] & above[last]).all(axis=1)  # forms are straight: what holds at both ends does between
+        without = (below[first] & below[last]).any(axis=1)
+        sides = np.zeros((count, len(SIDES)), dtype=np.int8)
+        for k in range(len(SIDES)):
+            sides[:, k] = -1
+            np.maximum.at(sides[:, k], of, np.where(within[k], 1, np.where(without[k], -1, 0)).astype(np.int8))
+        return least, np.minimum(most, 1.0), sides
+
+
+def _share(value: Array, slope: Array) -> Array:
+    """The share of the square from -1 to 1 in which value + slope . (u, v) is positive."""
+    with np.errstate(all="ignore"):
+        p, q = np.maximum(*np.abs(slope)), np.minimum(*np.abs(slope))
+        straight = 0.5 + value / (2 * p)
+        corner = (p + q - np.abs(value)) ** 2 / (8 * p * q)
+        found = np.where(np.abs(value) <= p - q, straight, np.where(value > 0, 1 - corner, corner))
+        found = np.where(np.abs(value) >= p + q, (value > 0).astype(float), found)
+    return np.clip(np.where(np.isnan(found), np.where(value > 0, 1.0, 0.0), found), 0.0, 1.0)
+
+
+def key(at: Rows) -> Any:
+    """One number for each corner of a fine grid, (2, ...)."""
+    return (at[0] << 32) | at[1]
+
+
+def known_corners(cells: Cells, deepest: int) -> Rows:
+    """The keys of the corners of cells, and of those that they were cut from, down to the size of the largest; on a
+    grid of the ``deepest`` level."""
+    number, level, found = cells.number, cells.level, []
+    while number.shape[1]:
+        unit = 2 ** (deepest - level)
+        found.append(np.concatenate([key((number + [[i], [k]]) * unit) for i in (0, 1) for k in (0, 1)]))
+        above = level > cells.level.min()
+        _, first = np.unique(key(number[:, above] // 2) + (level[above] << 58), return_index=True)
+        number, level = number[:, above][:, first] // 2, level[above][first] - 1
+    return np.unique(np.concatenate(found)) if found else np.empty(0, dtype=int)
+
+
+def cut_sides(cells: Cells, deepest: int, known: Rows) -> tuple[Rows, Rows, Rows, Rows]:
+    """The sides of cells cut at corners known by their keys, on a grid of the ``deepest`` level: their starts and ends
+    (2, n), the cells (n,) and which of the :data:`SIDES` of each it is a piece of."""
+    unit = 2 ** (deepest - cells.level)
+    ends = (cells.number[:, None] + (CORNERS[:, :, None] > 0)) * unit  # (2, 4, cells)
+    start, stop = (ends[:, corner].reshape(2, -1) for corner in SIDES.T)
+    own, which = np.tile(np.arange(unit.size), len(SIDES)), np.repeat(np.arange(len(SIDES)), unit.size)
+    done = []
+    while own.size:
+        middle = (start + stop) // 2
+        cut = (np.abs(stop - start).max(axis=0) > 1) & np.isin(key(middle), known)
+        done.append((start[:, ~cut], stop[:, ~cut], own[~cut], which[~cut]))
+        start, stop = (
+            np.concatenate([start[:, cut], middle[:, cut]], axis=1),
+            np.concatenate([middle[:, cut], stop[:, cut]], axis=1),
+        )
+        own, which = np.tile(own[cut], 2), np.tile(which[cut], 2)
+    first, last, cell, side = (np.concatenate(part, axis=-1) for part in zip(*done, strict=True))
+    return first, last, cell, side

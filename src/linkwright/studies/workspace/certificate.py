@@ -1,0 +1,180 @@
+"""What is proven of a region: its area between two bounds, its parts and holes; and what contradicts its shape.
+
+The cells (:mod:`linkwright.studies.workspace.cells`) know nothing of the shape that is drawn, nor do the values of the
+drives at random, mapped forward. A part or hole is sure if it has a decided cell, and if the counts stay what they are
+when all that is open is given to the region, and when it is taken from it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.studies.workspace.cells import SIDES, Cells, Decided, cut_sides, joined, key, known_corners
+from linkwright.studies.workspace.places import Places
+from linkwright.studies.workspace.shapes import pieces
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+ENCLOSED, SEARCHED = "enclosed", "searched"
+OPEN = 0.01
+"""A region of whose area more than this share is open isn't certified."""
+BESIDE = 4.0
+"""The edge may run into a decided cell by so many chords."""
+BACK = 400
+"""So many places are mapped back and forth ..."""
+CLOSE = 1e-9
+"""... and come back within this share of the region's extent."""
+
+
+@dataclass(frozen=True)
+class Fault:
+    """What contradicts a region: which ``kind`` of contradiction, of what ``size`` (m2, m or a share), and where (m)."""
+
+    kind: str
+    size: float
+    at: tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """``area`` (m2) holds the region's area between two bounds; ``parts`` and ``holes`` say whether these counts are
+    sure, ``finest`` (m) below which width nothing is told of others."""
+
+    grade: str
+    area: tuple[float, float] | None = None
+    parts: bool = False
+    holes: bool = False
+    finest: float = 0.0
+    faults: tuple[Fault, ...] = ()
+
+    @property
+    def certified(self) -> bool:
+        """Whether the area is enclosed and nothing contradicts the shape."""
+        return self.grade == ENCLOSED and not self.faults
+
+    @property
+    def open(self) -> float | None:
+        """The area (m2) that is left open."""
+        return None if self.area is None else self.area[1] - self.area[0]
+
+
+def certified(places: Places, decided: Decided, shape: Any, chord: float) -> Certificate:
+    """The certificate of a shape."""
+    low, high = decided.area
+    faults = [*_area(decided, shape, chord), *_cells(decided, shape, chord), *_back(places, decided, shape)]
+    parts, holes = _counts(decided)
+    polygons = pieces(shape)
+    own = len(polygons), sum(len(polygon.interiors) for polygon in polygons)
+    finest = float(decided.open.size.max(initial=0.0))
+    return Certificate(ENCLOSED, (low, high), parts == own[0], holes == own[1], finest, tuple(faults))
+
+
+def _area(decided: Decided, shape: Any, chord: float) -> list[Fault]:
+    """The area beyond its bounds, or too much of it open."""
+    low, high = decided.area
+    slack, found = chord * shape.length, []
+    off = max(low - shape.area - slack, shape.area - high - slack)
+    where = _worst(decided)
+    if off > 0:
+        found.append(Fault("area", off, where))
+    if high - low > OPEN * max(shape.area, low):
+        found.append(Fault("open", high - low, where))
+    return found
+
+
+def _worst(decided: Decided) -> tuple[float, float]:
+    """The middle of the cell that leaves most open."""
+    left = (decided.most - decided.least) * decided.open.size**2
+    if not left.size:
+        return 0.0, 0.0
+    x, y = decided.open.middle[:, int(left.argmax())].tolist()
+    return x, y
+
+
+def _cells(decided: Decided, shape: Any, chord: float) -> list[Fault]:
+    """Decided cells that lie on the other side of the edge, and such into which it runs."""
+    import shapely
+
+    found = []
+    shapely.prepare(shape)
+    for cells, inside, kind in ((decided.reached, True, "left-out"), (decided.never, False, "too-much")):
+        wrong = shapely.contains_xy(shape, *cells.middle) != inside
+        if wrong.any():
+            sizes = cells.size[wrong] ** 2
+            x, y = cells.middle[:, wrong][:, int(sizes.argmax())].tolist()
+            found.append(Fault(kind, float(sizes.sum()), (x, y)))
+    cells = joined([decided.reached, decided.never])
+    margin = BESIDE * chord
+    wide = cells.some(cells.size > 4 * margin)
+    corners = shapely.get_coordinates(shape).T
+    within = _inside(wide, corners, margin)
+    if within.any():
+        x, y = corners[:, within][:, 0].tolist()
+        found.append(Fault("edge", float(within.sum()), (x, y)))
+    return found
+
+
+def _inside(cells: Cells, at: Array, margin: float) -> Mask:
+    """Which places (2, n) lie in one of some cells, by more than a margin."""
+    found = np.zeros(at.shape[1], dtype=bool)
+    for level in np.unique(cells.level):
+        size = cells.side * 2.0 ** -float(level)
+        number = np.floor((at - cells.corner[:, None]) / size).astype(np.int64)
+        away = at - cells.corner[:, None] - number * size  # from the lower left corner
+        deep = np.minimum(away, size - away).min(axis=0) > margin
+        found |= deep & np.isin(key(number), key(cells.number[:, cells.level == level]))
+    return found
+
+
+def _back(places: Places, decided: Decided, shape: Any) -> list[Fault]:
+    """Places of decided cells whose drive values lead elsewhere, or from which no pose comes back."""
+    cells = decided.reached
+    if not cells.level.size:
+        return []
+    some = np.random.default_rng(0).integers(0, cells.level.size, BACK)
+    at = cells.low[:, some] + np.random.default_rng(1).uniform(0, 1, (2, BACK)) * cells.size[some]
+    q, depth = places.drives(at)
+    branch = depth.argmax(axis=0)
+    values = q[branch, :, np.arange(BACK)].T
+    back = places.sheet.place(values)[0]
+    off = np.hypot(*(back - at))
+    extent = max(shape.bounds[2] - shape.bounds[0], shape.bounds[3] - shape.bounds[1]) if not shape.is_empty else 0.0
+    wrong = ~(off <= CLOSE * extent) & (places.sheet.place(values)[1] > 1e-9)
+    if not wrong.any():
+        return []
+    x, y = at[:, wrong][:, 0].tolist()
+    return [Fault("back", float(wrong.mean()), (x, y))]
+
+
+def _counts(decided: Decided) -> tuple[int | None, int | None]:
+    """How many parts and holes the region has, each ``None`` where that isn't sure."""
+    cells = joined([decided.reached, decided.never, decided.open])
+    first, count = decided.reached.level.size, decided.reached.level.size + decided.never.level.size
+    told = np.zeros((cells.level.size, len(SIDES)), dtype=np.int8)
+    told[:first], told[first:count], told[count:] = 1, -1, decided.sides
+    deepest = int(cells.level.max(initial=0))
+    start, stop, cell, side = cut_sides(cells, deepest, known_corners(cells, deepest))
+    keys, ends = np.unique([key(start), key(stop)], return_inverse=True)
+    ends = ends.reshape(2, -1)
+    kind = np.where(cell < first, 1, np.where(cell < count, -1, 0))
+    sure = [_hung(ends[:, told[cell, side] == way], ends[:, kind == way], keys.size) for way in (1, -1)]
+    most = [_hung(ends[:, kind != -way], ends[:, kind != -way], keys.size) for way in (1, -1)]
+    parts = sure[0] if sure[0] == most[0] else None
+    holes = sure[1] - 1 if sure[1] == most[1] else None
+    return parts, holes
+
+
+def _hung(pairs: Any, held: Any, size: int) -> int:
+    """How many sets of corners hang together by pairs (2, n), of those that hold one of ``held`` (2, m)."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    if not held.size:
+        return 0
+    graph = coo_array((np.ones(pairs.shape[1], dtype=np.int8), (pairs[0], pairs[1])), shape=(size, size))
+    return int(np.unique(connected_components(graph, directed=False)[1][held]).size)

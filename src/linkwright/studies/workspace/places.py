@@ -1,0 +1,176 @@
+"""Which places of the plane a mode reaches: decided by the signs of a few functions of the place.
+
+All poses in which the working point is at a place are known in closed form (:mod:`linkwright.graph.inverse`). Each is
+one of a mode's, within the drives' ranges, if every function of it is positive: what stands under the roots (a zero is
+a dead position of the output, where two poses meet), the closures' determinants with the mode's sign (a zero is an
+uncertain position), and the distances from the ends of the drives' ranges. A place is reached if some pose has all of
+them positive; the number of such poses tells how often the mode covers it.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.enclosures.forms import Form
+from linkwright.enclosures.program import BOXES, Stage
+from linkwright.graph.inverse import Inverse, inverse
+from linkwright.kernels import KERNELS, Compiled
+from linkwright.kernels.registry import Kernel
+from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.sheet import Sheet
+
+Array = NDArray[np.float64]
+Rows = NDArray[np.intp]
+
+LOOKS = 200
+"""Values of the drives at which it is seen which sign of a determinant belongs to which branch."""
+BLOCK = 4096
+"""So many squares are enclosed at a time: their numbers stay in the processor's cache."""
+FOLD, MODES, LIMIT = "singular", "modes", "limit"
+
+
+@dataclass(frozen=True)
+class Poses:
+    """The poses of a mechanism turned round, with which sign of a closure's determinant belongs to branch +1."""
+
+    inverse: Inverse
+    signs: tuple[float, ...]
+    kernel: Kernel
+
+    @classmethod
+    def of(cls, compiled: Compiled, point: str) -> Poses | None:
+        """``None`` where the poses aren't in closed form."""
+        return compiled.kept(("poses", point), lambda: _poses(compiled, point))
+
+
+def _poses(compiled: Compiled, point: str) -> Poses | None:
+    found = inverse(compiled.graph, point)
+    signs = _signs(compiled)
+    if found is None or signs is None:
+        return None
+    return Poses(found, signs, KERNELS["numpy"](found.program))
+
+
+def _signs(compiled: Compiled) -> tuple[float, ...] | None:
+    """The sign that each group's determinant has in branch +1; ``None`` where some has both or none."""
+    graph, rng = compiled.graph, np.random.default_rng(0)
+    rows = [f"determinant:{group.label}" for group in graph.branched]
+    x = np.zeros((len(graph.inputs), LOOKS))
+    for i, drive in enumerate(graph.drives):
+        turns = compiled.mechanism.prescribed(drive).turns
+        x[i * graph.width] = rng.uniform(-np.pi, np.pi, LOOKS) if turns else rng.normal(0, 2 * graph.size, LOOKS)
+    first = len(graph.drives) * graph.width
+    branches = rng.choice([-1.0, 1.0], (len(rows), LOOKS))
+    x[first : graph.first_unknown] = branches
+    with np.errstate(all="ignore"):
+        found = np.sign(KERNELS["numpy"](graph.program(rows)).run(x, compiled.parameters)) * branches
+    kept = [set(row[np.isfinite(row) & (row != 0)].tolist()) for row in found]
+    return tuple(one.pop() for one in kept) if all(len(one) == 1 for one in kept) else None
+
+
+class Places:
+    """The places that a mode reaches with its drives in their ranges."""
+
+    def __init__(self, poses: Poses, sheet: Sheet, box: Box) -> None:
+        self.poses, self.sheet, self.box = poses, sheet, box
+        self.inverse = poses.inverse
+        self.branches = np.array(self.inverse.branches())
+        rows, self.kinds = self._combined()
+        self.rows = np.array(rows)
+
+    def _combined(self) -> tuple[list[Array], list[str]]:
+        """Each function as coefficients of the program's rows, the last of 1; and its kind."""
+        names = [*self.inverse.names, ""]
+        unit = dict(zip(names, np.eye(len(names)), strict=True))
+        rows = [unit[f"room:{group.label}"] for group in self.inverse.groups]
+        kinds = [FOLD] * len(rows)
+        for group, own, sign in zip(self.inverse.modes, self.poses.signs, self.sheet.branches, strict=True):
+            rows.append(own * sign * unit[f"closure:{group.label}"])
+            kinds.append(MODES)
+        for k, drive in enumerate(self.inverse.drives):
+            low, high = self.box.low[k], self.box.high[k]
+            if self.inverse.turns(drive):
+                middle, half = (low + high) / 2, (high - low) / 2
+                found = [math.cos(middle) * unit[f"{drive}:cos"] + math.sin(middle) * unit[f"{drive}:sin"]]
+                found = [] if self.box.turns[k] else [found[0] - math.cos(half) * unit[""]]
+            else:
+                found = [way * (unit[f"{drive}:travel"] - end * unit[""]) for way, end in ((1.0, low), (-1.0, high))]
+            rows += found
+            kinds += [LIMIT] * len(found)
+        return rows, kinds
+
+    def _rows(self, at: Array, branch: Rows) -> Array:
+        with np.errstate(all="ignore"):
+            return self.poses.kernel.run(np.concatenate([at, self.branches[branch].T]), self.sheet.parameters)
+
+    def functions(self, at: Array) -> Array:
+        """The functions at places (2, n): (branches, functions, n), NaN behind a negative one."""
+        count, n = len(self.branches), at.shape[1]
+        found = self._rows(np.tile(at, count), np.repeat(np.arange(count), n))
+        with np.errstate(all="ignore"):
+            return (self.rows[:, :-1] @ found + self.rows[:, -1:]).reshape(len(self.rows), count, n).swapaxes(0, 1)
+
+    def depths(self, at: Array) -> Array:
+        """The least function of each pose, (branches, n): positive where it is one of the mode's."""
+        functions = self.functions(at)
+        least = np.fmin.reduce(functions, axis=1)
+        vague = np.isnan(functions).any(axis=1) & ~(least < 0)
+        return np.where(vague, -np.inf, least)
+
+    def depth(self, at: Array) -> Array:
+        """Positive at the places (2, n) that are reached, negative elsewhere: (n,)."""
+        return np.asarray(self.depths(at).max(axis=0))
+
+    def count(self, at: Array) -> Rows:
+        """How many poses reach each place (2, n): (n,)."""
+        return np.asarray((self.depths(at) > 0).sum(axis=0))
+
+    def drives(self, at: Array) -> tuple[Array, Array]:
+        """The drives' values (rad or m) at places (2, n) in the poses of all branches, (branches, 2, n), and the
+        least function of each, (branches, n)."""
+        count, n = len(self.branches), at.shape[1]
+        found = self._rows(np.tile(at, count), np.repeat(np.arange(count), n)).reshape(-1, count, n)
+        names = self.inverse.names
+        values = []
+        for k, drive in enumerate(self.inverse.drives):
+            if self.inverse.turns(drive):
+                angle = np.arctan2(found[names.index(f"{drive}:sin")], found[names.index(f"{drive}:cos")])
+                values.append(self.box.low[k] + (angle - self.box.low[k]) % (2 * np.pi))
+            else:
+                values.append(found[names.index(f"{drive}:travel")])
+        return np.stack(values, axis=1), self.depths(at)
+
+    @cached_property
+    def _stage(self) -> Stage:
+        program = self.inverse.program
+        return Stage(program.block, self.sheet.parameters, range(len(program.outputs)), BOXES)
+
+    def forms(self, middle: Array, half: Array, branch: Rows) -> Form:
+        """The functions over squares about ``middle`` (2, n) of ``half`` their sides (n,), each in one branch (n,) by
+        its number, as linear forms of coordinates from -1 to 1: arrays (functions, n). They hold for the places of a
+        square at which the pose exists."""
+        parts = np.empty((4, len(self.rows), half.size))
+        for start in range(0, half.size, BLOCK):
+            some = slice(start, start + BLOCK)
+            for k, one in enumerate(self._block(middle[:, some], half[some], branch[some])):
+                parts[:, k, some] = np.stack(np.broadcast_arrays(one.value, one.u, one.v, one.rest))
+        return Form(*parts)
+
+    def _block(self, middle: Array, half: Array, branch: Rows) -> list[Form]:
+        zero = np.zeros_like(half)
+        x = [Form(middle[0], half, zero), Form(middle[1], zero, half)]
+        x += [Form(row, zero, zero) for row in self.branches[branch].T]
+        with np.errstate(all="ignore"):
+            rows = self._stage(x.__getitem__)
+            return [self._mixed(rows, coefficients) for coefficients in self.rows]
+
+    def _mixed(self, rows: list[Form], coefficients: Array) -> Form:
+        total = Form(float(coefficients[-1]))
+        for k in np.flatnonzero(coefficients[:-1]):
+            total = total + rows[k] * Form(float(coefficients[k]))
+        return total
