@@ -152,7 +152,7 @@ def _lines(plane: Plane, axes: tuple[Array, Array], values: Array) -> Iterator[t
     import shapely
 
     flat = values.ravel()
-    pairs, ends = crossings(halves(*values.shape), flat)
+    pairs, ends, _ = crossings(halves(*values.shape), flat)
     if not len(pairs):
         return
     grid = np.stack(np.meshgrid(*axes)).reshape(2, -1)

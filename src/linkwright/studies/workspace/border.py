@@ -29,6 +29,8 @@ ROUNDS = 30
 """Pieces are halved at most so many times."""
 WAYS = ((-0.03, 0.03), (-0.3, 0.3), (-1.5, 1.5))
 """The edge is looked for on the normal through a piece's middle, these shares of its length away."""
+FIRST = 4.0
+"""What looks straight at first has to be so by so much more: its ends may turn the other way."""
 SHARE = 1e-6
 """Pieces shorter than this share of the chord tolerance are halved no more."""
 
@@ -36,19 +38,33 @@ SHARE = 1e-6
 def border(depth: Depth, cells: Cells, chord: float) -> tuple[Array, Array, float]:
     """Pieces of the edge by their ends (2, n) both, and by how much at most (m) one may be off that couldn't be
     followed: 0 where all could."""
-    corners, triangles = triangulated(cells)
-    values = depth(corners)
-    pairs, ends = crossings(triangles, np.where(values > 0, 1.0, -1.0))
-    start, way = corners[:, pairs[:, 0]], corners[:, pairs[:, 1]] - corners[:, pairs[:, 0]]
+    corners, triangles, cell = triangulated(cells)
+    pairs, ends, of = crossings(triangles, np.where(depth(corners) > 0, 1.0, -1.0))
+    ends = _through(ends, cell[of], np.isin(pairs, triangles[:, 0]).any(axis=1))
+    used, ends = np.unique(ends, return_inverse=True)
+    start, way = corners[:, pairs[used, 0]], corners[:, pairs[used, 1]] - corners[:, pairs[used, 0]]
 
     def along(share: Array, rows: Rows) -> Array:
         return depth(start[:, rows] + share * way[:, rows])
 
-    count = len(pairs)
+    count = used.size
     near = NEAR * chord / np.hypot(*way)
     share = bracketed(along, np.arange(count), np.zeros(count), np.ones(count), near=near)
-    places = start + share * way
-    return followed(depth, places[:, ends[:, 0]], places[:, ends[:, 1]], chord)
+    a, b = (start + share * way)[:, ends.reshape(-1, 2)].transpose(2, 0, 1)
+    return followed(depth, a, b, chord)
+
+
+def _through(ends: Rows, cell: Rows, inner: NDArray[np.bool_]) -> Rows:
+    """Pieces (n, 2) of lines by their ends, each in a cell (n,): one piece from side to side of each cell that one line
+    passes, where ``inner`` says which ends lie within cells."""
+    count = int(cell.max(initial=-1)) + 1
+    outer = ~inner[ends]
+    number = np.zeros(count, dtype=int)
+    np.add.at(number, cell, outer.sum(axis=1))
+    once = number[cell] == 2
+    row, side = np.nonzero(outer & once[:, None])
+    order = np.argsort(cell[row], kind="stable")
+    return np.concatenate([ends[~once], ends[row, side][order].reshape(-1, 2)])
 
 
 def followed(depth: Depth, a: Array, b: Array, chord: float) -> tuple[Array, Array, float]:
@@ -58,26 +74,32 @@ def followed(depth: Depth, a: Array, b: Array, chord: float) -> tuple[Array, Arr
     for turn in range(ROUNDS):
         if not a.shape[1]:
             break
+        long = np.hypot(*(b - a))
+        straight = _straight(depth, a, b, chord / (1 if turn else FIRST))
+        done.append((a[:, straight], b[:, straight]))
+        a, b, long = a[:, ~straight], b[:, ~straight], long[~straight]
         middle, found = beside(depth, a, b, ways=WAYS, near=NEAR * chord)
-        away, long = distance(middle, a, b), np.hypot(*(b - a))
-        fine = found & (away <= chord) & (turn > 0)
-        lost = ~found | (long < SHARE * chord)
-        if turn == ROUNDS - 1:
-            lost = ~fine
+        lost = ~found | (long < SHARE * chord) | (turn == ROUNDS - 1)
         off = max(off, float(long[lost].max(initial=0.0)))
-        rest = ~(fine | lost)
-        done.append((a[:, ~rest], b[:, ~rest]))
+        done.append((a[:, lost], b[:, lost]))
         a, b = (
-            np.concatenate([a[:, rest], middle[:, rest]], axis=1),
-            np.concatenate([middle[:, rest], b[:, rest]], axis=1),
+            np.concatenate([a[:, ~lost], middle[:, ~lost]], axis=1),
+            np.concatenate([middle[:, ~lost], b[:, ~lost]], axis=1),
         )
     whole = [np.concatenate([a[:, :0], *part], axis=1) for part in zip(*done, strict=True)] if done else [a, b]
     return whole[0], whole[1], off
 
 
-def triangulated(cells: Cells) -> tuple[Array, Rows]:
-    """Corners (2, n) and triangles (triangles, 3) of cells: each about its middle, its sides cut at all corners of its
-    neighbours."""
+def _straight(depth: Depth, a: Array, b: Array, near: Array | float) -> NDArray[np.bool_]:
+    """Whether the edge passes the middle of pieces at less than ``near`` (m) to either side."""
+    across = np.stack([a[1] - b[1], b[0] - a[0]]) / np.hypot(*(b - a))
+    one, other = (depth((a + b) / 2 + way * near * across) > 0 for way in (1.0, -1.0))
+    return np.asarray(one != other)
+
+
+def triangulated(cells: Cells) -> tuple[Array, Rows, Rows]:
+    """Corners (2, n) and triangles (triangles, 3) of cells, and the cell of each (triangles,): each about its middle,
+    which comes first, its sides cut at all corners of its neighbours."""
     deepest = int(cells.level.max(initial=0)) + 1
     first, last, cell, _ = cut_sides(cells, deepest, known_corners(cells, deepest))
     unit = 2 ** (deepest - cells.level)
@@ -85,7 +107,7 @@ def triangulated(cells: Cells) -> tuple[Array, Rows]:
     every = np.stack([key(centre), key(first), key(last)], axis=1)
     keys, triangles = np.unique(every, return_inverse=True)
     corner = cells.corner[:, None] + np.stack([keys >> 32, keys & 0xFFFFFFFF]) * (cells.side / 2.0**deepest)
-    return corner, triangles.reshape(every.shape)
+    return corner, triangles.reshape(every.shape), cell
 
 
 def polygons(depth: Depth, a: Array, b: Array, chord: float) -> Any:

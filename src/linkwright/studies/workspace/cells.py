@@ -31,8 +31,11 @@ SHARP = 0.02
 """... or of which more than this share is left open, ..."""
 MOST = 100_000
 """... as long as they are no more than that, ..."""
-FEW, LITTLE = 400, 2e-4
-"""... and of more than so many as long as they are more than this share of the area of all."""
+BLUNT = 0.5
+"""The edge is one line where all that bounds it grows along one direction within 60 degrees, so that its corners are
+blunt."""
+FEW, LITTLE = 400, 5e-4
+"""... and of more than so many as long as more than this share of the area of all is open."""
 
 
 CORNERS = np.array([[-1.0, 1.0, -1.0, 1.0], [-1.0, -1.0, 1.0, 1.0]])
@@ -87,12 +90,45 @@ def joined(parts: list[Cells]) -> Cells:
     return Cells(parts[0].corner, parts[0].side, number, np.concatenate([part.level for part in parts]))
 
 
+@dataclass(frozen=True)
+class Straight:
+    """Linear forms over cells, by pairs of a cell, numbered ``of`` (pairs,), and a pose that may reach it: ``value`` and
+    ``rest`` (functions, pairs), ``slope`` (2, functions, pairs); coordinates run from -1 to 1 over the cell. Functions
+    that are positive all over it are left as 1."""
+
+    of: Rows
+    value: Array
+    rest: Array
+    slope: Array
+
+    @property
+    def arrays(self) -> tuple[Array, Array, Array]:
+        """The forms alone."""
+        return self.value, self.rest, self.slope
+
+    def tells(self, cell: Rows, start: Array, stop: Array) -> NDArray[np.int8]:
+        """Of lines in cells, (n,), from ``start`` to ``stop`` (2, n) in their coordinates: 1 for those that are reached
+        all along, -1 for those that aren't anywhere, 0 where that is undecided."""
+        order = np.argsort(self.of, kind="stable")
+        first = np.searchsorted(self.of[order], cell)
+        count = np.searchsorted(self.of[order], cell, side="right") - first
+        line = np.repeat(np.arange(cell.size), count)
+        pair = order[np.arange(line.size) - np.repeat(np.cumsum(count) - count, count) + np.repeat(first, count)]
+        value, rest, slope = self.value[:, pair], self.rest[:, pair], self.slope[:, :, pair]
+        ends = [value + (slope * at[:, None, line]).sum(axis=0) for at in (start, stop)]
+        # The forms are straight: what holds at both ends holds between.
+        above = (np.minimum(*ends) > rest).all(axis=0)
+        below = (np.maximum(*ends) < -rest).any(axis=0)
+        found = np.full(cell.size, -1, dtype=np.int8)
+        np.maximum.at(found, line, np.where(above, 1, np.where(below, -1, 0)).astype(np.int8))
+        return found
+
+
 @dataclass
 class Decided:
     """What is decided of the plane: cells that are ``reached``, that are ``never``, and ``open`` ones. Of these
-    ``least`` and ``most`` (n,) bound the share that is reached, and ``sides`` (n, 4) says which are reached all along, 1,
-    or not anywhere, -1; 0 where that is undecided. ``edge`` are the cells of all that isn't decided in which the region's edge is to be
-    traced: larger where it is one line."""
+    ``least`` and ``most`` (n,) bound the share that is reached; ``forms`` are their functions. ``edge`` are the cells of
+    all that isn't decided in which the region's edge is to be traced: larger where it is one line."""
 
     reached: Cells
     never: Cells
@@ -100,7 +136,7 @@ class Decided:
     edge: Cells
     least: Array
     most: Array
-    sides: NDArray[np.int8]
+    forms: Straight
 
     @property
     def area(self) -> tuple[float, float]:
@@ -115,11 +151,40 @@ def decided(places: Places, corner: Array, side: float, extent: float) -> Decide
     """The square of a ``side`` from a ``corner`` (2,), in which all of a region of some ``extent`` (m) lies."""
     axis = np.arange(2**COARSE)
     cells = Cells(corner, side, np.stack(np.meshgrid(axis, axis)).reshape(2, -1), np.full(4**COARSE, COARSE))
-    count = len(places.branches)
+    fine = int(np.ceil(np.log2(side / extent))) + FINE
+    return _cut(places, cells, fine, fine + DEEP, LITTLE)
+
+
+def cut_on(places: Places, found: Decided, which: Mask) -> Decided:
+    """The same with some of the open cells cut on; the edge is traced in the same cells."""
+    rest = found.open.some(~which)
+    kept = ~which[found.forms.of]
+    number = np.cumsum(~which) - 1
+    forms = Straight(number[found.forms.of[kept]], *(part[..., kept] for part in found.forms.arrays))
+    made = [Decided(found.reached, found.never, rest, found.edge, found.least[~which], found.most[~which], forms)]
+    for level in np.unique(found.open.level[which]):
+        some = found.open.some(which & (found.open.level == level)).quarters()
+        made.append(_cut(places, some, int(level) + 1, int(level) + DEEP, 0.0))
+    return _together(made, found.edge)
+
+
+def _together(parts: list[Decided], edge: Cells) -> Decided:
+    """What is decided of several parts of the plane."""
+    first = np.cumsum([0, *(part.open.level.size for part in parts)])
+    of = np.concatenate([part.forms.of + start for part, start in zip(parts, first, strict=False)])
+    arrays = (np.concatenate(some, axis=-1) for some in zip(*(part.forms.arrays for part in parts), strict=True))
+    reached, never, open_ = (joined([getattr(part, name) for part in parts]) for name in ("reached", "never", "open"))
+    least, most = (np.concatenate([getattr(part, name) for part in parts]) for name in ("least", "most"))
+    return Decided(reached, never, open_, edge, least, most, Straight(of, *arrays))
+
+
+def _cut(places: Places, cells: Cells, fine: int, deep: int, little: float) -> Decided:
+    """Cells of one level, cut into four until they are decided; from level ``fine`` on only where the edge isn't one
+    line, down to level ``deep`` or until no more than a share ``little`` of the area is open."""
+    count, empty = len(places.branches), cells.some(slice(0, 0))
     of, branch = np.repeat(np.arange(cells.level.size), count), np.tile(np.arange(count), cells.level.size)
-    fine, whole = int(np.ceil(np.log2(side / extent))) + FINE, cells.some(slice(0, 0))
-    reached, never, open_, edge, bounds = [whole], [whole], [whole], [whole], []
-    traced, area = np.zeros(cells.level.size, dtype=bool), 0.0
+    reached, never, edge, made = [empty], [empty], [empty], [_nothing(empty, len(places.rows))]
+    traced, area, undecided = np.zeros(cells.level.size, dtype=bool), 0.0, 0.0
     while cells.level.size:
         level, size = int(cells.level[0]), float(cells.size[0])
         forms = _Forms(places.forms(cells.middle[:, of], np.full(of.size, size / 2), branch), of, cells.level.size)
@@ -129,28 +194,36 @@ def decided(places: Places, corner: Array, side: float, extent: float) -> Decide
         going = forms.alive & ~forms.reached
         kept = going[of] & ~forms.dead
         if level >= fine:
-            plain, shares = forms.plain(kept), forms.shares(kept)
-            none = going & (shares[1] <= 0)
+            least, most = forms.shares(kept)
+            none = going & (most <= 0)
             never.append(cells.some(none))
             going &= ~none
             kept &= going[of]
-            rest = going & ~(plain & (shares[1] - shares[0] < SHARP))
-            more = int(rest.sum())
-            last = level >= fine + DEEP or 4 * more > MOST or (more > FEW and more * size**2 < LITTLE * area)
+            plain = forms.plain(kept)
+            rest = going & ~(plain & (most - least < SHARP))
+            more, left = int(rest.sum()), undecided + float((most - least)[going].sum()) * size**2
+            last = level >= deep or 4 * more > MOST or (more > FEW and left < little * area)
             stays = going if last else going & ~rest
             drawn = going & ~traced & (plain | stays)
             edge.append(cells.some(drawn))
             traced |= drawn
-            open_.append(cells.some(stays))
-            bounds.append([part[stays] for part in shares])
+            open_ = cells.some(stays)
+            made.append(Decided(empty, empty, open_, empty, least[stays], most[stays], forms.straight(kept, stays)))
+            undecided += float((most - least)[stays].sum()) * size**2
             going &= ~stays
             kept &= going[of]
         new = np.cumsum(going) - 1
         of, branch = new[of[kept]], branch[kept]
         cells, traced = cells.some(going).quarters(), np.repeat(traced[going], 4)
         of, branch = (4 * of[:, None] + np.arange(4)).ravel(), np.repeat(branch, 4)
-    parts = [np.concatenate(part) for part in zip(*bounds, strict=True)] or [np.empty(0), np.empty(0), np.empty((0, 4), dtype=np.int8)]
-    return Decided(*map(joined, (reached, never, open_, edge)), *parts)
+    found = _together(made, joined(edge))
+    found.reached, found.never = joined(reached), joined(never)
+    return found
+
+
+def _nothing(empty: Cells, functions: int) -> Decided:
+    none = Straight(np.empty(0, dtype=np.intp), np.empty((functions, 0)), np.empty((functions, 0)), np.empty((2, functions, 0)))
+    return Decided(empty, empty, empty, empty, np.empty(0), np.empty(0), none)
 
 
 class _Forms:
@@ -182,14 +255,15 @@ class _Forms:
             np.add.at(way[k], self.of, np.nan_to_num(unit[k]).sum(axis=0))
         with np.errstate(all="ignore"):
             way = way / np.hypot(*way)
-            grows = (way[:, self.of][:, None] * self.slope).sum(axis=0) > self.rest
+            along = (way[:, self.of][:, None] * self.slope).sum(axis=0)
+            grows = (along > self.rest) & (along > BLUNT * np.hypot(*self.slope))
         bad = (open_ & ~grows).any(axis=0)
         found = np.ones(self.count, dtype=bool)
         found[self.of[bad]] = False
         return found
 
-    def shares(self, kept: Mask) -> tuple[Array, Array, NDArray[np.int8]]:
-        """Bounds of the share of each cell that is reached, (cells,) both, and what is known of its sides."""
+    def shares(self, kept: Mask) -> tuple[Array, Array]:
+        """Bounds of the share of each cell that is reached: (cells,) both."""
         pairs = np.flatnonzero(kept)
         of, count = self.of[pairs], self.count
         value, rest, slope = self.value[:, pairs], self.rest[:, pairs], self.slope[:, :, pairs]
@@ -200,20 +274,20 @@ class _Forms:
         np.maximum.at(least, of, np.maximum(1.0 - (1.0 - sure).sum(axis=0), 0.0))
         # Poses that differ behind a root share it: what it leaves counts once.
         which, row = may.argmin(axis=0), np.arange(pairs.size)
-        key = np.stack([of, which, value[which, row], rest[which, row]])
-        _, first = np.unique(key, axis=1, return_index=True)
-        np.add.at(most, of[first], may.min(axis=0)[first])
-        corners = value + np.einsum("akn,ac->ckn", slope, CORNERS)
-        with np.errstate(all="ignore"):
-            above, below = ~open_ | (known & (corners - rest > 0)), open_ & known & (corners + rest < 0)
-        first, last = SIDES.T
-        within = (above[first] & above[last]).all(axis=1)  # forms are straight: what holds at both ends does between
-        without = (below[first] & below[last]).any(axis=1)
-        sides = np.zeros((count, len(SIDES)), dtype=np.int8)
-        for k in range(len(SIDES)):
-            sides[:, k] = -1
-            np.maximum.at(sides[:, k], of, np.where(within[k], 1, np.where(without[k], -1, 0)).astype(np.int8))
-        return least, np.minimum(most, 1.0), sides
+        own, off = value[which, row], rest[which, row]
+        order = np.lexsort((off, own, which, of))
+        told = np.stack([of, which, own, off])[:, order]
+        new = order[np.append(True, (told[:, 1:] != told[:, :-1]).any(axis=0))] if order.size else order
+        np.add.at(most, of[new], may[which[new], new])
+        return least, np.minimum(most, 1.0)
+
+    def straight(self, kept: Mask, stays: Mask) -> Straight:
+        """The forms of the cells that stay."""
+        pairs = np.flatnonzero(kept & stays[self.of])
+        number = np.cumsum(stays) - 1
+        open_ = self.open[:, pairs]
+        value, rest = np.where(open_, self.value[:, pairs], 1.0), np.where(open_, self.rest[:, pairs], 0.0)
+        return Straight(number[self.of[pairs]], value, rest, np.where(open_, self.slope[:, :, pairs], 0.0))
 
 
 def _share(value: Array, slope: Array) -> Array:

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.studies.workspace.cells import SIDES, Cells, Decided, cut_sides, joined, key, known_corners
+from linkwright.studies.workspace.cells import Cells, Decided, cut_on, cut_sides, joined, key, known_corners
 from linkwright.studies.workspace.places import Places
 from linkwright.studies.workspace.shapes import pieces
 
@@ -25,6 +25,8 @@ OPEN = 0.01
 """A region of whose area more than this share is open isn't certified."""
 BESIDE = 4.0
 """The edge may run into a decided cell by so many chords."""
+ROUNDS = 2
+"""Open cells that may be parts or holes by themselves are cut on so often."""
 BACK = 400
 """So many places are mapped back and forth ..."""
 CLOSE = 1e-9
@@ -65,9 +67,14 @@ class Certificate:
 
 def certified(places: Places, decided: Decided, shape: Any, chord: float) -> Certificate:
     """The certificate of a shape."""
+    parts, holes, doubtful = _counts(decided)
+    for _ in range(ROUNDS):
+        if not doubtful.any():
+            break
+        decided = cut_on(places, decided, doubtful)
+        parts, holes, doubtful = _counts(decided)
     low, high = decided.area
     faults = [*_area(decided, shape, chord), *_cells(decided, shape, chord), *_back(places, decided, shape)]
-    parts, holes = _counts(decided)
     polygons = pieces(shape)
     own = len(polygons), sum(len(polygon.interiors) for polygon in polygons)
     finest = float(decided.open.size.max(initial=0.0))
@@ -151,30 +158,39 @@ def _back(places: Places, decided: Decided, shape: Any) -> list[Fault]:
     return [Fault("back", float(wrong.mean()), (x, y))]
 
 
-def _counts(decided: Decided) -> tuple[int | None, int | None]:
-    """How many parts and holes the region has, each ``None`` where that isn't sure."""
+def _counts(decided: Decided) -> tuple[int | None, int | None, Mask]:
+    """How many parts and holes the region has, each ``None`` where that isn't sure; and which open cells hang together
+    with no decided one that counts, so that a part or hole may be there."""
     cells = joined([decided.reached, decided.never, decided.open])
     first, count = decided.reached.level.size, decided.reached.level.size + decided.never.level.size
-    told = np.zeros((cells.level.size, len(SIDES)), dtype=np.int8)
-    told[:first], told[first:count], told[count:] = 1, -1, decided.sides
     deepest = int(cells.level.max(initial=0))
-    start, stop, cell, side = cut_sides(cells, deepest, known_corners(cells, deepest))
+    start, stop, cell, _ = cut_sides(cells, deepest, known_corners(cells, deepest))
     keys, ends = np.unique([key(start), key(stop)], return_inverse=True)
     ends = ends.reshape(2, -1)
     kind = np.where(cell < first, 1, np.where(cell < count, -1, 0))
-    sure = [_hung(ends[:, told[cell, side] == way], ends[:, kind == way], keys.size) for way in (1, -1)]
-    most = [_hung(ends[:, kind != -way], ends[:, kind != -way], keys.size) for way in (1, -1)]
-    parts = sure[0] if sure[0] == most[0] else None
-    holes = sure[1] - 1 if sure[1] == most[1] else None
-    return parts, holes
+    told, lines = kind.copy(), kind == 0
+    unit = 2 ** (deepest - cells.level[cell[lines]])
+    low = cells.number[:, cell[lines]] * unit
+    own = [2 * (at[:, lines] - low) / unit - 1 for at in (start, stop)]
+    told[lines] = decided.forms.tells(cell[lines] - count, *own)
+    counts: list[int | None] = []
+    doubtful = np.zeros(decided.open.level.size, dtype=bool)
+    for way in (1, -1):
+        sure = _hung(ends[:, told == way], keys.size)[ends[0, kind == way]]
+        may = kind != -way
+        most = _hung(ends[:, may], keys.size)[ends[0]]
+        apart = may & ~np.isin(most, most[kind == way])
+        doubtful[cell[apart] - count] = True
+        number = np.unique(sure).size
+        counts.append(number if number == np.unique(most[may]).size else None)
+    parts, without = counts
+    return parts, None if without is None else without - 1, doubtful
 
 
-def _hung(pairs: Any, held: Any, size: int) -> int:
-    """How many sets of corners hang together by pairs (2, n), of those that hold one of ``held`` (2, m)."""
+def _hung(pairs: Any, size: int) -> Any:
+    """To which set of corners that hang together by pairs (2, n) each of some corners belongs: (size,)."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
-    if not held.size:
-        return 0
     graph = coo_array((np.ones(pairs.shape[1], dtype=np.int8), (pairs[0], pairs[1])), shape=(size, size))
-    return int(np.unique(connected_components(graph, directed=False)[1][held]).size)
+    return connected_components(graph, directed=False)[1]

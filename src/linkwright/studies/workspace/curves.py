@@ -30,6 +30,8 @@ WAY = 0.5
 RINGS = (2, 3, 4)
 MEET = 1e-9
 """Ends of pieces that are nearer than this share of the drives' ranges are one."""
+TURNED = 36
+"""Where the singular curve ends on the rim is found by so many halvings of a mesh's segment."""
 SHORT = 1e-7
 """A piece no longer than this (rad, m) needn't follow the curve."""
 LEVELS, MOST = 10, 200_000
@@ -54,15 +56,15 @@ def curves(sheet: Sheet, mesh: Mesh, chord: float) -> list[Segments]:
     return smooth(sheet, traced(sheet, mesh), chord)
 
 
-def traced(sheet: Sheet, mesh: Mesh, levels: int = LEVELS) -> Traced:
+def traced(sheet: Sheet, mesh: Mesh, levels: int = LEVELS, rings: Sequence[int] = RINGS) -> Traced:
     """All of a sheet's curves by their kinds: pieces as a mesh has them, the singular curve's one in each triangle that
     it passes. Those of the other kinds are cut where it meets them. With fewer ``levels`` of finer triangles, pieces
     near places where it crosses itself may lead astray."""
     rim, pits, limit = (np.sort(pairs, axis=1) for pairs in (mesh.rim, mesh.pits, mesh.limit))
     straight = np.concatenate([pits, limit])
-    for rings in RINGS:
+    for around in rings:
         cuts: dict[tuple[int, int], Array] = {}
-        pieces = _passing(sheet, mesh.q, mesh.triangles, (rim, straight), cuts, rings, levels)
+        pieces = _passing(sheet, mesh.q, mesh.triangles, (rim, straight), cuts, around, levels)
         if levels < LEVELS or not _loose(sheet, mesh, *pieces):
             break
     others = {"modes": rim, "pins": pits, "limit": limit}
@@ -164,7 +166,7 @@ def _followed(sheet: Sheet, a: Array, b: Array) -> NDArray[np.bool_]:
 
 def _turning(sheet: Sheet, path: Callable[[Array], Array], sign: NDArray[np.bool_]) -> Array:
     """The shares of paths up to which the numerator has its first sign."""
-    return halved(lambda share: (sheet.look(path(share)).numerator >= 0) == sign, sign.size)
+    return halved(lambda share: (sheet.look(path(share)).numerator >= 0) == sign, sign.size, TURNED)
 
 
 def _zeros(sheet: Sheet, a: Array, b: Array) -> Array:

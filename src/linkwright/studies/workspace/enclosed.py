@@ -22,6 +22,9 @@ Array = NDArray[np.float64]
 
 MESHES = (96, 192, 384)
 """Steps of the meshes on which the curves are looked for, until two find the same."""
+RINGS = (2,)
+"""Where a curve can't be followed, the mesh is finer so many triangles around: once, as the region's edge doesn't hang
+on it."""
 LOOKS = 48
 """The region's extent is looked at on so many values of each drive."""
 WIDER = 1.0625
@@ -85,7 +88,7 @@ def _curves(places: Places, shape: Any, chord: float) -> tuple[tuple[Segments, .
     rough = traced(sheet, mesh(sheet, box, MESHES[0], pits), levels=1)
     for steps in MESHES[1:]:
         made = mesh(sheet, box, steps, pits)
-        pieces = traced(sheet, made)
+        pieces = traced(sheet, made, rings=RINGS)
         if alike(rough, pieces, box.size / steps):
             break
         rough = pieces

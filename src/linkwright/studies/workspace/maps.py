@@ -118,7 +118,7 @@ class Maps:
     def contour(self, name: str, level: float) -> list[Line]:
         """The lines on which a map has a value (SI), by marching triangles; their corners lie on the true line."""
         values = self.maps[name].values.ravel() - level
-        pairs, ends = crossings(halves(self.axes[0].size, self.axes[1].size), values)
+        pairs, ends, _ = crossings(halves(self.axes[0].size, self.axes[1].size), values)
         if not len(pairs):
             return []
         grid = np.stack(np.meshgrid(*self.axes, indexing="ij")).reshape(2, -1)
@@ -163,19 +163,21 @@ def together(figures: Figures, q: Array) -> dict[str, Array]:
     return {name: np.concatenate([part[name] for part in found]) for name in found[0]}
 
 
-def crossings(triangles: NDArray[np.intp], values: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Where values at the triangles' corners pass zero: sides (m, 2) by their corners, and the pieces of lines from one
-    of those to another, (n, 2)."""
-    triangles = triangles[np.isfinite(values[triangles]).all(axis=1)]
+def crossings(
+    triangles: NDArray[np.intp], values: Array
+) -> tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.intp]]:
+    """Where values at the triangles' corners pass zero: sides (m, 2) by their corners, the pieces of lines from one of
+    those to another, (n, 2), and the triangle that each passes, (n,)."""
     above = values >= 0
-    triangles = triangles[above[triangles].any(axis=1) & ~above[triangles].all(axis=1)]
+    which = above[triangles].any(axis=1) & ~above[triangles].all(axis=1) & np.isfinite(values[triangles]).all(axis=1)
+    triangles = triangles[which]
     sides = np.sort(sides_of(triangles), axis=1)
     crossed = above[sides[:, 0]] != above[sides[:, 1]]
     own = sides[crossed]
     _, first, where = np.unique(own[:, 0] * values.size + own[:, 1], return_index=True, return_inverse=True)
     of = np.full(len(sides), -1)
     of[crossed] = where
-    return own[first], np.sort(of.reshape(3, -1), axis=0)[1:].T
+    return own[first], np.sort(of.reshape(3, -1), axis=0)[1:].T, np.flatnonzero(which)
 
 
 def chained(pieces: NDArray[np.intp]) -> list[list[int]]:

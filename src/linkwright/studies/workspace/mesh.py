@@ -226,10 +226,10 @@ def _limits(q: Array, triangles: Rows, box: Box) -> Rows:
     return np.unique(np.concatenate(found), axis=0)
 
 
-def halved(holds: Callable[[Array], NDArray[np.bool_]], count: int) -> Array:
+def halved(holds: Callable[[Array], NDArray[np.bool_]], count: int, times: int = HALVINGS) -> Array:
     """The largest shares in 0 .. 1 at which something holds that does at 0 and doesn't at 1: (count,)."""
     low, high = np.zeros(count), np.ones(count)
-    for _ in range(HALVINGS if count else 0):
+    for _ in range(times if count else 0):
         middle = (low + high) / 2
         yes = holds(middle)
         low, high = np.where(yes, middle, low), np.where(yes, high, middle)

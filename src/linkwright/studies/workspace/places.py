@@ -112,8 +112,13 @@ class Places:
         """The functions at places (2, n): (branches, functions, n), NaN behind a negative one."""
         count, n = len(self.branches), at.shape[1]
         found = self._rows(np.tile(at, count), np.repeat(np.arange(count), n))
+        functions = np.empty((count, len(self.rows), n))
         with np.errstate(all="ignore"):
-            return (self.rows[:, :-1] @ found + self.rows[:, -1:]).reshape(len(self.rows), count, n).swapaxes(0, 1)
+            for k, coefficients in enumerate(self.rows):
+                used = np.flatnonzero(coefficients[:-1])
+                total = sum(coefficients[i] * found[i] for i in used) + coefficients[-1]
+                functions[:, k] = total.reshape(count, n)
+        return functions
 
     def depths(self, at: Array) -> Array:
         """The least function of each pose, (branches, n): positive where it is one of the mode's."""
