@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.results.stationary import bracketed
-from linkwright.studies.workspace.cells import Cells, cut_sides, key, known_corners
+from linkwright.studies.workspace.cells import DEEPEST, Cells, cut_sides, joined, key, known_corners
 from linkwright.studies.workspace.curves import beside, distance
 from linkwright.studies.workspace.maps import crossings
 from linkwright.studies.workspace.shapes import without_slivers
@@ -31,13 +31,40 @@ WAYS = ((-0.03, 0.03), (-0.3, 0.3), (-1.5, 1.5))
 """The edge is looked for on the normal through a piece's middle, these shares of its length away."""
 FIRST = 4.0
 """What looks straight at first has to be so by so much more: its ends may turn the other way."""
+TURNS, CUTS = 5, 2
+"""Around pieces that can't be followed cells are cut on so often, each time halved so many times, ..."""
+LONG, SOME, AROUND, MOST = 8.0, 100, 3.0, 200
+"""... if they are longer than so many chords, and no more than some; so many of their lengths around, and so many cells."""
 SHARE = 1e-6
 """Pieces shorter than this share of the chord tolerance are halved no more."""
 
 
 def border(depth: Depth, cells: Cells, chord: float) -> tuple[Array, Array, float]:
     """Pieces of the edge by their ends (2, n) both, and by how much at most (m) one may be off that couldn't be
-    followed: 0 where all could."""
+    followed: 0 where all could. Around such pieces, as at sharp corners, the cells are cut on."""
+    for turn in range(TURNS):
+        a, b, lost = _traced(depth, cells, chord)
+        long = np.hypot(*(b - a)) * lost
+        off = float(long.max(initial=0.0))
+        if off <= LONG * chord or turn == TURNS - 1 or np.count_nonzero(long > LONG * chord) > SOME:
+            break
+        near = np.zeros(cells.level.size, dtype=bool)
+        for k in np.argsort(-long)[: np.count_nonzero(long > LONG * chord)]:
+            if np.count_nonzero(near) > MOST:
+                break
+            away = np.abs(cells.middle - (a[:, k] + b[:, k])[:, None] / 2).max(axis=0)
+            near |= (away < AROUND * long[k] + cells.size) & (cells.size > long[k] / 4) & (cells.level < DEEPEST + 4)
+        if not near.any():
+            break
+        parts = cells.some(near)
+        for _ in range(CUTS):
+            parts = parts.quarters()
+        cells = joined([cells.some(~near), parts])
+    return a, b, off
+
+
+def _traced(depth: Depth, cells: Cells, chord: float) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Pieces of the edge, and which of them couldn't be followed."""
     corners, triangles, cell = triangulated(cells)
     pairs, ends, of = crossings(triangles, np.where(depth(corners) > 0, 1.0, -1.0))
     ends = _through(ends, cell[of], np.isin(pairs, triangles[:, 0]).any(axis=1))
@@ -67,27 +94,24 @@ def _through(ends: Rows, cell: Rows, inner: NDArray[np.bool_]) -> Rows:
     return np.concatenate([ends[~once], ends[row, side][order].reshape(-1, 2)])
 
 
-def followed(depth: Depth, a: Array, b: Array, chord: float) -> tuple[Array, Array, float]:
-    """Pieces halved until the middle of each way lies within ``chord`` (m) of its chord."""
-    done: list[tuple[Array, Array]] = []
-    off = 0.0
+def followed(depth: Depth, a: Array, b: Array, chord: float) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Pieces halved until the middle of each way lies within ``chord`` (m) of its chord; which of them can't be."""
+    done = [(a[:, :0], b[:, :0], np.empty(0, dtype=bool))]
     for turn in range(ROUNDS):
         if not a.shape[1]:
             break
-        long = np.hypot(*(b - a))
         straight = _straight(depth, a, b, chord / (1 if turn else FIRST))
-        done.append((a[:, straight], b[:, straight]))
-        a, b, long = a[:, ~straight], b[:, ~straight], long[~straight]
+        done.append((a[:, straight], b[:, straight], np.zeros(int(straight.sum()), dtype=bool)))
+        a, b = a[:, ~straight], b[:, ~straight]
         middle, found = beside(depth, a, b, ways=WAYS, near=NEAR * chord)
-        lost = ~found | (long < SHARE * chord) | (turn == ROUNDS - 1)
-        off = max(off, float(long[lost].max(initial=0.0)))
-        done.append((a[:, lost], b[:, lost]))
+        lost = ~found | (np.hypot(*(b - a)) < SHARE * chord) | (turn == ROUNDS - 1)
+        done.append((a[:, lost], b[:, lost], np.ones(int(lost.sum()), dtype=bool)))
         a, b = (
             np.concatenate([a[:, ~lost], middle[:, ~lost]], axis=1),
             np.concatenate([middle[:, ~lost], b[:, ~lost]], axis=1),
         )
-    whole = [np.concatenate([a[:, :0], *part], axis=1) for part in zip(*done, strict=True)] if done else [a, b]
-    return whole[0], whole[1], off
+    first, last, lost = (np.concatenate(part, axis=-1) for part in zip(*done, strict=True))
+    return first, last, lost
 
 
 def _straight(depth: Depth, a: Array, b: Array, near: Array | float) -> NDArray[np.bool_]:

@@ -29,11 +29,15 @@ DEEP = 12
 """... cells that more than one line may pass are halved so many times more, ..."""
 SHARP = 0.02
 """... or of which more than this share is left open, ..."""
-MOST = 100_000
+MOST = 250_000
 """... as long as they are no more than that, ..."""
+CLEAR = 4.0
+"""The edge is one line where all that bounds it grows along one direction, by so many times what its forms leave open,
+..."""
 BLUNT = 0.5
-"""The edge is one line where all that bounds it grows along one direction within 60 degrees, so that its corners are
-blunt."""
+"""... and within 60 degrees of that direction, so that its corners are blunt."""
+DEEPEST = 21
+"""The whole square is halved no more often than that: what is narrower than a two-millionth of it isn't told."""
 FEW, LITTLE = 400, 5e-4
 """... and of more than so many as long as more than this share of the area of all is open."""
 
@@ -152,7 +156,7 @@ def decided(places: Places, corner: Array, side: float, extent: float) -> Decide
     axis = np.arange(2**COARSE)
     cells = Cells(corner, side, np.stack(np.meshgrid(axis, axis)).reshape(2, -1), np.full(4**COARSE, COARSE))
     fine = int(np.ceil(np.log2(side / extent))) + FINE
-    return _cut(places, cells, fine, fine + DEEP, LITTLE)
+    return _cut(places, cells, fine, min(fine + DEEP, DEEPEST), LITTLE)
 
 
 def cut_on(places: Places, found: Decided, which: Mask) -> Decided:
@@ -164,7 +168,7 @@ def cut_on(places: Places, found: Decided, which: Mask) -> Decided:
     made = [Decided(found.reached, found.never, rest, found.edge, found.least[~which], found.most[~which], forms)]
     for level in np.unique(found.open.level[which]):
         some = found.open.some(which & (found.open.level == level)).quarters()
-        made.append(_cut(places, some, int(level) + 1, int(level) + DEEP, 0.0))
+        made.append(_cut(places, some, int(level) + 1, min(int(level) + DEEP, DEEPEST), 0.0))
     return _together(made, found.edge)
 
 
@@ -256,7 +260,7 @@ class _Forms:
         with np.errstate(all="ignore"):
             way = way / np.hypot(*way)
             along = (way[:, self.of][:, None] * self.slope).sum(axis=0)
-            grows = (along > self.rest) & (along > BLUNT * np.hypot(*self.slope))
+            grows = (along > CLEAR * self.rest) & (along > BLUNT * np.hypot(*self.slope))
         bad = (open_ & ~grows).any(axis=0)
         found = np.ones(self.count, dtype=bool)
         found[self.of[bad]] = False

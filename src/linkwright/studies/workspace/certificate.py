@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.studies.workspace.cells import Cells, Decided, cut_on, cut_sides, joined, key, known_corners
+from linkwright.studies.workspace.cells import DEEPEST, Cells, Decided, cut_on, cut_sides, joined, key, known_corners
 from linkwright.studies.workspace.places import Places
 from linkwright.studies.workspace.shapes import pieces
 
@@ -45,7 +45,7 @@ class Fault:
 @dataclass(frozen=True)
 class Certificate:
     """``area`` (m2) holds the region's area between two bounds; ``parts`` and ``holes`` say whether these counts are
-    sure, ``finest`` (m) below which width nothing is told of others."""
+    sure, but for parts and holes narrower than ``finest`` (m)."""
 
     grade: str
     area: tuple[float, float] | None = None
@@ -77,7 +77,7 @@ def certified(places: Places, decided: Decided, shape: Any, chord: float) -> Cer
     faults = [*_area(decided, shape, chord), *_cells(decided, shape, chord), *_back(places, decided, shape)]
     polygons = pieces(shape)
     own = len(polygons), sum(len(polygon.interiors) for polygon in polygons)
-    finest = float(decided.open.size.max(initial=0.0))
+    finest = decided.open.side * 2.0**-DEEPEST
     return Certificate(ENCLOSED, (low, high), parts == own[0], holes == own[1], finest, tuple(faults))
 
 
@@ -177,7 +177,7 @@ def _counts(decided: Decided) -> tuple[int | None, int | None, Mask]:
     doubtful = np.zeros(decided.open.level.size, dtype=bool)
     for way in (1, -1):
         sure = _hung(ends[:, told == way], keys.size)[ends[0, kind == way]]
-        may = kind != -way
+        may = (kind != -way) & ((kind != 0) | (cells.level[cell] < DEEPEST))
         most = _hung(ends[:, may], keys.size)[ends[0]]
         apart = may & ~np.isin(most, most[kind == way])
         doubtful[cell[apart] - count] = True
