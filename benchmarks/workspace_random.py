@@ -1,16 +1,16 @@
 """Workspaces of random mechanisms against their inverse kinematics: ``python benchmarks/workspace_random.py``.
 
-Five-bars with nearly equal links, near change points, with limited ranges and of any lengths, two cylinders, two slides,
-a crank with a slide, a four-bar with an arm (tests/helpers/reach). The places that P reaches in each assembly mode are
-known by inverse kinematics in closed form, on a raster refined along their boundary; it imports nothing of linkwright.
+Five-bars with nearly equal links, near change points, with limited ranges and of any lengths, two cylinders, two
+slides, a crank with a slide, a four-bar with an arm (tests/helpers/reach). The places that P reaches in each assembly
+mode are known by inverse kinematics in closed form, on a raster refined along their boundary.
 
-Each case's worst mode counts. Right: certified, and area, parts and holes agree within the stated bounds and the raster's
-own error; not certified, and off or not; wrong in silence: certified, and off; refused with findings; raised. What is
-narrower than some cells of the raster is too small to tell and isn't held against a count.
+Each case's worst mode counts. Right: certified, and area, parts and holes agree within the stated bounds and the
+raster's own error; not certified, and off or not; wrong in silence: certified, and off; refused with findings; raised.
+What is narrower than some cells of the raster is too small to tell and isn't held against a count.
 
-``[--count 500] [--seed 0] [--jobs 2] [--only SEED ...] [--show SEED] [--json] [--lines FILE]``: ``--lines`` adds a line of
-JSON for each case to a file as it comes. Exit code 1 where anything is wrong in silence or raised. An interrupt prints
-the counts so far.
+``[--count 500] [--seed 0] [--jobs 2] [--only SEED ...] [--show SEED] [--json] [--lines FILE]``: ``--lines`` adds a line
+of JSON for each case to a file as it comes. Exit code 1 where anything is wrong in silence or raised. An interrupt
+prints the counts so far.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ import linkwright as lw
 from helpers.reach import FAMILIES, Outcome, make
 from helpers.reach import tried as judged_case
 from helpers.reach.judging import OFF, OPEN, OUTCOMES, RAISED, RIGHT, WRONG, Verdict
-from helpers.reach.studied import as_dict
+from helpers.reach.product import as_dict
 
 PATIENCE = 600
 """Seconds of processor time for one case."""
@@ -59,7 +59,9 @@ def line(one: Outcome) -> str:
 
 def table(found: list[Outcome]) -> str:
     """Counts of what came of the cases, and seconds of the study."""
-    lines = [f"{'':26s}{'cases':>6s}" + "".join(f"{name:>20s}" for name in OUTCOMES) + f"{'median, s':>11s}{'most, s':>9s}"]
+    lines = [
+        f"{'':26s}{'cases':>6s}" + "".join(f"{name:>20s}" for name in OUTCOMES) + f"{'median, s':>11s}{'most, s':>9s}"
+    ]
     for name in ("all", *FAMILIES):
         if part := [one for one in found if name in ("all", one.family)]:
             counts = "".join(f"{sum(one.outcome == outcome for one in part):20d}" for outcome in OUTCOMES)

@@ -1,5 +1,5 @@
 """Random mechanisms with two drives whose P's places are known by inverse kinematics in closed form, and a judge of
-what the workspace study says of them. Nothing here but :mod:`helpers.reach.studied` knows the product.
+what the workspace study says of them. Nothing here but :mod:`helpers.reach.product` knows the product.
 
 case = make(seed)
 verdicts = judged(case.mechanism, raster(case.mechanism).truths, studied(case))
@@ -10,8 +10,8 @@ from __future__ import annotations
 from helpers.reach.cases import FAMILIES, Case, make
 from helpers.reach.judging import Claim, Verdict, judge, judged
 from helpers.reach.mechanisms import Chain, FiveBar, Guide, TwoCylinders, TwoSlides
+from helpers.reach.product import Outcome, studied, tried
 from helpers.reach.raster import Truth, raster
-from helpers.reach.studied import Outcome, studied, tried
 
 __all__ = [
     "FAMILIES",

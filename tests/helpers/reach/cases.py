@@ -114,8 +114,11 @@ def nearly_equal(rng: random.Random) -> FiveBar:
 
 
 def near_change(rng: random.Random) -> FiveBar:
-    """Link D-C so long that the rim of the closing positions nearly touches itself: the longest or shortest distance of C
-    from B and D in line differs by 1e-2 to 1e-4 of the size from that of B and D at a pose with all in line."""
+    """Link D-C so long that the rim of the closing positions nearly touches itself.
+
+    There B-C and D-C lie in line and B and D are l2 + l3 or abs(l2 - l3) apart; with both cranks along the base B and D
+    are abs(l5 +- l1 +- l4) apart. The two differ by 1e-2 to 1e-4 of the size.
+    """
     while True:
         l1, l2, _, l4, l5 = (_length(rng) for _ in range(5))
         reach = abs(l5 + rng.choice((-1, 1)) * l1 + rng.choice((-1, 1)) * l4)

@@ -72,7 +72,7 @@ def ranges(**spans: list[float] | None) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class FiveBar:
-    """Cranks O1-B (l1) and O4-D (l4) on the base l5, links B-C (l2) and D-C (l3), P on D-C at ``r``, ``angle`` (rad)."""
+    """Cranks O1-B (l1) and O4-D (l4), base l5, links B-C (l2) and D-C (l3), P on D-C at ``r``, ``angle`` (rad)."""
 
     l1: float
     l2: float
@@ -223,8 +223,7 @@ class TwoSlides:
 
 @dataclass(frozen=True)
 class Guide:
-    """A driven crank about the origin that carries a guide ``offset`` aside, and on it a driven slider with P at ``p`` in
-    its axes."""
+    """A driven crank about the origin with a guide ``offset`` aside, and on it a driven slider with P at ``p``."""
 
     offset: float
     p: complex
@@ -267,7 +266,7 @@ class Guide:
 
 @dataclass(frozen=True)
 class Chain:
-    """A four-bar O1-B (l1), B-C (l2), O4-C (l3), base l5, driven at O1, and on its rocker a driven arm C-P of length r."""
+    """A four-bar O1-B (l1), B-C (l2), O4-C (l3), base l5, driven at O1; on its rocker a driven arm C-P (r)."""
 
     l1: float
     l2: float

@@ -1,10 +1,10 @@
 """The places that a mechanism's P reaches as a raster, refined along their boundary: areas, parts and holes.
 
-Samples of a place's bits (mechanisms.py) at the centres of square cells, on axes that are turned so that no boundary runs
-along them. Cells beside one of other bits are halved again and again; what is found to differ from its neighbour on the
-way draws its neighbours in, so that a narrow feature that was seen once is followed over its length. On the finest cells
-along the boundary the area is a random sample's (one place in each of SUB x SUB squares), with its standard deviation.
-A feature that isn't seen at all lies between the first cells: with an area of n of these it stays unseen with a
+Samples of a place's bits (mechanisms.py) at the centres of square cells, on axes that are turned so that no boundary
+runs along them. Cells beside one of other bits are halved; what is found to differ from its neighbour on the way draws
+its neighbours in, so that a narrow feature that was seen once is followed over its length. On the finest cells along
+the boundary the area is a random sample's (one place in each of SUB x SUB squares), with its standard deviation. A
+feature that isn't seen at all lies between the first cells: with an area of n of these it stays unseen with a
 probability of about exp(-n).
 """
 
@@ -101,8 +101,8 @@ def counted(here: NDArray[np.bool_], joined: NDArray[np.bool_]) -> tuple[int, in
     in_wide = np.zeros(count + 1, bool)
     in_wide[labels[solid[cores] & narrow]] = True
     some = np.bincount(labels[here], minlength=count + 1) >= DUST
-    fewest, apart = int(in_wide.sum()), int(solid.sum())
-    return fewest, max(apart, int(some[1:].sum()))
+    some[0] = False
+    return int(in_wide.sum()), int(solid.sum()) + int((some & ~in_wide).sum())
 
 
 def grown(here: NDArray[np.bool_]) -> NDArray[np.bool_]:
