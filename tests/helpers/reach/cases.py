@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -107,7 +108,7 @@ def nearly_equal(rng: random.Random) -> FiveBar:
     positions that don't close. One in ten has equal links."""
     while True:
         l1, l2, _, l4, l5 = (_length(rng) for _ in range(5))
-        share = 0.0 if rng.random() < 0.1 else rng.choice((-1, 1)) * 10 ** rng.uniform(-3, np.log10(0.02))
+        share = 0.0 if rng.random() < 0.1 else rng.choice((-1, 1)) * 10 ** rng.uniform(-3, math.log10(0.02))
         l3 = round(l2 * (1 + share) / (1 - share), 2)
         if abs(l1 - l4) < l5 < l1 + l4:
             return FiveBar(l1, l2, l3, l4, l5, **_place(rng))
