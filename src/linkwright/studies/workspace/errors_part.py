@@ -23,6 +23,11 @@ class RegionErrors(RegionMaps):
     causes: Causes
     sure: Guaranteed
 
+    @property
+    def contributors(self) -> list[str]:
+        """What deviates, and joints with clearance, by name."""
+        return self.causes.names
+
 
 @dataclass(eq=False)
 class ErrorsPart:
@@ -46,7 +51,7 @@ class ErrorsPart:
         entry = {
             **one.head(self.outcome),
             "steps": self.steps,
-            "contributors": one.causes.names,
+            "contributors": one.contributors,
             "clearances": {joint: clearance / size for joint, clearance in one.causes.clearances.items()},
             "maps": one.told(self.outcome),
             "unit": unit,
