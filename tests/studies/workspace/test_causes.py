@@ -205,9 +205,9 @@ def cylinders(**shifts: float) -> Compiled:
         "links": {
             "frame": {"points": {"A": [0, 0], "B": [0.5, 0]}},
             "barrel1": {"points": {"A": [0, 0]}},
-            "rod1": {"points": {"P": ["px", "py"], "Q1": [0, "away1"], "T": [0.02, 0.03]}},
+            "rod1": {"points": {"P": ["px", "py"], "Q1": [0, "away1"], "S": [0.02, 0.03]}},
             "barrel2": {"points": {"B": [0, 0], "G": [0.3, 0]}},
-            "rod2": {"points": {"P": [0, 0], "Q2": [0, "away2"]}},
+            "rod2": {"points": {"P": [0, 0], "Q2": [0, "away2"], "T": [0.02, 0.03]}},
         },
         "joints": {
             "left": {"prismatic": ["barrel1", "rod1"], "line": ["A at 0", "Q1 at tilt1"]},
@@ -222,7 +222,8 @@ def cylinders(**shifts: float) -> Compiled:
     return compiled_from(data)
 
 
-def test_guides_and_pins_of_two_cylinders() -> None:
+@pytest.mark.parametrize("point", ["S", "T"])
+def test_guides_and_pins_of_two_cylinders(point: str) -> None:
     """The rod of a guide is displaced by y at its middle and tilted there, which at its own foot, ahead by k, is y - k
     tilt across; corners of both guides, and the pin in its worst of 72 directions, against the maps."""
     compiled, c, length = cylinders(), 1e-7, 0.1
@@ -232,22 +233,21 @@ def test_guides_and_pins_of_two_cylinders() -> None:
         "right": {"clearance": 2 * c, "length": length, "centre": "G"},
         "P": {"clearance": c},
     }
-    found = Errors(sheet_of(compiled, point="T"), causes(compiled, entries), 10)(q)
-    here = sheet_of(compiled, point="T").place(q)[0]
+    found = Errors(sheet_of(compiled, point=point), causes(compiled, entries), 10)(q)
+    here = sheet_of(compiled, point=point).place(q)[0]
 
     def off(i: int, **shifts: float) -> Array:
-        there = sheet_of(compiled, shifted(compiled, **shifts), "T").place(q[:, i : i + 1])[0]
+        there = sheet_of(compiled, shifted(compiled, **shifts), point).place(q[:, i : i + 1])[0]
         return np.asarray((there - here[:, i : i + 1])[:, 0])
 
     for i in range(q.shape[1]):
         guides = []
-        for k, (one, ahead, size) in enumerate((("1", 0.0, c), ("2", 0.3 - q[1, i], 2 * c))):
+        for one, ahead, size in (("1", 0.0, c), ("2", 0.3 - q[1, i], 2 * c)):
             ends = [np.array(pair) * size for pair in product((-1, 1), repeat=2)]
-            guides.append([
-                off(i, **{f"away{one}": y.mean() - ahead * (y[0] - y[1]) / length, f"tilt{one}": (y[0] - y[1]) / length})
-                for y in ends
-            ])
-            assert k < 2
+            tilts = [(y[0] - y[1]) / length for y in ends]
+            aways = [y.mean() - ahead * tilt for y, tilt in zip(ends, tilts, strict=True)]
+            pairs = zip(aways, tilts, strict=True)
+            guides.append([off(i, **{f"away{one}": away, f"tilt{one}": tilt}) for away, tilt in pairs])
         pin = [off(i, px=c * x, py=c * y) for x, y in ROUND.T]
         every = np.array([a + b + p for a, b, p in product(*guides, pin)])
         assert np.hypot(*every.T).max() == pytest.approx(found["error worst"][i], rel=2e-3)
