@@ -147,7 +147,7 @@ def arm() -> Compiled:
 
 
 def test_the_pins_of_an_arm_add_their_clearances() -> None:
-    """Each displaces the tip as it is displaced: |a dA + b dB| is sqrt(2 + 2 cos(elbow)) times the tolerance at most."""
+    """Each displaces the tip as it is displaced: the tolerances add sqrt(2 + 2 |cos(elbow)|) of theirs."""
     compiled = arm()
     q = np.random.default_rng(2).uniform(0, 7, (2, 50))
     found = Errors(sheet_of(compiled), causes(compiled, {"O": 3e-4, "A": 1e-4}, "ab", 1e-3), 50)(q)
@@ -201,7 +201,7 @@ def cylinders(**shifts: float) -> Compiled:
     data: dict[str, Any] = {
         "linkwright": 1,
         "units": UNITS,
-        "parameters": {name: 0.0 for name in ("away1", "tilt1", "away2", "tilt2", "px", "py")} | shifts,
+        "parameters": dict.fromkeys(("away1", "tilt1", "away2", "tilt2", "px", "py"), 0.0) | shifts,
         "links": {
             "frame": {"points": {"A": [0, 0], "B": [0.5, 0]}},
             "barrel1": {"points": {"A": [0, 0]}},

@@ -1,4 +1,4 @@
-"""The farthest of sums of deviations and vectors of any direction, against corners, closed forms and fine directions."""
+"""The farthest of sums of deviations and vectors of any direction, against corners, closed forms, fine directions."""
 
 from __future__ import annotations
 

@@ -19,8 +19,8 @@ from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.stated import contributors
 from linkwright.studies.cycle import CycleOptions
-from linkwright.studies.workspace.curves import curves
 from linkwright.studies.workspace.causes import Causes
+from linkwright.studies.workspace.curves import curves
 from linkwright.studies.workspace.errors import Errors, errors
 from linkwright.studies.workspace.farthest import farthest
 from linkwright.studies.workspace.guaranteed import edges, guaranteed, moved

@@ -144,7 +144,7 @@ def played(clearances: dict[str, Any], tolerance: Any = 0.1, **options: Any) -> 
 
 
 def test_clearances_of_the_accuracy_study_count() -> None:
-    """A pin's clearance displaces the arm's tip by as much, wherever it stands: of the annulus it costs so much more."""
+    """A pin's clearance displaces the arm's tip by as much wherever it stands; so much more of its annulus is lost."""
     job = performed(played({"A": 0.05, "B": 0.02}, limit="0.24 mm", steps=200))
     (entry,) = job.summary["workspace"]["errors"]
     worst, kept = entry["maps"]["error worst"], entry["guaranteed"]

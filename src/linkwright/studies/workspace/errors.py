@@ -118,4 +118,3 @@ def errors(sheet: Sheet, box: Box, causes: Causes, steps: int = STEPS) -> Maps:
     in which they are largest.
     """
     return mapped(sheet.compiled.quantities, box, steps, Errors(sheet, causes, (steps + 1) ** 2), KINDS)
-
