@@ -62,16 +62,21 @@ def tangent(graph: Graph, names: Sequence[str], rates: bool = False, plays: Sequ
     return Program((), block, (*graph.inputs, *(f"d({n})" for n in graph.inputs)), (*graph.parameters, *said), outputs)
 
 
-def jacobian(graph: Graph, names: Sequence[str], by: Sequence[str], others: Sequence[str] = ()) -> Program:
-    """The program of the named signals of a mechanism of dyads, then of the derivatives of each by some inputs and
-    parameters: all of one signal, then all of the next; then ``others``, without derivatives. They share what they
-    have in common."""
+def jacobian(
+    graph: Graph, names: Sequence[str], by: Sequence[str], others: Sequence[str] = (), plays: Sequence[str] = ()
+) -> Program:
+    """The program of the named signals of a mechanism of dyads, then of the derivatives of each by some inputs,
+    parameters and ``plays`` of joints, which are 0 themselves: all of one signal, then all of the next; then
+    ``others``, without derivatives. They share what they have in common."""
     order = max((graph.order_of(name) for name in (*names, *others)), default=0)
-    view = View.build(graph, order, graph.inputs, ())
-    symbols = dict(zip((*graph.inputs, *graph.parameters), ca.vertsplit(ca.vertcat(view.x, view.p)), strict=True))
+    view = View.build(graph, order, graph.inputs, plays)
+    free = ca.vertsplit(ca.vertcat(view.x, view.p, *view.plays))
+    symbols = dict(zip((*graph.inputs, *graph.parameters, *plays), free, strict=True))
     rows = ca.vertcat(*(ca.SX(view.row(name)) for name in names))
     slopes = ca.densify(ca.jacobian(rows, ca.vertcat(*(symbols[name] for name in by))))
-    more = [ca.SX(view.row(name)) for name in others]
-    block = ExpressionStage.from_rows(view.x, view.p, [rows, ca.reshape(slopes.T, -1, 1), *more])
+    every = ca.vertcat(rows, ca.reshape(slopes.T, -1, 1), *(ca.SX(view.row(name)) for name in others))
+    if plays:
+        every = ca.substitute(every, ca.vertcat(*view.plays), ca.DM.zeros(len(plays)))
+    block = ExpressionStage.from_rows(view.x, view.p, [every])
     outputs = (*names, *(f"d({name})/d({other})" for name in names for other in by), *others)
     return Program((), block, graph.inputs, graph.parameters, outputs)

@@ -47,12 +47,25 @@ def quality_sentences(outcome: WorkspaceOutcome) -> list[str]:
 def errors_sentences(outcome: WorkspaceOutcome) -> list[str]:
     """What deviates, what is guaranteed."""
     part = _errors(outcome)
-    names = list(dict.fromkeys(name for one in part.regions for name in one.contributors))
-    told = [say("workspace.errors", point=outcome.point, names=", ".join(names))]
+    unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
+    told = [*_causes(part, unit, size)]
     if part.limit is not None:
-        unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
         told.append(say("workspace.errors.precise", limit=f"{part.limit / size:.6g}", unit=unit, point=outcome.point))
     return [*told, *_pictured(part, "worse")]
+
+
+def _causes(part: ErrorsPart, unit: str, size: float) -> Iterator[str]:
+    """What deviates within limits, how joints with clearance are taken to lie, by kind; that the rest is guaranteed."""
+    every = [one.causes for one in part.regions]
+    names = dict.fromkeys(name for one in every for name in one.contributors.names)
+    data = {"point": part.outcome.point}
+    yield say("workspace.errors" if names else "workspace.errors.clearances", names=", ".join(names), **data)
+    for kind in ("pin", "guide"):
+        plays = [(joint.joint, joint.clearance) for one in every for joint in one.held if joint.kind == kind]
+        if plays:
+            told = (f"{joint} {clearance / size:.6g} {unit}" for joint, clearance in dict.fromkeys(plays))
+            yield say(f"workspace.errors.{kind}", joints=", ".join(told))
+    yield say("workspace.errors.guaranteed", **data)
 
 
 def _pictured(part: Part, which: str) -> Iterator[str]:

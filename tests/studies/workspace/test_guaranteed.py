@@ -19,8 +19,10 @@ from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.stated import contributors
 from linkwright.studies.cycle import CycleOptions
+from linkwright.studies.workspace.causes import Causes
 from linkwright.studies.workspace.curves import curves
-from linkwright.studies.workspace.errors import Errors, errors, farthest
+from linkwright.studies.workspace.errors import Errors, errors
+from linkwright.studies.workspace.farthest import farthest
 from linkwright.studies.workspace.guaranteed import edges, guaranteed, moved
 from linkwright.studies.workspace.mesh import Box, mesh
 from linkwright.studies.workspace.regions import Region, reached, reaches
@@ -87,7 +89,7 @@ def test_errors_are_differences_weighted_by_the_files_tolerances() -> None:
     compiled = compile_mechanism(document)
     cycle = CycleOptions.model_validate({"period": "2 s"})
     who = contributors(compiled, AccuracyOptions.model_validate({"outputs": ["P.x"]}, context={"cycle": cycle}))
-    maps = errors(sheet_of(compiled), TURNS, who, steps=5)
+    maps = errors(sheet_of(compiled), TURNS, Causes(who), steps=5)
     q = np.stack(np.meshgrid(*maps.axes, indexing="ij")).reshape(2, -1)
     differences = []
     for one in who.every:
@@ -120,7 +122,7 @@ def coupler_in_line(t: float, lengths: dict[str, float]) -> np.ndarray:
 
 def test_rim_moves_as_the_coupler_curve_does() -> None:
     compiled = five_bar()
-    found = Errors(sheet_of(compiled, "C"), deviating(compiled, "abcde", 1e-3), 10)
+    found = Errors(sheet_of(compiled, "C"), Causes(deviating(compiled, "abcde", 1e-3)), 10)
     q, normals, expected = [], [], []
     for t in (2.6, 2.8, 3.0):
         bend = coupler_in_line(t, LENGTHS)
@@ -147,7 +149,7 @@ def test_singular_curve_moves_as_the_stretched_leg_does() -> None:
     compiled = five_bar()
     box = Box((0.3, 0.2), (2.5, 2.9))
     region = region_of(sheet_of(compiled), box, 20, 1e-3)
-    found = Errors(region.sheet, deviating(compiled, "abe", 1e-3), 10)
+    found = Errors(region.sheet, Causes(deviating(compiled, "abe", 1e-3)), 10)
     (one,) = [edge for edge in edges(region, found) if edge.kind == "singular"]
     radius, reach = np.hypot(*one.ends[:, 0]), np.hypot(0.5, 0.4)
     stretched = np.abs(radius - 1 - reach) < 1e-6
@@ -160,7 +162,7 @@ def test_where_pins_meet_the_boundary_follows_them() -> None:
     """Equal couplers on cranks that meet at the apex of a triangle: C is on a circle about it, of radius b; the crank
     pins part by c - b along the coupler's direction u, and each stays on its own circle."""
     compiled = five_bar(b=1.2, c=1.2)
-    found = Errors(sheet_of(compiled, "C"), deviating(compiled, "abcde", 1e-3), 10)
+    found = Errors(sheet_of(compiled, "C"), Causes(deviating(compiled, "abcde", 1e-3)), 10)
     angles, pit = np.linspace(0.3, 6.0, 8), np.radians([[60], [120]])
     q = [pit + 3e-6 * np.stack([np.cos(angles + step), np.sin(angles + step)]) for step in (0, 0.01)]
     u = (found.sheet.place(q[0])[0] - np.array([[0.5], [np.sqrt(0.75)]])) / 1.2
@@ -182,9 +184,9 @@ def test_all_mechanisms_within_tolerances_reach_the_guaranteed_part() -> None:
     compiled, box, within = five_bar(), Box((0.3, 0.2), (2.5, 2.9)), 2e-3
     who = deviating(compiled, "be", within)
     region = region_of(sheet_of(compiled), box, 20, 1e-4)
-    made = guaranteed(region, who)
+    made = guaranteed(region, Causes(who))
     assert 0 <= made.least < made.most < 5 * within
-    parts = edges(region, Errors(region.sheet, who, 10))
+    parts = edges(region, Errors(region.sheet, Causes(who), 10))
     middles = np.concatenate([one.ends.mean(axis=1) for one in parts], axis=1)
     outward = np.concatenate([one.outward for one in parts], axis=1)
     width = np.concatenate([e.width for e in parts])
@@ -206,10 +208,10 @@ def test_where_the_point_is_precise() -> None:
     compiled = five_bar()
     box, who = Box((0.3, 0.2), (2.5, 2.9)), deviating(compiled, "abcde", 1e-3)
     region = region_of(sheet_of(compiled), box, 20, 1e-4)
-    made = guaranteed(region, who, limit=3e-3, steps=100)
+    made = guaranteed(region, Causes(who), limit=3e-3, steps=100)
     assert 0.05 < made.precise.area / made.shape.area < 0.95
     q = np.random.default_rng(2).uniform(np.array([box.low]).T, np.array([box.high]).T, (2, 4000))
-    found = Errors(region.sheet, who, 4000)(q)
+    found = Errors(region.sheet, Causes(who), 4000)(q)
     inner = shapely.contains_xy(made.precise.buffer(-0.01), found["x"], found["y"])
     assert inner.sum() > 50
     assert found["error worst"][inner].max() < 3.02e-3

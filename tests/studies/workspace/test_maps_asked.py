@@ -10,6 +10,7 @@ import shapely
 
 from helpers.workspaces import arm, findings, five_bar, four_bar, performed
 from linkwright.app.job import Job
+from linkwright.report.workspace_maps import errors_sentences
 from linkwright.studies.workspace.covered import covered
 from linkwright.studies.workspace.errors_part import ErrorsPart
 from linkwright.studies.workspace.quality import Task, quality
@@ -132,6 +133,67 @@ def test_error_maps_are_those_of_the_accuracy_study() -> None:
         np.testing.assert_allclose(found[f"error {axis} least"], curve.worst[0], rtol=1e-9, atol=1e-12)
         np.testing.assert_allclose(found[f"error {axis} most"], curve.worst[1], rtol=1e-9, atol=1e-12)
         np.testing.assert_allclose(found[f"spread {axis}"], 3 * curve.sigma, rtol=1e-9)
+
+
+def played(clearances: dict[str, Any], tolerance: Any = 0.1, **options: Any) -> dict[str, Any]:
+    """The arm with clearances that its accuracy study states."""
+    data = toleranced(tolerance, errors={"steps": 20} | options)
+    accuracy = {"outputs": ["E.x", "E.y"], "samples": 0, "clearances": clearances}
+    data["studies"] |= {"cycle": {"duration": "0.2 s", "samples": 12}, "accuracy": accuracy}
+    return data
+
+
+def test_clearances_of_the_accuracy_study_count() -> None:
+    """A pin's clearance displaces the arm's tip by as much wherever it stands; so much more of its annulus is lost."""
+    job = performed(played({"A": 0.05, "B": 0.02}, limit="0.24 mm", steps=200))
+    (entry,) = job.summary["workspace"]["errors"]
+    worst, kept = entry["maps"]["error worst"], entry["guaranteed"]
+    assert entry["contributors"] == ["a", "b", "A", "B"]
+    assert entry["clearances"] == pytest.approx({"A": 0.05, "B": 0.02})
+    assert worst["greatest"]["value"] == pytest.approx(0.27, rel=1e-9)
+    assert worst["least"]["value"] == pytest.approx(0.1 * np.sqrt(2) + 0.07, rel=1e-6)
+    assert kept["inward"] == pytest.approx([0.27, 0.27], rel=1e-6)
+    area = np.pi * ((A + B - 0.27) ** 2 - (A - B + 0.27) ** 2)
+    assert 0.9995 * area < kept["area"] < area * 1.00001
+    cosine = 1.7**2 / 2 - 1
+    assert entry["precise"]["area"] == pytest.approx(np.pi * 4 * A * B * cosine, rel=2e-3)
+    told = " ".join(errors_sentences(job.workspace)) if job.workspace else ""
+    assert "a, b deviates within its limits" in told and "A 0.05 mm, B 0.02 mm" in told
+    assert "any direction" in told and "radial clearance" in told and "guide" not in told
+    # The worst case of the accuracy study itself: with tolerances and all joints in their worst directions.
+    (one,) = job.outcomes["workspace"].parts["errors"].regions
+    curve = job.outcomes["accuracy"].curves["E.x"]
+    q = np.stack([job.outcomes["accuracy"].compiled.laws[drive](curve.t).d[0] for drive in ("shoulder", "elbow")])
+    np.testing.assert_allclose(one.maps.figures(q)["error x most"], curve.worst[1] + curve.play[1], rtol=1e-9)
+
+
+def test_some_clearances_and_clearances_alone() -> None:
+    (entry,) = performed(played({"A": 0.05, "B": 0.02}, contributors=["b", "B"])).summary["workspace"]["errors"]
+    assert entry["contributors"] == ["b", "B"] and entry["clearances"] == pytest.approx({"B": 0.02})
+    assert entry["maps"]["error worst"]["greatest"]["value"] == pytest.approx(0.12)
+    data = played({"A": "0.05 mm"})
+    data["parameters"] = {"a": A, "b": B}
+    job = performed(data)
+    (entry,) = job.summary["workspace"]["errors"]
+    ends = [entry["maps"]["error worst"][end]["value"] for end in ("least", "greatest")]
+    assert ends == pytest.approx([0.05, 0.05]) and entry["contributors"] == ["A"]
+    assert job.workspace is not None and "no dimension deviates" in " ".join(errors_sentences(job.workspace))
+
+
+def test_clearances_stated_wrongly() -> None:
+    """Told once, though both studies look at them."""
+    for clearances, code in (({"C": 0.1}, "clearance.no-joint"), ({"B": -0.1}, "clearance.not-positive")):
+        assert [found.code for found in findings(played(clearances))] == [code]
+    (found,) = findings(played({"B": 0.1}, contributors=["A"]))
+    assert found.code == "name.unknown" and found.data["near"]
+
+
+def test_a_clearance_that_a_varied_length_makes_impossible() -> None:
+    data = played({"B": "(a - 39 mm)/100"})
+    data["studies"]["workspace"]["for"] = {"a": [40, 38]}
+    job = performed(data)
+    assert [one.code for one in job.outcomes["workspace"].failures] == ["clearance.not-positive"]
+    assert len(job.outcomes["workspace"].parts["errors"].regions) == 1
 
 
 def test_some_contributors_and_a_general_class() -> None:

@@ -43,6 +43,7 @@ class OnRoller:
     side: int
     lift: str | tuple[str, float, float]
     kind: ClassVar[str] = "pin"
+    round: ClassVar[bool] = True
 
     @property
     def plays(self) -> tuple[str, str]:
@@ -52,7 +53,12 @@ class OnRoller:
     def rows(self) -> tuple[str, ...]:
         ends = [self.joint, self.lift] if isinstance(self.lift, str) else []
         turned = [] if isinstance(self.lift, str) else [f"{self.lift[0]}:cos", f"{self.lift[0]}:sin"]
-        return f"{self.links[1]}.force", f"{self.links[1]}.pressure", *turned, *(f"{p}.{a}" for p in ends for a in "xy")
+        where = (f"{point}.{axis}" for point in ends for axis in "xy")
+        return f"{self.links[1]}.force", f"{self.links[1]}.pressure", *turned, *where
+
+    @property
+    def places(self) -> tuple[str, ...]:
+        return self.rows[1:]
 
     def normal(self, rows: Mapping[str, Any]) -> tuple[Any, Any]:
         """From the cam to the follower: the follower's way as the lift grows, turned back by the pressure angle."""

@@ -50,8 +50,16 @@ class Held(Protocol):
         """Names of the joint's offsets (see :class:`Geometry`)."""
 
     @property
+    def round(self) -> bool:
+        """Whether its two displacements are one vector of any direction; else each is one on its own."""
+
+    @property
     def rows(self) -> tuple[str, ...]:
         """Names of the rows that the methods need."""
+
+    @property
+    def places(self) -> tuple[str, ...]:
+        """Those of them that the gradients need: of positions alone."""
 
     def forces(self, rows: Rows) -> Seats:
         """Force (N) of the second of ``links`` on the first, or on the pin, at each contact."""
@@ -77,6 +85,7 @@ class OnPin:
     links: tuple[str, str]
     clearance: float
     kind: ClassVar[str] = "pin"
+    round: ClassVar[bool] = True
 
     @property
     def plays(self) -> tuple[str, str]:
@@ -86,14 +95,18 @@ class OnPin:
     @property
     def rows(self) -> tuple[str, ...]:
         on, link = self.links
-        return (*(f"force({link}, {on}, {self.joint}).{axis}" for axis in "xy"), f"{link}:cos", f"{link}:sin")
+        return (*(f"force({link}, {on}, {self.joint}).{axis}" for axis in "xy"), *self.places)
+
+    @property
+    def places(self) -> tuple[str, ...]:
+        return f"{self.links[1]}:cos", f"{self.links[1]}:sin"
 
     def forces(self, rows: Rows) -> Seats:
         return [(rows[self.rows[0]], rows[self.rows[1]])]
 
     def gradients(self, x: Any, y: Any, rows: Rows) -> Seats:
         # The play moves the place on the link that is held: where it goes, the link goes the other way.
-        cos, sin = rows[self.rows[2]], rows[self.rows[3]]
+        cos, sin = (rows[name] for name in self.places)
         return [(y * sin - x * cos, -(x * sin) - y * cos)]
 
     def size(self, x: Any, y: Any) -> Any:
@@ -117,6 +130,7 @@ class InGuide:
     foot: str
     heading: tuple[float, float]
     kind: ClassVar[str] = "guide"
+    round: ClassVar[bool] = False
 
     @property
     def plays(self) -> tuple[str, str]:
@@ -126,12 +140,17 @@ class InGuide:
     def rows(self) -> tuple[str, ...]:
         first, second = self.links
         force = f"force({second}, {first}, {self.joint})"
-        places = [f"{point}.{axis}" for point in (self.centre, self.foot) for axis in "xy"]
-        return (f"{force}.normal", f"{force}.moment", f"{first}:cos", f"{first}:sin", *places)
+        return (f"{force}.normal", f"{force}.moment", *self.places)
+
+    @cached_property
+    def places(self) -> tuple[str, ...]:
+        first = self.links[0]
+        points = (f"{point}.{axis}" for point in (self.centre, self.foot) for axis in "xy")
+        return (f"{first}:cos", f"{first}:sin", *points)
 
     def _ahead(self, rows: Rows) -> Any:
         """How far the centre lies ahead of the foot along the line (m)."""
-        _, _, cos, sin, x, y, foot_x, foot_y = (rows[name] for name in self.rows)
+        cos, sin, x, y, foot_x, foot_y = (rows[name] for name in self.places)
         (a, b) = self.heading
         return (x - foot_x) * (cos * a - sin * b) + (y - foot_y) * (sin * a + cos * b)
 

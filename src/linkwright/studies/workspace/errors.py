@@ -1,7 +1,8 @@
-"""The working point's errors by the deviations of what has a tolerance, over the drives' values.
+"""The working point's errors by the deviations of what has a tolerance and by clearances, over the drives' values.
 
 At given drive values F(q, p) is the working point, and c_i = dF/dp_i, of contributor i, its error of first order
-(superposition: Peng and Zi, Journal of Mechanical Transmission 34(4), 2010, eq. 8, 9).
+(superposition: Peng and Zi, Journal of Mechanical Transmission 34(4), 2010, eq. 8, 9). So are the derivatives by the
+displacements of a joint with clearance.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from linkwright.kernels.choice import choose
 from linkwright.kernels.registry import Kernel
 from linkwright.model import units as u
 from linkwright.structure import Group
-from linkwright.studies.accuracy.contributors import Contributors
+from linkwright.studies.workspace.causes import Causes
 from linkwright.studies.workspace.maps import Maps, mapped
 from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.sheet import Sheet
@@ -40,20 +41,22 @@ POSES: dict[str, Callable[[Group], tuple[str, str]]] = {
 
 
 class Errors:
-    """The errors of the working point by the contributors' deviations, at given drive values."""
+    """The errors of the working point by what causes them, at given drive values."""
 
-    def __init__(self, sheet: Sheet, contributors: Contributors, count: int) -> None:
-        self.sheet, self.contributors = sheet, contributors
+    def __init__(self, sheet: Sheet, causes: Causes, count: int) -> None:
+        self.sheet, self.causes = sheet, causes
         self.graph = sheet.compiled.graph
         groups = sheet.compiled.structure.groups
         closed = [f"reach:{group.label}" for group in groups if group.modes > 1]
         poses = [row for group in groups if group.signature in POSES for row in POSES[group.signature](group)]
         self.reaches, self.poses = slice(2, 2 + len(closed)), slice(2 + len(closed), None)
         self.names = [f"{sheet.point}.x", f"{sheet.point}.y", *closed, *poses]
-        moving = np.flatnonzero(contributors.directions.any(axis=1))
-        self.directions = contributors.directions[moving]
-        self.by = [self.graph.parameters[i] for i in moving]
-        program = jacobian(self.graph, self.names[:2], self.by, closed)
+        directions = causes.contributors.directions
+        moving = np.flatnonzero(directions.any(axis=1))
+        self.directions = directions[moving]
+        self.by = [*(self.graph.parameters[i] for i in moving), *causes.plays]
+        self.closed = len(closed)
+        program = jacobian(self.graph, self.names[:2], self.by, [*closed, *causes.places], causes.plays)
         self.engine = KERNELS[choose(program, count, os.cpu_count() or 1).kernel](program)
 
     @cached_property
@@ -61,40 +64,43 @@ class Errors:
         """What gives all derivatives, by the drives too; used at the few poses of curves."""
         width = self.graph.width
         drives = [self.graph.inputs[self.graph.drives.index(drive) * width] for drive in self.sheet.drives]
-        return KERNELS["numpy"](jacobian(self.graph, self.names, [*self.by, *drives]))
+        causes = self.causes
+        return KERNELS["numpy"](jacobian(self.graph, self.names, [*self.by, *drives], causes.places, causes.plays))
 
     def slopes(self, q: Array) -> tuple[Array, Array]:
         """Values (rows, n) of the point, of the ``reaches`` of groups with two modes, of the ``poses`` of those with
-        two outer pins; their derivatives by the contributors, and by the two drives after them: (rows, contributors +
-        2, n)."""
+        two outer pins; their derivatives by the causes, and by the two drives after them: (rows, columns + 2, n)."""
         with np.errstate(all="ignore"):
             y = self._whole.run(self.sheet.inputs(q), self.sheet.parameters)
-        rows = len(self.names)
-        found = y[rows:].reshape(rows, -1, q.shape[1])
-        return y[:rows], np.concatenate([self._along(found[:, :-2]), found[:, -2:]], axis=1)
+        rows, width = len(self.names), len(self.by) + 2
+        last = rows * (1 + width)
+        found = y[rows:last].reshape(rows, width, -1)
+        return y[:rows], np.concatenate([self._along(found[:, :-2], y[last:]), found[:, -2:]], axis=1)
 
-    def _along(self, slopes: Array) -> Array:
-        """Derivatives (rows, parameters, n) as those by the contributors: (rows, contributors, n)."""
-        if np.array_equal(self.directions, np.eye(len(self.by))):
-            return slopes
+    def _along(self, slopes: Array, places: Array) -> Array:
+        """Derivatives (rows, parameters and plays, n) as those by the causes, with what is at their places: (rows,
+        columns, n)."""
+        count = len(self.directions)
+        own, plays = slopes[:, :count], slopes[:, count:]
         with np.errstate(all="ignore"):
-            return np.asarray(np.matmul(self.directions.T, slopes))
+            if not np.array_equal(self.directions, np.eye(count)):
+                own = np.matmul(self.directions.T, own)
+            return self.causes.columns(own, plays, places)
 
     def __call__(self, q: Array) -> dict[str, Array]:
         """The figures of the error maps at drive values (2, n): see :func:`errors`."""
-        low, high = self.contributors.low[:, None], self.contributors.high[:, None]
-        covariance = self.contributors.covariance
-        n, last = q.shape[1], 2 + 2 * len(self.by)
+        causes, last = self.causes, 2 + 2 * len(self.by)
         with np.errstate(all="ignore"):
             y = self.engine.run(self.sheet.inputs(q), self.sheet.parameters)
-        slopes = self._along(y[2:last].reshape(2, -1, n))
+        covariance, closed = causes.covariance, last + self.closed
+        slopes = self._along(y[2:last].reshape(2, len(self.by), -1), y[closed:])
         found = {"x": y[0], "y": y[1]}
         with np.errstate(all="ignore"):
-            outside = ~(y[last:] > 0).all(axis=0)
+            outside = ~(y[last:closed] > 0).all(axis=0)
             for name, slope in zip("xy", slopes, strict=True):
-                found[f"error {name} least"] = np.minimum(low * slope, high * slope).sum(axis=0)
-                found[f"error {name} most"] = np.maximum(low * slope, high * slope).sum(axis=0)
-            found["error worst"] = farthest(slopes, low, high)
+                found[f"error {name} least"] = -causes.most(-slope)
+                found[f"error {name} most"] = causes.most(slope)
+            found["error worst"] = causes.farthest(slopes)
             diagonal = np.diag(covariance)[:, None]
             apart = np.array_equal(covariance, np.diag(diagonal[:, 0]))
             spread = slopes * diagonal if apart else np.matmul(covariance, slopes)
@@ -104,27 +110,11 @@ class Errors:
         return {name: np.where(outside, np.nan, row) for name, row in found.items()}
 
 
-def errors(sheet: Sheet, box: Box, contributors: Contributors, steps: int = STEPS) -> Maps:
+def errors(sheet: Sheet, box: Box, causes: Causes, steps: int = STEPS) -> Maps:
     """Maps of the working point's errors (m), of first order, on ``steps`` equal steps of each drive.
 
     Worst case: ``error x least`` and ``most`` are its limits along x, y likewise; ``error worst`` is the farthest that
     the point may be off. ``spread x``, ``y``: three standard deviations; ``spread worst`` those along the direction
     in which they are largest.
     """
-    return mapped(sheet.compiled.quantities, box, steps, Errors(sheet, contributors, (steps + 1) ** 2), KINDS)
-
-
-def farthest(slopes: Array, low: Array, high: Array) -> Array:
-    """The greatest length of the sum of slopes (2, contributors, n) times deviations within ``low`` .. ``high``
-    (contributors, 1): (n,).
-
-    The sums fill a polygon, whose corners follow each other as its sides are ordered by their directions.
-    """
-    middle, half = (slopes * (low + high) / 2).sum(axis=1), slopes * (high - low) / 2
-    half = np.where((half[1] < 0) | ((half[1] == 0) & (half[0] < 0)), -half, half)
-    order = np.argsort(np.arctan2(half[1], half[0]), axis=0)
-    sides = np.take_along_axis(half, order[None], axis=1)
-    corners = sides.sum(axis=1, keepdims=True) - 2 * np.cumsum(sides, axis=1)
-    # Of the corners on both sides of the middle, the farther one.
-    beyond = (corners * corners).sum(axis=0) + 2 * np.abs((corners * middle[:, None]).sum(axis=0))
-    return np.asarray(np.sqrt(beyond.max(axis=0) + (middle * middle).sum(axis=0)))
+    return mapped(sheet.compiled.quantities, box, steps, Errors(sheet, causes, (steps + 1) ** 2), KINDS)

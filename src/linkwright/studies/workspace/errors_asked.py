@@ -1,6 +1,6 @@
-"""The section ``errors`` of a workspace study's options: what the file's tolerances do to the point, and leave of each
-region. What deviates, and how, is stated as for the accuracy study: in the parameters, and in that study if there is
-one."""
+"""The section ``errors`` of a workspace study's options: what the file's tolerances and clearances do to the point, and
+leave of each region. What deviates, and how, is stated as for the accuracy study: in the parameters, and in that study
+if there is one."""
 
 from __future__ import annotations
 
@@ -15,13 +15,17 @@ from pydantic import Field, PrivateAttr, ValidationError, ValidationInfo, model_
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.fields import Expression, Text
-from linkwright.model.findings import Finding, ModelError, Term
+from linkwright.model.findings import Finding, ModelError, Term, raise_errors
 from linkwright.model.unknown import unknown
+from linkwright.studies.accuracy.clearance import PATH as CLEARANCES
+from linkwright.studies.accuracy.clearance_options import check_clearances
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.reader import PATH as ACCURACY
+from linkwright.studies.accuracy.seats import held
 from linkwright.studies.accuracy.stated import check_contributors, contributors
 from linkwright.studies.site import Site
+from linkwright.studies.workspace.causes import Causes
 from linkwright.studies.workspace.errors import KINDS, errors
 from linkwright.studies.workspace.errors_part import ErrorsPart, RegionErrors
 from linkwright.studies.workspace.guaranteed import guaranteed
@@ -35,8 +39,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 USUAL = ("error worst",)
-STATED = ("parameters", "general", "distribution", "cp", "correlations", "thermal")
-"""What the accuracy study says of deviations."""
+STATED = ("parameters", "general", "distribution", "cp", "correlations", "thermal", "clearances")
+"""What the accuracy study says of deviations and clearances."""
 
 
 class ErrorsOptions(MapsAsked):
@@ -46,7 +50,10 @@ class ErrorsOptions(MapsAsked):
 
     limit: Expression | None = Field(None, description="the error up to which a place counts as precise")
     contributors: tuple[Text, ...] | None = Field(
-        None, min_length=1, max_length=1000, description="what deviates; all with a tolerance by default"
+        None,
+        min_length=1,
+        max_length=1000,
+        description="what deviates; all with a tolerance, and all joints with a clearance, by default",
     )
     _stated: AccuracyOptions | None = PrivateAttr(None)
 
@@ -70,10 +77,10 @@ class ErrorsOptions(MapsAsked):
             found = positive(compiled, self.limit, u.LENGTH, (*self.path, "limit"), Term("limit-error"))
             yield from [found] if isinstance(found, Finding) else []
         yield from self.check_maps(compiled, KINDS)
-        wrong = [*check_contributors(compiled, self._stated)]
+        wrong = [*_wrong(compiled, self._stated)]
         yield from (self._own(finding) for finding in wrong)
         if not wrong:
-            known = contributors(compiled, self._stated).names
+            known = causes(compiled, self._stated).names
             for i, name in enumerate(self.contributors or ()):
                 if name not in known:
                     yield unknown("contributor", (*self.path, "contributors", i), name, known)
@@ -90,22 +97,23 @@ class ErrorsOptions(MapsAsked):
         assert outcome.box is not None
         for workspace in outcome.workspaces:
             try:
-                who = self._deviating(compiled, workspace)
+                who = self._causes(compiled, workspace)
             except ModelError as error:  # a class may have no tolerance for a length that is varied
                 outcome.failures += error.findings
                 continue
             for reached in workspace.regions:
                 maps = errors(reached.region.sheet, outcome.box, who, self.steps)
                 sure = guaranteed(reached.region, who, limit, self.steps)
-                part.regions.append(RegionErrors(workspace, reached, maps, maps.ends(), who.names, sure))
+                part.regions.append(RegionErrors(workspace, reached, maps, maps.ends(), who, sure))
         return part
 
-    def _deviating(self, compiled: Compiled, workspace: Workspace) -> Contributors:
+    def _causes(self, compiled: Compiled, workspace: Workspace) -> Causes:
         """What deviates where parameters have the values of a workspace."""
         assert self._stated is not None
         if workspace.regions:
             compiled = at_values(compiled, workspace.regions[0].region.sheet.parameters)
-        return chosen(contributors(compiled, self._stated), self.contributors)
+            raise_errors([*check_clearances(compiled, self._stated.clearances, CLEARANCES)])
+        return chosen(causes(compiled, self._stated), self.contributors)
 
 
 def at_values(compiled: Compiled, parameters: Array) -> Compiled:
@@ -116,9 +124,22 @@ def at_values(compiled: Compiled, parameters: Array) -> Compiled:
     return other
 
 
-def chosen(every: Contributors, names: Sequence[str] | None) -> Contributors:
-    """Some contributors, with the correlations between them."""
+def _wrong(compiled: Compiled, stated: AccuracyOptions) -> Iterator[Finding]:
+    """What is wrong with tolerances and clearances."""
+    yield from check_contributors(compiled, stated)
+    yield from check_clearances(compiled, stated.clearances, CLEARANCES)
+
+
+def causes(compiled: Compiled, stated: AccuracyOptions) -> Causes:
+    """All that deviates, and the joints with clearance, where nothing is wrong with them."""
+    return Causes(contributors(compiled, stated), tuple(held(compiled, stated.clearances)))
+
+
+def chosen(every: Causes, names: Sequence[str] | None) -> Causes:
+    """Some of them by name, with the correlations between contributors."""
     if names is None:
         return every
-    rows = [i for i, name in enumerate(every.names) if name in names]
-    return Contributors(tuple(every.every[i] for i in rows), every.correlation[np.ix_(rows, rows)], every.parameters)
+    known = every.contributors
+    rows = [i for i, name in enumerate(known.names) if name in names]
+    some = Contributors(tuple(known.every[i] for i in rows), known.correlation[np.ix_(rows, rows)], known.parameters)
+    return Causes(some, tuple(one for one in every.held if one.joint in names))

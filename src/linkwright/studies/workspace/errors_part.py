@@ -8,6 +8,7 @@ from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from linkwright.model import units as u
+from linkwright.studies.workspace.causes import Causes
 from linkwright.studies.workspace.guaranteed import Guaranteed
 from linkwright.studies.workspace.mapped_regions import RegionMaps, part_of
 
@@ -17,10 +18,15 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class RegionErrors(RegionMaps):
-    """One region's errors, and the part of it that is sure; by the deviations of ``contributors``."""
+    """One region's errors, and the part of it that is sure; by what ``causes`` them."""
 
-    contributors: Sequence[str]
+    causes: Causes
     sure: Guaranteed
+
+    @property
+    def contributors(self) -> list[str]:
+        """What deviates, and joints with clearance, by name."""
+        return self.causes.names
 
 
 @dataclass(eq=False)
@@ -45,7 +51,8 @@ class ErrorsPart:
         entry = {
             **one.head(self.outcome),
             "steps": self.steps,
-            "contributors": list(one.contributors),
+            "contributors": one.contributors,
+            "clearances": {joint: clearance / size for joint, clearance in one.causes.clearances.items()},
             "maps": one.told(self.outcome),
             "unit": unit,
             "guaranteed": {**part_of(one.sure.shape, region, size), "inward": inward},

@@ -3,7 +3,8 @@
 With c_i = dF/dp_i of the working point F at given drive values (:mod:`errors`), the boundary of a region moves along
 its normal n by the sum of n . c_i d_i: how the drive values of the boundary move doesn't count there
 (envelope theorem: Danskin, SIAM Journal on Applied Mathematics 14, 1966, 641-664). On the rim, where two modes meet,
-c_i is taken along it, at constant reach, as it grows without bound at given drive values.
+c_i is taken along it, at constant reach, as it grows without bound at given drive values. A clearance of which the
+displacements e are of any direction moves it by no more than that times the length of all n . dF/de.
 """
 
 from __future__ import annotations
@@ -15,8 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.workspace import mesh as meshes
+from linkwright.studies.workspace.causes import Causes
 from linkwright.studies.workspace.covered import covered
 from linkwright.studies.workspace.errors import STEPS, Errors
 from linkwright.studies.workspace.mesh import Mesh
@@ -38,7 +39,8 @@ AWAY = 2.0**15
 
 @dataclass(frozen=True)
 class Guaranteed:
-    """What is sure of a region, to first order, for all deviations within their limits at once.
+    """What is sure of a region, to first order, for all deviations within their limits and all displacements within
+    clearances at once.
 
     ``shape`` (Shapely, m) is reached whatever they are. ``precise`` is the part of it in which the point is off by no
     more than ``limit`` (m) in all poses of the sheet that come there; None where no limit was asked for. ``least`` and
@@ -53,13 +55,11 @@ class Guaranteed:
     precise: Any | None = None
 
 
-def guaranteed(
-    region: Region, contributors: Contributors, limit: float | None = None, steps: int = STEPS
-) -> Guaranteed:
+def guaranteed(region: Region, causes: Causes, limit: float | None = None, steps: int = STEPS) -> Guaranteed:
     """The guaranteed part of a region; ``limit`` of the point's error is looked for on a mesh of ``steps``."""
     import shapely
 
-    found = Errors(region.sheet, contributors, sum(one.a.shape[1] for one in region.segments))
+    found = Errors(region.sheet, causes, sum(one.a.shape[1] for one in region.segments))
     made = edges(region, found)
     width = np.concatenate([one.width for one in made]) if made else np.array([np.nan])
     shape = shapely.difference(region.shape, shapely.union_all(_strips(region, made))) if made else region.shape
@@ -122,8 +122,8 @@ class Edge:
     """The boundary's pieces that lie on one kind of curve.
 
     ``ends`` (2, 2, n) are their places: coordinate, end, piece; ``outward`` (2, n) their unit normals. ``shifts``
-    (contributors, 2, n) is how far either end moves outward per unit of each deviation, ``width`` (n,) how far inward
-    at worst (m); ``segment`` (n,) numbers the boundary's segments, which may lie on several curves.
+    (columns, 2, n) is how far either end moves outward per unit of each cause, ``width`` (n,) how far inward at worst
+    (m); ``segment`` (n,) numbers the boundary's segments, which may lie on several curves.
     """
 
     kind: str
@@ -166,7 +166,7 @@ def edges(region: Region, found: Errors) -> list[Edge]:
             seen = every[:, :, used]
             seen = apart(region.mesh, seen) if one.kind == "pins" else seen
             shifts = moved(found, one.kind, seen, outward[:, which[of]], of_used)
-            width = np.fmax.reduce(_worst(found.contributors, -shifts))
+            width = np.fmax.reduce(np.maximum(found.causes.most(-shifts), 0.0))
             width[np.isnan(width)] = np.fmax.reduce(width)
             made.append(Edge(one.kind, ends[:, :, which[of]], outward[:, which[of]], shifts, width, which[of]))
     return made
@@ -182,15 +182,9 @@ def apart(mesh: Mesh, drives: Array) -> Array:
     return np.asarray(centre + AWAY * (drives - centre))
 
 
-def _worst(contributors: Contributors, shifts: Array) -> Array:
-    """The greatest sum of shifts (contributors, ...) times deviations, 0 or more."""
-    low, high = (np.reshape(end, (-1, 1, 1)) for end in (contributors.low, contributors.high))
-    return np.asarray(np.maximum(np.maximum(low * shifts, high * shifts).sum(axis=0), 0.0))
-
-
 def moved(found: Errors, kind: str, drives: Array, outward: Array, of: NDArray[np.intp] | None = None) -> Array:
     """How far the ends of pieces (2, 2, n): coordinate, end, piece, in the drives' plane, move along their own normals,
-    which point about as ``outward`` (2, n) does, per unit of each deviation: (contributors, 2, n). With ``of`` (m,) the
+    which point about as ``outward`` (2, n) does, per unit of each cause: (columns, 2, n). With ``of`` (m,) the
     pieces to which ``outward`` (2, m) belongs.
 
     The normals come from derivatives: where a curve ends on the rim, these grow without bound and hardly the shifts.
@@ -208,7 +202,7 @@ def moved(found: Errors, kind: str, drives: Array, outward: Array, of: NDArray[n
 
 
 Held = tuple[Array, Array]
-"""How the place of a boundary goes with the deviations, (2, contributors, n), and its direction (2, n), of any size."""
+"""How the place of a boundary goes with the causes, (2, columns, n), and its direction (2, n), of any size."""
 
 
 def _free(found: Errors, values: Array, slopes: Array, way: Array) -> Held:

@@ -57,7 +57,9 @@ class WorkspaceOptions(Frozen):
         1e-6, ge=1e-9, le=1e-2, description="how far the boundary may lie off, over the largest link length"
     )
     quality: QualityOptions | None = Field(None, description="how well it works there: maps, singular positions")
-    errors: ErrorsOptions | None = Field(None, description="what tolerances do to the point, and leave of each region")
+    errors: ErrorsOptions | None = Field(
+        None, description="what tolerances and clearances do to the point, and leave of each region"
+    )
     paths: WantedPaths | None = Field(None, description="paths that the point is wanted to follow, by name")
     fits: RequiredFits | None = Field(None, description="circles and rectangles that have to fit in, by name")
 

@@ -3,7 +3,11 @@
 WORKSPACE_MAPS: dict[str, str] = {
     "workspace.quality": "Quality follows from J = {determinant} of the working point {point}. In dead positions of the output the determinant of J is zero: {point} can't move in some direction.",
     "workspace.quality.closures": "In uncertain positions the determinant of a closure is zero: the drives don't hold the mechanism ({groups}).",
-    "workspace.errors": "How far {point} is off to first order, when each of {names} deviates within its limits; guaranteed is what is reached whatever they do.",
+    "workspace.errors": "How far {point} is off to first order, when each of {names} deviates within its limits.",
+    "workspace.errors.clearances": "How far {point} is off to first order, with clearances in joints; no dimension deviates.",
+    "workspace.errors.pin": "Clearance of pins: the distance between the centres of pin and hole has any direction and any length up to the radial clearance (half the difference of the diameters), in each joint independently of all others ({joints}). The standard deviations take the whole clearance in a direction that is uniformly distributed.",
+    "workspace.errors.guide": "Clearance of guides: each of the two ends of the slider lies anywhere up to the clearance (half the play) to either side, independently of all others ({joints}). The standard deviations take the whole clearance to either side with equal probability.",
+    "workspace.errors.guaranteed": "Guaranteed is what {point} reaches to first order for any such deviations at once.",
     "workspace.errors.precise": "Precise is the guaranteed part in which {point} is off by no more than {limit} {unit} in every pose that comes there.",
     "workspace.shown.better": "Where several poses of one mode come to a place, the pictures show the better of their values.",
     "workspace.shown.worse": "Where several poses of one mode come to a place, the pictures show the worse of their errors.",
