@@ -29,8 +29,8 @@ def workspace(
 
     What isn't given is that of the file's study ``workspace``: ``values`` of parameters (its key ``for``), as
     ``{"alpha": [0, 60, 90]}``; ``options`` are further keys of it, written as there. With ``out``, a folder, files are
-    written there, over those that linkwright didn't write only with ``force``, and an interrupted study is resumed, unless
-    ``fresh``: regions that it has found aren't computed again. Raises :class:`ModelError` with all findings.
+    written there, over those that linkwright didn't write only with ``force``, and an interrupted study is resumed,
+    unless ``fresh``: regions that it has found aren't computed again. Raises :class:`ModelError` with all findings.
     """
     given = {"point": point, "for": values, "modes": modes, "drives": drives, "chord": chord}
     stated = {key: value for key, value in given.items() if value is not None}

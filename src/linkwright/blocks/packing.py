@@ -96,7 +96,9 @@ class _Packer:
         """Stored with its axes in the order of memory; the node says how to get back."""
         if value.dtype.hasobject:
             raise TypeError(f"{place}: an array of objects can't be packed")
-        order = sorted(range(value.ndim), key=lambda axis: -abs(value.strides[axis]))
+        order = list(range(value.ndim))
+        if value.size and not value.flags.c_contiguous:
+            order.sort(key=lambda axis: -abs(value.strides[axis]))
         return ["array", self._numbered(np.array(value.transpose(order), order="C")), *np.argsort(order).tolist()]
 
     def _object(self, value: Any, place: str) -> list[Any]:

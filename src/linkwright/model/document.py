@@ -109,8 +109,8 @@ def save(document: Document, path: str | Path) -> None:
 
 
 def write_aside(path: Path, content: str | bytes, durable: bool = False) -> None:
-    """Write to ``path`` whole or not at all, text as UTF-8. A link is followed; a file's permissions stay. A ``durable``
-    one is on the disk before it has its name, so that it is whole even where the machine stops."""
+    """Write to ``path`` whole or not at all, text as UTF-8. A link is followed; a file's permissions stay. If
+    ``durable``, the content is on the disk before it has its name, so that it is whole even where the machine stops."""
     path = path.resolve()
     aside = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
     try:

@@ -48,7 +48,8 @@ class Part:
     ``summary`` gives its entries in summary.json, ``page`` its keys of the report's data, ``result`` what the report
     draws (where no study before it has one), ``scene`` what lies behind that, ``files`` the text of further files by
     name (none of those it lacks), ``netcdf`` and ``png`` those that are written only where asked for, ``stores`` the
-    names of the folders (Zarr stores, parts of an interrupted study) that the study fills while it runs. ``settle`` is told that all is written.
+    names of the folders (Zarr stores, parts of an interrupted study) that the study fills while it runs. ``settle`` is
+    told that all is written.
     """
 
     summary: Callable[[Any], dict[str, Any]]

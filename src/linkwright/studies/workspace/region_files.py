@@ -1,9 +1,9 @@
 """What an interrupted workspace study resumes from: each region in a file of its own as soon as it is found.
 
-The files lie in the folder :data:`FOLDER` of the results. A file is named by the hash of all that its region depends on:
-the mechanism with its tables, the options of the study but those that only choose or use regions, the drives' ranges, the
-mode, the values of all parameters, the versions of linkwright and of the libraries that compute it. So another region is
-never taken for it, and one that a changed file still asks for needn't be found again.
+The files lie in the folder :data:`FOLDER` of the results. A file is named by the hash of all that its region depends
+on: the mechanism with its tables, the options of the study but those that only choose or use regions, the drives'
+ranges, the mode, the values of all parameters, the versions of linkwright and of the libraries that compute it. So
+another region is never taken for it, and one that a changed file still asks for needn't be found again.
 """
 
 from __future__ import annotations
@@ -85,8 +85,8 @@ def common(outcome: WorkspaceOutcome) -> str:
 
 @dataclass(frozen=True)
 class RegionFiles:
-    """Finds regions by their files, else by ``find``; several threads may call it at a time. ``sheet`` makes the sheet of
-    a region, which isn't kept; ``fresh`` passes over all files that are there."""
+    """Finds regions by their files, else by ``find``; several threads may call it at a time. ``sheet`` makes the sheet
+    of a region, which isn't kept; ``fresh`` passes over all files that are there."""
 
     folder: Path
     common: str
