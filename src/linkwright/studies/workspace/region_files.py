@@ -38,7 +38,8 @@ Work = tuple[Signs, Array]
 Found = tuple[Any, list[Finding]]
 """What comes of it: a region or a curve, ``None`` where there is none; warnings."""
 
-FOLDER = "workspace.parts"
+STUDY = PATH[-1]
+FOLDER = f"{STUDY}.parts"
 FORMAT = 1
 """Of what stands in a file."""
 LIBRARIES = ("casadi", "numpy", "scipy", "shapely")
@@ -64,7 +65,7 @@ def resumable(
     folder = site.out / FOLDER
     try:
         site.out.mkdir(parents=True, exist_ok=True)
-        site.keep(folder, "workspace")
+        site.keep(folder, STUDY)
         folder.mkdir(exist_ok=True)
     except OSError as error:
         raise unsaved(folder, error) from None
@@ -73,9 +74,11 @@ def resumable(
 
 def common(outcome: WorkspaceOutcome) -> str:
     """What all regions of a study depend on, as text."""
+    import shapely
+
     compiled = outcome.compiled
     tables = {name: hashlib.sha256(data).hexdigest() for name, data in table_files(compiled.mechanism, compiled.folder)}
-    versions = [linkwright.__version__, *(version(name) for name in LIBRARIES)]
+    versions = [linkwright.__version__, *(version(name) for name in LIBRARIES), shapely.geos_version_string]
     mechanism = compiled.mechanism.model_dump(mode="json", exclude={"studies", "exports", "note"})
     options = outcome.options.model_dump(mode="json", exclude=set(APART))
     box = asdict(outcome.box) if outcome.box else None
