@@ -91,12 +91,12 @@ def test_a_checkpoint_that_cannot_be_written(
     path, work, saves = tmp_path / "state", Noise(), 0
     write = module.write_aside
 
-    def full(*words: Any) -> None:
+    def full(*words: Any, **options: Any) -> None:
         nonlocal saves
         saves += 1
         if saves > 1:
             raise OSError(number, "so it is")
-        write(*words)
+        write(*words, **options)
 
     with monkeypatch.context() as patch:
         patch.setattr(module, "write_aside", full)

@@ -17,7 +17,7 @@ from linkwright.words import say
 NAME = "linkwright-manifest.json"
 OUTDATED = "outdated"
 """The folder for the last results that no longer are the model's."""
-_STATE = re.compile(r"\w+(-[0-9a-f]+\.(samples|signals)|\.zarr|\.zarr\.checkpoint)")
+_STATE = re.compile(r"\w+(-[0-9a-f]+\.(samples|signals)|\.zarr|\.zarr\.checkpoint|\.parts)")
 
 
 def _plain(name: str) -> str:

@@ -22,17 +22,19 @@ def workspace(
     options: Mapping[str, Any] | None = None,
     out: str | Path | None = None,
     folder: str | Path | None = None,
+    fresh: bool = False,
     force: bool = False,
 ) -> WorkspaceOutcome:
     """Where a point gets to with two drives, in each assembly mode.
 
     What isn't given is that of the file's study ``workspace``: ``values`` of parameters (its key ``for``), as
     ``{"alpha": [0, 60, 90]}``; ``options`` are further keys of it, written as there. With ``out``, a folder, files are
-    written there, over those that linkwright didn't write only with ``force``. Raises :class:`ModelError` with all
-    findings.
+    written there, over those that linkwright didn't write only with ``force``, and an interrupted study is resumed,
+    unless ``fresh``: regions that it has found aren't computed again. Raises :class:`ModelError` with all findings.
     """
     given = {"point": point, "for": values, "modes": modes, "drives": drives, "chord": chord}
     stated = {key: value for key, value in given.items() if value is not None}
-    outcome = perform_alone(model, "workspace", {**(options or {}), **stated}, out=out, folder=folder, force=force)
+    every = {**(options or {}), **stated}
+    outcome = perform_alone(model, "workspace", every, out=out, folder=folder, fresh=fresh, force=force)
     assert isinstance(outcome, WorkspaceOutcome)
     return outcome

@@ -73,7 +73,7 @@ class Checkpoint:
         body = stream.getvalue()
         head = FORMAT + b" " + hashlib.sha256(body).hexdigest().encode()
         try:
-            write_aside(self.path, head + b"\n" + body)
+            write_aside(self.path, head + b"\n" + body, durable=True)
         except OSError as error:
             raise unsaved(self.path, error) from None
 

@@ -218,9 +218,12 @@ def accuracy(samples: int | None, kernel: str | None, **others: Any) -> None:
 @_written
 @click.option("--dxf", is_flag=True, help=say("cli.dxf"))
 @click.option("--png", is_flag=True, help=say("cli.png"))
+@click.option("--fresh", is_flag=True, help=say("cli.fresh"))
 @_json
-def workspace(file: Path, out: Path | None, force: bool, comments: bool, dxf: bool, png: bool, as_json: bool) -> None:
-    """Perform the workspace study alone."""
+def workspace(
+    file: Path, out: Path | None, force: bool, comments: bool, dxf: bool, png: bool, fresh: bool, as_json: bool
+) -> None:
+    """Perform the workspace study alone, or resume an interrupted one."""
     from linkwright import app
     from linkwright.model.findings import ModelError
     from linkwright.model.machine import needed
@@ -232,7 +235,8 @@ def workspace(file: Path, out: Path | None, force: bool, comments: bool, dxf: bo
                 needed(package, extra)
         except ModelError as error:
             examined.findings += error.findings
-    _carry_out(examined, file, "workspace", out, as_json, app.Writing(png=png, force=force, comments=comments))
+    how = app.Writing(png=png, force=force, comments=comments)
+    _carry_out(examined, file, "workspace", out, as_json, how, fresh=fresh)
 
 
 @cli.command(help=say("cli.export"))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import os
 import secrets
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
@@ -107,13 +108,17 @@ def save(document: Document, path: str | Path) -> None:
     write_aside(Path(path), dump(document))
 
 
-def write_aside(path: Path, content: str | bytes) -> None:
-    """Write to ``path`` whole or not at all, text as UTF-8. A link is followed; a file's permissions stay."""
+def write_aside(path: Path, content: str | bytes, durable: bool = False) -> None:
+    """Write to ``path`` whole or not at all, text as UTF-8. A link is followed; a file's permissions stay. If
+    ``durable``, the content is on the disk before it has its name, so that it is whole even where the machine stops."""
     path = path.resolve()
     aside = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
     try:
         with aside.open("xb") as stream:
             stream.write(content.encode() if isinstance(content, str) else content)
+            if durable:
+                stream.flush()
+                os.fsync(stream.fileno())
         if path.exists():
             aside.chmod(path.stat().st_mode & 0o777)
         aside.replace(path)

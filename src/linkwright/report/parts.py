@@ -37,6 +37,7 @@ from linkwright.results.netcdf import netcdf_bytes
 from linkwright.studies import CycleOutcome, LimitsOutcome, SweepOutcome
 from linkwright.studies.accuracy.outcome import AccuracyOutcome
 from linkwright.studies.sample_kept import store
+from linkwright.studies.workspace.region_files import FOLDER as REGIONS
 from linkwright.words import say
 
 
@@ -47,7 +48,8 @@ class Part:
     ``summary`` gives its entries in summary.json, ``page`` its keys of the report's data, ``result`` what the report
     draws (where no study before it has one), ``scene`` what lies behind that, ``files`` the text of further files by
     name (none of those it lacks), ``netcdf`` and ``png`` those that are written only where asked for, ``stores`` the
-    names of the Zarr stores that options fill while the study runs. ``settle`` is told that all is written.
+    names of the folders (Zarr stores, parts of an interrupted study) that the study fills while it runs. ``settle`` is
+    told that all is written.
     """
 
     summary: Callable[[Any], dict[str, Any]]
@@ -168,6 +170,7 @@ PARTS: dict[str, Part] = {
             **WORKSPACE_FILES,
         },
         png={"workspace.png": lambda outcome: png(outcome, needed("resvg_py", "png"))},
+        stores=lambda options: [REGIONS],
     ),
     "reactions": Part(
         summary=reactions_entry,

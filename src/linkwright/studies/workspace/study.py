@@ -21,6 +21,7 @@ from linkwright.studies.workspace.one import Curve, curve
 from linkwright.studies.workspace.options import PATH, WorkspaceOptions, check
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, values_text
 from linkwright.studies.workspace.parts import sections
+from linkwright.studies.workspace.region_files import resumable
 from linkwright.studies.workspace.regions import Region, region
 from linkwright.studies.workspace.sheet import Sheet
 from linkwright.studies.workspace.signs import Signs, combinations, named
@@ -85,7 +86,8 @@ def _regions(outcome: WorkspaceOutcome, site: Site) -> tuple[int, int, bool]:
         _sheet(outcome, *works[0]).ready()  # the graph isn't made for several threads
     # NumPy's calls are short and each waits for the interpreter: more threads are no sooner done, unless asked for.
     workers = site.runner.workers if outcome.box and isinstance(site.runner, Threads) else 1
-    found, stopped = together(lambda work: _found(outcome, *work), works, workers, site.progress)
+    find = resumable(lambda work: _found(outcome, *work), lambda work: _sheet(outcome, *work), outcome, site)
+    found, stopped = together(find, works, workers, site.progress)
     for i, (values, parameters) in enumerate(cases):
         here = [found[k] for k in range(i * len(signs), (i + 1) * len(signs)) if k in found]
         outcome.failures += [finding for _, findings in here for finding in findings]

@@ -1404,7 +1404,12 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "workspace.stopped": (
         "Interrupted with {done} of {total} regions done. These are kept; what else was asked of them may be missing.",
-        "Perform the study again for the rest: it begins anew.",
+        "Run the study again. In the same results folder it resumes: regions that are done aren't computed again.",
+    ),
+    "workspace.part-damaged": (
+        "The file {file} held a region of an interrupted study, but is damaged or can't be read. The region was computed "
+        "again.",
+        "There is nothing to do. If it happens again, check the disk.",
     ),
     "workspace.no-area": (
         "The point {name} moves along curves only, or not at all, so that it has no region{values}.",
