@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 BLUE, ORANGE = np.radians(262.0), np.radians(52.0)
-MIDDLE, SWING, CHROMA = 0.635, 0.075, 0.135
+MIDDLE, SWING, CHROMA = 0.63, 0.07, 0.125
 TO_LMS = np.array(
     [[1.0, 0.3963377774, 0.2158037573], [1.0, -0.1055613458, -0.0638541728], [1.0, -0.0894841775, -1.2914855480]]
 )

@@ -17,9 +17,10 @@ from linkwright.report.plane import LEFT, LINE, WIDTH, Plane, folded, framed
 
 Array = NDArray[np.float64]
 
-FINE, LARGEST = 0.05, 250_000
-"""Lines are thinned by so much of a picture's pixel; by twice that and so on where they take more letters than that."""
+FINE, COARSEST, LARGEST = 0.05, 0.4, 250_000
+"""Lines are thinned by so much of a picture's pixel; by up to so much where they take more letters than that."""
 PARTS = 10
+"""Of a pixel, in which places are written."""
 STOPS = 24
 """Colours of the scale between which it is even."""
 FEW, WIDE, DENSE = 72, 1.2, 0.8
@@ -96,19 +97,24 @@ def trajectory_picture(
 
 
 def _drawn(plane: Plane, ways: Sequence[Way], scale: Scale) -> str:
-    """The trajectories as paths, each with its text; thinned until they are small enough."""
-    hues = scale.colours(np.array([way.value for way in ways]))
+    """The trajectories as paths, each with its text: thinned until they are small enough, then every other one left
+    out."""
+    fine, step = FINE, 1
     placed = [[np.stack(plane.at(*line)) for line in way.lines] for way in ways]
-    fine = FINE
     while True:
-        made = "".join(
-            f'<path stroke="{hue}" d="{_path(lines, fine)}"><title>{escape(way.text)}</title></path>'
-            for way, lines, hue in zip(ways, placed, hues, strict=True)
-            if lines
-        )
-        if len(made) <= LARGEST or fine > 1.0:
+        made = _paths(ways[::step], placed[::step], scale, fine)
+        if len(made) <= LARGEST or step > len(ways):
             return made
-        fine *= 2
+        fine, step = (2 * fine, step) if fine < COARSEST else (fine, 2 * step)
+
+
+def _paths(ways: Sequence[Way], placed: Sequence[Sequence[Array]], scale: Scale, fine: float) -> str:
+    hues = scale.colours(np.array([way.value for way in ways]))
+    return "".join(
+        f'<path stroke="{hue}" d="{_path(lines, fine)}"><title>{escape(way.text)}</title></path>'
+        for way, lines, hue in zip(ways, placed, hues, strict=True)
+        if lines
+    )
 
 
 def _path(lines: Sequence[Array], fine: float) -> str:
