@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from helpers.workspaces import arm, five_bar, performed
 from linkwright.app.job import Job
 from linkwright.report.plane import Plane
-from linkwright.report.trajectory_picture import LARGEST, Scale, Way, trajectory_picture
+from linkwright.report.trajectory_picture import LARGEST, ColouredLine, Scale, trajectory_picture
 from linkwright.report.workspace import workspace_page
 from linkwright.report.workspace_trajectories import (
     trajectories_charts,
@@ -91,7 +91,7 @@ def test_lines_lie_where_the_point_goes(outcome: WorkspaceOutcome) -> None:
     up = [(float(text), float(t.get("y", "")) - 4) for text, t in texts if t.get("text-anchor") == "end"]
     along = [one for one in along if one[0] <= 30][: len(along) - 9]
     (x1, a1), (x2, a2), (y1, b1), (y2, b2) = along[0], along[-1], up[0], up[-1]
-    ways = root.find(f"{space}g[@class='ways']")
+    ways = root.find(f"{space}g[@class='trajectories']")
     assert ways is not None and ways.get("transform") == "scale(0.1)"
     seen = set()
     for path in ways:
@@ -118,7 +118,9 @@ def test_the_file_is_sound_and_small(outcome: WorkspaceOutcome) -> None:
 
 def test_many_trajectories_are_thinned() -> None:
     angle = np.linspace(0, 2 * np.pi, 3000)
-    ways = [Way(k, [np.stack([np.cos(3 * angle) * (1 + k / 720), np.sin(2 * angle)])], f"{k}") for k in range(720)]
+    ways = [
+        ColouredLine(k, [np.stack([np.cos(3 * angle) * (1 + k / 720), np.sin(2 * angle)])], f"{k}") for k in range(720)
+    ]
     plane = Plane((-2, -1, 2, 1), "mm")
     drawing = trajectory_picture(plane, ways, Scale(0, 720, "mm", False, "held"), "M0 0Z", [], [], "title")
     assert LARGEST / 4 < len(drawing) < 400_000

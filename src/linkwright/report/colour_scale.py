@@ -1,6 +1,6 @@
-"""Colours for a continuous value that are seen on light and on dark paper alike: of middle lightness, in the space OKLCH
-(B. Ottosson, A perceptual color space for image processing, 2020). Blue and orange are the ends of a range, and opposite
-values of a turn, which the colour-blind tell apart; the two ways between them differ in lightness."""
+"""Colours for a continuous value that are seen on light and on dark pages alike: of middle lightness, in OKLCH
+(B. Ottosson, A perceptual color space for image processing, 2020). Blue and orange, which the colour-blind tell apart,
+are the ends of a range, and opposite values of a turn; between these one side is lighter than the other."""
 
 from __future__ import annotations
 
@@ -41,4 +41,4 @@ def _rgb(light: Array, a: Array, b: Array) -> Array:
     """OKLab as sRGB (n, 3) in 0 .. 1; what lies outside is cut off."""
     linear = (np.stack([light, a, b], axis=-1) @ TO_LMS.T) ** 3 @ TO_RGB.T
     linear = np.clip(linear, 0.0, 1.0)
-    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+    return np.asarray(np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055))

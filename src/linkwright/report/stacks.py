@@ -44,7 +44,8 @@ def _slider(number: int, slider: Slider) -> str:
     return (
         f'<div class="slider"><label for="{own}">{name}</label><output for="{own}">{escape(texts[start])}</output>'
         f'<div class="track"><input type="range" id="{own}" min="0" max="{last}" step="1" value="{start}" '
-        f'aria-valuetext="{escape(texts[start])}" {data}/><div class="marks" aria-hidden="true">{marks}</div></div></div>'
+        f'aria-valuetext="{escape(texts[start])}" {data}/>'
+        f'<div class="marks" aria-hidden="true">{marks}</div></div></div>'
     )
 
 

@@ -32,8 +32,8 @@ BAR = 12.0
 DEGREES = (5, 10, 15, 30, 45, 60, 90)
 STYLE = """
 .still.workspace .ground { fill: #8888; fill-opacity: 0.14; fill-rule: evenodd; stroke: none; }
-.still.workspace .ways path { fill: none; stroke-linejoin: round; stroke-linecap: round; }
-.still.workspace .ways path:hover { stroke-width: 26; stroke-opacity: 1; }
+.still.workspace .trajectories path { fill: none; stroke-linejoin: round; stroke-linecap: round; }
+.still.workspace .trajectories path:hover { stroke-width: 26; stroke-opacity: 1; }
 .still.workspace .edge { fill: none; stroke: currentColor; stroke-width: 1.1; stroke-opacity: 0.75; }
 """
 
@@ -64,7 +64,7 @@ class Scale:
 
 
 @dataclass(frozen=True)
-class Way:
+class ColouredLine:
     """A trajectory: the held drive's ``value``, its lines (2, n) in the plane's unit, and what is said of it."""
 
     value: float
@@ -74,7 +74,7 @@ class Way:
 
 def trajectory_picture(
     plane: Plane,
-    ways: Sequence[Way],
+    drawn: Sequence[ColouredLine],
     scale: Scale,
     outline: str,
     over: Sequence[str],
@@ -82,13 +82,14 @@ def trajectory_picture(
     title: str,
 ) -> str:
     """The picture as SVG, with other shapes ``over`` it of which the ``legend`` tells."""
-    share = min(1.0, FEW / max(len(ways), 1))
+    share = min(1.0, FEW / max(len(drawn), 1))
     wide, dense = max(NARROWEST, WIDE * share**0.5), max(FAINTEST, DENSE * share**0.5)
     shapes = [
         f"<style>{STYLE}</style>",
         f'<path class="ground" d="{outline}"/>',
-        f'<g class="ways" transform="scale({1 / PARTS})" stroke-width="{PARTS * wide:.1f}" stroke-opacity="{dense:.2f}">'
-        f'{_drawn(plane, ways, scale)}</g>',
+        f'<g class="trajectories" transform="scale({1 / PARTS})" '
+        f'stroke-width="{PARTS * wide:.1f}" stroke-opacity="{dense:.2f}">'
+        f"{_group(plane, drawn, scale)}</g>",
         f'<path class="edge" d="{outline}"/>',
         *over,
     ]
@@ -96,37 +97,37 @@ def trajectory_picture(
     return framed(plane, [*shapes, bar], legend, title, height)
 
 
-def _drawn(plane: Plane, ways: Sequence[Way], scale: Scale) -> str:
+def _group(plane: Plane, drawn: Sequence[ColouredLine], scale: Scale) -> str:
     """The trajectories as paths, each with its text: thinned until they are small enough, then every other one left
     out."""
     fine, step = FINE, 1
-    placed = [[np.stack(plane.at(*line)) for line in way.lines] for way in ways]
+    placed = [[np.stack(plane.at(*line)) for line in one.lines] for one in drawn]
     while True:
-        made = _paths(ways[::step], placed[::step], scale, fine)
-        if len(made) <= LARGEST or step > len(ways):
+        made = _paths(drawn[::step], placed[::step], scale, fine)
+        if len(made) <= LARGEST or step > len(drawn):
             return made
         fine, step = (2 * fine, step) if fine < COARSEST else (fine, 2 * step)
 
 
-def _paths(ways: Sequence[Way], placed: Sequence[Sequence[Array]], scale: Scale, fine: float) -> str:
-    hues = scale.colours(np.array([way.value for way in ways]))
+def _paths(drawn: Sequence[ColouredLine], placed: Sequence[Sequence[Array]], scale: Scale, fine: float) -> str:
+    hues = scale.colours(np.array([one.value for one in drawn]))
     return "".join(
-        f'<path stroke="{hue}" d="{_path(lines, fine)}"><title>{escape(way.text)}</title></path>'
-        for way, lines, hue in zip(ways, placed, hues, strict=True)
+        f'<path stroke="{hue}" d="{_path(lines, fine)}"><title>{escape(one.text)}</title></path>'
+        for one, lines, hue in zip(drawn, placed, hues, strict=True)
         if lines
     )
 
 
 def _path(lines: Sequence[Array], fine: float) -> str:
-    """Lines (2, n) in the picture as one path, thinned: each place by its way from the last one, in parts of a pixel."""
+    """Lines (2, n) in the picture as one path, thinned: each place by its steps from the last one."""
     import shapely
 
     made = ""
     for line in lines:
         thin = shapely.get_coordinates(shapely.simplify(shapely.linestrings(line.T), fine))
         places = np.rint(thin * PARTS).astype(int)
-        (x, y), ways = places[0].tolist(), np.diff(places, axis=0).tolist()
-        made += f"M{x} {y}l" + " ".join(f"{dx} {dy}" for dx, dy in ways).replace(" -", "-")
+        (x, y), steps = places[0].tolist(), np.diff(places, axis=0).tolist()
+        made += f"M{x} {y}l" + " ".join(f"{dx} {dy}" for dx, dy in steps).replace(" -", "-")
     return made
 
 

@@ -11,7 +11,7 @@ from linkwright.report.csv_text import cell, head, written
 from linkwright.report.data import Chart, Grid
 from linkwright.report.plane import Bounds, Plane, framed_box, lines, outline
 from linkwright.report.tiled import tiled
-from linkwright.report.trajectory_picture import Scale, Way, trajectory_picture
+from linkwright.report.trajectory_picture import ColouredLine, Scale, trajectory_picture
 from linkwright.report.workspace_steps import Steps
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 from linkwright.studies.workspace.trajectories_part import RegionTrajectories, TrajectoriesPart
@@ -43,7 +43,11 @@ def trajectories_tables(outcome: WorkspaceOutcome) -> list[Grid]:
     for entry in _part(outcome).as_dict():
         values = entry["values"]
         row = [*(f"{entry[name]:.6g}" for name in names), entry["mode"] or say("workspace.one-mode"), entry["hold"]]
-        row += [f"{values['from']:.6g} .. {values['to']:.6g}", values["unit"], f"{entry['assembled']}/{values['count']}"]
+        row += [
+            f"{values['from']:.6g} .. {values['to']:.6g}",
+            values["unit"],
+            f"{entry['assembled']}/{values['count']}",
+        ]
         row += [str(entry["whole"]), str(entry["stretches"]), f"{entry['length']:.7g}", entry["unit"]]
         rows.append(row)
     return [{"name": "workspace-trajectories", "title": say("trajectories.table"), "heads": heads, "rows": rows}]
@@ -59,15 +63,16 @@ def _charts(part: TrajectoriesPart) -> Sequence[Chart]:
     """The pictures; they are wanted for the report and as a file. Those of a mode have the same axes."""
     regions = [one for one in part.regions if not one.reached.shape.is_empty][:PICTURES]
     modes = {one.reached.mode for one in regions}
-    boxes = {mode: framed_box(one.reached.shape.bounds for one in regions if one.reached.mode == mode) for mode in modes}
+    boxes = {
+        mode: framed_box(one.reached.shape.bounds for one in regions if one.reached.mode == mode) for mode in modes
+    }
     steps = Steps(part.outcome)
     return tuple(_chart(part, one, boxes[one.reached.mode], steps) for one in regions)
 
 
 def _chart(part: TrajectoriesPart, one: RegionTrajectories, box: Bounds, steps: Steps) -> Chart:
     """The picture of one region."""
-    outcome, region = part.outcome, one.reached.region
-    compiled = outcome.compiled
+    outcome, compiled = part.outcome, part.outcome.compiled
     unit, size = compiled.quantities.unit_of(u.LENGTH)
     plane, (held, moving) = Plane.of(box, unit, size), part.drives
     drive_unit, drive_size = compiled.quantities.drive_unit(held)
@@ -76,24 +81,34 @@ def _chart(part: TrajectoriesPart, one: RegionTrajectories, box: Bounds, steps: 
     told = say("workspace.for", values=values) if values else ""
     data = {"point": outcome.point, "held": held, "moving": moving}
     title = say("trajectories.picture", mode=mode, values=told, **data)
-    ways = [
-        Way(
+    each = [
+        ColouredLine(
             each.held / drive_size,
             [stretch.at / size for stretch in each.stretches],
             f"{held} = {each.held / drive_size:.6g} {drive_unit}".strip(),
         )
         for each in one.found.each
     ]
-    over, legend = [], []
-    naming = {"point": outcome.point, "drives": ", ".join(compiled.graph.drives)}
-    naming["groups"] = "; ".join(group.label for group in compiled.graph.branched)
-    for kind in KINDS:
-        drawn = [*lines(region.sheet, region.segments, kind, plane, size)]
-        over += [f'<polyline class="kind k-{kind}" points="{way}"/>' for way in drawn]
-        legend += [(f"kind k-{kind}", say(f"workspace.kind.{kind}", **naming))] if drawn else []
+    over, legend = _singular(outcome, one, plane, size)
     scale = _scale(part, named(say("trajectories.scale", **data), drive_unit))
-    drawing = trajectory_picture(plane, ways, scale, outline(region.shape, plane, size), over, legend, title)
+    drawing = trajectory_picture(plane, each, scale, outline(one.reached.shape, plane, size), over, legend, title)
     return steps.chart(one.workspace, f"trajectories {one.reached.mode}", title, drawing)
+
+
+def _singular(
+    outcome: WorkspaceOutcome, one: RegionTrajectories, plane: Plane, size: float
+) -> tuple[list[str], list[tuple[str, str]]]:
+    """The singular positions of a region by kind, which lie over its trajectories, and the legend of them."""
+    region, compiled = one.reached.region, outcome.compiled
+    over: list[str] = []
+    legend: list[tuple[str, str]] = []
+    data = {"point": outcome.point, "drives": ", ".join(compiled.graph.drives)}
+    data["groups"] = "; ".join(group.label for group in compiled.graph.branched)
+    for kind in KINDS:
+        curves = [*lines(region.sheet, region.segments, kind, plane, size)]
+        over += [f'<polyline class="kind k-{kind}" points="{curve}"/>' for curve in curves]
+        legend += [(f"kind k-{kind}", say(f"workspace.kind.{kind}", **data))] if curves else []
+    return over, legend
 
 
 def _scale(part: TrajectoriesPart, name: str) -> Scale:
@@ -106,7 +121,11 @@ def _scale(part: TrajectoriesPart, name: str) -> Scale:
 
 def trajectories_svg(outcome: WorkspaceOutcome) -> str | None:
     """The pictures: a row for each mode."""
-    return tiled(trajectories_charts(outcome)) if "trajectories" in outcome.parts and trajectories_charts(outcome) else None
+    return (
+        tiled(trajectories_charts(outcome))
+        if "trajectories" in outcome.parts and trajectories_charts(outcome)
+        else None
+    )
 
 
 def trajectories_csv(outcome: WorkspaceOutcome) -> str | None:

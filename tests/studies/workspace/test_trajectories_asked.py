@@ -6,8 +6,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+import shapely
 
-from helpers.workspaces import arm, five_bar, four_bar, findings, performed, polar
+from helpers.workspaces import arm, findings, five_bar, four_bar, performed, polar
 from linkwright.studies.workspace.trajectories_part import TrajectoriesPart
 
 
@@ -68,6 +69,8 @@ def test_each_region_has_its_own() -> None:
         assert entry["length"] == pytest.approx(1e3 * one.found.length)
         assert entry["stretches"] == len(one.found.stretches)
         assert entry["length"] > 0
+        grown = one.reached.shape.buffer(2 * found.chord)
+        assert all(grown.covers(shapely.LineString(stretch.at.T)) for stretch in one.found.stretches)
 
 
 def test_mistakes_are_named() -> None:

@@ -1,6 +1,7 @@
-"""Trajectories of a sheet's working point while one drive is held at a constant value and the other one goes through its
-range: by such pictures Peng and Zi (Journal of Mechanical Transmission 34(4), 2010) show the workspace of a hybrid-driven
-five-bar. Neighbouring trajectories touch along dead positions of the output, so that folds of a region show as envelopes.
+"""Trajectories of a sheet's working point while one drive is held at a constant value and the other one goes through
+its range: by such pictures Peng and Zi (Journal of Mechanical Transmission 34(4), 2010) show the workspace of a
+hybrid-driven five-bar. Neighbouring trajectories touch along dead positions of the output: the folds of a region show as
+envelopes.
 """
 
 from __future__ import annotations
@@ -26,9 +27,7 @@ GOLDEN, SEARCHES = (np.sqrt(5.0) - 1.0) / 2, 45
 WITHIN = 0.9
 """Of the chord tolerance, as what lies between four places of a step is foretold, not looked at."""
 SHARES = np.linspace(0, 1, 13)[1:-1]
-CUBIC = np.stack(
-    [np.prod([(3 * SHARES - k) / (i - k) for k in range(4) if k != i], axis=0) for i in range(4)], axis=1
-)
+CUBIC = np.stack([np.prod([(3 * SHARES - k) / (i - k) for k in range(4) if k != i], axis=0) for i in range(4)], axis=1)
 """The cubic through the ends and thirds of a step: (shares, 4) by which these are weighed."""
 WHOLE = 1 - 1e-9
 """Of a range is all of it."""
@@ -222,7 +221,7 @@ def _off(there: Array, a: Array, b: Array) -> Array:
 
 def _unbroken(one: Stretch, span: float, chord: float) -> Iterator[Stretch]:
     """The parts of a stretch between jumps of the point, and between places at which the mechanism doesn't close."""
-    known = np.isfinite(one.at).all(axis=0)
+    known = np.asarray(np.isfinite(one.at).all(axis=0))
     far = ~(np.hypot(*np.diff(one.at)) <= JUMP * chord) & (np.diff(one.q) <= LEAST * span)
     cuts = np.flatnonzero(far | ~known[1:] | ~known[:-1]) + 1
     if not cuts.size:

@@ -40,14 +40,20 @@ class TrajectoriesAsked(Frozen):
     """Trajectories of the working point at constant values of one of two drives."""
 
     hold: NameField | None = Field(
-        None, description="the drive that is held; by default the other one than that of constant speed, else the second"
+        None,
+        description="the drive that is held; by default the other one than that of constant speed, else the second",
     )
     steps: int | None = Field(None, ge=1, le=MOST, description="equal steps of the held drive's range; 36 by default")
     every: Expression | None = Field(
-        None, description="instead of steps: the held drive's step, from the lower end of its range", examples=["10 deg"]
+        None,
+        description="instead of steps: the held drive's step, from the lower end of its range",
+        examples=["10 deg"],
     )
     chord: float = Field(
-        2e-4, ge=1e-6, le=1e-2, description="how far the lines may lie off the trajectories, over the largest link length"
+        2e-4,
+        ge=1e-6,
+        le=1e-2,
+        description="how far the lines may lie off the trajectories, over the largest link length",
     )
 
     @classmethod
@@ -94,7 +100,7 @@ class TrajectoriesAsked(Frozen):
             step = compiled.quantities.value(self.every, compiled.quantities.drive_dimension(drive))
         count = math.floor((high - low) / step + ROUND) + 1
         made = low + step * np.arange(count)
-        return made[made < high - ROUND * step] if turns else np.minimum(made, high)
+        return np.asarray(made[made < high - ROUND * step] if turns else np.minimum(made, high))
 
     def perform(self, outcome: WorkspaceOutcome, site: Site) -> TrajectoriesPart:
         """The trajectories in each region."""
