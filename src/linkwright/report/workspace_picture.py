@@ -26,6 +26,8 @@ KINDS = ("singular", "modes", "pins", "limit")
 @lru_cache(maxsize=1)
 def pictures(outcome: WorkspaceOutcome) -> Sequence[Chart]:
     """A picture of each workspace, all on the same axes; they are wanted for the report and as files."""
+    if not outcome.workspaces:
+        return ()
     steps, overlays = Steps(outcome), [_over(outcome, index) for index in range(len(outcome.workspaces))]
     drawn = [shape for one in outcome.workspaces for shape in (*(r.shape for r in one.regions), *one.curves)]
     bounds = framed_box(shape.bounds for shape in (*drawn, *(overlay for some in overlays for overlay in some)))
