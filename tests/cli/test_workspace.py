@@ -115,6 +115,18 @@ def test_png_shows_the_picture_of_the_svg(file: Path, tmp_path: Path) -> None:
     assert size == (2 * int(drawn.attrib["width"]), 2 * int(drawn.attrib["height"]))
 
 
+def test_png_shows_the_trajectories_too(tmp_path: Path) -> None:
+    pytest.importorskip("resvg_py", reason="resvg-py isn't installed")
+    document = parse_document(arm(trajectories={"steps": 6}))
+    assert document is not None
+    lw.save(document, tmp_path / "arm.yaml")
+    result = call("workspace", tmp_path / "arm.yaml", "--out", tmp_path / "out", "--png")
+    assert result.exit_code == 0 and "Trajectories by region" in result.stdout
+    names = {path.name for path in (tmp_path / "out").iterdir()}
+    assert {f"workspace_trajectories.{kind}" for kind in ("csv", "svg", "png")} <= names
+    assert (tmp_path / "out" / "workspace_trajectories.png").read_bytes()[:8] == b"\x89PNG\r\n\x1a\n"
+
+
 def _missing(package: str) -> None:
     raise ImportError(package)
 

@@ -395,3 +395,74 @@ def test_one_pose_of_a_workspace_stands_still_before_its_regions(show: Any, widt
     assert reach["x"] < pin["x"] < reach["x"] + reach["width"] and reach["y"] < pin["y"] < reach["y"] + reach["height"]
     drawing.get_by_label(job.summary["workspace"]["regions"][0]["mode"]).uncheck()
     assert not own.is_visible() and drawing.locator(".lw-area").nth(1).is_visible()
+
+
+def stepped(**more: Any) -> ReportData:
+    """A workspace for several values of two parameters."""
+    values = {"for": {"l": [12, 11, 13], "base": [10, 12]}, **more}
+    job = performed(five_bar(drives={"motor": [80, 120], "servo": [40, 100]}, **values))
+    document = job.examined.document
+    assert document is not None
+    return report_data(document, job.outcomes)
+
+
+def seen(view: Opened) -> list[str]:
+    """The captions of the pictures that are seen."""
+    captions = view.page.locator("#workspace .stack figure").all()
+    return [one.locator("figcaption").inner_text() for one in captions if one.is_visible()]
+
+
+def places(view: Opened) -> list[list[float]]:
+    """Where the stacks are on the page, and how high."""
+    script = "all => all.map(e => e.getBoundingClientRect()).map(r => [r.x, r.top + scrollY, r.height])"
+    found: list[list[float]] = view.page.locator("#workspace .stack").evaluate_all(script)
+    return found
+
+
+@pytest.mark.parametrize(("width", "scheme"), [(390, "dark"), (1400, "light")])
+def test_sliders_step_through_the_pictures_of_a_workspace(show: Any, width: int, scheme: str) -> None:
+    view = show(
+        stepped(trajectories={"hold": "servo", "steps": 6}),
+        viewport={"width": width, "height": 900},
+        color_scheme=scheme,
+    )
+    assert view.complaints == []
+    assert view.page.evaluate("document.documentElement.scrollWidth") == width
+    first, second = (view.page.get_by_role("slider", name=name, exact=True) for name in ("l", "base"))
+    assert [one.get_attribute("aria-valuetext") for one in (first, second)] == ["12 mm", "10 mm"]  # the file's own
+    assert len(seen(view)) == 3  # the regions, and a cloud for each mode
+    assert all("l = 12 mm, base = 10 mm" in text for text in seen(view))
+    before = places(view)
+    first.press("ArrowRight")
+    second.press("End")
+    assert all("l = 13 mm, base = 12 mm" in text for text in seen(view)) and len(seen(view)) == 3
+    assert view.page.locator("#workspace output").all_inner_texts() == ["13 mm", "12 mm"]
+    first.fill("0")
+    assert all("l = 11 mm, base = 12 mm" in text for text in seen(view))
+    assert places(view) == before  # nothing jumps
+
+
+def test_the_slider_stays_in_sight_and_pictures_keep_their_axes(show: Any) -> None:
+    view = show(stepped(trajectories={"steps": 6}), viewport={"width": 1000, "height": 700})
+    slider = view.page.get_by_role("slider", name="l", exact=True)
+    view.page.locator("#workspace .stack").last.scroll_into_view_if_needed()
+    box = slider.bounding_box()
+    assert box is not None and 0 < box["y"] < 200
+    grids = view.page.locator("#workspace .stack").last.locator("path.grid:first-of-type")
+    axes = {one.get_attribute("d") for one in grids.all() if "H" in (one.get_attribute("d") or "")}
+    assert len(axes) == 1
+
+
+def test_without_scripts_and_on_paper_all_pictures_are_seen(show: Any) -> None:
+    data = stepped()
+    silent = show(data, java_script_enabled=False)
+    assert len(seen(silent)) == 6
+    assert not silent.page.locator(".sliders").is_visible()
+    view = show(data)
+    assert len(seen(view)) == 1
+    view.page.emulate_media(media="print")
+    assert len(seen(view)) == 6
+    assert not view.page.locator(".sliders").is_visible()
+    boxes = [one.bounding_box() for one in view.page.locator("#workspace .stack figure").all()]
+    corners = {(box["x"], box["y"]) for box in boxes if box is not None}
+    assert len(corners) == 6

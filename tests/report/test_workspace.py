@@ -15,6 +15,7 @@ from helpers.workspaces import arm, five_bar, four_bar, performed
 from linkwright.app.job import Job
 from linkwright.report.build import report_data
 from linkwright.report.page import page
+from linkwright.report.workspace import workspace_page
 from linkwright.report.workspace_files import boundary_csv, dxf, geojson, svg
 
 
@@ -128,3 +129,31 @@ def test_a_curve_is_written_too() -> None:
     rows = [*csv.DictReader(io.StringIO(boundary_csv(job.workspace) or ""))]
     assert {row["kind"] for row in rows} == {"path"}
     assert 'class="path' in (svg(job.workspace) or "")
+
+
+def test_where_nothing_is_reached_there_is_no_picture() -> None:
+    job = performed(five_bar(**{"for": {"base": [100, 200]}}, trajectories={}, quality={"steps": 10}))
+    assert job.workspace is not None
+    assert job.workspace.workspaces == [] and svg(job.workspace) is None
+    data = workspace_page(job.workspace)["workspace"]
+    assert (data["charts"], data["sliders"]) == ([], [])
+
+
+def test_one_value_of_several_at_which_the_links_close_has_no_slider() -> None:
+    some = performed(five_bar(drives={"motor": [80, 120], "servo": [40, 100]}, **{"for": {"base": [10, 100]}}))
+    assert some.workspace is not None and len(some.workspace.workspaces) == 1
+    document = some.examined.document
+    assert document is not None
+    assert 'type="range" id="step-' not in page(report_data(document, some.outcomes))
+
+
+def test_pictures_of_several_values_have_the_same_axes() -> None:
+    made = performed(arm(**{"for": {"b": [30, 20]}}))
+    assert made.workspace is not None
+    root = ElementTree.fromstring(svg(made.workspace) or "")
+    space = "{http://www.w3.org/2000/svg}"
+    drawings = root.findall(f"{space}svg")
+    grids = [one.find(f"{space}path[@class='grid']") for one in drawings]
+    assert len(drawings) == 2 and len({grid.get("d") for grid in grids if grid is not None}) == 1
+    titles = [one.text or "" for one in root.findall(f"{space}text")]
+    assert [title.split(" = ")[1] for title in titles] == ["30 mm", "20 mm"]

@@ -174,10 +174,21 @@ class Grid(TypedDict):
 
 
 class Chart(TypedDict):
-    """A still chart: its title and the SVG."""
+    """A still chart: its title and the SVG. Charts of one ``stack`` show the same for other values of parameters;
+    ``step`` are the positions of their sliders."""
 
     title: str
     drawing: str
+    stack: NotRequired[str]
+    step: NotRequired[Sequence[int]]
+
+
+class Slider(TypedDict):
+    """A varied parameter: its values as texts, rising, and the number of the one at which it starts."""
+
+    name: str
+    texts: Sequence[str]
+    start: int
 
 
 class SweepData(TypedDict):
@@ -208,10 +219,12 @@ class AccuracyData(TypedDict):
 
 
 class WorkspaceData(TypedDict):
-    """The workspace study: what was found in sentences, a picture of each workspace, tables."""
+    """The workspace study: what was found in sentences, a picture of each workspace, the sliders that choose among
+    them, tables."""
 
     sentences: Sequence[str]
     charts: Sequence[Chart]
+    sliders: Sequence[Slider]
     tables: Sequence[Grid]
 
 

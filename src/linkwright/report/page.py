@@ -95,6 +95,7 @@ const mechanism = (() => {{
 return {{ render, still }};
 }})();
 {_asset("report.js")}
+{_asset("stacks.js")}
 </script>
 </body>
 </html>

@@ -32,6 +32,7 @@ from linkwright.report.workspace import workspace_entry, workspace_page
 from linkwright.report.workspace_files import boundary_csv, dxf, geojson, png, svg
 from linkwright.report.workspace_parts import FILES as WORKSPACE_FILES
 from linkwright.report.workspace_picture import areas
+from linkwright.report.workspace_trajectories import trajectories_svg
 from linkwright.results import Result
 from linkwright.results.netcdf import netcdf_bytes
 from linkwright.studies import CycleOutcome, LimitsOutcome, SweepOutcome
@@ -169,7 +170,10 @@ PARTS: dict[str, Part] = {
             "workspace.dxf": dxf,
             **WORKSPACE_FILES,
         },
-        png={"workspace.png": lambda outcome: png(outcome, needed("resvg_py", "png"))},
+        png={
+            "workspace.png": lambda outcome: png(svg(outcome), needed("resvg_py", "png")),
+            "workspace_trajectories.png": lambda outcome: png(trajectories_svg(outcome), needed("resvg_py", "png")),
+        },
         stores=lambda options: [REGIONS],
     ),
     "reactions": Part(

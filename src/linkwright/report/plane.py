@@ -10,12 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.report.charts import LETTER, points, ticks
-from linkwright.report.data import Chart
 from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.shapes import pieces
 from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]
+Bounds = tuple[float, float, float, float]
+"""Least x, least y, largest x, largest y."""
 
 WIDTH, LEFT, RIGHT, TOP, BOTTOM, LINE = 560.0, 58.0, 12.0, 8.0, 36.0, 17.0
 TALLEST = 700.0
@@ -44,9 +45,9 @@ STYLE = """
 
 
 class Plane:
-    """Places in a picture: ``box`` are least x, least y, largest x, largest y; one scale for both axes."""
+    """Places in a picture of a ``box``; one scale for both axes."""
 
-    def __init__(self, box: tuple[float, float, float, float], unit: str) -> None:
+    def __init__(self, box: Bounds, unit: str) -> None:
         low, high = np.array(box[:2]), np.array(box[2:])
         wide = float((high - low).max()) or 1.0
         low, high = low - MARGIN * wide, high + MARGIN * wide
@@ -55,6 +56,12 @@ class Plane:
         self.low, self.unit = low, unit
         self.right, self.bottom = LEFT + span[0] * self.scale, TOP + span[1] * self.scale
         self.high = low + span
+
+    @classmethod
+    def of(cls, box: Bounds, unit: str, size: float) -> Plane:
+        """Of a box in m, in a ``unit`` of ``size`` m."""
+        low_x, low_y, high_x, high_y = (edge / size for edge in box)
+        return cls((low_x, low_y, high_x, high_y), unit)
 
     def at(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Where places lie in the picture."""
@@ -79,6 +86,12 @@ class Plane:
 
 def _number(value: float) -> str:
     return f"{value:.7g}".replace("-", "−")
+
+
+def framed_box(boxes: Iterable[Bounds]) -> Bounds:
+    """The box around all boxes, so that pictures have the same axes."""
+    x0, y0, x1, y1 = np.array(list(boxes)).T
+    return float(x0.min()), float(y0.min()), float(x1.max()), float(y1.max())
 
 
 def framed(
@@ -133,19 +146,3 @@ def lines(sheet: Sheet, segments: Iterable[Segments], kind: str, plane: Plane, s
         for line in shapely.get_parts(shapely.simplify(merged, 0.1 / plane.scale * size)):
             if not line.is_empty:
                 yield points(*plane.at(*(np.array(line.coords).T / size)))
-
-
-def stacked(charts: Iterable[Chart]) -> str:
-    """Pictures as one, one below the other."""
-    made, top, width = [], 0.0, 0.0
-    for chart in charts:
-        box = chart["drawing"].split('viewBox="0 0 ', 1)[1].split('"', 1)[0]
-        wide, high = map(float, box.split())
-        place = f'<svg y="{top:.0f}" width="{wide:.0f}" height="{high:.0f}" '
-        made.append(chart["drawing"].replace("<svg ", place, 1))
-        top, width = top + high, max(width, wide)
-    return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}" height="{top:.0f}" '
-        f'viewBox="0 0 {width:.0f} {top:.0f}" color="#1d2733">'
-        f'<rect width="100%" height="100%" fill="#fff"/>{"".join(made)}</svg>\n'
-    )

@@ -7,10 +7,11 @@ from collections.abc import Mapping
 from typing import Any
 
 from linkwright.model import units as u
-from linkwright.report.charts import figures as charts_html
 from linkwright.report.data import Grid, WorkspaceData
+from linkwright.report.stacks import stacks
 from linkwright.report.workspace_parts import written
 from linkwright.report.workspace_picture import pictures
+from linkwright.report.workspace_steps import Steps
 from linkwright.studies.workspace.certificate import Certificate
 from linkwright.studies.workspace.outcome import Workspace, WorkspaceOutcome
 from linkwright.studies.workspace.shapes import Figures, figures
@@ -107,6 +108,7 @@ def workspace_page(outcome: WorkspaceOutcome) -> dict[str, WorkspaceData]:
         "workspace": {
             "sentences": workspace_sentences(outcome),
             "charts": [*charts, *(chart for part in written(outcome) for chart in part.charts(outcome))],
+            "sliders": Steps(outcome).sliders(),
             "tables": workspace_tables(outcome),
         }
     }
@@ -117,7 +119,7 @@ def section(data: WorkspaceData, title: str, tables: str) -> str:
     from html import escape
 
     head = "".join(f"<p>{escape(text)}</p>" for text in data["sentences"])
-    charts = f'<div class="plots">{charts_html(data["charts"])}</div>' if data["charts"] else ""
+    charts = stacks(data["charts"], data["sliders"])
     return f'<section id="workspace"><h2>{escape(title)}</h2>{head}{charts}{tables}</section>'
 
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from linkwright.model import units as u
 from linkwright.report.csv_text import cell, head, written
-from linkwright.report.plane import stacked
+from linkwright.report.tiled import tiled
 from linkwright.report.workspace_parts import written as parts
 from linkwright.report.workspace_picture import pictures
 from linkwright.studies.workspace.mesh import Box
@@ -59,15 +59,14 @@ def _feature(shape: Any, properties: dict[str, Any], size: float) -> dict[str, A
 
 
 def svg(outcome: WorkspaceOutcome) -> str | None:
-    """The pictures of all workspaces, one below the other."""
+    """The pictures of all workspaces, beside each other."""
     if not outcome.workspaces:
         return None
-    return stacked(pictures(outcome))
+    return tiled(pictures(outcome))
 
 
-def png(outcome: WorkspaceOutcome, renderer: Any) -> bytes | None:
-    """The same pictures in pixels, by the package ``resvg_py``."""
-    text = svg(outcome)
+def png(text: str | None, renderer: Any) -> bytes | None:
+    """An SVG's pictures in pixels, by the package ``resvg_py``."""
     return None if text is None else bytes(renderer.svg_to_bytes(svg_string=text, zoom=ZOOM))
 
 

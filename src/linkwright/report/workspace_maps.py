@@ -14,7 +14,9 @@ from linkwright.report.charts import named
 from linkwright.report.csv_text import cell, head, written
 from linkwright.report.data import Chart, Grid
 from linkwright.report.map_picture import levels_of, map_picture
-from linkwright.report.plane import Plane, lines, outline, stacked
+from linkwright.report.plane import Plane, framed_box, lines, outline
+from linkwright.report.tiled import tiled
+from linkwright.report.workspace_steps import Steps
 from linkwright.studies.workspace.errors_part import ErrorsPart, RegionErrors
 from linkwright.studies.workspace.mapped_regions import RegionMaps
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
@@ -170,34 +172,50 @@ def errors_charts(outcome: WorkspaceOutcome) -> Sequence[Chart]:
 
 @lru_cache(maxsize=4)
 def _charts(part: Part) -> Sequence[Chart]:
-    """The pictures of a part; they are wanted for the report and as a file."""
+    """The pictures of a part; they are wanted for the report and as a file. Those of a mode have the same axes."""
     count = -(-PICTURES // max(len(part.shown), 1))
-    return tuple(chart for one in part.regions[:count] for chart in _region_charts(part, one))[:PICTURES]
+    regions = [one for one in part.regions[:count] if part.shown and not one.reached.shape.is_empty]
+    modes: dict[str, list[RegionMaps]] = {}
+    for one in regions:
+        modes.setdefault(one.reached.mode, []).append(one)
+    pictured = {mode: _Pictured(part, some) for mode, some in modes.items()}
+    return tuple(chart for one in regions for chart in pictured[one.reached.mode].charts(one))[:PICTURES]
 
 
-def _region_charts(part: Part, one: RegionMaps) -> Iterator[Chart]:
-    outcome, region = part.outcome, one.reached.region
-    if not part.shown or region.shape.is_empty:
-        return
-    unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
-    found = raster(region, one.maps, CELLS)
-    low_x, low_y, high_x, high_y = (edge / size for edge in region.shape.bounds)
-    plane = Plane((low_x, low_y, high_x, high_y), unit)
-    shape = outline(region.shape, plane, size)
-    over, legend = _over(part, one, plane, size)
-    for name in part.shown:
-        made = one.maps.maps[name]
-        values = found.map(name, _score(part, name)) / made.size
-        stated = part.levels.get(name)
-        levels = levels_of(values) if stated is None else [level / made.size for level in stated]
+class _Pictured:
+    """The pictures of one mode's regions: the same axes, and by map the same levels, for all values."""
+
+    def __init__(self, part: Part, regions: Sequence[RegionMaps]) -> None:
+        self.part, self.steps = part, Steps(part.outcome)
+        self.unit, self.size = part.outcome.compiled.quantities.unit_of(u.LENGTH)
+        self.plane = Plane.of(framed_box(one.reached.shape.bounds for one in regions), self.unit, self.size)
+        self.found = {id(one): raster(one.reached.region, one.maps, CELLS) for one in regions}
+        self.levels = {name: self._levels(name, regions) for name in part.shown}
+
+    def _values(self, one: RegionMaps, name: str) -> Array:
+        return self.found[id(one)].map(name, _score(self.part, name)) / one.maps.maps[name].size
+
+    def _levels(self, name: str, regions: Sequence[RegionMaps]) -> list[float]:
+        if (stated := self.part.levels.get(name)) is not None:
+            return [level / regions[0].maps.maps[name].size for level in stated]
+        return levels_of(np.concatenate([self._values(one, name).ravel() for one in regions]))
+
+    def charts(self, one: RegionMaps) -> Iterator[Chart]:
+        """A picture of each map that is shown of a region."""
+        outcome, shape = self.part.outcome, outline(one.reached.shape, self.plane, self.size)
+        over, legend = _over(self.part, one, self.plane, self.size)
+        found = self.found[id(one)]
+        axes = (found.x / self.size, found.y / self.size)
         values_text = outcome.told(one.workspace)
-        data = {"point": outcome.point, "mode": one.reached.mode or say("workspace.one-mode")}
         told = say("workspace.for", values=values_text) if values_text else ""
-        heading = say("workspace.map", map=title(outcome, name), values=told, **data)
-        scale = named(title(outcome, name), made.unit)
-        axes = (found.x / size, found.y / size)
-        drawing = map_picture(plane, axes, values, levels, shape, over, legend, heading, scale)
-        yield {"title": heading, "drawing": drawing}
+        data = {"point": outcome.point, "mode": one.reached.mode or say("workspace.one-mode"), "values": told}
+        for name in self.part.shown:
+            heading = say("workspace.map", map=title(outcome, name), **data)
+            scale = named(title(outcome, name), one.maps.maps[name].unit)
+            values, levels = self._values(one, name), self.levels[name]
+            drawing = map_picture(self.plane, axes, values, levels, shape, over, legend, heading, scale)
+            stack = f"{type(self.part).__name__} {name} {one.reached.mode}"
+            yield self.steps.chart(one.workspace, stack, heading, drawing)
 
 
 def _score(part: Part, name: str) -> Callable[[Array], Array]:
@@ -226,13 +244,13 @@ def _over(part: Part, one: RegionMaps, plane: Plane, size: float) -> tuple[list[
 
 
 def quality_svg(outcome: WorkspaceOutcome) -> str | None:
-    """The pictures, one below the other."""
-    return stacked(quality_charts(outcome)) if "quality" in outcome.parts and quality_charts(outcome) else None
+    """The pictures: a row for each map and mode."""
+    return tiled(quality_charts(outcome)) if "quality" in outcome.parts and quality_charts(outcome) else None
 
 
 def errors_svg(outcome: WorkspaceOutcome) -> str | None:
     """The same of the errors."""
-    return stacked(errors_charts(outcome)) if "errors" in outcome.parts and errors_charts(outcome) else None
+    return tiled(errors_charts(outcome)) if "errors" in outcome.parts and errors_charts(outcome) else None
 
 
 def errors_shapes(outcome: WorkspaceOutcome) -> Iterator[tuple[Any, dict[str, Any]]]:

@@ -12,6 +12,13 @@ from linkwright.report.overlay import Overlay
 from linkwright.report.workspace_fits import fit_overlays, fit_tables
 from linkwright.report.workspace_path_files import drives_yaml, laws_csv
 from linkwright.report.workspace_paths import path_charts, path_overlays, path_sentences, path_tables
+from linkwright.report.workspace_trajectories import (
+    trajectories_charts,
+    trajectories_csv,
+    trajectories_sentences,
+    trajectories_svg,
+    trajectories_tables,
+)
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 
@@ -29,6 +36,12 @@ class Written:
 
 
 WRITTEN: dict[str, Written] = {
+    "trajectories": Written(
+        sentences=trajectories_sentences,
+        charts=trajectories_charts,
+        tables=trajectories_tables,
+        files={"workspace_trajectories.csv": trajectories_csv, "workspace_trajectories.svg": trajectories_svg},
+    ),
     "quality": Written(
         sentences=maps.quality_sentences,
         charts=maps.quality_charts,

@@ -12,8 +12,9 @@ from linkwright.model import units as u
 from linkwright.report.charts import points
 from linkwright.report.data import Area, Chart
 from linkwright.report.overlay import Overlay
-from linkwright.report.plane import Plane, framed, lines, outline
+from linkwright.report.plane import Bounds, Plane, framed, framed_box, lines, outline
 from linkwright.report.workspace_parts import written
+from linkwright.report.workspace_steps import Steps
 from linkwright.studies.workspace.outcome import Workspace, WorkspaceOutcome
 from linkwright.studies.workspace.shapes import pieces
 from linkwright.words import say
@@ -25,24 +26,29 @@ KINDS = ("singular", "modes", "pins", "limit")
 
 @lru_cache(maxsize=1)
 def pictures(outcome: WorkspaceOutcome) -> Sequence[Chart]:
-    """A picture of each workspace; they are wanted for the report and as files."""
+    """A picture of each workspace, all on the same axes; they are wanted for the report and as files."""
+    if not outcome.workspaces:
+        return ()
+    steps, overlays = Steps(outcome), [_over(outcome, index) for index in range(len(outcome.workspaces))]
+    drawn = [shape for one in outcome.workspaces for shape in (*(r.shape for r in one.regions), *one.curves)]
+    bounds = framed_box(shape.bounds for shape in (*drawn, *(overlay for some in overlays for overlay in some)))
     charts: list[Chart] = []
-    for index, one in enumerate(outcome.workspaces):
+    for one, over in zip(outcome.workspaces, overlays, strict=True):
         text = outcome.told(one)
         told = say("workspace.for", values=text) if text else ""
         title = say("workspace.picture", point=outcome.point, values=told)
-        over = [overlay for part in written(outcome) for overlay in part.overlays(outcome, index)]
-        charts.append({"title": title, "drawing": picture(outcome, one, title, over)})
+        charts.append(steps.chart(one, "regions", title, picture(outcome, one, title, bounds, over)))
     return tuple(charts)
 
 
-def picture(outcome: WorkspaceOutcome, one: Workspace, title: str, over: Sequence[Overlay] = ()) -> str:
-    """One workspace as SVG, with what is drawn over it."""
+def _over(outcome: WorkspaceOutcome, index: int) -> list[Overlay]:
+    return [overlay for part in written(outcome) for overlay in part.overlays(outcome, index)]
+
+
+def picture(outcome: WorkspaceOutcome, one: Workspace, title: str, box: Bounds, over: Sequence[Overlay] = ()) -> str:
+    """One workspace as SVG, with what is drawn over it, in a ``box`` (m) of the plane."""
     unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
-    drawn = (*(r.shape for r in one.regions), *one.curves, *over)
-    bounds = np.array([shape.bounds for shape in drawn]) / size
-    low, high = bounds[:, :2].min(axis=0), bounds[:, 2:].max(axis=0)
-    plane = Plane((low[0], low[1], high[0], high[1]), unit)
+    plane = Plane.of(box, unit, size)
     shapes: list[str] = []
     legend: list[tuple[str, str]] = []
     for i, reached in enumerate(one.regions):

@@ -29,6 +29,7 @@ from linkwright.studies.workspace.path_options import WantedPaths
 from linkwright.studies.workspace.quality_asked import QualityOptions
 from linkwright.studies.workspace.required import RequiredFits
 from linkwright.studies.workspace.signs import combinations
+from linkwright.studies.workspace.trajectories_asked import TrajectoriesAsked
 
 PATH = ("studies", "workspace")
 TURN = 2 * math.pi
@@ -59,6 +60,9 @@ class WorkspaceOptions(Frozen):
     quality: QualityOptions | None = Field(None, description="how well it works there: maps, singular positions")
     errors: ErrorsOptions | None = Field(
         None, description="what tolerances and clearances do to the point, and leave of each region"
+    )
+    trajectories: TrajectoriesAsked | None = Field(
+        None, description="the point's trajectories at constant values of one drive while the other one moves"
     )
     paths: WantedPaths | None = Field(None, description="paths that the point is wanted to follow, by name")
     fits: RequiredFits | None = Field(None, description="circles and rectangles that have to fit in, by name")

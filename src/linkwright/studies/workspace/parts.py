@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from linkwright.studies.workspace.options import WorkspaceOptions
     from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
-SECTIONS: tuple[str, ...] = ("quality", "errors", "paths", "fits")
+SECTIONS: tuple[str, ...] = ("trajectories", "quality", "errors", "paths", "fits")
 """The keys of the sections among the study's options, in the order in which they are performed and shown."""
 
 

@@ -14,6 +14,7 @@ from linkwright.words.en.texts import TEXTS
 from linkwright.words.en.workspace import WORKSPACE
 from linkwright.words.en.workspace_maps import WORKSPACE_MAPS
 from linkwright.words.en.workspace_paths import WORKSPACE_PATHS
+from linkwright.words.en.workspace_trajectories import WORKSPACE_TRAJECTORIES
 
 PARTS = (
     ACCURACY,
@@ -30,5 +31,6 @@ PARTS = (
     WORKSPACE,
     WORKSPACE_MAPS,
     WORKSPACE_PATHS,
+    WORKSPACE_TRAJECTORIES,
 )
 WORDS: dict[str, str] = {key: text for part in PARTS for key, text in part.items()}

@@ -1441,6 +1441,15 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "{what} isn't positive: {given}.",
         "Give a positive value, or leave it out.",
     ),
+    # Of workspaces: trajectories.
+    "workspace.hold-steps": (
+        "Trajectories have either a number of steps or a step size; both are given.",
+        "Write steps, for example steps: 36, or every, for example every: 10 deg.",
+    ),
+    "workspace.hold-many": (
+        "The range of {drive} has {count} such steps; at most {limit} trajectories are computed.",
+        "Write a larger step under every.",
+    ),
     # Of clearances.
     "clearance.cam": (
         "A clearance at {name} moves the contacts of the cam {cam}, which touches on two sides (closed: {closed}): "

@@ -53,5 +53,7 @@ REPORT: dict[str, str] = {
     "report.where": "Where",
     "report.cam": "Cam",
     "report.workspace": "Workspace",
+    "report.steps": "Parameter values of the pictures",
+    "report.no_picture": "No picture for these values.",
     "report.whole_time": "Show the whole time",
 }

@@ -1,0 +1,68 @@
+"""Pictures for several values of parameters as stacks: on screen sliders choose the one on top; on paper, and without
+scripts, all of them stand beside each other."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from html import escape
+from itertools import product
+
+from linkwright.report.charts import figures
+from linkwright.report.data import Chart, Slider
+from linkwright.words import say
+
+MARKS = 9
+"""A slider with more values has marks at its ends alone."""
+
+
+def stacks(charts: Sequence[Chart], sliders: Sequence[Slider]) -> str:
+    """Pictures as HTML, below the sliders of their parameters."""
+    if not charts:
+        return ""
+    if not sliders:
+        return f'<div class="plots">{figures(charts)}</div>'
+    found: dict[str, dict[Sequence[int], Chart]] = {}
+    for number, chart in enumerate(charts):  # of two pictures for the same values one is enough
+        found.setdefault(chart.get("stack", str(number)), {}).setdefault(chart.get("step", ()), chart)
+    bars = "".join(_slider(number, slider) for number, slider in enumerate(sliders))
+    label = escape(say("report.steps"))
+    pictures = "".join(_stack(some, sliders) for some in found.values())
+    return (
+        f'<div class="stacks"><div class="sliders panel screen" role="group" aria-label="{label}" hidden>{bars}</div>'
+        f'<div class="plots">{pictures}</div></div>'
+    )
+
+
+def _slider(number: int, slider: Slider) -> str:
+    """A slider with its parameter's name, the value at which it stands, and marks."""
+    name, texts, start = escape(slider["name"]), slider["texts"], slider["start"]
+    last = len(texts) - 1
+    own = f"step-{number}"
+    ends = range(len(texts)) if len(texts) <= MARKS else (0, last)
+    marks = "".join(f'<span style="--at:{k / last:.4f}">{escape(_bare(texts[k], texts))}</span>' for k in ends)
+    data = " ".join(f'data-text-{k}="{escape(text)}"' for k, text in enumerate(texts))
+    return (
+        f'<div class="slider"><label for="{own}">{name}</label><output for="{own}">{escape(texts[start])}</output>'
+        f'<div class="track"><input type="range" id="{own}" min="0" max="{last}" step="1" value="{start}" '
+        f'aria-valuetext="{escape(texts[start])}" {data}/>'
+        f'<div class="marks" aria-hidden="true">{marks}</div></div></div>'
+    )
+
+
+def _bare(text: str, texts: Sequence[str]) -> str:
+    """A value without its unit, which stands beside the slider, where there are many."""
+    return text.partition(" ")[0] if len(texts) > 2 else text
+
+
+def _stack(charts: Mapping[Sequence[int], Chart], sliders: Sequence[Slider]) -> str:
+    """A stack's pictures with their positions of the sliders; where it has none, a note."""
+    if () in charts:  # the same for all values
+        return figures([charts[()]])
+    made = ""
+    for step in product(*(range(len(slider["texts"])) for slider in sliders)):
+        place = f'data-step="{" ".join(map(str, step))}"'
+        if step in charts:
+            made += figures([charts[step]]).replace("<figure ", f"<figure {place} ", 1)
+        else:
+            made += f'<p class="none" {place}>{escape(say("report.no_picture"))}</p>'
+    return f'<div class="stack">{made}</div>'

@@ -1,0 +1,125 @@
+"""The section ``trajectories`` of a workspace study's options: which drive is held, at which values."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field
+
+from linkwright.kernels import Compiled
+from linkwright.model.dimensions import DimensionError
+from linkwright.model.fields import Expression, Frozen
+from linkwright.model.fields import Name as NameField
+from linkwright.model.findings import Finding
+from linkwright.model.unknown import unknown
+from linkwright.model.written import Fault
+from linkwright.studies.site import Site
+from linkwright.studies.workspace.path_options import constant, positive
+from linkwright.studies.workspace.trajectories import trajectories
+from linkwright.studies.workspace.trajectories_part import RegionTrajectories, TrajectoriesPart
+
+if TYPE_CHECKING:
+    from linkwright.studies.workspace.options import WorkspaceOptions
+    from linkwright.studies.workspace.outcome import WorkspaceOutcome
+
+Array = NDArray[np.float64]
+
+PATH = ("studies", "workspace", "trajectories")
+STEPS = 36
+MOST = 720
+"""The most values of the held drive."""
+ROUND = 1e-9
+"""A range that lacks this share of a step has room for it."""
+
+
+class TrajectoriesAsked(Frozen):
+    """Trajectories of the working point at constant values of one of two drives."""
+
+    hold: NameField | None = Field(
+        None,
+        description="the drive that is held; by default the other one than that of constant speed, else the second",
+    )
+    steps: int | None = Field(None, ge=1, le=MOST, description="equal steps of the held drive's range; 36 by default")
+    every: Expression | None = Field(
+        None,
+        description="instead of steps: the held drive's step, from the lower end of its range",
+        examples=["10 deg"],
+    )
+    chord: float = Field(
+        2e-4,
+        ge=1e-6,
+        le=1e-2,
+        description="how far the lines may lie off the trajectories, over the largest link length",
+    )
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+        if "steps" in given and "every" in given:
+            yield "workspace.hold-steps", {}
+
+    def check(self, compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
+        """What is wrong with the drive and its steps."""
+        drives = compiled.graph.drives
+        if len(drives) != 2:
+            yield Finding("workspace.two-drives", PATH, {"section": PATH[-1]})
+            return
+        if self.hold is not None and self.hold not in drives:
+            yield unknown("drive", (*PATH, "hold"), self.hold, drives)
+        elif self.every is not None:
+            yield from self._step(compiled, options, self.every)
+
+    def _step(self, compiled: Compiled, options: WorkspaceOptions, every: Expression) -> Iterator[Finding]:
+        """What is wrong with the step of the held drive."""
+        drive, at = held(compiled, self.hold), (*PATH, "every")
+        dimension = compiled.quantities.drive_dimension(drive)
+        if wrong := positive(compiled, every, dimension, at):
+            yield from wrong
+            return
+        try:
+            ends = options.range(compiled, drive)
+        except DimensionError:  # the range is told of by itself
+            return
+        step = constant(compiled, every, dimension, at)[0]
+        if ends is not None and step is not None and (count := (ends[1] - ends[0]) / step) > MOST:
+            data = {"drive": drive, "count": f"{count:.6g}", "limit": MOST}
+            yield Finding("workspace.hold-many", at, data)
+
+    def values(self, outcome: WorkspaceOutcome) -> Array:
+        """The values of the held drive (rad or m): (n,), rising; of a whole turn the end is left out."""
+        assert outcome.box is not None
+        compiled = outcome.compiled
+        drive = held(compiled, self.hold)
+        index = compiled.graph.drives.index(drive)
+        low, high, turns = outcome.box.low[index], outcome.box.high[index], outcome.box.turns[index]
+        step = (high - low) / (self.steps or STEPS)
+        if self.every is not None:
+            step = compiled.quantities.value(self.every, compiled.quantities.drive_dimension(drive))
+        count = math.floor((high - low) / step + ROUND) + 1
+        made = low + step * np.arange(count)
+        return np.asarray(made[made < high - ROUND * step] if turns else np.minimum(made, high))
+
+    def perform(self, outcome: WorkspaceOutcome, site: Site) -> TrajectoriesPart:
+        """The trajectories in each region."""
+        assert outcome.box is not None
+        drive = held(outcome.compiled, self.hold)
+        hold = outcome.compiled.graph.drives.index(drive)
+        values, chord = self.values(outcome), self.chord * outcome.compiled.graph.size
+        part = TrajectoriesPart(outcome, hold, values, chord)
+        for index, workspace in enumerate(outcome.workspaces):
+            for reached in workspace.regions:
+                found = trajectories(reached.region.sheet, outcome.box, hold, values, chord)
+                part.regions.append(RegionTrajectories(index, workspace, reached, found))
+        return part
+
+
+def held(compiled: Compiled, named: str | None) -> str:
+    """The drive that is held: the named one; else, of a motor of constant speed and a servo, the servo; else the
+    second."""
+    drives = compiled.graph.drives
+    laws = [compiled.mechanism.prescribed(drive) for drive in drives]
+    servos = [d for d, law in zip(drives, laws, strict=True) if law.speed is None or law.acceleration is not None]
+    return named or (servos[0] if len(servos) == 1 else drives[-1])
