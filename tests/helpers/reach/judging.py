@@ -56,11 +56,11 @@ def claims(regions: Sequence[Mapping[str, Any]], shapes: Sequence[Any], words: S
 
 def _claim(entry: Mapping[str, Any], shape: Any, words: Sequence[str]) -> Claim:
     mode = next(word for word in words if word in entry["mode"])
-    slack = entry["area"] * (entry["change"] or 0.0)
+    slack = entry["area"] * (entry.get("change") or 0.0)
     plain = Claim(mode, (entry["area"] - slack, entry["area"] + slack), entry["parts"], entry["holes"], shape=shape)
     given = entry.get("certificate")
     if given is None:
-        return replace(plain, warned=entry["change"] is None)
+        return replace(plain, warned=not entry.get("certificate"))
     low, high = given["area"] if given["area"] is not None else plain.area
     whole = bool(given["certified"])
     return replace(

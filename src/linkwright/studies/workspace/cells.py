@@ -320,7 +320,21 @@ def known_corners(cells: Cells, deepest: int) -> Rows:
         above = level > cells.level.min()
         _, first = np.unique(key(number[:, above] // 2) + (level[above] << 58), return_index=True)
         number, level = number[:, above][:, first] // 2, level[above][first] - 1
-    return np.unique(np.concatenate(found)) if found else np.empty(0, dtype=int)
+    return _sorted(np.concatenate(found)) if found else np.empty(0, dtype=int)
+
+
+def _sorted(keys: Rows) -> Rows:
+    """Different keys in order; sooner done so than by NumPy's hashes."""
+    keys = np.sort(keys)
+    return keys[np.append(True, keys[1:] != keys[:-1])] if keys.size else keys
+
+
+def among(keys: Rows, known: Rows) -> Mask:
+    """Which keys are among some that are in order."""
+    if not known.size:
+        return np.zeros(keys.shape, dtype=bool)
+    at = np.minimum(np.searchsorted(known, keys), known.size - 1)
+    return np.asarray(known[at] == keys)
 
 
 def cut_sides(cells: Cells, deepest: int, known: Rows) -> tuple[Rows, Rows, Rows, Rows]:
@@ -333,7 +347,7 @@ def cut_sides(cells: Cells, deepest: int, known: Rows) -> tuple[Rows, Rows, Rows
     done = []
     while own.size:
         middle = (start + stop) // 2
-        cut = (np.abs(stop - start).max(axis=0) > 1) & np.isin(key(middle), known)
+        cut = (np.abs(stop - start).max(axis=0) > 1) & among(key(middle), known)
         done.append((start[:, ~cut], stop[:, ~cut], own[~cut], which[~cut]))
         start, stop = (
             np.concatenate([start[:, cut], middle[:, cut]], axis=1),

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.studies.workspace.cells import DEEPEST, Cells, Decided, cut_on, cut_sides, joined, key, known_corners
+from linkwright.studies.workspace.cells import DEEPEST, Cells, Decided, among, cut_on, cut_sides, joined, key, known_corners
 from linkwright.studies.workspace.places import Places
 from linkwright.studies.workspace.shapes import pieces
 
@@ -134,7 +134,7 @@ def _inside(cells: Cells, at: Array, margin: float) -> Mask:
         number = np.floor((at - cells.corner[:, None]) / size).astype(np.int64)
         away = at - cells.corner[:, None] - number * size  # from the lower left corner
         deep = np.minimum(away, size - away).min(axis=0) > margin
-        found |= deep & np.isin(key(number), key(cells.number[:, cells.level == level]))
+        found |= deep & among(key(number), np.sort(key(cells.number[:, cells.level == level])))
     return found
 
 
@@ -176,15 +176,22 @@ def _counts(decided: Decided) -> tuple[int | None, int | None, Mask]:
     counts: list[int | None] = []
     doubtful = np.zeros(decided.open.level.size, dtype=bool)
     for way in (1, -1):
-        sure = _hung(ends[:, told == way], keys.size)[ends[0, kind == way]]
+        sure = _marked(_hung(ends[:, told == way], keys.size)[ends[0, kind == way]], keys.size)
         may = (kind != -way) & ((kind != 0) | (cells.level[cell] < DEEPEST))
         most = _hung(ends[:, may], keys.size)[ends[0]]
-        apart = may & ~np.isin(most, most[kind == way])
+        apart = may & ~_marked(most[kind == way], keys.size)[most]
         doubtful[cell[apart] - count] = True
-        number = np.unique(sure).size
-        counts.append(number if number == np.unique(most[may]).size else None)
+        number, possible = (int(np.count_nonzero(some)) for some in (sure, _marked(most[may], keys.size)))
+        counts.append(number if number == possible else None)
     parts, without = counts
     return parts, None if without is None else without - 1, doubtful
+
+
+def _marked(which: Any, size: int) -> Mask:
+    """A mask of some size that holds at some numbers."""
+    found = np.zeros(size, dtype=bool)
+    found[which] = True
+    return found
 
 
 def _hung(pairs: Any, size: int) -> Any:

@@ -272,7 +272,9 @@ def beside(
         there = across_at(np.repeat(both, rest.size), np.tile(rest, 2)).reshape(2, -1)
         for way, value in zip(both, there, strict=True):
             fresh = ~found[rest] & (np.sign(here[rest]) * np.sign(value) < 0)
-            some, ratio = rest[fresh], here[rest[fresh]] / (here[rest[fresh]] - value[fresh])
+            some, own = rest[fresh], here[rest[fresh]]
+            with np.errstate(all="ignore"):  # infinite where nothing is known
+                ratio = np.nan_to_num(own / (own - value[fresh]), nan=0.5)
             share[some], end[some], found[some] = way * ratio, way, True
     some = np.flatnonzero(end)
     if not rough and some.size:
