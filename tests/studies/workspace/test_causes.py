@@ -24,8 +24,10 @@ from linkwright.studies.workspace.curves import curves
 from linkwright.studies.workspace.errors import Errors
 from linkwright.studies.workspace.guaranteed import edges, guaranteed, moved
 from linkwright.studies.workspace.mesh import Box, mesh
-from linkwright.studies.workspace.regions import Region, reached, reaches
+from linkwright.studies.workspace.regions import Region
+from linkwright.studies.workspace.searched import reached
 from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.solving import reaches
 
 Array = NDArray[np.float64]
 TURN = np.linspace(0, 2 * np.pi, 72, endpoint=False)
@@ -258,7 +260,7 @@ def test_guides_and_pins_of_two_cylinders(point: str) -> None:
 def region_of(sheet: Sheet, steps: int, chord: float) -> Region:
     made = mesh(sheet, BOX, steps)
     segments = curves(sheet, made, chord)
-    return Region(sheet, BOX, reached(sheet, BOX, made, segments, chord), tuple(segments), made, steps, 0.0)
+    return Region(sheet, BOX, reached(sheet, BOX, made, segments, chord)[0], tuple(segments), made, steps, 0.0)
 
 
 @pytest.mark.parametrize("kind", ["singular", "free"])

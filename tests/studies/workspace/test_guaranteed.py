@@ -25,8 +25,10 @@ from linkwright.studies.workspace.errors import Errors, errors
 from linkwright.studies.workspace.farthest import farthest
 from linkwright.studies.workspace.guaranteed import edges, guaranteed, moved
 from linkwright.studies.workspace.mesh import Box, mesh
-from linkwright.studies.workspace.regions import Region, reached, reaches
+from linkwright.studies.workspace.regions import Region
+from linkwright.studies.workspace.searched import reached
 from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.solving import reaches
 
 EXAMPLE = Path(__file__).parents[3] / "examples" / "five_bar_workspace.yaml"
 TURNS = Box((0.0, 0.0), (2 * np.pi, 2 * np.pi), (True, True))
@@ -73,7 +75,7 @@ def region_of(sheet: Sheet, box: Box, steps: int, chord: float) -> Region:
     """A region on one mesh, for mechanisms whose outer pins never meet."""
     made = mesh(sheet, box, steps)
     segments = curves(sheet, made, chord)
-    return Region(sheet, box, reached(sheet, box, made, segments, chord), tuple(segments), made, steps, 0.0)
+    return Region(sheet, box, reached(sheet, box, made, segments, chord)[0], tuple(segments), made, steps, 0.0)
 
 
 def test_farthest_of_all_corners() -> None:

@@ -12,8 +12,10 @@ from linkwright.kernels import compile_mechanism
 from linkwright.kernels.varied import Varied
 from linkwright.model.document import load
 from linkwright.studies.workspace.mesh import Box, found_pits
-from linkwright.studies.workspace.regions import Region, reaches, region
+from linkwright.studies.workspace.regions import Region, region
+from linkwright.studies.workspace.searched import searched
 from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.solving import reaches
 from studies.workspace.models import arm, five_bar
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -36,7 +38,7 @@ def symmetric() -> list[Region]:
     """Both assemblies of a five-bar with cranks 1, couplers 1.2 and base 1."""
     compiled = five_bar(1, 1.2, 1.2, 1, 1)
     chord = 2e-7
-    return [region(Sheet(compiled, "C", ("motor", "servo"), (sign,)), TURNS, chord, most=96) for sign in (1.0, -1.0)]
+    return [region(Sheet(compiled, "C", ("motor", "servo"), (sign,)), TURNS, chord) for sign in (1.0, -1.0)]
 
 
 def test_both_assemblies_reach_what_both_arms_do(symmetric: list[Region]) -> None:
@@ -79,7 +81,7 @@ def paper(request: pytest.FixtureRequest) -> Region:
     alpha, sign = request.param
     compiled = compile_mechanism(load(EXAMPLES / "five_bar_workspace.yaml"))
     p = Varied(compiled, ["alpha"]).parameters(np.array([[np.radians(alpha)]]))[:, 0]
-    return region(Sheet(compiled, "P", ("motor", "servo"), (sign,), p), TURNS, 3e-8, most=192)
+    return region(Sheet(compiled, "P", ("motor", "servo"), (sign,), p), TURNS, 3e-8)
 
 
 def test_all_that_is_reached_lies_inside(paper: Region) -> None:
@@ -91,12 +93,15 @@ def test_all_that_is_reached_lies_inside(paper: Region) -> None:
     assert paper.shape.geom_type == "Polygon"
 
 
-def test_another_mesh_gives_the_same_area(paper: Region) -> None:
-    other = region(paper.sheet, TURNS, 3e-8, first=80, most=80)
-    assert other.steps == 80 and paper.steps == 192
-    assert other.shape.area == pytest.approx(paper.shape.area, rel=1e-6)
-    # What the chords leave open, 3e-8 m on both sides of the boundary, is more than that.
-    assert paper.change == pytest.approx(6e-8 * paper.shape.length / paper.shape.area) and paper.change < 2e-5
+def test_what_is_searched_for_agrees_with_what_is_enclosed(paper: Region) -> None:
+    """Faces between curves in the drives' plane, against cells in the plane of the working point."""
+    other = searched(paper.sheet, TURNS.askew(), 3e-8)
+    assert not other.faults
+    assert other.shape.area == pytest.approx(paper.shape.area, rel=2e-6)
+    assert other.shape.symmetric_difference(paper.shape).area < 6e-8 * paper.shape.length
+    low, high = paper.certificate.area
+    assert low <= other.shape.area <= high and high - low < 1e-3 * low
+    assert paper.certificate.certified and paper.certificate.parts and paper.certificate.holes
 
 
 def test_the_boundary_is_singular_and_what_lies_beyond_is_not_reached(paper: Region) -> None:
@@ -123,7 +128,7 @@ def test_assemblies_mirror_each_other_with_the_assembly_angle() -> None:
     compiled = compile_mechanism(load(EXAMPLES / "five_bar_workspace.yaml"))
     p = Varied(compiled, ["alpha"]).parameters(np.radians([[60.0, -60.0, 0.0]]))
     one, other, apart, left, right = (
-        region(Sheet(compiled, "P", ("motor", "servo"), (sign,), p[:, k]), TURNS, 1e-5, most=96).shape
+        region(Sheet(compiled, "P", ("motor", "servo"), (sign,), p[:, k]), TURNS, 1e-5).shape
         for k, sign in ((0, 1.0), (1, -1.0), (0, -1.0), (2, 1.0), (2, -1.0))
     )
     for first, second in ((one, other), (left, right)):

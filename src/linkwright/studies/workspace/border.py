@@ -35,8 +35,7 @@ TURNS, CUTS = 5, 2
 """Around pieces that can't be followed cells are cut on so often, each time halved so many times, ..."""
 LONG, SOME, AROUND, MOST = 8.0, 100, 3.0, 200
 """... if they are longer than so many chords, and no more than some; so many of their lengths around, and so many cells."""
-SHARE = 1e-6
-"""Pieces shorter than this share of the chord tolerance are halved no more."""
+
 
 
 def border(depth: Depth, cells: Cells, chord: float) -> tuple[Array, Array, float]:
@@ -104,7 +103,7 @@ def followed(depth: Depth, a: Array, b: Array, chord: float) -> tuple[Array, Arr
         done.append((a[:, straight], b[:, straight], np.zeros(int(straight.sum()), dtype=bool)))
         a, b = a[:, ~straight], b[:, ~straight]
         middle, found = beside(depth, a, b, ways=WAYS, near=NEAR * chord)
-        lost = ~found | (np.hypot(*(b - a)) < SHARE * chord) | (turn == ROUNDS - 1)
+        lost = ~found | (turn == ROUNDS - 1)
         done.append((a[:, lost], b[:, lost], np.ones(int(lost.sum()), dtype=bool)))
         a, b = (
             np.concatenate([a[:, ~lost], middle[:, ~lost]], axis=1),
@@ -115,10 +114,10 @@ def followed(depth: Depth, a: Array, b: Array, chord: float) -> tuple[Array, Arr
 
 
 def _straight(depth: Depth, a: Array, b: Array, near: Array | float) -> NDArray[np.bool_]:
-    """Whether the edge passes the middle of pieces at less than ``near`` (m) to either side."""
+    """Whether the edge passes the middle of pieces at less than ``near`` (m) to either side, or they are as short."""
     across = np.stack([a[1] - b[1], b[0] - a[0]]) / np.hypot(*(b - a))
     one, other = (depth((a + b) / 2 + way * near * across) > 0 for way in (1.0, -1.0))
-    return np.asarray(one != other)
+    return np.asarray((one != other) | (np.hypot(*(b - a)) <= near))
 
 
 def triangulated(cells: Cells) -> tuple[Array, Rows, Rows]:

@@ -27,8 +27,10 @@ RINGS = (2,)
 on it."""
 LOOKS = 48
 """The region's extent is looked at on so many values of each drive."""
+SKEW = np.array([1.0176, 1.0393])
+"""The square is off the middle by so much, so that edges along axes are on no side of a cell, ..."""
 WIDER = 1.0625
-"""The square that is cut into cells is this much wider than the region can be."""
+"""... and this much wider than the region can be."""
 BESIDE = 1e-6
 """Places of the edge are on a curve within this share of the region's extent."""
 INWARD = 0.1
@@ -78,7 +80,7 @@ def _square(places: Places) -> tuple[Array, float, float] | None:
         return None
     extent = float(np.ptp(at, axis=1).max())
     half = bound * WIDER
-    return np.array([-half, -half]), 2 * half, max(extent, 1e-9 * half)
+    return -half * SKEW, 2 * half, max(extent, 1e-9 * half)
 
 
 def _curves(places: Places, shape: Any, chord: float) -> tuple[tuple[Segments, ...], Mesh, int]:

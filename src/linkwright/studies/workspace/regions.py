@@ -29,7 +29,7 @@ class Region:
     mesh: Mesh
     steps: int
     rough: float
-    certificate: Certificate
+    certificate: Certificate = Certificate(SEARCHED)
 
 
 def region(sheet: Sheet, box: Box, chord: float) -> Region:
