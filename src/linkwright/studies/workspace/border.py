@@ -27,7 +27,7 @@ NEAR = 1e-2
 """Places on the edge are found to this share of the chord tolerance."""
 ROUNDS = 30
 """Pieces are halved at most so many times."""
-WAYS = ((-0.03, 0.03), (-0.3, 0.3), (-1.5, 1.5))
+WAYS = ((-0.03, 0.03), (-0.3, 0.3), (-0.9, 0.9))
 """The edge is looked for on the normal through a piece's middle, these shares of its length away."""
 FIRST = 4.0
 """What looks straight at first has to be so by so much more: its ends may turn the other way."""
@@ -52,7 +52,7 @@ def border(depth: Depth, cells: Cells, chord: float) -> tuple[Array, Array, floa
             if np.count_nonzero(near) > MOST:
                 break
             away = np.abs(cells.middle - (a[:, k] + b[:, k])[:, None] / 2).max(axis=0)
-            near |= (away < AROUND * long[k] + cells.size) & (cells.size > long[k] / 4) & (cells.level < DEEPEST + 4)
+            near |= (away < AROUND * long[k] + cells.size) & (cells.size > long[k] / 8) & (cells.level < DEEPEST + 4)
         if not near.any():
             break
         parts = cells.some(near)
@@ -77,7 +77,8 @@ def _traced(depth: Depth, cells: Cells, chord: float) -> tuple[Array, Array, NDA
     near = NEAR * chord / np.hypot(*way)
     share = bracketed(along, np.arange(count), np.zeros(count), np.ones(count), near=near)
     a, b = (start + share * way)[:, ends.reshape(-1, 2)].transpose(2, 0, 1)
-    return followed(depth, a, b, chord)
+    long = (a != b).any(axis=0)
+    return followed(depth, a[:, long], b[:, long], chord)
 
 
 def _through(ends: Rows, cell: Rows, inner: NDArray[np.bool_]) -> Rows:
