@@ -116,7 +116,7 @@ def test_that_a_mode_reaches_nothing_is_kept_too(tmp_path: Path, found: list[tup
     assert len(found) == 1 and second.failures == first.failures
 
 
-def test_warnings_are_kept_with_their_regions(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_faults_are_kept_with_their_regions(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Half of the annulus taken away from each region that is made."""
     import shapely
 
@@ -130,8 +130,8 @@ def test_warnings_are_kept_with_their_regions(tmp_path: Path, monkeypatch: pytes
     first = outcome_of(arm(chord=1e-3), Site(out=tmp_path))
     monkeypatch.setattr(study, "region", None)
     second = outcome_of(arm(chord=1e-3), Site(out=tmp_path))
-    assert [f.code for f in first.warnings] == ["workspace.incomplete"]
-    assert second.warnings == first.warnings
+    assert [f.code for f in first.failures] == ["workspace.incomplete"]
+    assert second.failures == first.failures
 
 
 def _flipped(content: bytes) -> bytes:
@@ -188,7 +188,7 @@ def test_a_file_of_classes_that_have_changed_is_not_taken(tmp_path: Path, monkey
 
     def fewer(kind: Any) -> Any:
         name = kind.__name__ if isinstance(kind, type) else type(kind).__name__
-        return [f for f in fields(kind) if (name, f.name) != ("Region", "change")]
+        return [f for f in fields(kind) if (name, f.name) != ("Region", "rough")]
 
     with monkeypatch.context() as patch:
         patch.setattr(packing, "fields", fewer)

@@ -108,7 +108,7 @@ def test_the_boundary_is_singular_and_what_lies_beyond_is_not_reached(paper: Reg
     edge = shapely.get_coordinates(paper.shape.boundary)[::20]
     paths = [np.stack([paper.sheet.place(part)[0].T for part in (s.a, s.b)], axis=1) for s in paper.segments]
     lines = shapely.multilinestrings(shapely.linestrings(np.concatenate(paths)))
-    assert shapely.distance(lines, shapely.points(edge)).max() <= 1e-10
+    assert shapely.distance(lines, shapely.points(edge)).max() <= 6e-8  # both are drawn within 3e-8
     for one in paper.segments:
         if one.kind == "singular" and one.a.size:
             here = paper.sheet.look(one.a)

@@ -228,7 +228,7 @@ def test_a_region_that_lacks_a_part_is_told(monkeypatch: pytest.MonkeyPatch) -> 
     monkeypatch.setattr(study, "region", halved)
     outcome = performed(arm()).workspace
     assert outcome is not None
-    (found,) = outcome.warnings
+    (found,) = outcome.failures
     assert found.code == "workspace.incomplete" and float(found.data["share"]) == pytest.approx(50, abs=1.5)
 
 

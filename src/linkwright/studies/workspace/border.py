@@ -147,5 +147,5 @@ def polygons(depth: Depth, a: Array, b: Array, chord: float) -> Any:
     if not len(faces):
         return shapely.Polygon()
     middles = shapely.get_coordinates(shapely.point_on_surface(faces)).T
-    shape = shapely.simplify(shapely.union_all(faces[depth(middles) > 0]), chord / 2)
+    shape = shapely.simplify(shapely.union_all(faces[depth(middles) > 0]), chord)
     return without_slivers(shape, chord)

@@ -110,11 +110,12 @@ def _cells(decided: Decided, shape: Any, chord: float) -> list[Fault]:
     found = []
     shapely.prepare(shape)
     for cells, inside, kind in ((decided.reached, True, "left-out"), (decided.never, False, "too-much")):
-        wrong = shapely.contains_xy(shape, *cells.middle) != inside
-        if wrong.any():
-            sizes = cells.size[wrong] ** 2
-            x, y = cells.middle[:, wrong][:, int(sizes.argmax())].tolist()
-            found.append(Fault(kind, float(sizes.sum()), (x, y)))
+        wrong = cells.some(shapely.contains_xy(shape, *cells.middle) != inside)
+        far = shapely.distance(shape.boundary, shapely.points(wrong.middle.T)) > BESIDE * chord
+        wrong = wrong.some(far if len(far) else slice(0, 0))
+        if wrong.level.size:
+            x, y = wrong.middle[:, int(wrong.size.argmax())].tolist()
+            found.append(Fault(kind, float((wrong.size**2).sum()), (x, y)))
     cells = joined([decided.reached, decided.never])
     margin = BESIDE * chord
     wide = cells.some(cells.size > 4 * margin)

@@ -31,6 +31,8 @@ SKEW = np.array([1.0176, 1.0393])
 """The square is off the middle by so much, so that edges along axes are on no side of a cell, ..."""
 WIDER = 1.0625
 """... and this much wider than the region can be."""
+WITHIN = 8.0
+"""The edge is drawn to so small a share of the width that is open along it, or to half of the chord tolerance."""
 BESIDE = 1e-6
 """Places of the edge are on a curve within this share of the region's extent."""
 INWARD = 0.1
@@ -56,8 +58,11 @@ def enclosed(places: Places, chord: float) -> Enclosed | None:
     if square is None:
         return None
     cells = decided(places, *square)
-    a, b, rough = border(places.depth, cells.edge, chord / 2)
-    shape = polygons(places.depth, a, b, chord)
+    # Drawn so that the area lies well within its bounds too, whose difference is some width along the edge.
+    (low, high), along = cells.area, float(cells.edge.size.sum())
+    near = min(chord / 2, (high - low) / (WITHIN * along)) if along else chord / 2
+    a, b, rough = border(places.depth, cells.edge, near)
+    shape = polygons(places.depth, a, b, near)
     segments, made, steps = _curves(places, shape, chord)
     return Enclosed(shape, segments, made, steps, rough, certified(places, cells, shape, chord))
 

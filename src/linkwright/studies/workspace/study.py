@@ -90,7 +90,8 @@ def _regions(outcome: WorkspaceOutcome, site: Site) -> tuple[int, int, bool]:
     found, stopped = together(find, works, workers, site.progress)
     for i, (values, parameters) in enumerate(cases):
         here = [found[k] for k in range(i * len(signs), (i + 1) * len(signs)) if k in found]
-        outcome.failures += [finding for _, findings in here for finding in findings]
+        for finding in (finding for _, findings in here for finding in findings):
+            (outcome.failures if finding.severity == "error" else outcome.warnings).append(finding)
         reached = [one for one, _ in here if one is not None]
         if reached or len(here) == len(signs):
             _keep(outcome, values, parameters, reached)
