@@ -9,7 +9,7 @@ from typing import Any
 from linkwright.model import units as u
 from linkwright.report.data import Grid, WorkspaceData
 from linkwright.report.stacks import stacks
-from linkwright.report.workspace_parts import written
+from linkwright.report.workspace_parts import square, written
 from linkwright.report.workspace_picture import pictures
 from linkwright.report.workspace_steps import Steps
 from linkwright.studies.workspace.certificate import Certificate
@@ -53,7 +53,7 @@ def workspace_entry(outcome: WorkspaceOutcome) -> dict[str, Any]:
             bounds = _bounds(curve.bounds, size)
             curves.append({"mode": curve.mode, **values, **told_curve, "closed": closed, "bounds": bounds})
     entry: dict[str, Any] = {"point": outcome.point, "drives": _drives(outcome), "chord": outcome.chord / size}
-    entry |= {"unit": unit, "regions": regions, "union": unions, "overlap": overlaps, "turning": turning}
+    entry |= {"unit": unit, "area_unit": f"{unit}^2", "regions": regions, "union": unions, "overlap": overlaps, "turning": turning}
     entry |= {"curves": curves} if curves else {}
     return {"workspace": entry | {name: part.as_dict() for name, part in outcome.parts.items()}}
 
@@ -62,7 +62,8 @@ def certificate_entry(found: Certificate, size: float) -> dict[str, Any]:
     """What is proven of a region, lengths in units of ``size`` m."""
     area = None if found.area is None else [bound / size**2 for bound in found.area]
     entry = {"grade": found.grade, "certified": found.certified, "area": area}
-    return entry | {"parts": found.parts, "holes": found.holes, "finest": found.finest / size}
+    faults = [{"kind": one.kind, "at": [x / size for x in one.at]} for one in found.faults]
+    return entry | {"parts": found.parts, "holes": found.holes, "finest": found.finest / size, "faults": faults}
 
 
 def sum_of_overlaps(one: Workspace) -> float:
@@ -135,7 +136,21 @@ def workspace_sentences(outcome: WorkspaceOutcome) -> list[str]:
     rough = max(one.region.rough for one in outcome.regions)
     if rough > outcome.chord:
         told.append(say("workspace.rough", rough=f"{rough / size:.2g}", unit=unit))
+    told += _proven([one.region.certificate for one in outcome.regions], unit, size)
     return [*told, *(text for part in written(outcome) for text in part.sentences(outcome))]
+
+
+def _proven(every: list[Certificate], unit: str, size: float) -> list[str]:
+    """What the certificates of all regions say together."""
+    enclosed = [one for one in every if one.area is not None]
+    told = []
+    if enclosed:
+        finest = max(one.finest for one in enclosed) / size
+        sure = all(one.parts and one.holes for one in enclosed)
+        counts = say("workspace.counts.certified", finest=f"{finest:.2g}", unit=unit)
+        told = [say("workspace.certified"), counts if sure else say("workspace.counts.open")]
+    searched = len(every) - len(enclosed)
+    return [*told, say("workspace.searched", count=searched)] if searched else told
 
 
 def workspace_tables(outcome: WorkspaceOutcome) -> list[Grid]:
@@ -143,17 +158,17 @@ def workspace_tables(outcome: WorkspaceOutcome) -> list[Grid]:
     entry = workspace_entry(outcome)["workspace"]
     names = [*outcome.options.for_]
     grids = [
-        _grid("regions", ("mode", *_SHAPE), names, entry["regions"]),
-        _grid("union", (*_SHAPE[:-1], "both", "unit"), names, entry["union"]),
-        _grid("overlap", ("modes", "area", "share", "parts", "unit"), names, entry["overlap"]),
+        _grid("regions", ("mode", "area", "within", *_SHAPE[1:], "grade"), names, entry["regions"]),
+        _grid("union", (*_SHAPE, "both"), names, entry["union"]),
+        _grid("overlap", ("modes", "area", "share", "parts"), names, entry["overlap"]),
         _grid("turning", ("drive", "intervals", "other", "unit", "signs"), names, entry["turning"]),
-        _grid("curves", ("mode", "length", "parts", "x", "y", "unit"), names, entry.get("curves", [])),
+        _grid("curves", ("mode", "length", "parts", "x", "y"), names, entry.get("curves", [])),
     ]
     grids += [grid for part in written(outcome) for grid in part.tables(outcome)]
     return [grid for grid in grids if grid["rows"]]
 
 
-_SHAPE = ("area", "perimeter", "holes", "parts", "x", "y", "unit")
+_SHAPE = ("area", "perimeter", "holes", "parts", "x", "y")
 
 
 def _grid(name: str, columns: tuple[str, ...], names: list[str], entries: list[Mapping[str, Any]]) -> Grid:
@@ -163,9 +178,21 @@ def _grid(name: str, columns: tuple[str, ...], names: list[str], entries: list[M
 
 
 def _cell(entry: Mapping[str, Any], column: str) -> str:
-    if column in ("x", "y"):
+    unit, proven = entry.get("unit", ""), entry.get("certificate", {})
+    if column in ("x", "y") and "bounds" in entry:
         low, high = entry["bounds"]["xy".index(column) :: 2]
-        return "-" if low is None else f"{low:.6g} .. {high:.6g}"
+        return "-" if low is None else f"{low:.6g} .. {high:.6g} {unit}".rstrip()
+    if column in ("area", "both"):
+        return f"{entry['several' if column == 'both' else column]:.7g} {square(unit)}".rstrip()
+    if column == "within":
+        return "-" if proven["area"] is None else "{:.7g} .. {:.7g} {}".format(*proven["area"], square(unit)).rstrip()
+    if column in ("perimeter", "length"):
+        return f"{entry[column]:.7g} {unit}".rstrip()
+    if column in ("parts", "holes") and proven.get("area") and not proven[column]:
+        return say("workspace.count-open", count=entry[column])
+    if column == "grade":
+        sure = proven["certified"] or not proven["faults"]
+        return say(f"workspace.grade.{proven['grade'] if sure else 'contradicted'}")
     if column == "modes":
         return " / ".join(entry["modes"])
     if column == "mode":
@@ -176,7 +203,7 @@ def _cell(entry: Mapping[str, Any], column: str) -> str:
         return ", ".join(f"{low:.6g} .. {high:.6g}" for low, high in entry["intervals"]) or say("workspace.nowhere")
     if column == "signs":
         return ", ".join(f"{group} {sign:+d}" for group, sign in entry["mode"].items()) or say("workspace.every-mode")
-    value = entry["several" if column == "both" else column]
+    value = entry[column]
     if column == "share":
         return f"{100 * value:.4g} %"
     return str(value) if isinstance(value, int | str) else f"{value:.7g}"

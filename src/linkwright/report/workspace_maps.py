@@ -114,17 +114,19 @@ def errors_tables(outcome: WorkspaceOutcome) -> list[Grid]:
         told = [_ends(found["error worst"]), *(_between(*ends) for ends in rows), _ends(found["spread worst"])]
         errors.append([*_front(entry, names), *told, entry["unit"]])
         kept, precise = entry["guaranteed"], entry.get("precise")
-        row = [f"{kept['area']:.6g}", f"{100 * kept['share']:.4g} %"]
-        row += [f"{precise['area']:.6g}", f"{100 * precise['share']:.4g} %"] if precise else []
-        row.append(" .. ".join("-" if way is None else f"{way:.4g}" for way in kept["inward"]))
-        sure.append([*_front(entry, names), *row, entry["unit"]])
+        row: list[str] = []
+        unit = entry["unit"]
+        for what in (kept, precise) if precise else (kept,):
+            row += [f"{what['area']:.6g} {square(unit)}".rstrip(), f"{100 * what['share']:.4g} %"]
+        inward = " .. ".join("-" if way is None else f"{way:.4g}" for way in kept["inward"])
+        sure.append([*_front(entry, names), *row, f"{inward} {unit}".rstrip()])
     heads = ["guaranteed", "share-region", *(["precise", "share-region"] if part.limit is not None else []), "inward"]
     data = {"point": outcome.point}
     shown = [title(outcome, "error worst"), *(say("workspace.column.error", axis=axis, **data) for axis in "xy")]
     shown.append(title(outcome, "spread worst"))
     return [
         _grid("errors", [*names, *_heads("mode"), *shown, *_heads("unit")], errors),
-        _grid("guaranteed", [*names, *_heads("mode", *heads, "unit")], sure),
+        _grid("guaranteed", [*names, *_heads("mode", *heads)], sure),
     ]
 
 

@@ -24,7 +24,7 @@ def doubts(compiled: Compiled, where: tuple[str, ...], mode: str, certificate: C
 
 def _told(kind: str, value: float, unit: str, size: float) -> str:
     if kind in AREAS:
-        return f"{value / size**2:.3g} {unit}²" if unit else f"{value / size**2:.3g}"
+        return f"{value / size**2:.3g} {unit}\N{SUPERSCRIPT TWO}" if unit else f"{value / size**2:.3g}"
     if kind in LENGTHS:
         return f"{value / size:.3g} {unit}".rstrip()
     return f"{100 * value:.3g} %" if kind in SHARES else f"{value:.0f}"

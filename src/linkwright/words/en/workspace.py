@@ -2,6 +2,23 @@
 
 WORKSPACE: dict[str, str] = {
     "workspace.sentence": "Where {point} gets to: {count} regions; their boundaries lie within {chord} {unit} of the true ones.",
+    "workspace.certified": (
+        "Areas lie between the bounds in the table: enclosures of all poses that come to a place prove that, whatever "
+        "curves are drawn."
+    ),
+    "workspace.counts.certified": "The numbers of parts and holes are certified, but for such narrower than {finest} {unit}.",
+    "workspace.counts.open": (
+        "The numbers of parts and holes are certified but where the table says otherwise: there some may be joined, or "
+        "missing."
+    ),
+    "workspace.searched": (
+        "{count} of the regions are searched for: not all poses that come to a place are known in closed form, so that a "
+        "part may be missing and no bounds of the area are known."
+    ),
+    "workspace.count-open": "{count}, not certified",
+    "workspace.grade.enclosed": "certified",
+    "workspace.grade.searched": "searched",
+    "workspace.grade.contradicted": "not certified",
     "workspace.sentence.curves": "With one drive {point} moves along a curve: {count} of them.",
     "workspace.sentence.none": "Nothing was computed.",
     "workspace.rough": "Near points where curves end or touch, pieces of at most {rough} {unit} couldn't be refined.",
@@ -21,6 +38,8 @@ WORKSPACE: dict[str, str] = {
     "workspace.column.mode": "Mode",
     "workspace.column.modes": "Modes",
     "workspace.column.area": "Area",
+    "workspace.column.within": "Lies between",
+    "workspace.column.grade": "Grade",
     "workspace.column.perimeter": "Perimeter",
     "workspace.column.holes": "Holes",
     "workspace.column.parts": "Parts",
