@@ -7,9 +7,10 @@ from collections.abc import Mapping
 from typing import Any
 
 from linkwright.model import units as u
+from linkwright.report.areas import square
 from linkwright.report.data import Grid, WorkspaceData
 from linkwright.report.stacks import stacks
-from linkwright.report.workspace_parts import square, written
+from linkwright.report.workspace_parts import written
 from linkwright.report.workspace_picture import pictures
 from linkwright.report.workspace_steps import Steps
 from linkwright.studies.workspace.certificate import Certificate

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.model import units as u
+from linkwright.report.areas import square
 from linkwright.report.charts import named
 from linkwright.report.csv_text import cell, head, written
 from linkwright.report.data import Chart, Grid

@@ -78,8 +78,3 @@ FILES = {name: _where(key, content) for key, part in WRITTEN.items() for name, c
 def written(outcome: WorkspaceOutcome) -> list[Written]:
     """How the parts that an outcome has are written."""
     return [part for name, part in WRITTEN.items() if name in outcome.parts]
-
-
-def square(unit: str) -> str:
-    """The unit of areas where lengths have a unit."""
-    return f"{unit}\N{SUPERSCRIPT TWO}" if unit else ""
