@@ -151,7 +151,9 @@ class Inputs:
             number, which = (int(part) for part in rest.split("/"))
             if number not in self.lookups:
                 program = graph.program([f"argument/{number}"], rates=True)
-                self.lookups[number] = Stage(program.block, compiled.parameters, (0, 1), taylor(self.strict, self.dtype))
+                self.lookups[number] = Stage(
+                    program.block, compiled.parameters, (0, 1), taylor(self.strict, self.dtype)
+                )
             lookup = graph.actions.lookups[number]
             table = compiled.tables[lookup.table]
             argument = Jet(self.lookups[number](x))

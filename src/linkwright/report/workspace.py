@@ -54,7 +54,14 @@ def workspace_entry(outcome: WorkspaceOutcome) -> dict[str, Any]:
             bounds = _bounds(curve.bounds, size)
             curves.append({"mode": curve.mode, **values, **told_curve, "closed": closed, "bounds": bounds})
     entry: dict[str, Any] = {"point": outcome.point, "drives": _drives(outcome), "chord": outcome.chord / size}
-    entry |= {"unit": unit, "area_unit": f"{unit}^2", "regions": regions, "union": unions, "overlap": overlaps, "turning": turning}
+    entry |= {
+        "unit": unit,
+        "area_unit": f"{unit}^2",
+        "regions": regions,
+        "union": unions,
+        "overlap": overlaps,
+        "turning": turning,
+    }
     entry |= {"curves": curves} if curves else {}
     return {"workspace": entry | {name: part.as_dict() for name, part in outcome.parts.items()}}
 

@@ -37,7 +37,6 @@ LONG, SOME, AROUND, MOST = 8.0, 100, 3.0, 200
 """... if they are longer than so many chords, and no more than some; so many of their lengths around, and so many cells."""
 
 
-
 def border(depth: Depth, cells: Cells, chord: float) -> tuple[Array, Array, float]:
     """Pieces of the edge by their ends (2, n) both, and by how much at most (m) one may be off that couldn't be
     followed: 0 where all could. Around such pieces, as at sharp corners, the cells are cut on."""

@@ -226,7 +226,9 @@ def _cut(places: Places, cells: Cells, fine: int, deep: int, little: float) -> D
 
 
 def _nothing(empty: Cells, functions: int) -> Decided:
-    none = Straight(np.empty(0, dtype=np.intp), np.empty((functions, 0)), np.empty((functions, 0)), np.empty((2, functions, 0)))
+    none = Straight(
+        np.empty(0, dtype=np.intp), np.empty((functions, 0)), np.empty((functions, 0)), np.empty((2, functions, 0))
+    )
     return Decided(empty, empty, empty, empty, np.empty(0), np.empty(0), none)
 
 

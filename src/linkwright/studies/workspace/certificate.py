@@ -13,7 +13,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.studies.workspace.cells import DEEPEST, Cells, Decided, among, cut_on, cut_sides, joined, key, known_corners
+from linkwright.studies.workspace.cells import (
+    DEEPEST,
+    Cells,
+    Decided,
+    among,
+    cut_on,
+    cut_sides,
+    joined,
+    key,
+    known_corners,
+)
 from linkwright.studies.workspace.places import Places
 from linkwright.studies.workspace.shapes import pieces
 

@@ -38,9 +38,7 @@ def region(sheet: Sheet, box: Box, chord: float) -> Region:
     poses = Poses.of(sheet.compiled, sheet.point)
     found = None if poses is None else enclosed(Places(poses, sheet, box), chord)
     if found is not None:
-        return Region(
-            sheet, box, found.shape, found.segments, found.mesh, found.steps, found.rough, found.certificate
-        )
+        return Region(sheet, box, found.shape, found.segments, found.mesh, found.steps, found.rough, found.certificate)
     other = searched(sheet, box, chord)
     rough = max((float(np.nan_to_num(one.off).max(initial=0.0)) for one in other.segments), default=0.0)
     certificate = Certificate(SEARCHED, faults=other.faults)

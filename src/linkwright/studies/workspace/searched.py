@@ -99,9 +99,7 @@ def _on_meshes(sheet: Sheet, box: Box, chord: float, first: int, most: int, quic
         last, steps = area, 2 * steps
 
 
-def reached(
-    sheet: Sheet, box: Box, made: Mesh, segments: Sequence[Segments], chord: float
-) -> tuple[Any, list[Fault]]:
+def reached(sheet: Sheet, box: Box, made: Mesh, segments: Sequence[Segments], chord: float) -> tuple[Any, list[Fault]]:
     """The faces between the curves' paths that are reached, together, and what doesn't fit. Slivers between paths that
     are one but for their chords go with the face with which they share most of their edge."""
     import shapely
