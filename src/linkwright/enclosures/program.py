@@ -81,7 +81,7 @@ closed forms of dyads do. They hold for the places of a box at which every root 
 
 
 class Stage:
-    """A block of expressions on a kind of enclosures: its ``wanted`` rows, with what depends on parameters alone done."""
+    """A block of expressions on a kind of enclosures: its ``wanted`` rows, what depends on parameters alone done."""
 
     def __init__(self, stage: ExpressionStage, p: Array, wanted: Sequence[int], kind: Kind) -> None:
         operations = kind.operations
