@@ -97,8 +97,8 @@ def joined(parts: list[Cells]) -> Cells:
 @dataclass(frozen=True)
 class Straight:
     """Linear forms over cells, by pairs of a cell, numbered ``of`` (pairs,), and a pose that may reach it: ``value``
-    and ``rest`` (functions, pairs), ``slope`` (2, functions, pairs); coordinates run from -1 to 1 over the cell. Functions
-    that are positive all over it are left as 1."""
+    and ``rest`` (functions, pairs), ``slope`` (2, functions, pairs); coordinates run from -1 to 1 over the cell.
+    Functions that are positive all over it are left as 1."""
 
     of: Rows
     value: Array
@@ -318,7 +318,7 @@ def known_corners(cells: Cells, deepest: int) -> Rows:
     number, level, found = cells.number, cells.level, []
     while number.shape[1]:
         unit = 2 ** (deepest - level)
-        found.append(np.concatenate([key(([*number, [i], [k]]) * unit) for i in (0, 1) for k in (0, 1)]))
+        found.append(np.concatenate([key((number + np.array([[i], [k]])) * unit) for i in (0, 1) for k in (0, 1)]))
         above = level > cells.level.min()
         _, first = np.unique(key(number[:, above] // 2) + (level[above] << 58), return_index=True)
         number, level = number[:, above][:, first] // 2, level[above][first] - 1
