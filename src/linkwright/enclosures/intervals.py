@@ -178,14 +178,6 @@ def square(x: Any) -> Intervals:
     return lift(x) ** 2
 
 
-@register("power")
-def power(x: Any, y: Any) -> Intervals:
-    """A power: whole ones of any number."""
-    y = lift(y)
-    whole = y.low == y.high and y.low == np.floor(y.low) if y.low.ndim == 0 else False
-    return lift(x) ** (int(y.low) if whole else y)
-
-
 @register("sqrt")
 def sqrt(x: Any) -> Intervals:
     """Square root; the whole line where the argument may be below 0."""

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.enclosures import functions, intervals
-from linkwright.enclosures.forms import UNIT, Form
+from linkwright.enclosures.forms import FEW, UNIT, Form
 from linkwright.enclosures.functions import turned
 from linkwright.enclosures.intervals import Intervals
 from linkwright.enclosures.taylor import TaylorModel
@@ -53,22 +53,29 @@ def taylor(strict: bool = False, dtype: Any = np.float64) -> Kind:
     return Kind({**ARITHMETIC, **named, **own, ca.OP_ATAN2: angle}, lambda v: TaylorModel.number(v, dtype=dtype))
 
 
-def _constant(name: str, *args: Form) -> Form:
+def _constant(function: Operation, *args: Form) -> Form:
     """A function of parameters alone."""
     if any(np.any(x.lean) for x in args):
-        raise NotImplementedError(f"no enclosure of {name} over boxes")
-    found = intervals.FUNCTIONS[name](*(Intervals(*x.ends) for x in args))
+        raise NotImplementedError("no enclosure of such a function over boxes")
+    found = function(*(Intervals(*x.ends) for x in args))
     middle = (found.low + found.high) / 2
     return Form(middle, rest=(found.high - found.low) / 2 + UNIT * abs(middle))
 
 
+def _power(x: Intervals, y: Intervals) -> Intervals:
+    """Whole powers of any number, others of positive ones."""
+    middle = float((y.low + y.high) / 2)
+    whole = middle == np.floor(middle) and y.high - y.low <= FEW * abs(middle)
+    return x ** (int(middle) if whole else y)
+
+
 BOXES = Kind(
     {
-        **{op: partial(_constant, name) for op, name in NAMES.items()},
+        **{op: partial(_constant, intervals.FUNCTIONS[name]) for op, name in NAMES.items()},
         **ARITHMETIC,
-        ca.OP_POW: partial(_constant, "power"),
-        ca.OP_CONSTPOW: partial(_constant, "power"),
-        ca.OP_ATAN2: partial(_constant, "arctan2"),
+        ca.OP_POW: partial(_constant, _power),
+        ca.OP_CONSTPOW: partial(_constant, _power),
+        ca.OP_ATAN2: partial(_constant, intervals.arctan2),
         ca.OP_SQ: Form.square,
         ca.OP_SQRT: Form.sqrt,
         ca.OP_INV: Form.inverse,
@@ -81,7 +88,7 @@ closed forms of dyads do. They hold for the places of a box at which every root 
 
 
 class Stage:
-    """A block of expressions on a kind of enclosures: its ``wanted`` rows, with what depends on parameters alone done."""
+    """A block of expressions on a kind of enclosures: its ``wanted`` rows, what depends on parameters alone done."""
 
     def __init__(self, stage: ExpressionStage, p: Array, wanted: Sequence[int], kind: Kind) -> None:
         operations = kind.operations

@@ -185,6 +185,11 @@ def _grid(name: str, columns: tuple[str, ...], names: list[str], entries: list[M
     return {"name": f"workspace-{name}", "title": say(f"workspace.table.{name}"), "heads": heads, "rows": rows}
 
 
+def _between(ends: list[float], unit: str) -> str:
+    low, high = ends
+    return f"{low:.7g} .. {high:.7g} {unit}".rstrip()
+
+
 def _cell(entry: Mapping[str, Any], column: str) -> str:
     unit, proven = entry.get("unit", ""), entry.get("certificate", {})
     if column in ("x", "y") and "bounds" in entry:
@@ -193,7 +198,7 @@ def _cell(entry: Mapping[str, Any], column: str) -> str:
     if column in ("area", "both"):
         return f"{entry['several' if column == 'both' else column]:.7g} {square(unit)}".rstrip()
     if column == "within":
-        return "-" if proven["area"] is None else "{:.7g} .. {:.7g} {}".format(*proven["area"], square(unit)).rstrip()
+        return "-" if proven["area"] is None else _between(proven["area"], square(unit))
     if column in ("perimeter", "length"):
         return f"{entry[column]:.7g} {unit}".rstrip()
     if column in ("parts", "holes") and proven.get("area") and not proven[column]:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from linkwright.results.stationary import bracketed
 from linkwright.studies.workspace.cells import DEEPEST, Cells, cut_sides, joined, key, known_corners
-from linkwright.studies.workspace.curves import beside, distance
+from linkwright.studies.workspace.curves import beside
 from linkwright.studies.workspace.maps import crossings
 from linkwright.studies.workspace.shapes import without_slivers
 
@@ -34,7 +34,7 @@ FIRST = 4.0
 TURNS, CUTS = 5, 2
 """Around pieces that can't be followed cells are cut on so often, each time halved so many times, ..."""
 LONG, SOME, AROUND, MOST = 8.0, 100, 3.0, 200
-"""... if they are longer than so many chords, and no more than some; so many of their lengths around, and so many cells."""
+"""... if they are longer than so many chords, and no more than some; within so many lengths, and so many cells."""
 
 
 def border(depth: Depth, cells: Cells, chord: float) -> tuple[Array, Array, float]:
@@ -65,7 +65,7 @@ def _traced(depth: Depth, cells: Cells, chord: float) -> tuple[Array, Array, NDA
     """Pieces of the edge, and which of them couldn't be followed."""
     corners, triangles, cell = triangulated(cells)
     pairs, ends, of = crossings(triangles, np.where(depth(corners) > 0, 1.0, -1.0))
-    ends = _through(ends, cell[of], np.isin(pairs, triangles[:, 0]).any(axis=1))
+    ends = _through(ends, cell[of], np.asarray(np.isin(pairs, triangles[:, 0]).any(axis=1)))
     used, ends = np.unique(ends, return_inverse=True)
     start, way = corners[:, pairs[used, 0]], corners[:, pairs[used, 1]] - corners[:, pairs[used, 0]]
 

@@ -77,7 +77,7 @@ class Cells:
         """The centres."""
         return self.corner[:, None] + (self.number + 0.5) * self.size
 
-    def some(self, which: Mask | Rows) -> Cells:
+    def some(self, which: Mask | Rows | slice) -> Cells:
         """Some of the cells."""
         return Cells(self.corner, self.side, self.number[:, which], self.level[which])
 
@@ -96,9 +96,9 @@ def joined(parts: list[Cells]) -> Cells:
 
 @dataclass(frozen=True)
 class Straight:
-    """Linear forms over cells, by pairs of a cell, numbered ``of`` (pairs,), and a pose that may reach it: ``value`` and
-    ``rest`` (functions, pairs), ``slope`` (2, functions, pairs); coordinates run from -1 to 1 over the cell. Functions
-    that are positive all over it are left as 1."""
+    """Linear forms over cells, by pairs of a cell, numbered ``of`` (pairs,), and a pose that may reach it: ``value``
+    and ``rest`` (functions, pairs), ``slope`` (2, functions, pairs); coordinates run from -1 to 1 over the cell.
+    Functions that are positive all over it are left as 1."""
 
     of: Rows
     value: Array
@@ -131,8 +131,8 @@ class Straight:
 @dataclass
 class Decided:
     """What is decided of the plane: cells that are ``reached``, that are ``never``, and ``open`` ones. Of these
-    ``least`` and ``most`` (n,) bound the share that is reached; ``forms`` are their functions. ``edge`` are the cells of
-    all that isn't decided in which the region's edge is to be traced: larger where it is one line."""
+    ``least`` and ``most`` (n,) bound the share that is reached; ``forms`` are their functions. ``edge`` are the cells
+    of all that isn't decided in which the region's edge is to be traced: larger where it is one line."""
 
     reached: Cells
     never: Cells
@@ -307,7 +307,7 @@ def _share(value: Array, slope: Array) -> Array:
     return np.clip(np.where(np.isnan(found), np.where(value > 0, 1.0, 0.0), found), 0.0, 1.0)
 
 
-def key(at: Rows) -> Any:
+def key(at: Any) -> Any:
     """One number for each corner of a fine grid, (2, ...)."""
     return (at[0] << 32) | at[1]
 
@@ -318,7 +318,7 @@ def known_corners(cells: Cells, deepest: int) -> Rows:
     number, level, found = cells.number, cells.level, []
     while number.shape[1]:
         unit = 2 ** (deepest - level)
-        found.append(np.concatenate([key((number + [[i], [k]]) * unit) for i in (0, 1) for k in (0, 1)]))
+        found.append(np.concatenate([key((number + np.array([[i], [k]])) * unit) for i in (0, 1) for k in (0, 1)]))
         above = level > cells.level.min()
         _, first = np.unique(key(number[:, above] // 2) + (level[above] << 58), return_index=True)
         number, level = number[:, above][:, first] // 2, level[above][first] - 1

@@ -45,7 +45,7 @@ CLOSE = 1e-9
 
 @dataclass(frozen=True)
 class Fault:
-    """What contradicts a region: which ``kind`` of contradiction, of what ``size`` (m2, m or a share), and where (m)."""
+    """What contradicts a region: which ``kind`` of contradiction, of what ``size`` (m2, m, a share), and where (m)."""
 
     kind: str
     size: float
@@ -73,6 +73,9 @@ class Certificate:
     def open(self) -> float | None:
         """The area (m2) that is left open."""
         return None if self.area is None else self.area[1] - self.area[0]
+
+
+UNPROVEN = Certificate(SEARCHED)
 
 
 def certified(places: Places, decided: Decided, shape: Any, chord: float) -> Certificate:

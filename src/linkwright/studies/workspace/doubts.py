@@ -2,29 +2,53 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.findings import Finding
 from linkwright.studies.workspace.certificate import Certificate
 
-AREAS, LENGTHS, SHARES = ("area", "open", "left-out", "too-much"), ("cut", "dangle", "ring"), ("back", "unsettled")
+Told = Callable[[float, str, float], str]
+
+
+def _area(value: float, unit: str, size: float) -> str:
+    return f"{value / size**2:.3g} {unit}\N{SUPERSCRIPT TWO}" if unit else f"{value / size**2:.3g}"
+
+
+def _length(value: float, unit: str, size: float) -> str:
+    return f"{value / size:.3g} {unit}".rstrip()
+
+
+def _share(value: float, unit: str, size: float) -> str:
+    return f"{100 * value:.3g} %"
+
+
+def _count(value: float, unit: str, size: float) -> str:
+    return f"{value:.0f}"
+
+
+KINDS: dict[str, tuple[str, Told]] = {
+    "area": ("workspace.doubt-area", _area),
+    "open": ("workspace.doubt-open", _area),
+    "left-out": ("workspace.doubt-left-out", _area),
+    "too-much": ("workspace.doubt-too-much", _area),
+    "edge": ("workspace.doubt-edge", _count),
+    "back": ("workspace.doubt-back", _share),
+    "unsettled": ("workspace.doubt-unsettled", _share),
+    "cut": ("workspace.doubt-cut", _length),
+    "dangle": ("workspace.doubt-dangle", _length),
+    "ring": ("workspace.doubt-ring", _length),
+    "nowhere": ("workspace.doubt-nowhere", _count),
+}
+"""Of each kind of fault its finding, and how its size is told."""
 
 
 def doubts(compiled: Compiled, where: tuple[str, ...], mode: str, certificate: Certificate) -> Iterator[Finding]:
     """A finding for each fault of a mode's certificate, in the file's units."""
     unit, size = compiled.quantities.unit_of(u.LENGTH)
     for fault in certificate.faults:
+        code, told = KINDS[fault.kind]
         x, y = (f"{v / size:.6g}" for v in fault.at)
-        data = {"mode": mode or "-", "at": f"({x}, {y}) {unit}".rstrip()}
-        data["size"] = _told(fault.kind, fault.size, unit, size)
-        yield Finding(f"workspace.doubt-{fault.kind}", where, data)
-
-
-def _told(kind: str, value: float, unit: str, size: float) -> str:
-    if kind in AREAS:
-        return f"{value / size**2:.3g} {unit}\N{SUPERSCRIPT TWO}" if unit else f"{value / size**2:.3g}"
-    if kind in LENGTHS:
-        return f"{value / size:.3g} {unit}".rstrip()
-    return f"{100 * value:.3g} %" if kind in SHARES else f"{value:.0f}"
+        data = {"mode": mode or "-", "at": f"({x}, {y}) {unit}".rstrip(), "size": told(fault.size, unit, size)}
+        yield Finding(code, where, data)

@@ -1,4 +1,4 @@
-"""A region whose poses are known in closed form: its edge between decided cells, and the curves in the drives' plane."""
+"""A region whose poses are known in closed form: its edge between decided cells, the curves in the drives' plane."""
 
 from __future__ import annotations
 
@@ -11,12 +11,11 @@ from numpy.typing import NDArray
 from linkwright.graph.bound import farthest
 from linkwright.studies.workspace.alike import alike
 from linkwright.studies.workspace.border import border, polygons
-from linkwright.studies.workspace.cells import Decided, decided
+from linkwright.studies.workspace.cells import decided
 from linkwright.studies.workspace.certificate import Certificate, certified
 from linkwright.studies.workspace.curves import Segments, smooth, traced
 from linkwright.studies.workspace.mesh import Box, Mesh, found_pits, mesh
 from linkwright.studies.workspace.places import Places
-from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]
 
@@ -41,8 +40,8 @@ INWARD = 0.1
 
 @dataclass(frozen=True)
 class Enclosed:
-    """A region's ``shape``, the curves that may bound it, found on a mesh of some ``steps``, by how much its edge may be
-    off where it couldn't be drawn to the chord tolerance (m), and its certificate."""
+    """A region's ``shape``, the curves that may bound it, found on a mesh of some ``steps``, by how much its edge may
+    be off where it couldn't be drawn to the chord tolerance (m), and its certificate."""
 
     shape: Any
     segments: tuple[Segments, ...]

@@ -1,4 +1,4 @@
-"""The region that the working point of a sheet reaches: a polygon whose edges lie within a chord tolerance of its own."""
+"""The region that the working point of a sheet reaches: a polygon whose edges lie within a chord of the true ones."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from linkwright.studies.workspace.certificate import SEARCHED, Certificate
+from linkwright.studies.workspace.certificate import SEARCHED, UNPROVEN, Certificate
 from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.enclosed import enclosed
 from linkwright.studies.workspace.mesh import Box, Mesh
@@ -29,7 +29,7 @@ class Region:
     mesh: Mesh
     steps: int
     rough: float
-    certificate: Certificate = Certificate(SEARCHED)
+    certificate: Certificate = UNPROVEN
 
 
 def region(sheet: Sheet, box: Box, chord: float) -> Region:

@@ -106,7 +106,7 @@ def reached(sheet: Sheet, box: Box, made: Mesh, segments: Sequence[Segments], ch
 
     paths = [sheet.place(np.stack([one.a, one.b], axis=1).reshape(2, -1))[0].reshape(2, 2, -1) for one in segments]
     ends = np.concatenate(paths, axis=2)
-    known = np.isfinite(ends).all(axis=(0, 1))
+    known = np.asarray(np.isfinite(ends).all(axis=(0, 1)))
     faults = _nowhere(segments, ends, known)
     ends = ends[:, :, known & (ends[:, 1] != ends[:, 0]).any(axis=0)]
     if not ends.size or not made.q.size:

@@ -124,8 +124,9 @@ def _found(outcome: WorkspaceOutcome, signs: Signs, parameters: Array) -> tuple[
         (drive,) = compiled.graph.drives
         ends = options.range(compiled, drive)
         assert ends is not None
-        found = curve(compiled, options.point, mode, signs, parameters, ends, options.turns(compiled)[0], outcome.chord)
-        return found if found.length > 0 else None, []
+        turns = options.turns(compiled)[0]
+        way = curve(compiled, options.point, mode, signs, parameters, ends, turns, outcome.chord)
+        return way if way.length > 0 else None, []
     sheet = _sheet(outcome, signs, parameters)
     if _flat(sheet, box.low, box.high):
         return None, []

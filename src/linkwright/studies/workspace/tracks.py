@@ -20,8 +20,8 @@ from linkwright.results.stationary import bracketed
 from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.passing import box_left, bridge, curve
 from linkwright.studies.workspace.regions import Region
-from linkwright.studies.workspace.solving import solved
 from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.solving import solved
 from linkwright.studies.workspace.wanted import Wanted
 
 Array = NDArray[np.float64]
