@@ -69,7 +69,13 @@ def test_what_is_proven_of_a_region_is_in_the_summary_and_the_table(job: Job) ->
 @pytest.mark.parametrize(
     ("certificate", "within", "parts", "holes", "grade"),
     [
-        (Certificate("enclosed", (14e-3, 16e-3), True, False), "14000 .. 16000 mm²", "1", "1, not certified", "certified"),
+        (
+            Certificate("enclosed", (14e-3, 16e-3), True, False),
+            "14000 .. 16000 mm²",
+            "1",
+            "1, not certified",
+            "certified",
+        ),
         (
             Certificate("enclosed", (16e-3, 17e-3), True, True, faults=(Fault("area", 1e-3, (0.0, 0.0)),)),
             "16000 .. 17000 mm²",

@@ -1,15 +1,15 @@
 """The workspace of the five-bar of Peng Liping and Zi Bin, Journal of Mechanical Transmission 34(4), 2010, 20-23.
 
-Crank O1-B (l1), couplers B-C (l2) and D-C (l3), crank O4-D (l4), frame (l5); P on the link D-C, r2 from D, at -alpha to
-it. The paper draws the region for alpha = 0, 60, 90 and 180 deg and prints no areas. Here they come from its equations
-turned round: P and the branch give D, D and the link give C, C gives B, each where its triangle closes, and the side of B-D
-on which C lies tells the assembly mode. Lines x = const are cut at the ends of their reached pieces by bisection, and their
-lengths summed up: no curve, no drive value, and nothing of linkwright takes part in that.
+Crank O1-B (l1), couplers B-C (l2) and D-C (l3), crank O4-D (l4), frame (l5); P on the link D-C, r2 from D, at -alpha
+to it. The paper draws the region for alpha = 0, 60, 90 and 180 deg and prints no areas. Here they come from its
+equations turned round: P and the branch give D, D and the link give C, C gives B, each where its triangle closes, and
+the side of B-D on which C lies tells the assembly mode. Lines x = const are cut at the ends of their reached pieces by
+bisection, and their lengths summed up: no curve, no drive value, and nothing of linkwright takes part in that.
 
 Tolerances: a line's length grows like a root where the edge is upright, so that sums over n lines converge with
-n^-1.5, unevenly: 3000 lines are off by no more than 0.01 mm2 here, 12 000 by 1.2e-3 mm2. The areas in ``AREAS`` are those
-of 12 000 lines and, with chords of 3e-7 mm, of the product; they differ by that. The drawn edge lies within the chord of
-3e-5 mm, so that the drawn area is off by no more than that times the perimeter (72 to 177 mm).
+n^-1.5, unevenly: 3000 lines are off by no more than 0.01 mm2 here, 12 000 by 1.2e-3 mm2. The areas in ``AREAS`` are
+those of the product with chords of 3e-7 mm, from which 12 000 lines differ by that. The drawn edge lies within the
+chord of 3e-5 mm, so that the drawn area is off by no more than that times the perimeter (72 to 177 mm).
 """
 
 from __future__ import annotations
