@@ -86,8 +86,10 @@ def _summed(inside: Mask, x: Any, y: Any, alpha: float, which: int) -> float:
 @pytest.fixture(scope="module")
 def found() -> dict[int, Workspace]:
     """The example's four workspaces, without what else it asks for."""
-    nothing_else = dict.fromkeys(("trajectories", "quality", "errors"))
-    outcome = lw.workspace(EXAMPLE, options=nothing_else)
+    document = lw.load(EXAMPLE)
+    study = {key: document.studies["workspace"][key] for key in ("point", "modes", "for")}
+    outcome = lw.workspace(document.model_copy(update={"studies": {"workspace": study}}))
+    assert not outcome.parts
     assert not outcome.failures and not outcome.warnings
     return {round(np.degrees(one.values["alpha"])): one for one in outcome.workspaces}
 
