@@ -1,6 +1,6 @@
-"""The six regions of a five-bar and their quality maps: ``python benchmarks/workspace.py [--json] [--repeats N]``.
+"""The eight regions of a five-bar and their quality maps: ``python benchmarks/workspace.py [--json] [--repeats N]``.
 
-Those of examples/five_bar_workspace.yaml, three angles in two modes, with a million poses in all their maps (of every
+Those of examples/five_bar_workspace.yaml, four angles in two modes, with a million poses in all their maps (of every
 figure: conditioning, transmission, speeds, forces, torques). Seconds on all processors and on one thread of the same
 process, taken in turns after a first run of both; medians.
 """
@@ -23,8 +23,8 @@ from linkwright.studies.workspace.quality import Task, quality
 from linkwright.studies.workspace.together import together
 
 EXAMPLE = Path(__file__).resolve().parent.parent / "examples" / "five_bar_workspace.yaml"
-STEPS = 408
-"""Six maps of 409 x 409 poses are a million."""
+STEPS = 353
+"""Eight maps of 354 x 354 poses are a million."""
 TASK = Task(speeds=(3.0, 3.0), efforts=(1.0, 1.0), force=(1.0, 2.0))
 
 
@@ -40,7 +40,7 @@ def once(workers: int) -> tuple[float, float]:
     sheets = [one.region for one in outcome.regions]
     maps, _ = together(lambda one: quality(one.sheet, one.box, TASK, STEPS, one.segments), sheets, workers)
     done = time.perf_counter()
-    assert len(maps) == 6 and sum(one.maps.at[0].size for one in maps.values()) > 1e6
+    assert len(maps) == 8 and sum(one.maps.at[0].size for one in maps.values()) > 1e6
     return found - begun, done - found
 
 

@@ -1,6 +1,6 @@
 """Regions against a dense sample: ``python benchmarks/workspace_samples.py [--json] [--samples N]``.
 
-For each of the six regions of examples/five_bar_workspace.yaml, N values of both drives at random (10^7 in all, by
+For each of the eight regions of examples/five_bar_workspace.yaml, N values of both drives at random (10^7 in all, by
 default): how far the farthest place lies outside of the polygon, over the frame's length, beside the chord tolerance;
 and how far the loneliest stretch of the boundary is from the nearest place, over the same.
 """
@@ -27,7 +27,7 @@ def main() -> None:
     options = parser(__doc__)
     options.add_argument("--samples", type=int, default=10**7)
     given = options.parse_args()
-    none = dict.fromkeys(("quality", "errors", "paths", "fits"))
+    none = dict.fromkeys(("trajectories", "quality", "errors", "paths", "fits"))
     outcome = lw.workspace(EXAMPLE, options=none)
     regions = outcome.regions
     size = float(outcome.compiled.quantities.parameters["l5"])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+from dataclasses import replace
 from typing import Any
 from xml.etree import ElementTree
 
@@ -15,8 +16,9 @@ from helpers.workspaces import arm, five_bar, four_bar, performed
 from linkwright.app.job import Job
 from linkwright.report.build import report_data
 from linkwright.report.page import page
-from linkwright.report.workspace import workspace_page
+from linkwright.report.workspace import workspace_page, workspace_tables
 from linkwright.report.workspace_files import boundary_csv, dxf, geojson, svg
+from linkwright.studies.workspace.certificate import Certificate, Fault
 
 
 @pytest.fixture(scope="module")
@@ -42,6 +44,60 @@ def test_the_summary_is_in_the_files_units(job: Job) -> None:
     assert entry["drives"]["elbow"]["unit"] == "deg"
     assert [(one["drive"], one["whole"]) for one in entry["turning"]] == [("shoulder", True), ("elbow", True)]
     assert entry["drives"]["elbow"]["to"] - entry["drives"]["elbow"]["from"] == pytest.approx(360)
+
+
+def test_what_is_proven_of_a_region_is_in_the_summary_and_the_table(job: Job) -> None:
+    """The annulus lies between the bounds, in mm2; the table has the same, with units."""
+    entry = job.summary["workspace"]
+    (region,) = entry["regions"]
+    proven, area = region["certificate"], np.pi * (70**2 - 10**2)
+    assert entry["area_unit"] == "mm^2" and "change" not in region
+    assert (proven["grade"], proven["certified"], proven["faults"]) == ("enclosed", True, [])
+    assert proven["parts"] is True and proven["holes"] is True and 0 < proven["finest"] < 1e-3
+    low, high = proven["area"]
+    assert low < area < high and high - low < 2e-3 * area
+    assert job.workspace is not None
+    table = workspace_tables(job.workspace)[0]
+    row = dict(zip(table["heads"], table["rows"][0], strict=True))
+    assert "Unit" not in row
+    assert row["Area"] == f"{region['area']:.7g} mm²"
+    assert row["Lies between"] == f"{low:.7g} .. {high:.7g} mm²"
+    assert row["Perimeter"] == f"{region['perimeter']:.7g} mm"
+    assert (row["Holes"], row["Parts"], row["Grade"]) == ("1", "1", "certified")
+
+
+@pytest.mark.parametrize(
+    ("certificate", "within", "parts", "holes", "grade"),
+    [
+        (
+            Certificate("enclosed", (14e-3, 16e-3), True, False),
+            "14000 .. 16000 mm²",
+            "1",
+            "1, not certified",
+            "certified",
+        ),
+        (
+            Certificate("enclosed", (16e-3, 17e-3), True, True, faults=(Fault("area", 1e-3, (0.0, 0.0)),)),
+            "16000 .. 17000 mm²",
+            "1",
+            "1",
+            "not certified",
+        ),
+        (Certificate("searched"), "-", "1", "1", "searched"),
+        (Certificate("searched", faults=(Fault("cut", 1.0, (0.0, 0.0)),)), "-", "1", "1", "not certified"),
+    ],
+)
+def test_what_is_not_proven_is_said_in_the_table(
+    job: Job, certificate: Certificate, within: str, parts: str, holes: str, grade: str
+) -> None:
+    assert job.workspace is not None
+    (one,) = job.workspace.workspaces
+    reached = replace(one.regions[0], region=replace(one.regions[0].region, certificate=certificate))
+    changed = replace(job.workspace, workspaces=[replace(one, regions=(reached,))])
+    table = workspace_tables(changed)[0]
+    row = dict(zip(table["heads"], table["rows"][0], strict=True))
+    found = [row[head] for head in ("Lies between", "Parts", "Holes", "Grade")]
+    assert found == [within, parts, holes, grade]
 
 
 def test_modes_overlaps_and_union_add_up(two: Job) -> None:

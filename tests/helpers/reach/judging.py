@@ -49,23 +49,21 @@ class Verdict:
 def claims(regions: Sequence[Mapping[str, Any]], shapes: Sequence[Any], words: Sequence[str]) -> list[Claim]:
     """Claims of the summary's entries (``summary["workspace"]["regions"]``) with their shapes in the file's unit.
 
-    Without a certificate the stated area is that of the region with its possible ``change``.
+    Of a region that is searched for the area is the one that is drawn.
     """
     return [_claim(entry, shape, words) for entry, shape in zip(regions, shapes, strict=True)]
 
 
 def _claim(entry: Mapping[str, Any], shape: Any, words: Sequence[str]) -> Claim:
     mode = next(word for word in words if word in entry["mode"])
-    slack = entry["area"] * (entry.get("change") or 0.0)
-    plain = Claim(mode, (entry["area"] - slack, entry["area"] + slack), entry["parts"], entry["holes"], shape=shape)
-    given = entry.get("certificate")
-    if given is None:
-        return replace(plain, warned=not entry.get("certificate"))
+    given = entry["certificate"]
+    plain = Claim(mode, (entry["area"], entry["area"]), entry["parts"], entry["holes"], shape=shape)
     low, high = given["area"] if given["area"] is not None else plain.area
     whole = bool(given["certified"])
     return replace(
         plain,
         area=(low, high),
+        warned=bool(given["faults"]),
         certified=whole,
         certified_parts=bool(given["parts"]),
         certified_holes=bool(given["holes"]),

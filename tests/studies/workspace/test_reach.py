@@ -197,8 +197,10 @@ def test_a_mode_of_which_nothing_is_said_is_wrong_where_it_reaches_something() -
 
 
 def test_claims_of_entries() -> None:
-    entry = {"mode": "P: left of A-B", "area": 100.0, "parts": 1, "holes": 2, "change": 0.01}
-    certificate = {"grade": "enclosed", "certified": True, "area": [99.5, 100.5], "parts": True, "holes": False}
-    plain, given = claims([entry, {**entry, "certificate": certificate}], [None, None], ("left", "right"))
-    assert plain == Claim("left", (99.0, 101.0), 1, 2)
-    assert given == Claim("left", (99.5, 100.5), 1, 2, certified=True, certified_parts=True)
+    entry = {"mode": "P: left of A-B", "area": 100.0, "parts": 1, "holes": 2}
+    nothing = {"grade": "searched", "certified": False, "area": None, "parts": False, "holes": False, "faults": []}
+    certificate = {**nothing, "grade": "enclosed", "certified": True, "area": [99.5, 100.5], "parts": True}
+    given = [{**entry, "certificate": one} for one in (nothing, certificate)]
+    plain, sure = claims(given, [None, None], ("left", "right"))
+    assert plain == Claim("left", (100.0, 100.0), 1, 2)
+    assert sure == Claim("left", (99.5, 100.5), 1, 2, certified=True, certified_parts=True)
