@@ -47,3 +47,27 @@ def arm(l1: float, l2: float) -> Compiled:
         },
     }
     return compiled_from(data)
+
+
+def triad_turned_round() -> dict[str, Any]:
+    """A five-bar whose couplers carry a dyad with P on it: forward there are dyads alone, but with P held at a place
+    no two of the links hang on known pins."""
+    data = {
+        "linkwright": 1,
+        "units": UNITS,
+        "links": {
+            "frame": {"points": {"O1": [0, 0], "O4": [1.0, 0]}},
+            "crank1": {"points": {"O1": [0, 0], "B": [0.5, 0]}},
+            "crank4": {"points": {"O4": [0, 0], "D": [0.5, 0]}},
+            "link2": {"points": {"B": [0, 0], "C": [1.2, 0], "M": [0.6, 0.5]}},
+            "link3": {"points": {"D": [0, 0], "C": [1.2, 0], "K": [0.6, -0.5]}},
+            "arm": {"points": {"M": [0, 0], "N": [1.5, 0]}},
+            "hand": {"points": {"K": [0, 0], "N": [1.5, 0], "P": [1.0, 0.4]}},
+        },
+        "assembly": {"C": "left of D-B", "N": "left of K-M"},
+        "drives": {
+            "motor": {"turns": "crank1", "on": "frame", "speed": 1, "start": 2.0},
+            "servo": {"turns": "crank4", "on": "frame", "speed": 1, "start": 1.0},
+        },
+    }
+    return data

@@ -347,7 +347,7 @@ def cut_sides(cells: Cells, deepest: int, known: Rows) -> tuple[Rows, Rows, Rows
     start, stop = (ends[:, corner].reshape(2, -1) for corner in SIDES.T)
     own, which = np.tile(np.arange(unit.size), len(SIDES)), np.repeat(np.arange(len(SIDES)), unit.size)
     done = []
-    while own.size:
+    while own.size or not done:
         middle = (start + stop) // 2
         cut = (np.abs(stop - start).max(axis=0) > 1) & among(key(middle), known)
         done.append((start[:, ~cut], stop[:, ~cut], own[~cut], which[~cut]))
