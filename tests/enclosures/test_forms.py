@@ -85,9 +85,7 @@ SMOOTH = [
 EXACT = st.recursive(LEAVES, lambda some: st.one_of(*(make(some) for make in SMOOTH)), max_leaves=8)
 ROOTS = st.recursive(
     LEAVES,
-    lambda some: st.one_of(
-        *(make(some) for make in SMOOTH), some.map(lambda a: Made(Form.sqrt, mpmath.sqrt, (a,)))
-    ),
+    lambda some: st.one_of(*(make(some) for make in SMOOTH), some.map(lambda a: Made(Form.sqrt, mpmath.sqrt, (a,)))),
     max_leaves=8,
 )
 
@@ -226,7 +224,10 @@ def test_a_program_runs_on_boxes() -> None:
     rows = [ca.sqrt(x[0] ** 2 + x[1] ** 2) * ca.cos(p[0]), ca.fabs(x[0]) / (3 + x[1])]
     stage = Stage(ExpressionStage.from_rows(x, p, [ca.vertcat(*rows)]), np.array([0.3]), [0, 1], BOXES)
     centre, half = (1.0, 2.0), 0.25
-    boxes = [Form(np.array([centre[0]]), np.array([half]), np.zeros(1)), Form(np.array([centre[1]]), np.zeros(1), np.array([half]))]
+    boxes = [
+        Form(np.array([centre[0]]), np.array([half]), np.zeros(1)),
+        Form(np.array([centre[1]]), np.zeros(1), np.array([half])),
+    ]
     first, second = stage(boxes.__getitem__)
     for u, v in SPOTS:
         a, b = centre[0] + half * u, centre[1] + half * v

@@ -11,7 +11,7 @@ import shapely
 import linkwright as lw
 from helpers.reach.cases import Case, make
 from helpers.reach.judging import OUTCOMES, RAISED, REFUSED, Claim, Verdict, claims, judged
-from helpers.reach.raster import raster
+from helpers.reach.raster import FIRST, raster
 from linkwright.model import units as u
 from linkwright.model.findings import ModelError
 from linkwright.report.workspace import workspace_entry
@@ -50,8 +50,8 @@ def studied(case: Case) -> list[Claim]:
     return claims(workspace_entry(outcome)["workspace"]["regions"], shapes, case.mechanism.modes)
 
 
-def tried(seed: int) -> Outcome:
-    """A case studied and judged; whatever is raised is a verdict too."""
+def tried(seed: int, first: int = FIRST) -> Outcome:
+    """A case studied and judged by a raster of ``first`` cells a side, halved; whatever is raised is a verdict too."""
     case = make(seed)
     outcome = Outcome(seed, case.family)
     begun = time.perf_counter()
@@ -64,7 +64,7 @@ def tried(seed: int) -> Outcome:
     outcome.seconds = time.perf_counter() - begun
     if not outcome.verdicts:
         begun = time.perf_counter()
-        outcome.verdicts = judged(case.mechanism, raster(case.mechanism).truths, given)
+        outcome.verdicts = judged(case.mechanism, raster(case.mechanism, first=first).truths, given)
         outcome.oracle_seconds = time.perf_counter() - begun
     return outcome
 

@@ -69,7 +69,9 @@ def box_of(mechanism: Mechanism) -> Box:
     (low, high), (down, up) = mechanism.spans
     turns = [bool(one) for one in _turning(mechanism)]
     sizes = [1.0 if turn else MM for turn in turns]
-    whole = [turn and span[1] - span[0] >= 2 * np.pi * (1 - 1e-12) for turn, span in zip(turns, mechanism.spans, strict=True)]
+    whole = [
+        turn and span[1] - span[0] >= 2 * np.pi * (1 - 1e-12) for turn, span in zip(turns, mechanism.spans, strict=True)
+    ]
     return Box((low * sizes[0], down * sizes[1]), (high * sizes[0], up * sizes[1]), (whole[0], whole[1])).askew()
 
 

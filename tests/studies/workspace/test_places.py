@@ -69,7 +69,9 @@ def test_forward_poses_lead_to_places_that_are_reached(name: str) -> None:
     assert (depths.max(axis=0) > 0).all()
 
 
-def poses(bar: FiveBar, z: NDArray[np.complex128], mode: int) -> tuple[NDArray[np.int_], NDArray[np.int_], NDArray[np.int_]]:
+def poses(
+    bar: FiveBar, z: NDArray[np.complex128], mode: int
+) -> tuple[NDArray[np.int_], NDArray[np.int_], NDArray[np.int_]]:
     """Of places: in how many poses P gets there in a mode with the drives in their ranges, in how many of either mode,
     and in how many with the drives anywhere."""
     own, either, anywhere = (np.zeros(z.shape, dtype=int) for _ in range(3))

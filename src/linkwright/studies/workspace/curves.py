@@ -164,9 +164,9 @@ def _followed(sheet: Sheet, a: Array, b: Array) -> NDArray[np.bool_]:
     return np.asarray(found & beside(f, *halves, rough=True)[1].reshape(2, -1).all(axis=0))
 
 
-def _turning(sheet: Sheet, path: Callable[[Array], Array], sign: NDArray[np.bool_]) -> Array:
+def _turning(sheet: Sheet, path: Callable[..., Array], sign: NDArray[np.bool_]) -> Array:
     """The shares of paths up to which the numerator has its first sign."""
-    return halved(lambda share: (sheet.look(path(share)).numerator >= 0) == sign, sign.size, TURNED)
+    return halved(lambda share: (sheet.look(path(share, TURNED)).numerator >= 0) == sign, sign.size, TURNED)
 
 
 def _zeros(sheet: Sheet, a: Array, b: Array) -> Array:
@@ -200,11 +200,11 @@ def _among(pairs: Rows, known: Rows) -> NDArray[np.bool_]:
     return np.isin(pairs[:, 0] * size + pairs[:, 1], known[:, 0] * size + known[:, 1])
 
 
-def _along_rim(sheet: Sheet, a: Array, b: Array) -> Callable[[Array], Array]:
+def _along_rim(sheet: Sheet, a: Array, b: Array) -> Callable[..., Array]:
     """The rim between two places on it: from the chord across to where the reach is that of the rim."""
     across = np.stack([a[1] - b[1], b[0] - a[0]])
 
-    def path(share: Array) -> Array:
+    def path(share: Array, times: int = HALVINGS) -> Array:
         q = a + share * (b - a)
         found = q.copy()
         inside = sheet.place(q)[1] > RIM
@@ -212,16 +212,17 @@ def _along_rim(sheet: Sheet, a: Array, b: Array) -> Callable[[Array], Array]:
             beyond = sheet.place(q + side * WAY * across)[1] > RIM
             turned = (beyond != inside) & (found == q).all(axis=0)
             if turned.any():
-                found[:, turned] = _to_rim(sheet, q[:, turned], side * WAY * across[:, turned], inside[turned])
+                step = side * WAY * across[:, turned]
+                found[:, turned] = _to_rim(sheet, q[:, turned], step, inside[turned], times)
         return found
 
     return path
 
 
-def _to_rim(sheet: Sheet, start: Array, step: Array, inside: NDArray[np.bool_]) -> Array:
-    """The places on the rim between start and start + step, just inside."""
-    at = halved(lambda share: (sheet.place(start + share * step)[1] > RIM) == inside, inside.size)
-    return np.asarray(start + np.where(inside, at, at + 2.0**-HALVINGS) * step)
+def _to_rim(sheet: Sheet, start: Array, step: Array, inside: NDArray[np.bool_], times: int) -> Array:
+    """The places on the rim between start and start + step, just inside, by so many halvings."""
+    at = halved(lambda share: (sheet.place(start + share * step)[1] > RIM) == inside, inside.size, times)
+    return np.asarray(start + np.where(inside, at, at + 2.0**-times) * step)
 
 
 def refined(sheet: Sheet, kind: str, ends: Ends, chord: float, f: Callable[[Array], Array] | None) -> Segments:
