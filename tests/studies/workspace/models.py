@@ -64,7 +64,7 @@ def triad_turned_round() -> dict[str, Any]:
             "arm": {"points": {"M": [0, 0], "N": [1.5, 0]}},
             "hand": {"points": {"K": [0, 0], "N": [1.5, 0], "P": [1.0, 0.4]}},
         },
-        "assembly": {"C": "left of D-B", "N": "left of K-M"},
+        "assembly": {"C": "left of B-D", "N": "left of M-K"},
         "drives": {
             "motor": {"turns": "crank1", "on": "frame", "speed": 1, "start": 2.0},
             "servo": {"turns": "crank4", "on": "frame", "speed": 1, "start": 1.0},
