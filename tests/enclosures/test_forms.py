@@ -1,4 +1,4 @@
-"""Linear forms over a square hold what they say: against exact fractions, and against many digits where there are roots."""
+"""Linear forms over a square hold what they say: against exact fractions, and against many digits at roots."""
 
 from __future__ import annotations
 

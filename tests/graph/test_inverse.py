@@ -20,8 +20,8 @@ from helpers.reach import Chain, FiveBar, Guide, TwoCylinders, TwoSlides
 from helpers.reach.mechanisms import Mechanism
 from linkwright.graph.inverse import carried, inverse
 from linkwright.kernels import KERNELS, Compiled
-from linkwright.studies.workspace.sheet import Sheet
 from linkwright.structure import decompose
+from linkwright.studies.workspace.sheet import Sheet
 from studies.workspace.models import triad_turned_round
 
 Array = NDArray[np.float64]

@@ -52,7 +52,7 @@ def arm(l1: float, l2: float) -> Compiled:
 def triad_turned_round() -> dict[str, Any]:
     """A five-bar whose couplers carry a dyad with P on it: forward there are dyads alone, but with P held at a place
     no two of the links hang on known pins."""
-    data = {
+    return {
         "linkwright": 1,
         "units": UNITS,
         "links": {
@@ -70,4 +70,3 @@ def triad_turned_round() -> dict[str, Any]:
             "servo": {"turns": "crank4", "on": "frame", "speed": 1, "start": 1.0},
         },
     }
-    return data

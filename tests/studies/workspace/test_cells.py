@@ -61,7 +61,7 @@ def test_all_of_a_decided_cell_is_reached_or_none(case: tuple[Mechanism, Places,
 
 
 def test_cells_cover_the_square_once(case: tuple[Mechanism, Places, Decided]) -> None:
-    _, places, decided = case
+    _, _, decided = case
     every = joined([decided.reached, decided.never, decided.open])
     assert (every.size**2).sum() == pytest.approx(every.side**2, rel=1e-12)
     at = every.corner[:, None] + np.random.default_rng(1).uniform(0, every.side, (2, 300))

@@ -102,10 +102,10 @@ def test_a_part_too_many(ring: Known) -> None:
 def test_an_edge_that_is_shifted(ring: Known) -> None:
     """By half of the smallest cells: some decided ones beside the edge are on its other side."""
     off = ring.decided.open.size.min() / 2
-    assert "edge" in ring.kinds(shapely.transform(ring.shape, lambda at: at + [off, 0]))
-    moved = shapely.transform(ring.shape, lambda at: at + [2 * off, 0])
+    assert "edge" in ring.kinds(shapely.transform(ring.shape, lambda at: at + np.array([off, 0])))
+    moved = shapely.transform(ring.shape, lambda at: at + np.array([2 * off, 0]))
     assert {"left-out", "too-much"} <= ring.kinds(moved)
-    assert ring.told(shapely.transform(ring.shape, lambda at: at + [CHORD / 2, 0])).certified
+    assert ring.told(shapely.transform(ring.shape, lambda at: at + np.array([CHORD / 2, 0]))).certified
 
 
 def test_an_edge_through_cells_that_are_decided(ring: Known) -> None:

@@ -108,7 +108,7 @@ def test_two_poses_meet_at_a_fold_and_one_leaves_at_a_change_of_mode_or_a_ranges
     for y in (-9.0, 4.0, 13.0):
         x = np.linspace(-50, 60, 40_001)
         z = x + 1j * y
-        own, either, anywhere = poses(PART, z, 0)
+        _, either, anywhere = poses(PART, z, 0)
         count = places.count(np.stack([z.real, z.imag]) * MM)
         for k in np.flatnonzero(np.diff(count)):
             jump, there, all_ = (int(abs(n[k + 1] - n[k])) for n in (count, either, anywhere))
