@@ -346,7 +346,7 @@ def cut_sides(cells: Cells, deepest: int, known: Rows) -> tuple[Rows, Rows, Rows
     ends = (cells.number[:, None] + (CORNERS[:, :, None] > 0)) * unit  # (2, 4, cells)
     start, stop = (ends[:, corner].reshape(2, -1) for corner in SIDES.T)
     own, which = np.tile(np.arange(unit.size), len(SIDES)), np.repeat(np.arange(len(SIDES)), unit.size)
-    done = []
+    done: list[tuple[Rows, Rows, Rows, Rows]] = []
     while own.size or not done:
         middle = (start + stop) // 2
         cut = (np.abs(stop - start).max(axis=0) > 1) & among(key(middle), known)

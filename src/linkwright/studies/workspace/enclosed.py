@@ -56,7 +56,10 @@ def enclosed(places: Places, chord: float) -> Enclosed | None:
     square = _square(places)
     if square is None:
         return None
-    cells = decided(places, *square)
+    try:
+        cells = decided(places, *square)
+    except NotImplementedError:  # a dyad whose closed form has functions without enclosure
+        return None
     # Drawn so that the area lies well within its bounds too, whose difference is some width along the edge.
     (low, high), along = cells.area, float(cells.edge.size.sum())
     near = min(chord / 2, (high - low) / (WITHIN * along)) if along else chord / 2
