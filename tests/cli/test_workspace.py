@@ -34,7 +34,7 @@ def call(*words: object) -> Result:
 def test_the_study_alone(file: Path, tmp_path: Path) -> None:
     result = call("workspace", file, "--out", tmp_path / "out")
     assert result.exit_code == 0
-    assert "Where E gets to: 1 regions" in result.stdout and "1507" in result.stdout
+    assert "Workspace of E: 1 regions" in result.stdout and "1507" in result.stdout
     files = {
         "linkwright-manifest.json",
         "report.html",

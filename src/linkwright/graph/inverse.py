@@ -91,8 +91,10 @@ class Inverse:
         own = Motion(self.graph.structure, motion.geometry, 0, motion.bodies)
         for group in self.modes:
             yield known_determinant(own, group)
-        for drive in self.drives:
-            yield from own.turned(drive) if self.turns(drive) else own.moved(drive).d[:1]
+        topology = self.graph.structure.topology
+        for name in self.drives:
+            drive = topology.mechanism.prescribed(name)
+            yield from own.turned(drive) if drive.turns else own.moved(drive, topology.driven(name)[0].joint).d[:1]
 
     @cached_property
     def program(self) -> Program:

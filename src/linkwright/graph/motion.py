@@ -13,6 +13,7 @@ from linkwright.graph.wedges import SolvedWedge, solve_wedge
 from linkwright.groups import REGISTRY, Dyad, InnerLine, Solved
 from linkwright.groups.dyad import determinant_of
 from linkwright.groups.joints import Twist
+from linkwright.model.mechanism import Drive
 from linkwright.notation import Body, Jet, Pair, Scalar
 from linkwright.structure import FRAME, Cluster, Driven, Group, Structure, Wedge
 
@@ -44,17 +45,14 @@ class Motion:
         start, end = self.bodies[a].point(first), self.bodies[b].point(second)
         return end.minus(start).dot(self.bodies[a].direction(heading))
 
-    def moved(self, drive: str) -> Jet:
-        """The value of a sliding drive as it follows from the motion."""
-        topology = self.structure.topology
-        moved, joint = topology.mechanism.prescribed(drive), topology.driven(drive)[0].joint
+    def moved(self, drive: Drive, joint: str) -> Jet:
+        """The value of a drive that slides along a joint as it follows from the motion."""
         travel = self.travel(joint)
-        return travel if moved.link == topology.mechanism.joints[joint].links[1] else -travel
+        return travel if drive.link == self.geometry.mechanism.joints[joint].links[1] else -travel
 
-    def turned(self, drive: str) -> Pair:
-        """Cosine and sine of the value of a turning drive as it follows from the motion."""
-        moved = self.structure.topology.mechanism.prescribed(drive)
-        return self.bodies[moved.link].axis.now.turned_back(self.bodies[moved.on].axis.now)
+    def turned(self, drive: Drive) -> Pair:
+        """Cosine and sine of the value of a drive that turns as it follows from the motion."""
+        return self.bodies[drive.link].axis.now.turned_back(self.bodies[drive.on].axis.now)
 
 
 def solve_motion(

@@ -215,14 +215,14 @@ class View:
             return self.laws[name].d[order]
         if drive.slides:
             joint = self.graph.structure.topology.acting(name)[0].joint
-            travel = self.motion.travel(joint).d[order]
-            return travel if drive.link == self.motion.geometry.mechanism.joints[joint].links[1] else -travel
+            return self.motion.moved(drive, joint).d[order]
         link, on = self.motion.bodies[drive.link], self.motion.bodies[drive.on]
         if order:
             return link.turn.d[order - 1] - on.turn.d[order - 1]
         if link.angle is not None and on.angle is not None:
             return link.angle - on.angle
-        raw = ca.atan2(on.axis.now.cross(link.axis.now), on.axis.now.dot(link.axis.now))
+        turned = self.motion.turned(drive)
+        raw = ca.atan2(turned.y, turned.x)
         return raw + 2 * ca.pi * self.given.get(f"turns/{name}", 0.0) if whole else raw
 
     def force(self, signal: Signal) -> Scalar:

@@ -184,6 +184,11 @@ def printed(text: str) -> str:
     return text
 
 
+def squared(unit: str) -> str:
+    """The unit of areas in print where lengths have this unit: ``mm`` as mm²; nothing where they have none."""
+    return printed(f"{unit}^2") if unit else ""
+
+
 def _composed(dimension: Dimension) -> str | None:
     """The recipe of a dimension without mass in whole powers; with mass it could go by force or by mass."""
     whole = all(Fraction(p).denominator == 1 and abs(Fraction(p)) <= MAX_POWER for p in dimension)

@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from typing import Any
 
 from linkwright.model import units as u
-from linkwright.report.areas import square
 from linkwright.report.data import Grid, WorkspaceData
 from linkwright.report.stacks import stacks
 from linkwright.report.workspace_parts import written
@@ -196,9 +195,9 @@ def _cell(entry: Mapping[str, Any], column: str) -> str:
         low, high = entry["bounds"]["xy".index(column) :: 2]
         return "-" if low is None else f"{low:.6g} .. {high:.6g} {unit}".rstrip()
     if column in ("area", "both"):
-        return f"{entry['several' if column == 'both' else column]:.7g} {square(unit)}".rstrip()
+        return f"{entry['several' if column == 'both' else column]:.7g} {u.squared(unit)}".rstrip()
     if column == "within":
-        return "-" if proven["area"] is None else _between(proven["area"], square(unit))
+        return "-" if proven["area"] is None else _between(proven["area"], u.squared(unit))
     if column in ("perimeter", "length"):
         return f"{entry[column]:.7g} {unit}".rstrip()
     if column in ("parts", "holes") and proven.get("area") and not proven[column]:

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.model import units as u
-from linkwright.report.areas import square
 from linkwright.report.charts import named
 from linkwright.report.csv_text import cell, head, written
 from linkwright.report.data import Chart, Grid
@@ -118,7 +117,7 @@ def errors_tables(outcome: WorkspaceOutcome) -> list[Grid]:
         row: list[str] = []
         unit = entry["unit"]
         for what in (kept, precise) if precise else (kept,):
-            row += [f"{what['area']:.6g} {square(unit)}".rstrip(), f"{100 * what['share']:.4g} %"]
+            row += [f"{what['area']:.6g} {u.squared(unit)}".rstrip(), f"{100 * what['share']:.4g} %"]
         inward = " .. ".join("-" if way is None else f"{way:.4g}" for way in kept["inward"])
         sure.append([*_front(entry, names), *row, f"{inward} {unit}".rstrip()])
     heads = ["guaranteed", "share-region", *(["precise", "share-region"] if part.limit is not None else []), "inward"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,8 @@ from numpy.typing import NDArray
 from helpers.compiled import compiled_from
 from helpers.reach.mechanisms import Mechanism
 from linkwright.studies.workspace.cells import Cells, Decided, decided, joined
-from linkwright.studies.workspace.enclosed import _square
+from linkwright.studies.workspace.curves import Segments
+from linkwright.studies.workspace.enclosed import _square, enclosed
 from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.places import Places, Poses
 from linkwright.studies.workspace.sheet import Sheet
@@ -19,6 +21,7 @@ from linkwright.studies.workspace.sheet import Sheet
 Array = NDArray[np.float64]
 Depth = Callable[[Array], Array]
 MM = 1e-3
+CHORD = 1e-7
 
 
 def disc(x: float, y: float, radius: float) -> Depth:
@@ -102,3 +105,20 @@ def decided_of(places: Places) -> Decided:
     square = _square(places)
     assert square is not None
     return decided(places, *square)
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A mechanism's first mode with its region and its curves."""
+
+    places: Places
+    shape: Any
+    segments: list[Segments]
+
+
+def drawn(mechanism: Mechanism) -> Drawn:
+    """The first mode of a mechanism, studied to the tolerance ``CHORD``."""
+    places = places_of(mechanism, 0)
+    found = enclosed(places, CHORD)
+    assert found is not None and found.certificate.certified
+    return Drawn(places, found.shape, list(found.segments))

@@ -18,6 +18,7 @@ SIZES = {  # m2, m, shares, numbers: as they are told in mm
     "left-out": (3.25e-7, "0.325 mm\N{SUPERSCRIPT TWO}"),
     "too-much": (1e-6, "1 mm\N{SUPERSCRIPT TWO}"),
     "edge": (12.0, "12"),
+    "count": (0.002, "2 mm"),
     "back": (0.015, "1.5 %"),
     "unsettled": (0.002, "0.2 %"),
     "cut": (0.0123, "12.3 mm"),

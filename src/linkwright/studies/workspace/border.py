@@ -29,22 +29,21 @@ ROUNDS = 30
 """Pieces are halved at most so many times."""
 WAYS = ((-0.03, 0.03), (-0.3, 0.3), (-0.9, 0.9))
 """The edge is looked for on the normal through a piece's middle, these shares of its length away."""
-FIRST = 4.0
-"""What looks straight at first has to be so by so much more: its ends may turn the other way."""
+LOOKS = (0.5,), (0.25, 0.75)
+"""Pieces are straight if the edge passes these shares of their lengths near by; the middle it may pass by accident."""
 TURNS, CUTS = 5, 2
 """Around pieces that can't be followed cells are cut on so often, each time halved so many times, ..."""
 LONG, SOME, AROUND, MOST = 8.0, 100, 3.0, 200
 """... if they are longer than so many chords, and no more than some; within so many lengths, and so many cells."""
 
 
-def border(depth: Depth, cells: Cells, chord: float) -> tuple[Array, Array, float]:
-    """Pieces of the edge by their ends (2, n) both, and by how much at most (m) one may be off that couldn't be
-    followed: 0 where all could. Around such pieces, as at sharp corners, the cells are cut on."""
+def border(depth: Depth, cells: Cells, chord: float) -> tuple[Array, Array, Array]:
+    """Pieces of the edge by their ends (2, n) both, and by how much (m) each may be off, (n,): 0 but for those that
+    couldn't be followed. Around such pieces, as at sharp corners, the cells are cut on."""
     for turn in range(TURNS):
         a, b, lost = _traced(depth, cells, chord)
         long = np.hypot(*(b - a)) * lost
-        off = float(long.max(initial=0.0))
-        if off <= LONG * chord or turn == TURNS - 1 or np.count_nonzero(long > LONG * chord) > SOME:
+        if long.max(initial=0.0) <= LONG * chord or turn == TURNS - 1 or np.count_nonzero(long > LONG * chord) > SOME:
             break
         near = np.zeros(cells.level.size, dtype=bool)
         for k in np.argsort(-long)[: np.count_nonzero(long > LONG * chord)]:
@@ -58,7 +57,7 @@ def border(depth: Depth, cells: Cells, chord: float) -> tuple[Array, Array, floa
         for _ in range(CUTS):
             parts = parts.quarters()
         cells = joined([cells.some(~near), parts])
-    return a, b, off
+    return a, b, long
 
 
 def _traced(depth: Depth, cells: Cells, chord: float) -> tuple[Array, Array, NDArray[np.bool_]]:
@@ -99,7 +98,7 @@ def followed(depth: Depth, a: Array, b: Array, chord: float) -> tuple[Array, Arr
     for turn in range(ROUNDS):
         if not a.shape[1]:
             break
-        straight = _straight(depth, a, b, chord / (1 if turn else FIRST))
+        straight = _straight(depth, a, b, chord)
         done.append((a[:, straight], b[:, straight], np.zeros(int(straight.sum()), dtype=bool)))
         a, b = a[:, ~straight], b[:, ~straight]
         middle, found = beside(depth, a, b, ways=WAYS, near=NEAR * chord)
@@ -113,11 +112,18 @@ def followed(depth: Depth, a: Array, b: Array, chord: float) -> tuple[Array, Arr
     return first, last, lost
 
 
-def _straight(depth: Depth, a: Array, b: Array, near: Array | float) -> NDArray[np.bool_]:
-    """Whether the edge passes the middle of pieces at less than ``near`` (m) to either side, or they are as short."""
-    across = np.stack([a[1] - b[1], b[0] - a[0]]) / np.hypot(*(b - a))
-    one, other = (depth((a + b) / 2 + way * near * across) > 0 for way in (1.0, -1.0))
-    return np.asarray((one != other) | (np.hypot(*(b - a)) <= near))
+def _straight(depth: Depth, a: Array, b: Array, near: float) -> NDArray[np.bool_]:
+    """Whether the edge passes pieces at less than ``near`` (m) to either side, or they are as short."""
+    way = b - a
+    length = np.hypot(*way)
+    across = near * np.stack([-way[1], way[0]]) / length
+    found = np.ones(length.size, dtype=bool)
+    for shares in LOOKS:
+        rest = np.flatnonzero(found & (length > near))
+        for share in shares:
+            at, aside = a[:, rest] + share * way[:, rest], across[:, rest]
+            found[rest] &= (depth(at + aside) > 0) != (depth(at - aside) > 0)
+    return found
 
 
 def triangulated(cells: Cells) -> tuple[Array, Rows, Rows]:
@@ -141,11 +147,28 @@ def polygons(depth: Depth, a: Array, b: Array, chord: float) -> Any:
     lines = shapely.linestrings(np.stack([a, b]).transpose(2, 0, 1))
     faces, *wrong = shapely.polygonize_full(lines)
     if any(not shapely.is_empty(part) for part in wrong):
-        faces = shapely.polygonize(shapely.get_parts(shapely.unary_union(lines)))
-    faces = shapely.get_parts(faces)
-    if not len(faces):
+        return _reached(depth, _noded(lines), chord)
+    try:
+        return _reached(depth, faces, chord)
+    except shapely.GEOSException:  # faces that overlap, as their sides cross
+        return _reached(depth, _noded(lines), chord)
+
+
+def _noded(lines: Any) -> Any:
+    """The faces between lines that cross."""
+    import shapely
+
+    return shapely.polygonize(shapely.get_parts(shapely.unary_union(lines)))
+
+
+def _reached(depth: Depth, faces: Any, chord: float) -> Any:
+    """The faces that are reached, together."""
+    import shapely
+
+    every = shapely.get_parts(faces)
+    if not len(every):
         return shapely.Polygon()
-    shape = shapely.simplify(shapely.union_all(faces[depth(_deep(faces)) > 0]), chord)
+    shape = shapely.simplify(shapely.union_all(every[depth(_deep(every)) > 0]), chord)
     return without_slivers(shape, chord)
 
 

@@ -25,7 +25,7 @@ from linkwright.studies.workspace.cells import (
     known_corners,
 )
 from linkwright.studies.workspace.places import Places
-from linkwright.studies.workspace.shapes import pieces
+from linkwright.studies.workspace.shapes import figures
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -88,10 +88,9 @@ def certified(places: Places, decided: Decided, shape: Any, chord: float) -> Cer
         parts, holes, doubtful = _counts(decided)
     low, high = decided.area
     faults = [*_area(decided, shape, chord), *_cells(decided, shape, chord), *_back(places, decided, shape)]
-    polygons = pieces(shape)
-    own = len(polygons), sum(len(polygon.interiors) for polygon in polygons)
+    own = figures(shape)
     finest = decided.open.side * 2.0**-DEEPEST
-    return Certificate(ENCLOSED, (low, high), parts == own[0], holes == own[1], finest, tuple(faults))
+    return Certificate(ENCLOSED, (low, high), parts == own.parts, holes == own.holes, finest, tuple(faults))
 
 
 def _area(decided: Decided, shape: Any, chord: float) -> list[Fault]:
@@ -162,10 +161,10 @@ def _back(places: Places, decided: Decided, shape: Any) -> list[Fault]:
     q, depth = places.drives(at)
     branch = depth.argmax(axis=0)
     values = q[branch, :, np.arange(BACK)].T
-    back = places.sheet.place(values)[0]
+    back, reach = places.sheet.place(values)
     off = np.hypot(*(back - at))
     extent = max(shape.bounds[2] - shape.bounds[0], shape.bounds[3] - shape.bounds[1]) if not shape.is_empty else 0.0
-    wrong = ~(off <= CLOSE * extent) & (places.sheet.place(values)[1] > 1e-9)
+    wrong = ~(off <= CLOSE * extent) & (reach > 1e-9)
     if not wrong.any():
         return []
     x, y = at[:, wrong][:, 0].tolist()

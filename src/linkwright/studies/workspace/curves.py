@@ -18,11 +18,15 @@ from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
+Mask = NDArray[np.bool_]
 Ends = tuple[Array, Array]
 Traced = Mapping[str, Ends]
 
 ROUNDS = 24
 """Segments are halved at most so many times."""
+EVEN = 0.05
+"""The middle of a segment's path is no nearer to either end than this share of its chord, or it says little of the way
+between."""
 CLOSE, ROUGH = 1e-14, 1e-3
 """Zeros are found to the first share of the drives' values, and to the second of where they are looked for."""
 WAY = 0.5
@@ -49,6 +53,11 @@ class Segments:
     a: Array
     b: Array
     off: Array
+
+    def within(self, most: float) -> Segments:
+        """The pieces that may be off by no more than ``most`` (m)."""
+        near = self.off <= most
+        return Segments(self.kind, self.a[:, near], self.b[:, near], self.off[near])
 
 
 def curves(sheet: Sheet, mesh: Mesh, chord: float) -> list[Segments]:
@@ -153,7 +162,7 @@ def _loose(sheet: Sheet, mesh: Mesh, a: Array, b: Array) -> bool:
     return bool((count % 2).any())
 
 
-def _followed(sheet: Sheet, a: Array, b: Array) -> NDArray[np.bool_]:
+def _followed(sheet: Sheet, a: Array, b: Array) -> Mask:
     """Whether pieces of the singular curve can be halved twice."""
 
     def f(q: Array) -> Array:
@@ -164,7 +173,7 @@ def _followed(sheet: Sheet, a: Array, b: Array) -> NDArray[np.bool_]:
     return np.asarray(found & beside(f, *halves, rough=True)[1].reshape(2, -1).all(axis=0))
 
 
-def _turning(sheet: Sheet, path: Callable[..., Array], sign: NDArray[np.bool_]) -> Array:
+def _turning(sheet: Sheet, path: Callable[..., Array], sign: Mask) -> Array:
     """The shares of paths up to which the numerator has its first sign."""
     return halved(lambda share: (sheet.look(path(share, TURNED)).numerator >= 0) == sign, sign.size, TURNED)
 
@@ -195,7 +204,7 @@ def _quartered(q: Array, triangles: Rows) -> tuple[Array, Rows]:
     return corners[:, used], own.reshape(made.shape)
 
 
-def _among(pairs: Rows, known: Rows) -> NDArray[np.bool_]:
+def _among(pairs: Rows, known: Rows) -> Mask:
     size = int(max(pairs.max(initial=0), known.max(initial=0))) + 1
     return np.isin(pairs[:, 0] * size + pairs[:, 1], known[:, 0] * size + known[:, 1])
 
@@ -219,7 +228,7 @@ def _along_rim(sheet: Sheet, a: Array, b: Array) -> Callable[..., Array]:
     return path
 
 
-def _to_rim(sheet: Sheet, start: Array, step: Array, inside: NDArray[np.bool_], times: int) -> Array:
+def _to_rim(sheet: Sheet, start: Array, step: Array, inside: Mask, times: int) -> Array:
     """The places on the rim between start and start + step, just inside, by so many halvings."""
     at = halved(lambda share: (sheet.place(start + share * step)[1] > RIM) == inside, inside.size, times)
     return np.asarray(start + np.where(inside, at, at + 2.0**-times) * step)
@@ -231,14 +240,17 @@ def refined(sheet: Sheet, kind: str, ends: Ends, chord: float, f: Callable[[Arra
     a, b = ends
     done: list[tuple[Array, Array, Array]] = []
     pa, pb = sheet.place(a)[0], sheet.place(b)[0]
-    for turn in range(ROUNDS):
+    for _ in range(ROUNDS):
         if not a.shape[1]:
             break
         middle, found = ((a + b) / 2, np.full(a.shape[1], True)) if f is None else beside(f, a, b)
         pm = sheet.place(middle)[0]
         found &= np.isfinite(pm).all(axis=0)
         off = distance(pm, pa, pb)
-        fine = ~found | ((off <= chord) & (turn > 0))
+        shorter = np.minimum(np.hypot(*(pm - pa)), np.hypot(*(pb - pm)))
+        fine = ~found | ((off <= chord) & (shorter >= EVEN * np.hypot(*(pb - pa)) - chord))
+        some = found & fine
+        fine[some] = _halves(sheet, f, a[:, some], middle[:, some], b[:, some], chord)
         done.append((a[:, fine], b[:, fine], np.where(found[fine], 0.0, np.hypot(*(pb - pa)[:, fine]))))
         rest = ~fine
         a, b = np.concatenate([a[:, rest], middle[:, rest]], 1), np.concatenate([middle[:, rest], b[:, rest]], 1)
@@ -250,6 +262,15 @@ def refined(sheet: Sheet, kind: str, ends: Ends, chord: float, f: Callable[[Arra
     return Segments(kind, *(np.concatenate(parts, axis=-1) for parts in zip(*done, strict=True)))
 
 
+def _halves(sheet: Sheet, f: Callable[[Array], Array] | None, a: Array, middle: Array, b: Array, chord: float) -> Mask:
+    """Whether the middles of both halves of segments' paths lie within ``chord`` too: a segment that leads from curve
+    to curve may pass the middle of its path by accident."""
+    first, last = np.concatenate([a, middle], axis=1), np.concatenate([middle, b], axis=1)
+    between, found = ((first + last) / 2, True) if f is None else beside(f, first, last)
+    pa, pb = (np.tile(sheet.place(q)[0], 2) for q in (a, b))
+    return np.asarray((found & (distance(sheet.place(between)[0], pa, pb) <= chord)).reshape(2, -1).all(axis=0))
+
+
 def beside(
     f: Callable[[Array], Array],
     a: Array,
@@ -257,7 +278,7 @@ def beside(
     rough: bool = False,
     ways: Sequence[tuple[float, float]] = WAYS,
     near: float | None = None,
-) -> tuple[Array, NDArray[np.bool_]]:
+) -> tuple[Array, Mask]:
     """The zeros of f on the normals through the middles of segments (``rough``: where a line through two places has
     it); whether there is one nearby."""
     middle, across = (a + b) / 2, np.stack([a[1] - b[1], b[0] - a[0]])
@@ -287,7 +308,7 @@ def beside(
 
 
 def distance(p: Array, a: Array, b: Array) -> Array:
-    """How far points are from the segments a .. b: (n,)."""
+    """How far points are from the segments a .. b; all (2, ...)."""
     d, r = b - a, p - a
     square = (d * d).sum(axis=0)
     with np.errstate(all="ignore"):

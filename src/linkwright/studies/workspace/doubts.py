@@ -13,7 +13,7 @@ Told = Callable[[float, str, float], str]
 
 
 def _area(value: float, unit: str, size: float) -> str:
-    return f"{value / size**2:.3g} {unit}\N{SUPERSCRIPT TWO}" if unit else f"{value / size**2:.3g}"
+    return f"{value / size**2:.3g} {u.squared(unit)}".rstrip()
 
 
 def _length(value: float, unit: str, size: float) -> str:
@@ -34,6 +34,7 @@ KINDS: dict[str, tuple[str, Told]] = {
     "left-out": ("workspace.doubt-left-out", _area),
     "too-much": ("workspace.doubt-too-much", _area),
     "edge": ("workspace.doubt-edge", _count),
+    "count": ("workspace.doubt-count", _length),
     "back": ("workspace.doubt-back", _share),
     "unsettled": ("workspace.doubt-unsettled", _share),
     "cut": ("workspace.doubt-cut", _length),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -12,9 +12,11 @@ from linkwright.graph.bound import farthest
 from linkwright.studies.workspace.alike import alike
 from linkwright.studies.workspace.border import border, polygons
 from linkwright.studies.workspace.cells import decided
-from linkwright.studies.workspace.certificate import Certificate, certified
+from linkwright.studies.workspace.certificate import Certificate, Fault, certified
 from linkwright.studies.workspace.curves import Segments, smooth, traced
-from linkwright.studies.workspace.mesh import Box, Mesh, found_pits, mesh
+from linkwright.studies.workspace.jumps import Paths, contradiction
+from linkwright.studies.workspace.mesh import Mesh, found_pits, mesh
+from linkwright.studies.workspace.missed import Square, missed, missed_anywhere
 from linkwright.studies.workspace.places import Places
 
 Array = NDArray[np.float64]
@@ -24,6 +26,8 @@ MESHES = (96, 192, 384)
 RINGS = (2,)
 """Where a curve can't be followed, the mesh is finer so many triangles around: once, as the region's edge doesn't hang
 on it."""
+ROUGH = 64.0
+"""Pieces of curves that may be off by more chords are left out, to be found from the poses turned round."""
 LOOKS = 48
 """The region's extent is looked at on so many values of each drive."""
 SKEW = np.array([1.0176, 1.0393])
@@ -32,10 +36,6 @@ WIDER = 1.0625
 """... and this much wider than the region can be."""
 WITHIN = 8.0
 """The edge is drawn to so small a share of the width that is open along it, or to half of the chord tolerance."""
-BESIDE = 1e-6
-"""Places of the edge are on a curve within this share of the region's extent."""
-INWARD = 0.1
-"""The drives' values are those of places so many chords within the edge."""
 
 
 @dataclass(frozen=True)
@@ -63,13 +63,15 @@ def enclosed(places: Places, chord: float) -> Enclosed | None:
     # Drawn so that the area lies well within its bounds too, whose difference is some width along the edge.
     (low, high), along = cells.area, float(cells.edge.size.sum())
     near = min(chord / 2, (high - low) / (WITHIN * along)) if along else chord / 2
-    a, b, rough = border(places.depth, cells.edge, near)
+    a, b, off = border(places.depth, cells.edge, near)
     shape = polygons(places.depth, a, b, near)
-    segments, made, steps = _curves(places, shape, chord)
-    return Enclosed(shape, segments, made, steps, rough, certified(places, cells, shape, chord))
+    segments, made, steps, faults = _curves(places, shape, square, chord)
+    certificate = certified(places, cells, shape, chord)
+    certificate = replace(certificate, faults=(*certificate.faults, *faults))
+    return Enclosed(shape, tuple(segments), made, steps, float(off.max(initial=0.0)), certificate)
 
 
-def _square(places: Places) -> tuple[Array, float, float] | None:
+def _square(places: Places) -> Square | None:
     """Corner and side of a square in which the region lies, for its links are no longer; and about its extent (m)."""
     sheet, box = places.sheet, places.box
     graph = sheet.compiled.graph
@@ -90,8 +92,9 @@ def _square(places: Places) -> tuple[Array, float, float] | None:
     return -half * SKEW, 2 * half, max(extent, 1e-9 * half)
 
 
-def _curves(places: Places, shape: Any, chord: float) -> tuple[tuple[Segments, ...], Mesh, int]:
-    """The curves of a mode in the drives' plane; pieces of the edge that lie on none, at the drives' values there."""
+def _curves(places: Places, shape: Any, square: Square, chord: float) -> tuple[list[Segments], Mesh, int, list[Fault]]:
+    """The curves of a mode in the drives' plane; those that meshes miss, from the poses turned round; and what still
+    contradicts them."""
     sheet, box = places.sheet, places.box
     pits = found_pits(sheet, box)
     rough = traced(sheet, mesh(sheet, box, MESHES[0], pits), levels=1)
@@ -101,54 +104,22 @@ def _curves(places: Places, shape: Any, chord: float) -> tuple[tuple[Segments, .
         if alike(rough, pieces, box.size / steps):
             break
         rough = pieces
-    segments = smooth(sheet, pieces, chord)
-    return (*segments, *_beside(places, shape, segments, chord)), made, steps
+    segments = [one.within(ROUGH * chord) for one in smooth(sheet, pieces, chord)]
+    segments += missed(places, _rings(shape), square[2], segments, chord)
+    wrong = contradiction(places, Paths.of(sheet, segments), chord)
+    if wrong:
+        segments += missed_anywhere(places, square, segments, chord)
+        wrong = contradiction(places, Paths.of(sheet, segments), chord)
+    return segments, made, steps, [Fault("count", wrong.length, wrong.at)] if wrong else []
 
 
-def _beside(places: Places, shape: Any, segments: list[Segments], chord: float) -> list[Segments]:
-    """Pieces of a region's edge that lie on no curve, as the mesh has missed that: by their kinds."""
+def _rings(shape: Any) -> tuple[Array, Array, Array]:
+    """A shape's edge by its pieces: their ends (2, n) both, and by how much each is off."""
     import shapely
 
     rings = [shapely.get_coordinates(ring).T for ring in shapely.get_parts(shapely.boundary(shape))]
-    if not rings:
-        return []
-    ends = np.concatenate([np.stack([ring[:, :-1], ring[:, 1:]]) for ring in rings], axis=2)
-    drives = np.concatenate([np.stack([one.a, one.b]) for one in segments], axis=2)
-    paths = places.sheet.place(drives.transpose(1, 0, 2).reshape(2, -1))[0].reshape(2, 2, -1)
-    paths = paths[:, :, np.isfinite(paths).all(axis=(0, 1))]
-    middles, extent = ends.mean(axis=0), float(np.ptp(ends, axis=(0, 2)).max())
-    lost = np.ones(middles.shape[1], dtype=bool)
-    if paths.size:
-        tree = shapely.STRtree(shapely.linestrings(paths.transpose(2, 1, 0)))
-        near = tree.query(shapely.points(middles.T), predicate="dwithin", distance=max(BESIDE * extent, 4 * chord))
-        lost[near[0]] = False
-    if not lost.any():
-        return []
-    a, b = ends[:, :, lost]
-    values, kinds = _drives(places, np.concatenate([a, b, (a + b) / 2], axis=1), np.tile(b - a, 3), chord)
-    first, last, _ = np.split(values, 3, axis=1)
-    kind = kinds[-a.shape[1] :]
-    known = np.isfinite(first).all(axis=0) & np.isfinite(last).all(axis=0)
-    known &= (np.abs(last - first) < box_half(places.box)).all(axis=0)
-    return [
-        Segments(name, first[:, of], last[:, of], np.zeros(int(of.sum())))
-        for name in sorted(set(places.kinds))
-        if (of := known & (kind == name)).any()
-    ]
-
-
-def box_half(box: Box) -> Array:
-    """Half the ranges of both drives, beyond which two values don't belong to one piece: (2, 1)."""
-    return box.size[:, None] / 2
-
-
-def _drives(places: Places, at: Array, along: Array, chord: float) -> tuple[Array, NDArray[np.str_]]:
-    """The drives' values (2, n) at places of the edge, with the region to the left or right of the way ``along`` it,
-    and the kinds of curve there."""
-    normal = np.stack([-along[1], along[0]]) / np.hypot(*along)
-    inside = at + INWARD * chord * normal
-    inside = np.where(places.depth(inside) > 0, inside, at - INWARD * chord * normal)
-    values, depths = places.drives(inside)
-    branch, row = depths.argmax(axis=0), np.arange(at.shape[1])
-    functions = places.functions(inside)[branch, :, row]
-    return values[branch, :, row].T, np.array(places.kinds)[np.nan_to_num(functions, nan=np.inf).argmin(axis=1)]
+    a, b = (
+        np.concatenate([np.empty((2, 0)), *(ring[:, some] for ring in rings)], axis=1)
+        for some in (slice(-1), slice(1, None))
+    )
+    return a, b, np.zeros(a.shape[1])

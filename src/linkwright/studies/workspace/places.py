@@ -10,6 +10,7 @@ them positive; the number of such poses tells how often the mode covers it.
 from __future__ import annotations
 
 import math
+from copy import copy
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -83,6 +84,20 @@ class Places:
         rows, self.kinds = self._combined()
         self.rows = np.array(rows)
 
+    def only(self, branch: int) -> Places:
+        """The places that one pose reaches by itself."""
+        one = copy(self)
+        one.branches = self.branches[branch : branch + 1]
+        return one
+
+    def partner(self, branch: Rows, function: Rows) -> Rows:
+        """The poses (n,) that meet those of some branches (n,) where a function (n,) of theirs is zero: their own where
+        that is no fold."""
+        turned = self.branches[branch].copy()
+        folds = np.flatnonzero(function < len(self.inverse.groups))
+        turned[folds, function[folds]] *= -1
+        return np.asarray((turned[:, None] == self.branches).all(axis=2).argmax(axis=1))
+
     def _combined(self) -> tuple[list[Array], list[str]]:
         """Each function as coefficients of the program's rows, the last of 1; and its kind."""
         names = [*self.inverse.names, ""]
@@ -110,19 +125,28 @@ class Places:
 
     def functions(self, at: Array) -> Array:
         """The functions at places (2, n): (branches, functions, n), NaN behind a negative one."""
+        return self._functions(self._everywhere(at))
+
+    def _everywhere(self, at: Array) -> Array:
+        """The program's rows at places (2, n), in all branches: (rows, branches, n)."""
         count, n = len(self.branches), at.shape[1]
         found = self._rows(np.tile(at, count), np.repeat(np.arange(count), n))
-        functions = np.empty((count, len(self.rows), n))
+        return found.reshape(len(found), count, n)
+
+    def _functions(self, found: Array) -> Array:
+        functions = np.empty((found.shape[1], len(self.rows), found.shape[2]))
         with np.errstate(all="ignore"):
             for k, coefficients in enumerate(self.rows):
                 used = np.flatnonzero(coefficients[:-1])
-                total = sum(coefficients[i] * found[i] for i in used) + coefficients[-1]
-                functions[:, k] = total.reshape(count, n)
+                functions[:, k] = sum(coefficients[i] * found[i] for i in used) + coefficients[-1]
         return functions
 
     def depths(self, at: Array) -> Array:
         """The least function of each pose, (branches, n): positive where it is one of the mode's."""
-        functions = self.functions(at)
+        return self._least(self.functions(at))
+
+    @staticmethod
+    def _least(functions: Array) -> Array:
         least = np.fmin.reduce(functions, axis=1)
         vague = np.isnan(functions).any(axis=1) & ~(least < 0)
         return np.where(vague, -np.inf, least)
@@ -138,8 +162,7 @@ class Places:
     def drives(self, at: Array) -> tuple[Array, Array]:
         """The drives' values (rad or m) at places (2, n) in the poses of all branches, (branches, 2, n), and the
         least function of each, (branches, n)."""
-        count, n = len(self.branches), at.shape[1]
-        found = self._rows(np.tile(at, count), np.repeat(np.arange(count), n)).reshape(-1, count, n)
+        found = self._everywhere(at)
         names = self.inverse.names
         values = []
         for k, drive in enumerate(self.inverse.drives):
@@ -148,7 +171,7 @@ class Places:
                 values.append(self.box.low[k] + (angle - self.box.low[k]) % (2 * np.pi))
             else:
                 values.append(found[names.index(f"{drive}:travel")])
-        return np.stack(values, axis=1), self.depths(at)
+        return np.stack(values, axis=1), self._least(self._functions(found))
 
     @cached_property
     def _stage(self) -> Stage:

@@ -51,4 +51,8 @@ def without_slivers(shape: Any, chord: float) -> Any:
         for part in pieces(shape)
         if wide(part.exterior)
     ]
-    return shapely.MultiPolygon(kept) if len(kept) != 1 else kept[0]
+    found = shapely.MultiPolygon(kept) if len(kept) != 1 else kept[0]
+    if not shapely.is_valid(found):  # its rings cross, by no more than they were made simpler
+        parts = pieces(shapely.make_valid(found, method="structure", keep_collapsed=False))
+        found = shapely.MultiPolygon(parts) if len(parts) != 1 else parts[0]
+    return found

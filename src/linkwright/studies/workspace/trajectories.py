@@ -13,6 +13,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.studies.workspace.curves import distance
 from linkwright.studies.workspace.mesh import Box, halved
 from linkwright.studies.workspace.one import Stretch
 from linkwright.studies.workspace.sheet import Sheet
@@ -195,7 +196,7 @@ class _Slices:
             there = self.place(here, parts.ravel())[0].reshape(2, 2, -1)
             a, b = at[:, None, steps], at[:, None, steps + 1]
             curve = np.einsum("sk,ckn->csn", CUBIC, np.concatenate([a, there, b], axis=1))
-            wrong = ~(_off(curve, a, b).max(axis=0) <= WITHIN * chord)
+            wrong = ~(distance(curve, a, b).max(axis=0) <= WITHIN * chord)
             coarse = steps[wrong]
             into = np.repeat(coarse + 1, 2)
             q = np.insert(q, into, parts[:, wrong].T.ravel())
@@ -209,14 +210,6 @@ class _Slices:
 def _beyond(runs: list[_Run]) -> Iterator[float | None]:
     for run in runs:
         yield from (run.before, run.after)
-
-
-def _off(there: Array, a: Array, b: Array) -> Array:
-    """How far places lie off the straight pieces from ``a`` to ``b``; all of them (2, ...)."""
-    way = b - a
-    square = (way * way).sum(axis=0)
-    share = np.clip(((there - a) * way).sum(axis=0) / np.where(square > 0, square, 1.0), 0.0, 1.0)
-    return np.asarray(np.hypot(*(there - a - share * way)))
 
 
 def _unbroken(one: Stretch, span: float, chord: float) -> Iterator[Stretch]:

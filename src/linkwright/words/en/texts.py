@@ -165,7 +165,7 @@ TEXTS: dict[str, str] = {
     "cli.limits": "Say how far FILE's mechanism can go: ranges, dead centres, strokes, transmission angles.",
     "cli.sweep": "Perform FILE's sweep alone, going on with an interrupted one; write sweep.csv, report.html and the like.",
     "cli.accuracy": "Say what tolerances and clearances do to FILE's outputs, and which of them matter; write accuracy.csv, report.html and the like.",
-    "cli.workspace": "Say where FILE's working point gets to with two drives, in each assembly mode, resuming an interrupted study; write workspace.geojson, workspace.svg, report.html and the like.",
+    "cli.workspace": "Compute the workspace of FILE's working point moved by two drives, in each assembly mode; resumes an interrupted study. Writes workspace.geojson, workspace.svg, report.html and more.",
     "cli.cam": "Check FILE's cam, and write its profile, drawing, solid and NC code, which is read back and proven before it is written.",
     "cli.post": "Write NC code for this control instead of those of the file: fanuc, linuxcnc, siemens or grbl; may be repeated.",
     "cli.export": "Write FILE's mechanism for another tool, with a proof of what is written.",

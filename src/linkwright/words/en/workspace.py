@@ -1,7 +1,7 @@
 """The words of the workspace study's tables, pictures and progress."""
 
 WORKSPACE: dict[str, str] = {
-    "workspace.sentence": "Where {point} gets to: {count} regions; their boundaries lie within {chord} {unit} of the true ones.",
+    "workspace.sentence": "Workspace of {point}: {count} regions (boundary error below {chord} {unit}).",
     "workspace.certified": (
         "Areas lie between the bounds in the table: enclosures of all poses that come to a place prove that, whatever "
         "curves are drawn."
