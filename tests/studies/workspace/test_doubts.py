@@ -24,6 +24,7 @@ SIZES = {  # m2, m, shares, numbers: as they are told in mm
     "cut": (0.0123, "12.3 mm"),
     "dangle": (4e-4, "0.4 mm"),
     "ring": (0.1, "100 mm"),
+    "rough": (2500.0, "2500"),
     "nowhere": (3.0, "3"),
 }
 

@@ -39,7 +39,7 @@ TURNED = 36
 SHORT = 1e-7
 """A piece no longer than this (rad, m) needn't follow the curve."""
 LEVELS, MOST = 10, 200_000
-"""Triangles are cut into sixteen at most so many times, and no more of them than that."""
+"""Triangles are cut into sixteen at most so many times, and no more of them than that; nor are more pieces halved."""
 WAYS = ((-0.03, 0.03), (-0.3, 0.3))
 """... and a curve beside its middle these shares of it."""
 
@@ -241,7 +241,7 @@ def refined(sheet: Sheet, kind: str, ends: Ends, chord: float, f: Callable[[Arra
     done: list[tuple[Array, Array, Array]] = []
     pa, pb = sheet.place(a)[0], sheet.place(b)[0]
     for _ in range(ROUNDS):
-        if not a.shape[1]:
+        if not a.shape[1] or a.shape[1] > MOST:
             break
         middle, found = ((a + b) / 2, np.full(a.shape[1], True)) if f is None else beside(f, a, b)
         pm = sheet.place(middle)[0]

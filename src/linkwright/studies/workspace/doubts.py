@@ -40,6 +40,7 @@ KINDS: dict[str, tuple[str, Told]] = {
     "cut": ("workspace.doubt-cut", _length),
     "dangle": ("workspace.doubt-dangle", _length),
     "ring": ("workspace.doubt-ring", _length),
+    "rough": ("workspace.doubt-rough", _count),
     "nowhere": ("workspace.doubt-nowhere", _count),
 }
 """Of each kind of fault its finding, and how its size is told."""

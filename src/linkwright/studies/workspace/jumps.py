@@ -1,7 +1,7 @@
 """The curves of a mode held against the number of poses: it jumps across each as it must, and nowhere else.
 
-Across an image of the singular curve two poses meet and end; where two modes meet, and at an end of a drive's range, one
-pose of the mode ends. What doesn't fit tells of a curve that is missing, or of one that isn't there.
+Across an image of the singular curve two poses meet and end; where two modes meet, and at an end of a drive's range,
+one pose of the mode ends. What doesn't fit tells of a curve that is missing, or of one that isn't there.
 """
 
 from __future__ import annotations

@@ -59,9 +59,8 @@ def missed(
         own = own[~np.all(on, axis=0)]
         way = (b - a)[:, own]
         first, last = (_ends(places, branch, end[:, own], way, chord) for end in (a, b))
+        last = first + _nearest(places, last - first)  # beyond a seam, where a piece lies across it
         known = np.isfinite(first).all(axis=0) & np.isfinite(last).all(axis=0)
-        # Values further apart than half a range are on both sides of a seam.
-        known &= (np.abs(last - first) < places.box.size[:, None] / 2).all(axis=0)
         if known.any():
             found.append(Segments(kind, first[:, known], last[:, known], off[own[known]]))
     return found
@@ -76,10 +75,9 @@ def _on(places: Places, drawn: Paths, at: Array, values: Array | None, distance:
     if values is None:
         found[place] = True
         return found
-    size, turns = places.box.size[:, None], np.array(places.box.turns)[:, None]
+    size = places.box.size[:, None]
     first, last = drawn.drives[:, :, piece]
-    away = np.abs(values[:, place] - (first + last) / 2)
-    away = np.where(turns, np.minimum(away, np.abs(size - away)), away) - np.abs(last - first) / 2
+    away = np.abs(_nearest(places, values[:, place] - (first + last) / 2)) - np.abs(last - first) / 2
     found[place[(away < ALIKE * size).all(axis=0)]] = True
     return found
 
@@ -96,8 +94,8 @@ def _ends(places: Places, branch: int | None, at: Array, along: Array, chord: fl
 def _drives(
     places: Places, branch: int | None, at: Array, along: Array, within: float
 ) -> tuple[Array, NDArray[np.str_]]:
-    """The drives' values (2, n) so far (m) within places of an edge, NaN where they lead elsewhere, with what is reached
-    to the left or right of the way ``along`` it; and the kinds of curve there."""
+    """The drives' values (2, n) so far (m) within places of an edge, NaN where they lead elsewhere; what is reached lies
+    to the left or right of the way ``along`` it. And the kinds of curve there."""
     aside, row = within * np.stack([-along[1], along[0]]) / np.hypot(*along), np.arange(at.shape[1])
     depths = places.depths(at + aside)
     reached = (depths.max(axis=0) if branch is None else depths[branch]) > 0
@@ -107,11 +105,15 @@ def _drives(
     ended = np.nan_to_num(places.functions(outside)[of, :, row], nan=np.inf).argmin(axis=1)
     one, other = values[of, :, row].T, values[places.partner(of, ended), :, row].T
     # Beside a fold the values of both poses that meet there change as a root of the way, but their mean doesn't.
-    apart = other - one
-    apart -= np.where(np.array(places.box.turns)[:, None], 2 * np.pi * np.round(apart / (2 * np.pi)), 0.0)
-    mean = one + np.nan_to_num(apart) / 2
+    mean = one + np.nan_to_num(_nearest(places, other - one)) / 2
     chosen = np.full_like(one, np.nan)
     for q in (one, mean):
         near = np.hypot(*(places.sheet.place(q)[0] - at)) < NEAR * within
         chosen[:, near] = q[:, near]
     return chosen, np.array(places.kinds)[ended]
+
+
+def _nearest(places: Places, apart: Array) -> Array:
+    """Differences (2, n) of drives' values, of those that turn fully less whole turns."""
+    turns = np.array(places.box.turns)[:, None]
+    return np.asarray(apart - np.where(turns, 2 * np.pi * np.round(apart / (2 * np.pi)), 0.0))

@@ -38,6 +38,9 @@ SLIVER = 4.0
 LOOSE = ("cut", "dangle", "ring")
 LONG = 1e-6
 """Lines that bound no face are faults where they are longer than this share of the extent."""
+ROUGH = 2000
+"""Curves of which more pieces can't be followed make no region: where the links of a group meet along a curve of drives'
+values, its pose is undefined all along."""
 ROUNDS = 8
 """Slivers beside slivers are looked at so often."""
 CLOSED = 1e-9
@@ -62,19 +65,23 @@ def searched(sheet: Sheet, box: Box, chord: float) -> Searched:
     tried: list[Searched] = []
     for first, most, quick in MESHES:
         tried.append(_on_meshes(sheet, box, chord, first, most, quick))
-        if not tried[-1].faults:
-            break
+        if not tried[-1].faults or any(fault.kind == "rough" for fault in tried[-1].faults):
+            return tried[-1]
     return min(tried, key=lambda one: sum(fault.size for fault in one.faults))
 
 
 def _on_meshes(sheet: Sheet, box: Box, chord: float, first: int, most: int, quick: bool) -> Searched:
     """On meshes that are doubled until its area changes by little; if ``quick``, on the first two already where both
     have the same curves."""
+    import shapely
+
     last, steps, close = None, first, max(CLOSE, 10 * chord / sheet.compiled.graph.size)
     pits = found_pits(sheet, box)
 
     def made_of(made: Mesh, pieces: Traced, steps: int, last: float | None = None) -> Searched:
         segments = smooth(sheet, pieces, chord)
+        if fault := _rough(sheet, segments):
+            return Searched(shapely.Polygon(), tuple(segments), made, steps, np.inf, (fault,))
         shape, faults = reached(sheet, box, made, segments, chord)
         area = float(shape.area)
         change = abs(area - last) / area if last is not None and area else np.inf
@@ -97,6 +104,16 @@ def _on_meshes(sheet: Sheet, box: Box, chord: float, first: int, most: int, quic
             x, y = found.shape.centroid.coords[0]
             return replace(found, faults=(*found.faults, Fault("unsettled", found.change, (x, y))))
         last, steps = area, 2 * steps
+
+
+def _rough(sheet: Sheet, segments: Sequence[Segments]) -> Fault | None:
+    """A fault where very many pieces can't be followed."""
+    rough = np.concatenate([one.a[:, ~(one.off == 0)] for one in segments], axis=1)
+    if rough.shape[1] <= ROUGH:
+        return None
+    at = sheet.place(rough)[0]
+    x, y = np.nan_to_num(at[:, np.isfinite(at).all(axis=0)][:, :1]).sum(axis=1).tolist()
+    return Fault("rough", float(rough.shape[1]), (x, y))
 
 
 def reached(sheet: Sheet, box: Box, made: Mesh, segments: Sequence[Segments], chord: float) -> tuple[Any, list[Fault]]:

@@ -1404,6 +1404,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The region of the mode {mode} isn't certified: {size} of its curves cross themselves, near {at}.",
         "Take another chord, or a part of the drives' ranges.",
     ),
+    "workspace.doubt-rough": (
+        "The region of the mode {mode} can't be found: {size} pieces of its curves can't be followed, one near {at}.",
+        "Two joints of a group may meet there in many positions, so that its links may point anywhere. Change a length by "
+        "little, or take a part of the drives' ranges.",
+    ),
     "workspace.doubt-nowhere": (
         "The region of the mode {mode} isn't certified: {size} pieces of its curves have no place, near {at}.",
         "Take another chord, or a part of the drives' ranges.",
