@@ -158,6 +158,12 @@ def test_from_python(file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     assert contents(tmp_path / "out") == contents(tmp_path / "whole")
 
 
+def test_a_section_of_the_file_can_be_left_out(file: Path) -> None:
+    saved(file, chord=1e-3, quality={"steps": 20})
+    assert "quality" in lw.workspace(file).parts
+    assert not lw.workspace(file, options={"quality": None}).parts
+
+
 def test_a_foreign_folder_of_that_name_is_not_touched(file: Path, tmp_path: Path) -> None:
     (tmp_path / "out" / FOLDER).mkdir(parents=True)
     (tmp_path / "out" / FOLDER / "mine").write_text("mine", "utf-8")

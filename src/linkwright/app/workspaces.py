@@ -28,13 +28,15 @@ def workspace(
     """Where a point gets to with two drives, in each assembly mode.
 
     What isn't given is that of the file's study ``workspace``: ``values`` of parameters (its key ``for``), as
-    ``{"alpha": [0, 60, 90]}``; ``options`` are further keys of it, written as there. With ``out``, a folder, files are
-    written there, over those that linkwright didn't write only with ``force``, and an interrupted study is resumed,
-    unless ``fresh``: regions that it has found aren't computed again. Raises :class:`ModelError` with all findings.
+    ``{"alpha": [0, 60, 90]}``; ``options`` are further keys of it, written as there, ``None`` for what is to be left
+    out. With ``out``, a folder, files are written there, over those that linkwright didn't write only with ``force``,
+    and an interrupted study is resumed, unless ``fresh``: regions that it has found aren't computed again. Raises
+    :class:`ModelError` with all findings.
     """
     given = {"point": point, "for": values, "modes": modes, "drives": drives, "chord": chord}
     stated = {key: value for key, value in given.items() if value is not None}
     every = {**(options or {}), **stated}
-    outcome = perform_alone(model, "workspace", every, out=out, folder=folder, fresh=fresh, force=force)
+    without = [key for key, value in every.items() if value is None]
+    outcome = perform_alone(model, "workspace", every, without, out=out, folder=folder, fresh=fresh, force=force)
     assert isinstance(outcome, WorkspaceOutcome)
     return outcome

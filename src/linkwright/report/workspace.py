@@ -13,6 +13,7 @@ from linkwright.report.workspace_parts import written
 from linkwright.report.workspace_picture import pictures
 from linkwright.report.workspace_steps import Steps
 from linkwright.studies.workspace.certificate import Certificate
+from linkwright.studies.workspace.doubts import sized
 from linkwright.studies.workspace.outcome import Workspace, WorkspaceOutcome
 from linkwright.studies.workspace.shapes import Figures, figures
 from linkwright.words import say
@@ -69,7 +70,7 @@ def certificate_entry(found: Certificate, size: float) -> dict[str, Any]:
     """What is proven of a region, lengths in units of ``size`` m."""
     area = None if found.area is None else [bound / size**2 for bound in found.area]
     entry = {"grade": found.grade, "certified": found.certified, "area": area}
-    faults = [{"kind": one.kind, "at": [x / size for x in one.at]} for one in found.faults]
+    faults = [{"kind": one.kind, "size": sized(one, size), "at": [x / size for x in one.at]} for one in found.faults]
     return entry | {"parts": found.parts, "holes": found.holes, "finest": found.finest / size, "faults": faults}
 
 

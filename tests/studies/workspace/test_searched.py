@@ -9,13 +9,14 @@ import pytest
 import shapely
 
 import linkwright as lw
+from helpers.compiled import compiled_from
 from linkwright.model.document import parse_document
 from linkwright.report.workspace import workspace_entry, workspace_sentences, workspace_tables
 from linkwright.studies.workspace import searched as module
 from linkwright.studies.workspace.certificate import SEARCHED
 from linkwright.studies.workspace.curves import Segments, smooth, traced
 from linkwright.studies.workspace.mesh import Box, Mesh, found_pits, mesh
-from linkwright.studies.workspace.searched import _with_slivers, reached, searched
+from linkwright.studies.workspace.searched import ROUGH, _with_slivers, reached, searched
 from linkwright.studies.workspace.sheet import Sheet
 from linkwright.words import say
 from studies.workspace.models import arm, triad_turned_round
@@ -168,3 +169,12 @@ def held(sheet: Sheet, shape: Any) -> float:
     """The share of places that values of the drives lead to that lie in a shape."""
     at = sheet.place(np.random.default_rng(0).uniform([[1.8], [0.8]], [[2.2], [1.2]], (2, 3000)))[0]
     return float(shapely.contains_xy(shape, *at).mean())
+
+
+def test_curves_that_cannot_be_followed_are_a_finding_and_soon() -> None:
+    """In this mode M and K meet all along a curve of the drives' values, where the hand may point anywhere."""
+    compiled = compiled_from(triad_turned_round())
+    whole = Box((0.0, 0.0), (2 * np.pi, 2 * np.pi), (True, True)).askew()
+    found = searched(Sheet(compiled, "P", ("motor", "servo"), (-1.0, 1.0)), whole, CHORD)
+    assert [fault.kind for fault in found.faults] == ["rough"] and found.shape.is_empty
+    assert found.faults[0].size > ROUGH

@@ -94,8 +94,8 @@ def _ends(places: Places, branch: int | None, at: Array, along: Array, chord: fl
 def _drives(
     places: Places, branch: int | None, at: Array, along: Array, within: float
 ) -> tuple[Array, NDArray[np.str_]]:
-    """The drives' values (2, n) so far (m) within places of an edge, NaN where they lead elsewhere; what is reached lies
-    to the left or right of the way ``along`` it. And the kinds of curve there."""
+    """The drives' values (2, n) so far (m) within places of an edge, NaN where they lead elsewhere, and the kinds of
+    curve there. What is reached lies to the left or right of the way ``along`` the edge."""
     aside, row = within * np.stack([-along[1], along[0]]) / np.hypot(*along), np.arange(at.shape[1])
     depths = places.depths(at + aside)
     reached = (depths.max(axis=0) if branch is None else depths[branch]) > 0

@@ -39,8 +39,8 @@ LOOSE = ("cut", "dangle", "ring")
 LONG = 1e-6
 """Lines that bound no face are faults where they are longer than this share of the extent."""
 ROUGH = 2000
-"""Curves of which more pieces can't be followed make no region: where the links of a group meet along a curve of drives'
-values, its pose is undefined all along."""
+"""Curves of which more pieces can't be followed make no region: as where two pins of a group meet all along a curve of
+drives' values, so that its links may point anywhere."""
 ROUNDS = 8
 """Slivers beside slivers are looked at so often."""
 CLOSED = 1e-9

@@ -1405,7 +1405,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Take another chord, or a part of the drives' ranges.",
     ),
     "workspace.doubt-rough": (
-        "The region of the mode {mode} can't be found: {size} pieces of its curves can't be followed, one near {at}.",
+        "The region of the mode {mode} isn't certified, nor drawn: {size} pieces of its curves can't be followed, one near "
+        "{at}.",
         "Two joints of a group may meet there in many positions, so that its links may point anywhere. Change a length by "
         "little, or take a part of the drives' ranges.",
     ),
