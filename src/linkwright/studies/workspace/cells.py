@@ -151,12 +151,13 @@ class Decided:
         return inner + float((self.least * own).sum()) - slack, inner + float((self.most * own).sum()) + slack
 
 
-def decided(places: Places, corner: Array, side: float, extent: float) -> Decided:
-    """The square of a ``side`` from a ``corner`` (2,), in which all of a region of some ``extent`` (m) lies."""
+def decided(places: Places, corner: Array, side: float, extent: float, deep: int = DEEP) -> Decided:
+    """The square of a ``side`` from a ``corner`` (2,), in which all of a region of some ``extent`` (m) lies; cells are
+    halved at most ``deep`` times more than everywhere along the edge."""
     axis = np.arange(2**COARSE)
     cells = Cells(corner, side, np.stack(np.meshgrid(axis, axis)).reshape(2, -1), np.full(4**COARSE, COARSE))
     fine = int(np.ceil(np.log2(side / extent))) + FINE
-    return _cut(places, cells, fine, min(fine + DEEP, DEEPEST), LITTLE)
+    return _cut(places, cells, fine, min(fine + deep, DEEPEST), LITTLE)
 
 
 def cut_on(places: Places, found: Decided, which: Mask) -> Decided:

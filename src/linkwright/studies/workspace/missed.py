@@ -21,6 +21,8 @@ Edge = tuple[Array, Array, Array]
 
 BESIDE, CHORDS = 1e-6, 4.0
 """Pieces of an edge are on a curve of their kind within this share of the region's extent, or so many chords."""
+DEEP = 6
+"""Cells in which the edge of what one pose reaches is traced are halved so many times more where it isn't one line."""
 SHARES = 0.05, 0.5, 0.95
 """A piece is on a curve if it is at these shares of its way."""
 ALIKE = 2e-3
@@ -38,7 +40,7 @@ def missed_anywhere(places: Places, square: Square, segments: list[Segments], ch
     found: list[Segments] = []
     for branch in range(len(places.branches)):
         one = places.only(branch)
-        edge = border(one.depth, decided(one, *square).edge, chord / 2)
+        edge = border(one.depth, decided(one, *square, deep=DEEP).edge, chord / 2)
         found += missed(places, edge, square[2], [*segments, *found], chord, branch)
     return found
 
