@@ -3,7 +3,7 @@
 A form says value + u slope_u + v slope_v with an error of no more than ``rest``. Sums and products keep the linear
 part, so that what depends on itself isn't counted twice (affine arithmetic: Stolfi and de Figueiredo, Self-Validated
 Numerical Methods, 1997, ch. 3; here with two noise symbols that are kept, and one bound of all else). Roots and
-reciprocals are replaced by the line of least error over the range. What has no bound has an infinite ``rest``. Each
+reciprocals are replaced by the line of minimum error over the range. What has no bound has an infinite ``rest``. Each
 operation makes a few roundings of numbers no larger than its operands' ``reach`` makes possible.
 """
 
@@ -51,6 +51,16 @@ class Form:
         with np.errstate(invalid="ignore"):
             low, high = self.value - away, self.value + away
         return np.where(np.isnan(low), -np.inf, low), np.where(np.isnan(high), np.inf, high)
+
+    def parts(self, count: int) -> Array:
+        """Its numbers, value, slopes and rest, for ``count`` forms: (4, count)."""
+        return np.stack([np.broadcast_to(part, count) for part in (self.value, self.u, self.v, self.rest)]).astype(
+            float
+        )
+
+    def some(self, which: Any) -> Form:
+        """Some of its forms, of which its value has one each."""
+        return Form(*self.parts(self.value.size)[:, which])
 
     def __neg__(self) -> Form:
         return Form(-self.value, -self.u, -self.v, self.rest)
@@ -121,3 +131,8 @@ class Form:
         most = np.maximum(abs(low), abs(high)) / 2
         parts = ((sign * self.value, most), (sign * self.u, 0.0), (sign * self.v, 0.0), (self.rest, most * (1 + FEW)))
         return Form(*(np.where(known, one, other) for one, other in parts))
+
+
+def joined(forms: list[Form]) -> Form:
+    """Several arrays of forms as one."""
+    return Form(*np.concatenate([one.parts(one.value.size) for one in forms], axis=1))

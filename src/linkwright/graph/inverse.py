@@ -1,10 +1,11 @@
 """A mechanism turned round: its drives are free, and two slides carry one of its points to any place (x, y).
 
 The links fall apart into groups again, hung on the frame and on the point. Where all of these are dyads, every pose in
-which the point is at a place is one choice of their branches, in closed form: the inverse kinematics is exhaustive
-(J.-P. Merlet, Parallel Robots, 2nd ed. 2006, ch. 3). What tells whether a pose is one of an assembly mode are signs:
-of what stands under the roots of those dyads (``room``: the pose exists), and of the determinants of the mechanism's
-own groups in the pose (``closure``: the mode).
+which the point is at a place is one choice of their branches, in closed form. Of a triad the platform's angle is a root
+of a polynomial (:mod:`linkwright.graph.triads`), at most one of six; all else follows from it in closed form. So the
+inverse kinematics is exhaustive (J.-P. Merlet, Parallel Robots, 2nd ed. 2006, ch. 3). What tells whether a pose is one
+of an assembly mode are signs: of what stands under the roots of those dyads (``room``: the pose exists), and of the
+determinants of the mechanism's own groups in the pose (``closure``: the mode).
 """
 
 from __future__ import annotations
@@ -19,26 +20,48 @@ import casadi as ca
 
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.graph import Graph
-from linkwright.graph.motion import Motion, known_determinant, solve_motion
+from linkwright.graph.legs import triad
+from linkwright.graph.motion import Motion, known_determinant, solve_step
 from linkwright.graph.program import ExpressionStage, Program
+from linkwright.graph.triads import System, place_links
 from linkwright.model.mechanism import FRAME, Drive, Joint, Link, Mechanism
-from linkwright.notation import Jet, Scalar
-from linkwright.structure import Group, Structure, decompose
+from linkwright.notation import Body, Jet, Pair, Scalar
+from linkwright.structure import Cluster, Group, Structure, decompose
 
 AXES = ("x", "y")
+
+
+@dataclass(frozen=True)
+class Platform:
+    """What tells the poses of a triad's platform. Its programs have the inputs of all poses, of which four, from
+    ``row`` on, are this one's cosine, sine, x and y.
+
+    ``polynomial`` vanishes at its angles; ``slope`` is that and its derivative by the angle; ``place`` is x and y where
+    it vanishes; of ``rooms`` none is negative at a pose's angle; ``misses`` is what the three legs miss at any pose (m2
+    or m), and row by row the derivatives by angle, x and y. The first legs, so many, move on ``circles``."""
+
+    row: int
+    circles: int
+    polynomial: Program
+    slope: Program
+    place: Program
+    rooms: Program
+    misses: Program
 
 
 @dataclass(frozen=True)
 class Inverse:
     """The poses in which a point is at a place.
 
-    ``groups`` are the dyads with a root of the mechanism turned round, in the order of their branches; ``modes`` the
-    mechanism's own groups with two assembly modes; ``drives`` its drives.
+    ``groups`` are the dyads with a root of the mechanism turned round, in the order of their branches, ``triads`` its
+    triads, each after those that it hangs on; ``modes`` the mechanism's own groups with two assembly modes; ``drives``
+    its drives.
     """
 
     graph: Graph
     structure: Structure
     groups: tuple[Group, ...]
+    triads: tuple[Cluster, ...]
 
     @property
     def modes(self) -> tuple[Group, ...]:
@@ -73,17 +96,26 @@ class Inverse:
         return tuple(rows)
 
     @cached_property
-    def _symbols(self) -> tuple[Any, Any, Any]:
-        """The inputs (x and y of the place, the branches), the parameters, the rows."""
+    def _symbols(self) -> tuple[Any, Any, Any, Any]:
+        """The inputs (x and y of the place, the branches, each platform's cosine, sine, x and y), the parameters, the
+        rows, and the triads' systems."""
         place, signs = ca.SX.sym("place", 2), [ca.SX.sym(group.label) for group in self.groups]
+        poses = [ca.SX.sym(cluster.label, 4) for cluster in self.triads]
         values = [ca.SX.sym(name) for name in self.graph.parameters]
         quantities = copy(self.graph.quantities)
         quantities.mechanism = self.structure.topology.mechanism
         geometry = Geometry(quantities, dict(zip(self.graph.parameters, values, strict=True)))
         drives = {axis: Jet([place[k]]) for k, axis in enumerate(AXES)}
         chosen = dict(zip(self.groups, signs, strict=True))
-        motion = solve_motion(self.structure, geometry, drives, lambda group, _: chosen.get(group, 1.0), _no_clusters)
-        return ca.vertcat(place, *signs), ca.vertcat(*values), ca.vertcat(*map(ca.SX, self._rows(motion)))
+        motion = Motion(self.structure, geometry, 0, {FRAME: Body.fixed(0)})
+        systems: list[System] = []
+        for step in self.structure.steps:
+            if isinstance(step, Cluster):
+                systems.append(_hung(motion, step, poses[len(systems)]))
+            else:
+                solve_step(motion, step, drives, lambda group, _: chosen.get(group, 1.0), _no_clusters)
+        rows = ca.vertcat(*map(ca.SX, self._rows(motion)))
+        return ca.vertcat(place, *signs, *poses), ca.vertcat(*values), rows, systems
 
     def _rows(self, motion: Motion) -> Iterator[Scalar]:
         for group in self.groups:
@@ -98,34 +130,76 @@ class Inverse:
 
     @cached_property
     def program(self) -> Program:
-        """The rows :attr:`names` of inputs x, y (m) and the branches."""
-        x, p, rows = self._symbols
-        return self._program(x, p, rows, self.names)
+        """The rows :attr:`names` of inputs x, y (m), the branches, and each platform's cosine, sine, x and y."""
+        return self._program(self._symbols[2], self.names)
+
+    @cached_property
+    def platforms(self) -> tuple[Platform, ...]:
+        """Of each triad what tells the poses of its platform."""
+        x, _, _, systems = self._symbols
+        found = []
+        for k, system in enumerate(systems):
+            row = 2 + len(self.groups) + 4 * k
+            c, s, *at = (x[row + i] for i in range(4))
+            polynomial, misses = system.polynomial(c, s), ca.vertcat(*system.misses(c, s, Pair(*at)))
+
+            def turned(rows: Any, c: Any = c, s: Any = s) -> Any:
+                return c * ca.jacobian(rows, s) - s * ca.jacobian(rows, c)
+
+            slopes = ca.horzcat(turned(misses), ca.jacobian(misses, ca.vertcat(*at)))
+            rows = {
+                "polynomial": [polynomial],
+                "slope": [polynomial, turned(polynomial)],
+                "place": system.place(c, s),
+                "rooms": system.rooms(c, s),
+                "misses": [misses, ca.reshape(ca.densify(slopes).T, -1, 1)],
+            }
+            programs = {name: self._numbered(name, ca.vertcat(*some)) for name, some in rows.items()}
+            found.append(Platform(row, len(system.circles), **programs))
+        return tuple(found)
 
     @cached_property
     def slopes(self) -> Program:
-        """Their derivatives by x, then those by y."""
-        x, p, rows = self._symbols
+        """The derivatives of the rows :attr:`names` by x, then those by y, where there are dyads alone."""
+        x, _, rows, _ = self._symbols
         names = [f"d({name})/d({axis})" for axis in AXES for name in self.names]
-        return self._program(x, p, ca.reshape(ca.densify(ca.jacobian(rows, x[:2])), -1, 1), tuple(names))
+        return self._program(ca.reshape(ca.densify(ca.jacobian(rows, x[:2])), -1, 1), tuple(names))
 
-    def _program(self, x: Any, p: Any, rows: Any, names: tuple[str, ...]) -> Program:
-        inputs = (*AXES, *(f"branch:{group.label}" for group in self.groups))
-        return Program((), ExpressionStage.from_rows(x, p, [rows]), inputs, self.graph.parameters, names)
+    def _numbered(self, name: str, rows: Any) -> Program:
+        return self._program(rows, tuple(f"{name}:{i}" for i in range(rows.numel())))
+
+    def _program(self, rows: Any, names: tuple[str, ...]) -> Program:
+        x, p, *_ = self._symbols
+        inputs = [*AXES, *(f"branch:{group.label}" for group in self.groups)]
+        inputs += [f"{cluster.label}:{part}" for cluster in self.triads for part in ("cos", "sin", "x", "y")]
+        return Program((), ExpressionStage.from_rows(x, p, [rows]), tuple(inputs), self.graph.parameters, names)
 
 
 def _no_clusters(_: Any) -> list[Scalar]:
-    raise AssertionError("no higher groups")
+    raise AssertionError("no other groups")
+
+
+def _hung(motion: Motion, cluster: Cluster, pose: Any) -> System:
+    """A triad, its links placed as its platform's pose has it."""
+    shape = triad(motion, cluster, {})
+    assert shape is not None
+    system, (c, s, x, y) = System(motion, shape), (pose[i] for i in range(4))
+    place_links(motion, system, Body.still(Pair(x, y), system.reference, Pair(c, s)))
+    return system
 
 
 def inverse(graph: Graph, point: str) -> Inverse | None:
     """The mechanism of a graph turned round at one of its points; ``None`` where it falls apart into other groups than
-    dyads, or into none."""
+    dyads and triads, or into none."""
     structure = decompose(carried(graph.structure.topology.mechanism, point))
-    if structure.findings or structure.clusters or graph.structure.clusters:
+    if structure.findings or graph.structure.clusters:
+        return None
+    motion = Motion(structure, Geometry(graph.quantities, {}), 0)
+    shapes = [triad(motion, cluster, {}) for cluster in structure.clusters]
+    if not all(shape is not None and all(leg.kind != "PP" for leg in shape.legs) for shape in shapes):
         return None
     groups = tuple(group for group in structure.groups if group.modes > 1)
-    return Inverse(graph, structure, groups)
+    return Inverse(graph, structure, groups, structure.clusters)
 
 
 def carried(mechanism: Mechanism, point: str) -> Mechanism:

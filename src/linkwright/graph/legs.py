@@ -1,6 +1,7 @@
 """The shape of a triad: a platform on three legs, and what each kind of leg demands of the platform.
 
-Arrays run over sampled angles of the platform. Its place is that of its reference point.
+The platform's cosine and sine are numbers, arrays over sampled angles or symbols; all else may be symbols with the
+latter. Its place is that of its reference point.
 """
 
 from __future__ import annotations
@@ -8,16 +9,14 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
 from linkwright.graph.motion import Motion
 from linkwright.graph.placing import driven_body, inner_joint, outer_joint
 from linkwright.groups import InnerLine, OuterLine, OuterPin
-from linkwright.notation import Body, Jet, Pair
+from linkwright.notation import Body, Jet, Pair, Scalar
+from linkwright.notation.jets import call, is_zero
 from linkwright.structure import Cluster, Connection
 
-Array = NDArray[np.float64]
+Row = tuple[Scalar, Scalar, Scalar]
 Poses = dict[str, Body]
 
 
@@ -128,7 +127,7 @@ class Equation:
         return self.tip.minus(self.foot)
 
     @property
-    def reach(self) -> float:
+    def reach(self) -> Scalar:
         """The leg's length between its joints (m)."""
         return length(self.arm)
 
@@ -140,33 +139,31 @@ class Equation:
 class Circle(Equation):
     """Two pins: the platform's point keeps its distance from the base."""
 
-    def centre(self, c: Array, s: Array, reference: Pair) -> Array:
-        """The centre of the reference point's circle over the angles (2, angles)."""
-        local = self.on.minus(reference)
-        return np.array([self.base.x - c * local.x + s * local.y, self.base.y - s * local.x - c * local.y])
+    def centre(self, c: Scalar, s: Scalar, reference: Pair) -> Pair:
+        """The centre of the reference point's circle."""
+        return self.base.minus(self.on.minus(reference).turned(Pair(c, s)))
 
     def place(self, platform: Body) -> Body:
-        at = platform.point(self.on).now
-        return Body.still(self.base, self.foot, unit(at.minus(self.base).turned_back(self.arm)))
+        x, y = platform.point(self.on).now.minus(self.base).turned_back(self.arm)
+        square = self.arm.dot(self.arm)  # of a pose both lengths are the same
+        return Body.still(self.base, self.foot, Pair(x / square, y / square))
 
 
 class Linear(Equation):
     """A pin and a slide: the platform keeps a distance from a line."""
 
-    def row(self, c: Array, s: Array, reference: Pair) -> Array:
-        """The equation a x + b y + c = 0 over the angles: (3, angles)."""
+    def row(self, c: Scalar, s: Scalar, reference: Pair) -> Row:
+        """The equation a x + b y + c = 0."""
         raise NotImplementedError
 
 
 class SlideOnBase(Linear):
     """The slide is on a known link."""
 
-    def row(self, c: Array, s: Array, reference: Pair) -> Array:
-        local, normal, arm = self.on.minus(reference), self.along.perp, self.arm.turned(self.turned)
-        bx, by = c * local.x - s * local.y, s * local.x + c * local.y
-        known = normal.dot(Pair(self.base.x + arm.x, self.base.y + arm.y))
-        one = np.ones_like(c)
-        return np.array([normal.x * one, normal.y * one, normal.x * bx + normal.y * by - known])
+    def row(self, c: Scalar, s: Scalar, reference: Pair) -> Row:
+        normal, arm = self.along.perp, self.arm.turned(self.turned)
+        on = self.on.minus(reference).turned(Pair(c, s))
+        return normal.x, normal.y, normal.dot(on) - normal.dot(Pair(self.base.x + arm.x, self.base.y + arm.y))
 
     def place(self, platform: Body) -> Body:
         return Body.still(platform.point(self.on).now, self.tip, self.turned)
@@ -175,16 +172,13 @@ class SlideOnBase(Linear):
 class SlideOnPlatform(Linear):
     """The slide is on the platform."""
 
-    def row(self, c: Array, s: Array, reference: Pair) -> Array:
-        local, k = self.on.minus(reference), self.on_heading.perp
-        bx, by = c * local.x - s * local.y, s * local.x + c * local.y
-        nx, ny = c * k.x - s * k.y, s * k.x + c * k.y
-        offset = self.arm.dot(self.tip_heading.perp)
-        return np.array([nx, ny, nx * (bx - self.base.x) + ny * (by - self.base.y) - offset])
+    def row(self, c: Scalar, s: Scalar, reference: Pair) -> Row:
+        axis, offset = Pair(c, s), self.arm.dot(self.tip_heading.perp)
+        normal, on = self.on_heading.perp.turned(axis), self.on.minus(reference).turned(axis)
+        return normal.x, normal.y, normal.dot(on.minus(self.base)) - offset
 
     def place(self, platform: Body) -> Body:
-        axis = unit(platform.direction(self.on_heading).now.turned_back(self.tip_heading))
-        return Body.still(self.base, self.foot, axis)
+        return Body.still(self.base, self.foot, platform.direction(self.on_heading).now.turned_back(self.tip_heading))
 
 
 class Fixed(Equation):
@@ -208,12 +202,13 @@ EQUATIONS: dict[str, type[Equation]] = {"RR": Circle, "PR": SlideOnBase, "RP": S
 """By the letters of a leg's two joints, from the known link inwards."""
 
 
-def length(v: Pair) -> float:
-    """The length of a pair of plain numbers."""
-    return math.hypot(v.x, v.y)
+def length(v: Pair) -> Scalar:
+    """The length of a pair."""
+    return call("sqrt", v.dot(v))
 
 
 def unit(v: Pair) -> Pair:
     """The unit vector along a pair."""
-    size = length(v) or 1.0
+    size = length(v)
+    size = 1.0 if is_zero(size) else size
     return Pair(v.x / size, v.y / size)

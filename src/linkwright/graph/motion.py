@@ -15,7 +15,7 @@ from linkwright.groups.dyad import determinant_of
 from linkwright.groups.joints import Twist
 from linkwright.model.mechanism import Drive
 from linkwright.notation import Body, Jet, Pair, Scalar
-from linkwright.structure import FRAME, Cluster, Driven, Group, Structure, Wedge
+from linkwright.structure import FRAME, Cluster, Driven, Group, Step, Structure, Wedge
 
 Branch = Callable[[Group, Dyad], Scalar]
 Unknowns = Callable[[Cluster], list[Scalar]]
@@ -72,15 +72,20 @@ def solve_motion(
     motion = motion or Motion(structure, geometry, order)
     motion.bodies[FRAME] = Body.fixed(order)
     for step in structure.steps:
-        if isinstance(step, Driven):
-            _drive(motion, step, drives[step.drive])
-        elif isinstance(step, Group):
-            _group(motion, step, drives, branch)
-        elif isinstance(step, Wedge):
-            solve_wedge(motion, step, drives)
-        else:
-            solve_cluster(motion, step, drives, unknowns)
+        solve_step(motion, step, drives, branch, unknowns)
     return motion
+
+
+def solve_step(motion: Motion, step: Step, drives: dict[str, Jet], branch: Branch, unknowns: Unknowns) -> None:
+    """Run one step of a motion."""
+    if isinstance(step, Driven):
+        _drive(motion, step, drives[step.drive])
+    elif isinstance(step, Group):
+        _group(motion, step, drives, branch)
+    elif isinstance(step, Wedge):
+        solve_wedge(motion, step, drives)
+    else:
+        solve_cluster(motion, step, drives, unknowns)
 
 
 def _drive(motion: Motion, step: Driven, law: Jet) -> None:

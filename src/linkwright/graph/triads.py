@@ -14,17 +14,19 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.geometry import ZERO
-from linkwright.graph.legs import EQUATIONS, Circle, Fixed, Linear, Triad, length
+from linkwright.graph.legs import EQUATIONS, Circle, Fixed, Linear, Row, Triad, length
 from linkwright.graph.motion import Motion
 from linkwright.graph.placing import outer_joint
 from linkwright.groups import OuterLine, OuterPin
-from linkwright.notation import Body, Pair
+from linkwright.notation import Body, Pair, Scalar
 from linkwright.structure import Cluster
 
 Array = NDArray[np.float64]
@@ -51,7 +53,7 @@ class Roots:
 
 
 class System:
-    """The three equations of a triad at known links."""
+    """The three equations of a triad at known links, numbers or symbols."""
 
     def __init__(self, motion: Motion, triad: Triad) -> None:
         self.triad = triad
@@ -62,36 +64,82 @@ class System:
         # The polynomial has its least degree about one leg's pins: its circle is then centred where x = y = 0.
         first = (self.circles or every)[0]
         self.reference, self.origin = first.on, first.base
-        self.size = max([e.reach for e in every] + [length(e.base.minus(self.origin)) for e in every]) or 1.0
 
-    def rows(self, phi: Array) -> Array:
-        """Linear equations (a, b, c) of the place over the size, from the origin: (equations, 3, angles)."""
-        c, s = np.cos(phi), np.sin(phi)
+    @cached_property
+    def size(self) -> float:
+        """The largest length, of numbers."""
+        return max([e.reach for e in self.every] + [length(e.base.minus(self.origin)) for e in self.every]) or 1.0
+
+    def rows(self, c: Scalar, s: Scalar, size: float = 1.0) -> list[Row]:
+        """Linear equations (a, b, c) of the place over a size, from the origin, at a platform's cosine and sine."""
         found = []
         for e in self.linear:
             a, b, rest = e.row(c, s, self.reference)
-            found.append([a, b, (rest + a * self.origin.x + b * self.origin.y) / self.size])
+            found.append((a, b, (rest + a * self.origin.x + b * self.origin.y) / size))
         if self.circles:
-            radius = self.circles[0].reach / self.size
+            radius = self.circles[0].reach / size
             for circle in self.circles[1:]:
-                x, y = circle.centre(c, s, self.reference)
-                x, y, other = (x - self.origin.x) / self.size, (y - self.origin.y) / self.size, circle.reach / self.size
+                x, y = circle.centre(c, s, self.reference).minus(self.origin)
+                x, y, other = x / size, y / size, circle.reach / size
                 # |p - m|^2 = l^2 less |p|^2 = r^2
-                found.append([-2 * x, -2 * y, x * x + y * y + radius**2 - other**2])
-        return np.array(found).reshape(-1, 3, phi.size)
+                found.append((-2 * x, -2 * y, x * x + y * y + radius * radius - other * other))
+        return found
 
-    def polynomial(self, phi: Array) -> Array:
-        """The trigonometric polynomial whose roots are the platform's angles, at some angles."""
-        rows = self.rows(phi)
+    def polynomial(self, c: Scalar, s: Scalar, size: float = 1.0) -> Scalar:
+        """The trigonometric polynomial whose roots are the platform's angles."""
+        rows = self.rows(c, s, size)
         if not self.circles:
-            return np.asarray(np.linalg.det(rows.transpose(2, 0, 1)))
-        (a1, b1, c1), (a2, b2, c2) = rows
-        x, y, d = b1 * c2 - b2 * c1, c1 * a2 - c2 * a1, a1 * b2 - a2 * b1
-        return np.asarray(x * x + y * y - (self.circles[0].reach / self.size * d) ** 2)
+            return sum(row[2] * crossed(*rows[:k], *rows[k + 1 :])[2] * (-1) ** k for k, row in enumerate(rows))
+        x, y, d = crossed(*rows)
+        reach = self.circles[0].reach / size * d
+        return x * x + y * y - reach * reach
+
+    def sampled(self, phi: Array) -> Array:
+        """The polynomial at some angles, lengths over the largest."""
+        return np.asarray(self.polynomial(np.cos(phi), np.sin(phi), self.size))
+
+    def place(self, c: Scalar, s: Scalar) -> Pair:
+        """The platform's place at a root of the polynomial where two of its equations differ: by Cramer's rule; of
+        three, by all pairs of them, weighted by their determinants."""
+        found = [crossed(*pair) for pair in combinations(self.rows(c, s), 2)]
+        weights = [d for _, _, d in found] if len(found) > 1 else [1.0]
+        x, y, d = (sum(w * one[k] for w, one in zip(weights, found, strict=True)) for k in range(3))
+        return Pair(self.origin.x + x / d, self.origin.y + y / d)
+
+    def misses(self, c: Scalar, s: Scalar, place: Pair) -> list[Scalar]:
+        """What the three legs miss at a pose of the platform (m2 or m), its place that of the reference point."""
+        found = []
+        for e in self.circles:
+            gap = place.minus(e.centre(c, s, self.reference))
+            found.append(gap.dot(gap) - e.reach * e.reach)
+        for line in self.linear:
+            a, b, rest = line.row(c, s, self.reference)
+            found.append(a * place.x + b * place.y + rest)
+        return found
+
+    def rooms(self, c: Scalar, s: Scalar) -> list[Scalar]:
+        """Numbers (m4 or m2) of pairs of legs: where one is negative, these two don't meet at an angle."""
+        found = []
+        for one, other in combinations(self.circles, 2):
+            gap = one.centre(c, s, self.reference).minus(other.centre(c, s, self.reference))
+            a, b = one.reach * one.reach, other.reach * other.reach
+            rest = a + b - gap.dot(gap)
+            found.append(4 * a * b - rest * rest)
+        for circle in self.circles:
+            centre = circle.centre(c, s, self.reference)
+            for line in self.linear:
+                a, b, rest = line.row(c, s, self.reference)
+                off = a * centre.x + b * centre.y + rest
+                found.append(circle.reach * circle.reach * (a * a + b * b) - off * off)
+        return found
+
+    def _at(self, phi: float) -> Array:
+        """The linear equations at one of the platform's angles: (equations, 3)."""
+        return np.array(self.rows(math.cos(phi), math.sin(phi), self.size), dtype=float).reshape(-1, 3)
 
     def places(self, phi: float) -> Iterator[Pair]:
         """All places of the platform at one of its angles, singular rows included."""
-        rows = self.rows(np.array([phi]))[:, :, 0]
+        rows = self._at(phi)
         rows = rows / np.maximum(np.hypot(rows[:, 0], rows[:, 1]), 1e-300)[:, None] if len(rows) else rows
         radius = self.circles[0].reach / self.size if self.circles else math.nan
         if len(rows) >= 2:
@@ -118,16 +166,22 @@ class System:
             known, harmonics = [self.fixed[0].angle()], np.zeros(1)
             complete = len(self.fixed) == 1
         else:
-            known, harmonics = trigonometric_roots(self.polynomial)
+            known, harmonics = trigonometric_roots(self.sampled)
             complete = bool(harmonics.size)
         poses = [(phi, place) for phi in known for place in self.places(phi)]
         return Roots(poses, self.reference, harmonics, complete and not any(map(self.loose, known)))
 
     def loose(self, phi: float) -> bool:
         """Whether the platform can be in places without number at an angle: too few of its equations differ."""
-        rows = self.rows(np.array([phi]))[:, :, 0]
+        rows = self._at(phi)
         values = np.linalg.svd(rows, compute_uv=False) if len(rows) else np.zeros(0)
         return int((values > LOOSE).sum()) < (1 if self.circles else 2)
+
+
+def crossed(one: Row, other: Row) -> Row:
+    """Where two lines a x + b y + c = 0 meet, in homogeneous coordinates."""
+    (a1, b1, c1), (a2, b2, c2) = one, other
+    return b1 * c2 - b2 * c1, c1 * a2 - c2 * a1, a1 * b2 - a2 * b1
 
 
 def trigonometric_roots(f: Callable[[Array], Array]) -> tuple[list[float], Array]:
@@ -156,17 +210,21 @@ def trigonometric_roots(f: Callable[[Array], Array]) -> tuple[list[float], Array
 def coordinates(motion: Motion, cluster: Cluster, system: System, pose: tuple[float, Pair]) -> list[float]:
     """The cluster's coordinates at a pose of the platform."""
     phi, at = pose
-    platform = Body.still(at, system.reference, Pair(math.cos(phi), math.sin(phi)))
     kept, bodies = dict(motion.bodies), motion.bodies
-    heads = [(system.triad.platform, platform), *((e.leg.part, e.place(platform)) for e in system.every)]
-    for part, head in heads:
-        for link, inside in part.poses.items():
-            axis = head.direction(inside.axis.now).now
-            bodies[link] = Body.still(head.point(inside.point(ZERO).now).now, ZERO, axis)
+    place_links(motion, system, Body.still(at, system.reference, Pair(math.cos(phi), math.sin(phi))))
     found = read_coordinates(motion, cluster)
     bodies.clear()
     bodies.update(kept)
     return found
+
+
+def place_links(motion: Motion, system: System, platform: Body) -> None:
+    """Put all links of a triad where they are at a pose of its platform."""
+    heads = [(system.triad.platform, platform), *((e.leg.part, e.place(platform)) for e in system.every)]
+    for part, head in heads:
+        for link, inside in part.poses.items():
+            axis = head.direction(inside.axis.now).now
+            motion.bodies[link] = Body.still(head.point(inside.point(ZERO).now).now, ZERO, axis)
 
 
 def read_coordinates(motion: Motion, cluster: Cluster) -> list[float]:

@@ -70,3 +70,43 @@ def triad_turned_round() -> dict[str, Any]:
             "servo": {"turns": "crank4", "on": "frame", "speed": 1, "start": 1.0},
         },
     }
+
+
+ARM = 0.35
+"""The length of an arm on a coupler (m)."""
+LEGS = ("RR", "PR", "RP")
+"""The joints of the leg that guides the coupler, from the frame inwards."""
+HEIGHT, LENGTH, ASIDE, TIP = 0.8, 0.7, 0.05, 0.5 + 0.4j
+
+
+def arm_on_coupler(leg: str, **changes: float) -> Compiled:
+    """A crank O1-A, a coupler, guided by a rocker, a slider or a rocking block, and on it at E a driven arm E-P: with P
+    held at a place the coupler is the platform of a triad."""
+    sizes = {"crank": 0.3, "length": LENGTH, "rocker": 0.5, "base": HEIGHT} | changes
+    tip = [TIP.real, TIP.imag]
+    coupler: dict[str, Any] = {"A": [0, 0], "B": [sizes["length"], 0], "E": tip}
+    links: dict[str, Any] = {
+        "frame": {"points": {"O1": [0, 0], "O4": [sizes["base"], 0], "H": [0, ASIDE]}},
+        "crank": {"points": {"O1": [0, 0], "A": [sizes["crank"], 0]}},
+        "coupler": {"points": coupler},
+        "arm": {"points": {"E": [0, 0], "P": [ARM, 0]}},
+    }
+    data: dict[str, Any] = {"linkwright": 1, "units": UNITS, "links": links}
+    if leg == "RR":
+        links["rocker"] = {"points": {"O4": [0, 0], "B": [sizes["rocker"], 0]}}
+        data["assembly"] = {"B": "left of A-O4"}
+    elif leg == "PR":
+        links["block"] = {"points": {"B": [0, 0]}}
+        data["joints"] = {"rail": {"prismatic": ["frame", "block"], "line": ["H at 0 deg", "B at 0 deg"]}}
+        data["assembly"] = {"B": "ahead of A along rail"}
+    else:
+        del coupler["B"]
+        coupler["G"] = [0, ASIDE]
+        links["block"] = {"points": {"O4": [0, 0]}}
+        data["joints"] = {"rail": {"prismatic": ["coupler", "block"], "line": ["G at 0 deg", "O4 at 0 deg"]}}
+        data["assembly"] = {"O4": "ahead of A along rail"}
+    data["drives"] = {
+        "motor": {"turns": "crank", "on": "frame", "speed": 1, "start": 1.0},
+        "servo": {"turns": "arm", "on": "coupler", "speed": 1, "start": 1.0},
+    }
+    return compiled_from(data)

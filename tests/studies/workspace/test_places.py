@@ -131,7 +131,8 @@ def test_forms_hold_the_functions_all_over_their_squares() -> None:
     middle, half = random.uniform(-0.03, 0.05, (2, 200)), random.uniform(1e-4, 2e-3, 200)
     count, told = len(places.branches), 0
     of, branch = np.repeat(np.arange(200), count), np.tile(np.arange(count), 200)
-    forms = places.forms(middle[:, of], half[of], branch)
+    forms, square = places.forms(middle[:, of], half[of], branch)
+    np.testing.assert_array_equal(square, np.arange(of.size))
     for u, v in random.uniform(-1, 1, (10, 2)):
         at = middle + half * np.array([[u], [v]])
         functions = places.functions(at)  # (branches, functions, squares)

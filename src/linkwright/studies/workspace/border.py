@@ -7,6 +7,7 @@ until they lie within the chord tolerance of the edge.
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable
 from typing import Any
 
@@ -146,12 +147,10 @@ def polygons(depth: Depth, a: Array, b: Array, chord: float) -> Any:
 
     lines = shapely.linestrings(np.stack([a, b]).transpose(2, 0, 1))
     faces, *wrong = shapely.polygonize_full(lines)
-    if any(not shapely.is_empty(part) for part in wrong):
-        return _reached(depth, _noded(lines), chord)
-    try:
-        return _reached(depth, faces, chord)
-    except shapely.GEOSException:  # faces that overlap, as their sides cross
-        return _reached(depth, _noded(lines), chord)
+    if all(shapely.is_empty(part) for part in wrong):
+        with contextlib.suppress(shapely.GEOSException):  # faces that overlap, as their sides cross
+            return _reached(depth, faces, chord)
+    return _reached(depth, _noded(lines), chord)
 
 
 def _noded(lines: Any) -> Any:

@@ -30,7 +30,7 @@ DEEP = 12
 SHARP = 0.02
 """... or of which more than this share is left open, ..."""
 MOST = 250_000
-"""... as long as they are no more than that, ..."""
+"""... as long as they are no more than that, by the poses that each branch has, ..."""
 CLEAR = 4.0
 """The edge is one line where all that bounds it grows along one direction, by so many times what its forms leave open,
 ..."""
@@ -192,7 +192,9 @@ def _cut(places: Places, cells: Cells, fine: int, deep: int, little: float) -> D
     traced, area, undecided = np.zeros(cells.level.size, dtype=bool), 0.0, 0.0
     while cells.level.size:
         level, size = int(cells.level[0]), float(cells.size[0])
-        forms = _Forms(places.forms(cells.middle[:, of], np.full(of.size, size / 2), branch), of, cells.level.size)
+        linear, pair = places.forms(cells.middle[:, of], np.full(of.size, size / 2), branch)
+        of, branch = of[pair], branch[pair]
+        forms = _Forms(linear, of, cells.level.size)
         reached.append(cells.some(forms.reached))
         never.append(cells.some(~forms.alive))
         area += size**2 * int(forms.reached.sum())
@@ -207,7 +209,7 @@ def _cut(places: Places, cells: Cells, fine: int, deep: int, little: float) -> D
             plain = forms.plain(kept)
             rest = going & ~(plain & (most - least < SHARP))
             more, left = int(rest.sum()), undecided + float((most - least)[going].sum()) * size**2
-            last = level >= deep or 4 * more > MOST or (more > FEW and left < little * area)
+            last = level >= deep or 4 * more > MOST // places.poses_each or (more > FEW and left < little * area)
             stays = going if last else going & ~rest
             drawn = going & ~traced & (plain | stays)
             edge.append(cells.some(drawn))
@@ -217,8 +219,7 @@ def _cut(places: Places, cells: Cells, fine: int, deep: int, little: float) -> D
             undecided += float((most - least)[stays].sum()) * size**2
             going &= ~stays
             kept &= going[of]
-        new = np.cumsum(going) - 1
-        of, branch = new[of[kept]], branch[kept]
+        of, branch = np.divmod(np.unique((np.cumsum(going) - 1)[of[kept]] * count + branch[kept]), count)
         cells, traced = cells.some(going).quarters(), np.repeat(traced[going], 4)
         of, branch = (4 * of[:, None] + np.arange(4)).ravel(), np.repeat(branch, 4)
     found = _together(made, joined(edge))

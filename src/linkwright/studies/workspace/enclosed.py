@@ -34,6 +34,9 @@ SKEW = np.array([1.0176, 1.0393])
 """The square is off the middle by so much, so that edges along axes are on no side of a cell, ..."""
 WIDER = 1.0625
 """... and this much wider than the region can be."""
+SPOTS, SPOT, VAGUE = 200, 1e-7, 0.2
+"""In so many squares, of this share of the side, platforms are looked at beforehand: no more than a share of them may
+hold poses that can't be told apart."""
 WITHIN = 8.0
 """The edge is drawn to so small a share of the width that is open along it, or to half of the chord tolerance."""
 
@@ -57,6 +60,8 @@ def enclosed(places: Places, chord: float) -> Enclosed | None:
     if square is None:
         return None
     try:
+        if _vague(places, *square[:2]):
+            return None
         cells = decided(places, *square)
     except NotImplementedError:  # a dyad whose closed form has functions without enclosure
         return None
@@ -90,6 +95,17 @@ def _square(places: Places) -> Square | None:
     extent = float(np.ptp(at, axis=1).max())
     half = bound * WIDER
     return -half * SKEW, 2 * half, max(extent, 1e-9 * half)
+
+
+def _vague(places: Places, corner: Array, side: float) -> bool:
+    """Whether poses of platforms can't be told apart in many places, as those of parallelograms, whose polynomials have
+    double zeros everywhere."""
+    at = corner[:, None] + side * np.random.default_rng(0).uniform(0.3, 0.7, (2, SPOTS))
+    of, branch = np.tile(np.arange(SPOTS), len(places.branches)), np.repeat(np.arange(len(places.branches)), SPOTS)
+    rooms, which = places.rooms(at[:, of], np.full(of.size, SPOT * side), branch)
+    low, high = rooms.ends
+    vague = ((low <= 0) & (high >= 0)).any(axis=0)
+    return np.unique(of[which[vague]]).size > VAGUE * np.unique(of[which]).size
 
 
 def _curves(places: Places, shape: Any, square: Square, chord: float) -> tuple[list[Segments], Mesh, int, list[Fault]]:

@@ -15,13 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.studies.workspace.curves import Segments
-from linkwright.studies.workspace.places import Places
+from linkwright.studies.workspace.places import FOLD, LIMIT, MODES, Places
 from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
-JUMPS = {"singular": 2, "modes": 1, "limit": 1}
+JUMPS = {FOLD: 2, MODES: 1, LIMIT: 1}
 """By so much the number of poses jumps across a curve; across the images of undefined poses by any number."""
 ASIDE, ALONE = 4.0, 12.0
 """The poses are counted so many chords beside the middle of a piece, if no other is within so many ..."""

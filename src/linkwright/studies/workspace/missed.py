@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.notation.angles import wrapped
 from linkwright.studies.workspace.border import border
 from linkwright.studies.workspace.cells import decided
 from linkwright.studies.workspace.curves import Segments
@@ -99,11 +100,11 @@ def _drives(
     """The drives' values (2, n) so far (m) within places of an edge, NaN where they lead elsewhere, and the kinds of
     curve there. What is reached lies to the left or right of the way ``along`` the edge."""
     aside, row = within * np.stack([-along[1], along[0]]) / np.hypot(*along), np.arange(at.shape[1])
-    depths = places.depths(at + aside)
-    reached = (depths.max(axis=0) if branch is None else depths[branch]) > 0
+    poses = places.poses_of(branch)
+    reached = places.depths(at + aside)[poses].max(axis=0) > 0
     inside, outside = np.where(reached, at + aside, at - aside), np.where(reached, at - aside, at + aside)
     values, depths = places.drives(inside)
-    of = depths.argmax(axis=0) if branch is None else np.full(row.size, branch)
+    of = poses[depths[poses].argmax(axis=0)]
     ended = np.nan_to_num(places.functions(outside)[of, :, row], nan=np.inf).argmin(axis=1)
     one, other = values[of, :, row].T, values[places.partner(of, ended), :, row].T
     # Beside a fold the values of both poses that meet there change as a root of the way, but their mean doesn't.
@@ -117,5 +118,4 @@ def _drives(
 
 def _nearest(places: Places, apart: Array) -> Array:
     """Differences (2, n) of drives' values, of those that turn fully less whole turns."""
-    turns = np.array(places.box.turns)[:, None]
-    return np.asarray(apart - np.where(turns, 2 * np.pi * np.round(apart / (2 * np.pi)), 0.0))
+    return np.where(np.array(places.box.turns)[:, None], wrapped(apart), apart)

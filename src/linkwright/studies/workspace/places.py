@@ -1,6 +1,7 @@
 """Which places of the plane a mode reaches: decided by the signs of a few functions of the place.
 
-All poses in which the working point is at a place are known in closed form (:mod:`linkwright.graph.inverse`). Each is
+All poses in which the working point is at a place are known (:mod:`linkwright.graph.inverse`): one for each choice of
+the branches of dyads and of the angles of triads' platforms (:mod:`linkwright.studies.workspace.platforms`). Each is
 one of a mode's, within the drives' ranges, if every function of it is positive: what stands under the roots (a zero is
 a dead position of the output, where two poses meet), the closures' determinants with the mode's sign (a zero is an
 uncertain position), and the distances from the ends of the drives' ranges. A place is reached if some pose has all of
@@ -17,12 +18,13 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.enclosures.forms import Form
+from linkwright.enclosures.forms import FEW, Form
 from linkwright.enclosures.program import BOXES, Stage
 from linkwright.graph.inverse import Inverse, inverse
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.registry import Kernel
 from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.platforms import Platforms, Sets
 from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]
@@ -32,6 +34,8 @@ LOOKS = 200
 """Values of the drives at which it is seen which sign of a determinant belongs to which branch."""
 BLOCK = 4096
 """So many squares are enclosed at a time: their numbers stay in the processor's cache."""
+UNKNOWN = np.array([0.0, 0.0, 0.0, np.inf])[:, None, None]
+"""The numbers of a form of which nothing is known."""
 FOLD, MODES, LIMIT = "singular", "modes", "limit"
 
 
@@ -45,7 +49,7 @@ class Poses:
 
     @classmethod
     def of(cls, compiled: Compiled, point: str) -> Poses | None:
-        """``None`` where the poses aren't in closed form."""
+        """``None`` where not all poses are known."""
         return compiled.kept(("poses", point), lambda: _poses(compiled, point))
 
 
@@ -75,34 +79,47 @@ def _signs(compiled: Compiled) -> tuple[float, ...] | None:
 
 
 class Places:
-    """The places that a mode reaches with its drives in their ranges."""
+    """The places that a mode reaches with its drives in their ranges.
+
+    ``branches`` (branches, dyads) are the choices of branches; each has so many ``poses`` next to each other.
+    """
 
     def __init__(self, poses: Poses, sheet: Sheet, box: Box) -> None:
         self.poses, self.sheet, self.box = poses, sheet, box
         self.inverse = poses.inverse
         self.branches = np.array(self.inverse.branches())
+        self.platforms = Platforms(self.inverse, sheet.parameters)
+        self.poses_each = self.platforms.most
         rows, self.kinds = self._combined()
         self.rows = np.array(rows)
 
     def only(self, branch: int) -> Places:
-        """The places that one pose reaches by itself."""
+        """The places that the poses of one branch reach by themselves."""
         one = copy(self)
         one.branches = self.branches[branch : branch + 1]
         return one
 
-    def partner(self, branch: Rows, function: Rows) -> Rows:
-        """The poses (n,) that meet those of some branches (n,) where a function (n,) of theirs is zero: their own where
-        that is no fold."""
+    def poses_of(self, branch: int | None) -> Rows:
+        """The numbers of the poses of one branch, or of all."""
+        count = self.poses_each
+        return np.arange(len(self.branches) * count) if branch is None else branch * count + np.arange(count)
+
+    def partner(self, pose: Rows, function: Rows) -> Rows:
+        """The poses (n,) that meet some poses (n,) where a function (n,) of theirs is zero, where they are of another
+        branch; else the same."""
+        branch, angle = np.divmod(pose, self.poses_each)
         turned = self.branches[branch].copy()
         folds = np.flatnonzero(function < len(self.inverse.groups))
         turned[folds, function[folds]] *= -1
-        return np.asarray((turned[:, None] == self.branches).all(axis=2).argmax(axis=1))
+        branch = np.asarray((turned[:, None] == self.branches).all(axis=2).argmax(axis=1))
+        return np.asarray(branch * self.poses_each + angle)
 
     def _combined(self) -> tuple[list[Array], list[str]]:
-        """Each function as coefficients of the program's rows, the last of 1; and its kind."""
-        names = [*self.inverse.names, ""]
+        """Each function as coefficients of the program's rows, the rooms of platforms, and of 1; and its kind."""
+        platforms = [f"room:{one.label}" for one in self.inverse.triads]
+        names = [*self.inverse.names, *platforms, ""]
         unit = dict(zip(names, np.eye(len(names)), strict=True))
-        rows = [unit[f"room:{group.label}"] for group in self.inverse.groups]
+        rows = [unit[name] for name in (*(f"room:{one.label}" for one in self.inverse.groups), *platforms)]
         kinds = [FOLD] * len(rows)
         for group, own, sign in zip(self.inverse.modes, self.poses.signs, self.sheet.branches, strict=True):
             rows.append(own * sign * unit[f"closure:{group.label}"])
@@ -119,19 +136,20 @@ class Places:
             kinds += [LIMIT] * len(found)
         return rows, kinds
 
-    def _rows(self, at: Array, branch: Rows) -> Array:
-        with np.errstate(all="ignore"):
-            return self.poses.kernel.run(np.concatenate([at, self.branches[branch].T]), self.sheet.parameters)
-
     def functions(self, at: Array) -> Array:
-        """The functions at places (2, n): (branches, functions, n), NaN behind a negative one."""
+        """The functions at places (2, n): (poses, functions, n), NaN behind a negative one."""
         return self._functions(self._everywhere(at))
 
     def _everywhere(self, at: Array) -> Array:
-        """The program's rows at places (2, n), in all branches: (rows, branches, n)."""
+        """The program's rows at places (2, n) and the rooms of platforms, in all poses: (rows, poses, n)."""
         count, n = len(self.branches), at.shape[1]
-        found = self._rows(np.tile(at, count), np.repeat(np.arange(count), n))
-        return found.reshape(len(found), count, n)
+        x = np.concatenate([np.tile(at, count), np.repeat(self.branches, n, axis=0).T])
+        x, rooms = self.platforms.at(x)
+        with np.errstate(all="ignore"):
+            found = self.poses.kernel.run(x.reshape(len(x), x[0].size), self.sheet.parameters)
+        found = np.concatenate([found, rooms.reshape(len(rooms), x[0].size)])
+        found = found.reshape(len(found), self.poses_each, count, n).swapaxes(1, 2)
+        return found.reshape(len(found), self.poses_each * count, n)
 
     def _functions(self, found: Array) -> Array:
         functions = np.empty((found.shape[1], len(self.rows), found.shape[2]))
@@ -142,7 +160,7 @@ class Places:
         return functions
 
     def depths(self, at: Array) -> Array:
-        """The least function of each pose, (branches, n): positive where it is one of the mode's."""
+        """The least function of each pose, (poses, n): positive where it is one of the mode's."""
         return self._least(self.functions(at))
 
     @staticmethod
@@ -160,8 +178,8 @@ class Places:
         return np.asarray((self.depths(at) > 0).sum(axis=0))
 
     def drives(self, at: Array) -> tuple[Array, Array]:
-        """The drives' values (rad or m) at places (2, n) in the poses of all branches, (branches, 2, n), and the
-        least function of each, (branches, n)."""
+        """The drives' values (rad or m) at places (2, n) in all poses, (poses, 2, n), and the least function of each,
+        (poses, n)."""
         found = self._everywhere(at)
         names = self.inverse.names
         values = []
@@ -178,24 +196,69 @@ class Places:
         program = self.inverse.program
         return Stage(program.block, self.sheet.parameters, range(len(program.outputs)), BOXES)
 
-    def forms(self, middle: Array, half: Array, branch: Rows) -> Form:
+    def forms(self, middle: Array, half: Array, branch: Rows) -> tuple[Form, Rows]:
         """The functions over squares about ``middle`` (2, n) of ``half`` their sides (n,), each in one branch (n,) by
-        its number, as linear forms of coordinates from -1 to 1: arrays (functions, n). They hold for the places of a
-        square at which the pose exists."""
-        parts = np.empty((4, len(self.rows), half.size))
+        its number, as linear forms of coordinates from -1 to 1: arrays (functions, sets), of sets of poses that hold
+        all of the branch; and of which square each set is. They hold for the places of a square at which a pose
+        exists."""
+        parts, of = [np.empty((4, len(self.rows), 0))], [np.empty(0, dtype=np.intp)]
         for start in range(0, half.size, BLOCK):
             some = slice(start, start + BLOCK)
-            for k, one in enumerate(self._block(middle[:, some], half[some], branch[some])):
-                parts[:, k, some] = np.stack(np.broadcast_arrays(one.value, one.u, one.v, one.rest))
-        return Form(*parts)
+            rows, square = self._block(middle[:, some], half[some], branch[some])
+            parts.append(rows)
+            of.append(start + square)
+        return Form(*np.concatenate(parts, axis=2)), np.concatenate(of)
 
-    def _block(self, middle: Array, half: Array, branch: Rows) -> list[Form]:
+    def rooms(self, middle: Array, half: Array, branch: Rows) -> tuple[Form, Rows]:
+        """The rooms of platforms alone, over squares: (triads, sets), and of which square each set is."""
+        sets = self._sets(middle, half, branch)
+        parts = [
+            np.stack([getattr(one, name) for one in sets.rooms]) for name in ("value", "u", "v", "rest") if sets.rooms
+        ]
+        return Form(*(parts or np.empty((4, 0, sets.of.size)))), sets.of
+
+    def _sets(self, middle: Array, half: Array, branch: Rows) -> Sets:
         zero = np.zeros_like(half)
         x = [Form(middle[0], half, zero), Form(middle[1], zero, half)]
-        x += [Form(row, zero, zero) for row in self.branches[branch].T]
+        return self.platforms.over([*x, *(Form(row, zero, zero) for row in self.branches[branch].T)])
+
+    def _block(self, middle: Array, half: Array, branch: Rows) -> tuple[Array, Rows]:
         with np.errstate(all="ignore"):
-            rows = self._stage(x.__getitem__)
-            return [self._mixed(rows, coefficients) for coefficients in self.rows]
+            sets = self._sets(middle, half, branch)
+            rows = [*self._stage(sets.x.__getitem__), *sets.rooms]
+            forms = [self._mixed(rows, coefficients) for coefficients in self.rows]
+        found = np.empty((4, len(forms), sets.of.size))
+        for k, one in enumerate(forms):
+            for part, value in zip(found, (one.value, one.u, one.v, one.rest), strict=True):
+                part[k] = value
+        return (found, sets.of) if self.poses_each == 1 else self._whole(found, sets)
+
+    def _whole(self, parts: Array, sets: Sets) -> tuple[Array, Rows]:
+        """Sets of poses from their pieces, (4, functions, pieces): what holds all of these but those with a negative
+        function, which the mode doesn't reach; where it has such, no pose of the set is sure."""
+        low, high = Form(*parts).ends
+        dead = (high < 0).any(axis=0)
+        alive = np.flatnonzero(~dead)
+        alive = alive[np.argsort(sets.number[alive], kind="stable")]
+        first = np.flatnonzero(np.diff(sets.number[alive], prepend=-1))
+        found = parts[:, :, alive[first]]
+        several, groups = np.flatnonzero(np.diff(first, append=alive.size) > 1), len(self.inverse.groups)
+        rooms = slice(groups, groups + len(sets.rooms))
+        if several.size:
+            own = found[:, rooms, several]
+            low, high = (
+                np.minimum.reduceat(low[:, alive], first, axis=1),
+                np.maximum.reduceat(high[:, alive], first, axis=1),
+            )
+            known = np.isfinite(low) & np.isfinite(high)
+            low, high = np.where(known, low, 0.0)[:, several], np.where(known, high, 0.0)[:, several]
+            rest = (high - low) / 2 * (1 + FEW) + FEW * np.abs(low + high)
+            zero = np.zeros_like(rest)
+            found[:, :, several] = [(low + high) / 2, zero, zero, np.where(known[:, several], rest, np.inf)]
+            found[:, rooms, several] = own
+        doubtful = np.isin(sets.number[alive[first]], sets.number[dead])
+        found[:, rooms, doubtful] = UNKNOWN
+        return found, sets.of[alive[first]]
 
     def _mixed(self, rows: list[Form], coefficients: Array) -> Form:
         total = Form(float(coefficients[-1]))

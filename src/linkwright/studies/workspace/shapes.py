@@ -51,8 +51,13 @@ def without_slivers(shape: Any, chord: float) -> Any:
         for part in pieces(shape)
         if wide(part.exterior)
     ]
-    found = shapely.MultiPolygon(kept) if len(kept) != 1 else kept[0]
+    found = _together(kept)
     if not shapely.is_valid(found):  # its rings cross, by no more than they were made simpler
-        parts = pieces(shapely.make_valid(found, method="structure", keep_collapsed=False))
-        found = shapely.MultiPolygon(parts) if len(parts) != 1 else parts[0]
+        found = _together(pieces(shapely.make_valid(found, method="structure", keep_collapsed=False)))
     return found
+
+
+def _together(polygons: list[Any]) -> Any:
+    import shapely
+
+    return shapely.MultiPolygon(polygons) if len(polygons) != 1 else polygons[0]

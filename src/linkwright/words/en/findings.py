@@ -1378,8 +1378,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Take another chord, or a part of the drives' ranges; trust the bounds of its area only.",
     ),
     "workspace.doubt-count": (
-        "The curves of the mode {mode} aren't certified: over {size} of them, some near {at}, the number of poses doesn't "
-        "change as it must.",
+        "The picture of the mode {mode} isn't certified: over {size} of its curves, some near {at}, the number of poses "
+        "doesn't change as it must.",
         "A curve may be missing there, or be false: the area and its bounds don't depend on it, pictures and the guaranteed "
         "part may. Take another chord, or a part of the drives' ranges.",
     ),
