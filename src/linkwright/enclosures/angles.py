@@ -237,8 +237,9 @@ class _Told:
 
 def turned(phi: Array, away: Form) -> tuple[Form, Form]:
     """Cosine and sine of angles ``phi`` + ``away``, by Taylor's formula."""
-    square, most = away.square(), (away.reach + away.rest) * (1 + FEW)
-    wide, cosine = most > 1.0, Form(1.0) + square * Form(-0.5)
+    most = (away.reach + away.rest) * (1 + FEW)
+    wide, most = most > 1.0, np.minimum(most, 1.0)
+    cosine = Form(1.0) + away.square() * Form(-0.5)
     cosine.rest = cosine.rest + most**4 / 24
     sine = Form(away.value, away.u, away.v, away.rest + most**3 / 6)
     c, s = (Form(part, rest=UNIT) for part in (np.cos(phi), np.sin(phi)))

@@ -29,6 +29,8 @@ from linkwright.notation import Body, Jet, Pair, Scalar
 from linkwright.structure import Cluster, Group, Structure, decompose
 
 AXES = ("x", "y")
+TRIADS = 1
+"""With more the poses would be too many to enclose."""
 
 
 @dataclass(frozen=True)
@@ -190,9 +192,9 @@ def _hung(motion: Motion, cluster: Cluster, pose: Any) -> System:
 
 def inverse(graph: Graph, point: str) -> Inverse | None:
     """The mechanism of a graph turned round at one of its points; ``None`` where it falls apart into other groups than
-    dyads and triads, or into none."""
+    dyads and one triad, or into none."""
     structure = decompose(carried(graph.structure.topology.mechanism, point))
-    if structure.findings or graph.structure.clusters:
+    if structure.findings or graph.structure.clusters or len(structure.clusters) > TRIADS:
         return None
     motion = Motion(structure, Geometry(graph.quantities, {}), 0)
     shapes = [triad(motion, cluster, {}) for cluster in structure.clusters]

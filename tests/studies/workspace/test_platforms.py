@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from linkwright.enclosures.forms import Form
 from linkwright.kernels import Compiled
-from linkwright.studies.workspace.cells import MOST
+from linkwright.studies.workspace.cells import HEAVY
 from linkwright.studies.workspace.enclosed import _square, _vague, enclosed
 from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.places import FOLD, Places, Poses
@@ -166,7 +166,7 @@ def test_forms_hold_the_functions_of_some_set(leg: str) -> None:
 
 def test_a_region_is_enclosed_and_certified(monkeypatch: pytest.MonkeyPatch) -> None:
     """Its area against a raster of places decided by the signs along the coupler's way."""
-    monkeypatch.setattr("linkwright.studies.workspace.cells.MOST", MOST // 8)
+    monkeypatch.setattr("linkwright.studies.workspace.cells.HEAVY", 4 * HEAVY)
     monkeypatch.setattr("linkwright.studies.workspace.certificate.ROUNDS", 0)
     box, side = Box((0.8, -0.6), (1.6, 0.4), (False, False)), 1.0
     found = enclosed(places_of("PR", side, box), 1e-4)

@@ -30,7 +30,9 @@ DEEP = 12
 SHARP = 0.02
 """... or of which more than this share is left open, ..."""
 MOST = 250_000
-"""... as long as they are no more than that, by the poses that each branch has, ..."""
+"""... as long as they are no more than that, ..."""
+HEAVY = 16
+"""... or with triads, of which each cell takes so many times as long, than that share of it, ..."""
 CLEAR = 4.0
 """The edge is one line where all that bounds it grows along one direction, by so many times what its forms leave open,
 ..."""
@@ -189,6 +191,7 @@ def _cut(places: Places, cells: Cells, fine: int, deep: int, little: float) -> D
     count, empty = len(places.branches), cells.some(slice(0, 0))
     of, branch = np.repeat(np.arange(cells.level.size), count), np.tile(np.arange(count), cells.level.size)
     reached, never, edge, made = [empty], [empty], [empty], [_nothing(empty, len(places.rows))]
+    most_cells = MOST if places.poses_each == 1 else MOST // HEAVY
     traced, area, undecided = np.zeros(cells.level.size, dtype=bool), 0.0, 0.0
     while cells.level.size:
         level, size = int(cells.level[0]), float(cells.size[0])
@@ -209,7 +212,7 @@ def _cut(places: Places, cells: Cells, fine: int, deep: int, little: float) -> D
             plain = forms.plain(kept)
             rest = going & ~(plain & (most - least < SHARP))
             more, left = int(rest.sum()), undecided + float((most - least)[going].sum()) * size**2
-            last = level >= deep or 4 * more > MOST // places.poses_each or (more > FEW and left < little * area)
+            last = level >= deep or 4 * more > most_cells or (more > FEW and left < little * area)
             stays = going if last else going & ~rest
             drawn = going & ~traced & (plain | stays)
             edge.append(cells.some(drawn))

@@ -14,10 +14,10 @@ from linkwright.studies.workspace.border import border, polygons
 from linkwright.studies.workspace.cells import decided
 from linkwright.studies.workspace.certificate import Certificate, Fault, certified
 from linkwright.studies.workspace.curves import Segments, smooth, traced
-from linkwright.studies.workspace.jumps import Paths, contradiction
 from linkwright.studies.workspace.mesh import Mesh, found_pits, mesh
-from linkwright.studies.workspace.missed import Square, missed, missed_anywhere
+from linkwright.studies.workspace.missing_curves import Square, missed, missed_anywhere
 from linkwright.studies.workspace.places import Places
+from linkwright.studies.workspace.pose_counts import Paths, contradiction
 
 Array = NDArray[np.float64]
 

@@ -15,33 +15,41 @@ from linkwright.results.stationary import bracketed
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
 
+TOUCH = 1e-8
+"""An extremum of less than this share of the coefficients may touch zero."""
 PAIRS = ((0, 1), (0, 2), (1, 2))
 
 
-def zeros_between(coefficients: Array) -> tuple[Array, Array]:
+def zeros_between(coefficients: Array) -> tuple[Array, Array, Rows]:
     """The zeros of polynomials (7, n) between their extrema and the rooms of each, the lesser size of both extrema over
-    that of the coefficients, negative where there is no zero: (6, n) both, NaN where there is no such stretch."""
+    that of the coefficients, negative where there is no zero: (6, n) both, NaN where there is no such stretch.
+
+    Where an extremum nearly touches zero it is given for a zero, to either side: two poses with one angle may be there.
+    Then which of them, 0 or 1, else -1: (6, n)."""
     with np.errstate(all="ignore"):
         coefficients = coefficients / np.abs(coefficients).max(axis=0)
     low = zeros(derivative(coefficients))
     count = np.isfinite(low).sum(axis=0)
     high = np.concatenate([low[1:], np.full_like(low[:1], np.inf)])
     high[np.maximum(count - 1, 0), np.arange(count.size)] = low[0] + 2 * np.pi
-    known = np.isfinite(low)
-    phi, room = np.full_like(low, np.nan), np.full_like(low, np.nan)
-    slot, of = np.nonzero(known)
+    phi, room, which = np.full_like(low, np.nan), np.full_like(low, np.nan), np.full(low.shape, -1)
+    slot, of = np.nonzero(np.isfinite(low))
 
     def values(angle: Array, row: Rows) -> Array:
         return np.asarray((basis(angle) * coefficients[:, of[row]]).sum(axis=0))
 
-    every = np.arange(of.size)
-    start, stop = (values(end[slot, of], every) for end in (low, high))
-    least = np.minimum(np.abs(start), np.abs(stop))
+    ends = low[slot, of], high[slot, of]
+    start, stop = (values(end, np.arange(of.size)) for end in ends)
+    nearer = np.abs(stop) <= np.abs(start)
+    least = np.where(nearer, np.abs(stop), np.abs(start))
     passed = start * stop < 0
     room[slot, of] = np.where(passed, least, -least)
     some = np.flatnonzero(passed)
-    phi[slot[some], of[some]] = bracketed(values, some, low[slot, of][some], high[slot, of][some])
-    return phi, room
+    phi[slot[some], of[some]] = bracketed(values, some, ends[0][some], ends[1][some])
+    touched = ~passed & (least < TOUCH)
+    phi[slot[touched], of[touched]] = np.where(nearer, ends[1], ends[0])[touched]
+    which[slot[touched], of[touched]] = nearer[touched]
+    return phi, room, which
 
 
 def meetings(misses: Array, slopes: Array, circles: int) -> tuple[Rows, list[Array]]:

@@ -220,7 +220,8 @@ class Places:
     def _sets(self, middle: Array, half: Array, branch: Rows) -> Sets:
         zero = np.zeros_like(half)
         x = [Form(middle[0], half, zero), Form(middle[1], zero, half)]
-        return self.platforms.over([*x, *(Form(row, zero, zero) for row in self.branches[branch].T)])
+        with np.errstate(all="ignore"):
+            return self.platforms.over([*x, *(Form(row, zero, zero) for row in self.branches[branch].T)])
 
     def _block(self, middle: Array, half: Array, branch: Rows) -> tuple[Array, Rows]:
         with np.errstate(all="ignore"):

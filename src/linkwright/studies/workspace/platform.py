@@ -22,15 +22,18 @@ from linkwright.kernels import KERNELS
 from linkwright.kernels.registry import Kernel
 from linkwright.notation.angles import whole_turns
 from linkwright.notation.harmonics import ANGLES, MOST, WEIGHTS
-from linkwright.studies.workspace.meetings import meetings, zeros_between
+from linkwright.studies.workspace.meetings import TOUCH, meetings, zeros_between
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
 
 WIDE, FINE, PIECES = 0.2, 0.01, 8
 """Stretches of angles less wide (rad, to both sides) are cut into pieces so fine, but no more than so many."""
-SETTLED, NEAR = 2, 1e-3
-"""Steps of Newton's method from a zero of the polynomial, where they turn the platform by less than this (rad)."""
+SETTLED, PATIENT = 2, 16
+"""Steps of Newton's method from a zero of the polynomial; from one whose room is little more than round-off ..."""
+NEAR, SURE = 0.05, 1e-8
+"""... no longer than this (rad or m); it has come to an end where the last is shorter than that."""
+TINY = 1e-300
 
 
 class OnePlatform:
@@ -54,26 +57,34 @@ class OnePlatform:
     def poses(self, x: Array) -> tuple[Array, Array]:
         """Cosines, sines, x and y of all poses, (4, n * MOST), those of a place next to each other; and the rooms."""
         values = [self._run("polynomial", x, np.cos(phi), np.sin(phi))[0] for phi in ANGLES]
-        phi, room = zeros_between(WEIGHTS @ values)
-        found = np.full((3, phi.size), np.nan)
-        some = np.flatnonzero(np.isfinite(phi.T.ravel()))
-        found[:, some] = self.settled(x[:, some // MOST], phi.T.ravel()[some])
-        return np.stack([np.cos(found[0]), np.sin(found[0]), *found[1:]]), room.T.reshape(1, -1)
+        angle, rooms, places = zeros_between(WEIGHTS @ values)
+        phi, room, which = angle.T.ravel(), rooms.T.ravel(), places.T.ravel()
+        found, some = np.full((3, phi.size), np.nan), np.flatnonzero(np.isfinite(phi))
+        found[:, some] = self.settled(x[:, some // MOST], phi[some], which[some])
+        # What an extremum near zero leaves is little more than round-off: whether there is a pose the equations tell.
+        some = some[np.abs(room[some]) < TOUCH]
+        found[:, some], sure = self._newton(x[:, some // MOST], found[:, some], PATIENT)
+        room[some] = np.where(sure, 1.0, -1.0) * np.maximum(np.abs(room[some]), TINY)
+        return np.stack([np.cos(found[0]), np.sin(found[0]), *found[1:]]), room[None]
 
-    def settled(self, x: Array, phi: Array) -> Array:
-        """Angle and place, (3, n), of platforms at zeros of their polynomials: where two legs meet and the third misses
-        least, then by a few steps of Newton's method."""
+    def settled(self, x: Array, phi: Array, which: Rows) -> Array:
+        """Angle and place, (3, n), of platforms at zeros of their polynomials, begun where two legs meet: in that place
+        of both ``which`` is given, or that the third leg misses least (-1)."""
         places = self._meetings(x, phi)[1]
         misses = [np.abs(self._run("misses", x, np.cos(phi), np.sin(phi), *place)[:3]).sum(axis=0) for place in places]
-        second = ~(misses[0] <= misses[1])
-        pose = np.stack([phi, *np.where(second, places[1], places[0])])
-        for _ in range(SETTLED):
+        second = np.where(which < 0, ~(misses[0] <= misses[1]), which == 1)
+        return self._newton(x, np.stack([phi, *np.where(second, places[1], places[0])]), SETTLED)[0]
+
+    def _newton(self, x: Array, pose: Array, steps: int) -> tuple[Array, NDArray[np.bool_]]:
+        """Angle and place, (3, n), after some steps of Newton's method; and where these have come to an end."""
+        pose, turn = pose.copy(), np.full(pose.shape[1], np.inf)
+        for _ in range(steps):
             found = self._run("misses", x, np.cos(pose[0]), np.sin(pose[0]), *pose[1:])
             with np.errstate(all="ignore"):
                 step = (inverted(found[3:].reshape(3, 3, -1)) * found[:3]).sum(axis=1)
-            near = np.isfinite(step).all(axis=0) & (np.abs(step[0]) < NEAR)
-            pose[:, near] -= step[:, near]
-        return pose
+            turn = np.where(np.isfinite(step).all(axis=0), np.abs(step).max(axis=0), np.inf)
+            pose[:, turn < NEAR] -= step[:, turn < NEAR]
+        return pose, turn < SURE
 
     def _meetings(self, x: Array, phi: Array) -> tuple[Rows, list[Array]]:
         """Which two legs tell most of the platform's place at angles (n,), (2, n), and both places where they meet."""
@@ -101,7 +112,7 @@ class OnePlatform:
         values = [self._over("polynomial", x, None, *_axis(phi))[0] for phi in ANGLES]
         polynomials = Polynomials(values, lambda which, phi: self._over("slope", x, which, *_axis(phi)))
         told = stretches(polynomials)
-        of, phi, pose, most, proven = self._proven(x, zeros_between(polynomials.value)[0])
+        of, phi, pose, most, proven = self._proven(x, polynomials.value)
         stretch = _stretch_of(told, of, phi, proven)
         number = np.bincount(stretch[stretch >= 0], minlength=told.of.size)
         complete = (number == told.most) & (number > 0) & ~_shared(stretch, most, told.of.size)
@@ -113,12 +124,13 @@ class OnePlatform:
         return np.append(of[own], rest.of[piece]), which, sets, joined([Form(np.ones(own.size)), room])
 
     def _proven(
-        self, x: list[Form], zeros: Array
+        self, x: list[Form], coefficients: Array
     ) -> tuple[Rows, Array, list[Form], tuple[Array, Array], NDArray[np.bool_]]:
-        """Poses near zeros (6, n) of the polynomials in the middles of cells: of which cell each is, its angle there,
-        its forms, its bounds of angle, x and y, and whether it is the only one within these."""
-        slot, of = np.nonzero(np.isfinite(zeros))
-        pose = self.settled(_middles(x)[:, of], zeros[slot, of])
+        """Poses near those in the middles of cells, where the polynomials have coefficients (7, n): of which cell each
+        is, its angle there, its forms, its bounds of angle, x and y, and whether it is the only one within these."""
+        phi, _, which = zeros_between(coefficients)
+        slot, of = np.nonzero(np.isfinite(phi))
+        pose = self.settled(_middles(x)[:, of], phi[slot, of], which[slot, of])
 
         def posed(off: list[Form]) -> list[Form]:
             return [*turned(pose[0], off[0]), *(Form(row) + more for row, more in zip(pose[1:], off[1:], strict=True))]

@@ -12,7 +12,7 @@ WORKSPACE: dict[str, str] = {
         "missing."
     ),
     "workspace.searched": (
-        "{count} of the regions are searched for: not all poses that come to a place are known in closed form, so that a "
+        "{count} of the regions are searched for: not all poses that come to a place are known, so that a "
         "part may be missing and no bounds of the area are known."
     ),
     "workspace.count-open": "{count}, not certified",

@@ -13,8 +13,8 @@ from linkwright.notation.angles import wrapped
 from linkwright.studies.workspace.border import border
 from linkwright.studies.workspace.cells import decided
 from linkwright.studies.workspace.curves import Segments
-from linkwright.studies.workspace.jumps import Paths
 from linkwright.studies.workspace.places import Places
+from linkwright.studies.workspace.pose_counts import Paths
 
 Array = NDArray[np.float64]
 Square = tuple[Array, float, float]

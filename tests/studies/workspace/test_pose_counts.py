@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from helpers.reach import FiveBar, TwoSlides
 from helpers.reach.mechanisms import Mechanism
 from linkwright.studies.workspace.curves import Segments, refined
-from linkwright.studies.workspace.jumps import LATTICE, Paths, contradiction
 from linkwright.studies.workspace.places import Places
+from linkwright.studies.workspace.pose_counts import LATTICE, Paths, contradiction
 from studies.workspace.made_up import CHORD, Drawn, drawn
 
 Array = NDArray[np.float64]
