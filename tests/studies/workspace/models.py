@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from helpers.compiled import compiled_from
 from helpers.examples import UNITS
 from linkwright.kernels import Compiled
+from linkwright.studies.workspace.sheet import Sheet
+
+Array = NDArray[np.float64]
+Points = NDArray[np.complex128]
 
 
 def five_bar(l1: float, l2: float, l3: float, l4: float, l5: float) -> Compiled:
@@ -72,41 +80,95 @@ def triad_turned_round() -> dict[str, Any]:
     }
 
 
-ARM = 0.35
-"""The length of an arm on a coupler (m)."""
 LEGS = ("RR", "PR", "RP")
-"""The joints of the leg that guides the coupler, from the frame inwards."""
-HEIGHT, LENGTH, ASIDE, TIP = 0.8, 0.7, 0.05, 0.5 + 0.4j
+"""The joints of the leg that guides a coupler, from the frame inwards: a rocker, a slider, a rocking block."""
 
 
-def arm_on_coupler(leg: str, **changes: float) -> Compiled:
-    """A crank O1-A, a coupler, guided by a rocker, a slider or a rocking block, and on it at E a driven arm E-P: with P
-    held at a place the coupler is the platform of a triad."""
-    sizes = {"crank": 0.3, "length": LENGTH, "rocker": 0.5, "base": HEIGHT} | changes
-    tip = [TIP.real, TIP.imag]
-    coupler: dict[str, Any] = {"A": [0, 0], "B": [sizes["length"], 0], "E": tip}
-    links: dict[str, Any] = {
-        "frame": {"points": {"O1": [0, 0], "O4": [sizes["base"], 0], "H": [0, ASIDE]}},
-        "crank": {"points": {"O1": [0, 0], "A": [sizes["crank"], 0]}},
-        "coupler": {"points": coupler},
-        "arm": {"points": {"E": [0, 0], "P": [ARM, 0]}},
-    }
-    data: dict[str, Any] = {"linkwright": 1, "units": UNITS, "links": links}
-    if leg == "RR":
-        links["rocker"] = {"points": {"O4": [0, 0], "B": [sizes["rocker"], 0]}}
-        data["assembly"] = {"B": "left of A-O4"}
-    elif leg == "PR":
-        links["block"] = {"points": {"B": [0, 0]}}
-        data["joints"] = {"rail": {"prismatic": ["frame", "block"], "line": ["H at 0 deg", "B at 0 deg"]}}
-        data["assembly"] = {"B": "ahead of A along rail"}
-    else:
-        del coupler["B"]
-        coupler["G"] = [0, ASIDE]
-        links["block"] = {"points": {"O4": [0, 0]}}
-        data["joints"] = {"rail": {"prismatic": ["coupler", "block"], "line": ["G at 0 deg", "O4 at 0 deg"]}}
-        data["assembly"] = {"O4": "ahead of A along rail"}
-    data["drives"] = {
-        "motor": {"turns": "crank", "on": "frame", "speed": 1, "start": 1.0},
-        "servo": {"turns": "arm", "on": "coupler", "speed": 1, "start": 1.0},
-    }
-    return compiled_from(data)
+@dataclass(frozen=True)
+class ArmOnCoupler:
+    """A crank O1-A, a coupler, guided by a leg of some joints, and on it at E a driven arm E-P (m): with P held at a
+    place the coupler is the platform of a triad. Its motion is known by complex numbers."""
+
+    leg: str
+    crank: float = 0.3
+    length: float = 0.7
+    rocker: float = 0.5
+    base: float = 0.8
+    aside: float = 0.05
+    tip: complex = 0.5 + 0.4j
+    arm: float = 0.35
+
+    def coupler(self, theta: Array, side: float) -> tuple[Points, Points]:
+        """The coupler's place A and its direction at angles of the crank, in one of two modes (+1 or -1)."""
+        a = self.crank * np.exp(1j * theta)
+        gap = self.base - a
+        with np.errstate(invalid="ignore"):
+            if self.leg == "RR":
+                along = (self.length**2 - self.rocker**2 + np.abs(gap) ** 2) / (2 * np.abs(gap))
+                b = a + gap / np.abs(gap) * (along + 1j * side * np.sqrt(self.length**2 - along**2))
+                return a, (b - a) / self.length
+            if self.leg == "PR":
+                across = self.aside - a.imag
+                return a, (side * np.sqrt(self.length**2 - across**2) + 1j * across) / self.length
+            return a, gap / (side * np.sqrt(np.abs(gap) ** 2 - self.aside**2) + 1j * self.aside)
+
+    def placed(self, q: Array, side: float) -> Points:
+        """P at values of the drives, (2, n)."""
+        a, way = self.coupler(q[0], side)
+        return np.asarray(a + way * (self.tip + self.arm * np.exp(1j * q[1])))
+
+    def compiled(self) -> Compiled:
+        """The mechanism, begun where it closes."""
+        theta = np.linspace(0, 2 * np.pi, 100)
+        start = float(theta[np.isfinite(self.coupler(theta, 1.0)[1])][0]) + 0.1
+        coupler: dict[str, Any] = {"A": [0, 0], "B": [self.length, 0], "E": [self.tip.real, self.tip.imag]}
+        links: dict[str, Any] = {
+            "frame": {"points": {"O1": [0, 0], "O4": [self.base, 0], "H": [0, self.aside]}},
+            "crank": {"points": {"O1": [0, 0], "A": [self.crank, 0]}},
+            "coupler": {"points": coupler},
+            "arm": {"points": {"E": [0, 0], "P": [self.arm, 0]}},
+        }
+        data: dict[str, Any] = {"linkwright": 1, "units": UNITS, "links": links}
+        if self.leg == "RR":
+            links["rocker"] = {"points": {"O4": [0, 0], "B": [self.rocker, 0]}}
+            data["assembly"] = {"B": "left of A-O4"}
+        elif self.leg == "PR":
+            links["block"] = {"points": {"B": [0, 0]}}
+            data["joints"] = {"rail": {"prismatic": ["frame", "block"], "line": ["H at 0 deg", "B at 0 deg"]}}
+            data["assembly"] = {"B": "ahead of A along rail"}
+        else:
+            del coupler["B"]
+            coupler["G"] = [0, self.aside]
+            links["block"] = {"points": {"O4": [0, 0]}}
+            data["joints"] = {"rail": {"prismatic": ["coupler", "block"], "line": ["G at 0 deg", "O4 at 0 deg"]}}
+            data["assembly"] = {"O4": "ahead of A along rail"}
+        data["drives"] = {
+            "motor": {"turns": "crank", "on": "frame", "speed": 1, "start": start},
+            "servo": {"turns": "arm", "on": "coupler", "speed": 1, "start": 1.0},
+        }
+        return compiled_from(data)
+
+    def sheet(self, side: float) -> Sheet:
+        """The sheet of the mode in which the coupler is on one side."""
+        model = self.compiled()
+        q = np.stack([np.linspace(0, 6.2, 60), np.full(60, 0.3)])
+        true = self.placed(q, side)
+        for sign in (1.0, -1.0):
+            sheet = Sheet(model, "P", ("motor", "servo"), (sign,))
+            at = sheet.place(q)[0]
+            if np.nanmax(np.abs(at[0] + 1j * at[1] - true)) < 1e-9:
+                return sheet
+        raise AssertionError(self)
+
+
+def random_arm(seed: int) -> ArmOnCoupler:
+    """Of any lengths that close somewhere."""
+    random = np.random.default_rng(seed)
+    while True:
+        crank, length, rocker, base, arm = random.uniform(
+            [0.15, 0.4, 0.3, 0.4, 0.2], [0.6, 1.0, 0.9, 1.1, 0.6]
+        ).tolist()
+        tip = complex(*random.uniform([-0.3, -0.5], [0.8, 0.5]))
+        found = ArmOnCoupler(LEGS[seed % 3], crank, length, rocker, base, 0.05, tip, arm)
+        if np.isfinite(found.coupler(np.linspace(0, 6.2, 60), 1.0)[1]).sum() > 10:
+            return found

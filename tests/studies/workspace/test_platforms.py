@@ -10,57 +10,38 @@ import pytest
 from numpy.typing import NDArray
 
 from linkwright.enclosures.forms import Form
-from linkwright.kernels import Compiled
 from linkwright.studies.workspace.cells import HEAVY
 from linkwright.studies.workspace.enclosed import _square, _vague, enclosed
 from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.places import FOLD, Places, Poses
 from linkwright.studies.workspace.sheet import Sheet
-from studies.workspace.models import ARM, ASIDE, HEIGHT, LEGS, LENGTH, TIP, arm_on_coupler
+from studies.workspace.models import LEGS, ArmOnCoupler, random_arm
 
 Array = NDArray[np.float64]
 Points = NDArray[np.complex128]
-CRANK, ROCKER, BASE = 0.3, 0.5, HEIGHT
 STEPS = 6000
 WHOLE = Box((0.0, 0.0), (2 * np.pi, 2 * np.pi), (True, True)).askew()
 PART = Box((0.5, -1.0), (2.5, 1.0), (False, False))
 
 
-def coupler(leg: str, theta: Array, side: float) -> tuple[Points, Points]:
-    """The coupler's place A and its direction at angles of the crank, in one of two modes (+1 or -1)."""
-    a = CRANK * np.exp(1j * theta)
-    with np.errstate(invalid="ignore"):
-        if leg == "RR":
-            gap = BASE - a
-            along = (LENGTH**2 - ROCKER**2 + np.abs(gap) ** 2) / (2 * np.abs(gap))
-            b = a + gap / np.abs(gap) * (along + 1j * side * np.sqrt(LENGTH**2 - along**2))
-            return a, (b - a) / LENGTH
-        if leg == "PR":
-            across = ASIDE - a.imag
-            return a, (side * np.sqrt(LENGTH**2 - across**2) + 1j * across) / LENGTH
-        gap = BASE - a
-        return a, gap / (side * np.sqrt(np.abs(gap) ** 2 - ASIDE**2) + 1j * ASIDE)
-
-
-def poses(leg: str, z: Points, box: Box, side: float) -> tuple[NDArray[np.int_], NDArray[np.bool_]]:
+def poses(shape: ArmOnCoupler, z: Points, box: Box, side: float) -> tuple[NDArray[np.int_], NDArray[np.bool_]]:
     """In how many poses the arm's tip is at places, by the signs of its distance from E less its length as the crank
     turns; and whether that is sure, as no such distance comes near without a change of sign."""
     theta = np.linspace(box.low[0], box.high[0], STEPS + 1)
-    a, way = coupler(leg, theta, side)
-    pin = a + TIP * way
+    a, way = shape.coupler(theta, side)
+    pin = a + shape.tip * way
     number, sure = np.zeros(z.size, dtype=int), np.ones(z.size, dtype=bool)
     for k, place in enumerate(z.tolist()):
-        off = np.abs(pin - place) - ARM
+        off = np.abs(pin - place) - shape.arm
         cross = np.flatnonzero(off[1:] * off[:-1] < 0)
         share = off[cross] / (off[cross] - off[cross + 1])
-        at = theta[cross] + share * (theta[1] - theta[0])
-        first, turn = coupler(leg, at, side)
-        servo = np.angle((place - first - TIP * turn) / turn)
-        if not box.turns[1]:
+        first, turn = shape.coupler(theta[cross] + share * (theta[1] - theta[0]), side)
+        servo = np.angle((place - first - shape.tip * turn) / turn)
+        if box.turns[1]:
+            number[k] = cross.size
+        else:
             number[k] = ((servo > box.low[1]) & (servo < box.high[1])).sum()
             sure[k] &= bool((np.abs(servo[:, None] - [box.low[1], box.high[1]]) > 1e-3).all())
-        else:
-            number[k] = cross.size
         turning = (off[1:-1] - off[:-2]) * (off[2:] - off[1:-1]) <= 0
         ends = off[:0] if box.turns[0] else off[[0, -1]]
         sure[k] &= bool((np.abs(np.append(off[1:-1][turning], ends)) > 1e-5).all())
@@ -68,26 +49,18 @@ def poses(leg: str, z: Points, box: Box, side: float) -> tuple[NDArray[np.int_],
 
 
 @cache
-def compiled(leg: str) -> Compiled:
-    return arm_on_coupler(leg)
-
-
 def sheet_of(leg: str, side: float) -> Sheet:
-    """The sheet of the mode in which the coupler is on one side."""
-    q = np.array([[1.0], [0.3]])
-    a, way = coupler(leg, q[0], side)
-    tip = a + way * (TIP + ARM * np.exp(1j * q[1]))
-    for sign in (1.0, -1.0):
-        sheet = Sheet(compiled(leg), "P", ("motor", "servo"), (sign,))
-        if abs(complex(*sheet.place(q)[0][:, 0]) - tip[0]) < 1e-9:
-            return sheet
-    raise AssertionError(leg)
+    return ArmOnCoupler(leg).sheet(side)
 
 
 def places_of(leg: str, side: float, box: Box) -> Places:
-    found = Poses.of(compiled(leg), "P")
+    return places_on(sheet_of(leg, side), box)
+
+
+def places_on(sheet: Sheet, box: Box) -> Places:
+    found = Poses.of(sheet.compiled, "P")
     assert found is not None
-    return Places(found, sheet_of(leg, side), box)
+    return Places(found, sheet, box)
 
 
 @pytest.mark.parametrize("leg", LEGS)
@@ -111,10 +84,28 @@ def test_as_many_poses_as_signs_change(leg: str, side: float, box: Box) -> None:
     places = places_of(leg, side, box)
     z = np.random.default_rng(1).uniform(-1.3, 1.3, 250) + 1j * np.random.default_rng(2).uniform(-1.2, 1.2, 250)
     z += 0.3
-    number, sure = poses(leg, z, box, side)
+    number, sure = poses(ArmOnCoupler(leg), z, box, side)
     found = places.count(np.stack([z.real, z.imag]))
     np.testing.assert_array_equal(found[sure], number[sure])
     assert sure.mean() > 0.95 and number.max() >= (2 if box is WHOLE else 1)
+
+
+@pytest.mark.parametrize("seed", range(9))
+def test_of_any_lengths_each_pose_leads_to_its_place_and_none_is_missed(seed: int) -> None:
+    """Signs miss poses near the ends of the coupler's range, so that there may be more than they tell."""
+    shape, random = random_arm(seed), np.random.default_rng(seed)
+    z = random.uniform(-1.5, 1.8, 80) + 1j * random.uniform(-1.5, 1.5, 80)
+    at, places = np.stack([z.real, z.imag]), places_on(shape.sheet(1.0), WHOLE)
+    values, depth = places.drives(at)
+    real = depth > 0
+    for k in range(len(values)):
+        back = shape.placed(values[k], 1.0)
+        assert (np.abs(back - z)[real[k]] < 1e-9).all()
+        for other in range(k):
+            both = real[k] & real[other]
+            assert (np.abs(np.angle(np.exp(1j * (values[k, 0] - values[other, 0])))[both]) > 1e-7).all()
+    number, sure = poses(shape, z, WHOLE, 1.0)
+    assert (real.sum(axis=0) >= number)[sure].all() and number.max() > 0
 
 
 @pytest.mark.parametrize("leg", LEGS)
@@ -175,7 +166,7 @@ def test_a_region_is_enclosed_and_certified(monkeypatch: pytest.MonkeyPatch) -> 
     x0, y0, x1, y1 = found.shape.bounds
     n = 60
     x, y = np.meshgrid(x0 + (np.arange(n) + 0.5) * (x1 - x0) / n, y0 + (np.arange(n) + 0.5) * (y1 - y0) / n)
-    number, sure = poses("PR", (x + 1j * y).ravel(), box, side)
+    number, sure = poses(ArmOnCoupler("PR"), (x + 1j * y).ravel(), box, side)
     import shapely
 
     inside = shapely.contains_xy(found.shape, x.ravel(), y.ravel())
@@ -185,10 +176,7 @@ def test_a_region_is_enclosed_and_certified(monkeypatch: pytest.MonkeyPatch) -> 
 
 def test_a_parallelogram_is_left_to_the_search() -> None:
     """Its platform can move with its angle unchanged: the polynomial has a double zero at every place."""
-    model = arm_on_coupler("RR", crank=0.4, rocker=0.4, length=0.8, base=0.8)
-    found = Poses.of(model, "P")
-    assert found is not None
-    places = Places(found, Sheet(model, "P", ("motor", "servo"), (1.0,)), PART)
+    places = places_on(ArmOnCoupler("RR", crank=0.4, rocker=0.4, length=0.8, base=0.8).sheet(1.0), PART)
     square = _square(places)
     assert square is not None and _vague(places, *square[:2]) and enclosed(places, 1e-4) is None
     regular = places_of("RR", 1.0, PART)

@@ -1,4 +1,4 @@
-"""A region whose poses are known in closed form: its edge between decided cells, the curves in the drives' plane."""
+"""A region all of whose poses are known: its edge between decided cells, the curves in the drives' plane."""
 
 from __future__ import annotations
 
