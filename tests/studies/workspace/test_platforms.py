@@ -157,7 +157,7 @@ def test_forms_hold_the_functions_of_some_set(leg: str) -> None:
 
 def test_a_region_is_enclosed_and_certified(monkeypatch: pytest.MonkeyPatch) -> None:
     """Its area against a raster of places decided by the signs along the coupler's way."""
-    monkeypatch.setattr("linkwright.studies.workspace.cells.HEAVY", 4 * HEAVY)
+    monkeypatch.setattr("linkwright.studies.workspace.cells.HEAVY", 8 * HEAVY)
     monkeypatch.setattr("linkwright.studies.workspace.certificate.ROUNDS", 0)
     box, side = Box((0.8, -0.6), (1.6, 0.4), (False, False)), 1.0
     found = enclosed(places_of("PR", side, box), 1e-4)

@@ -31,8 +31,8 @@ SHARP = 0.02
 """... or of which more than this share is left open, ..."""
 MOST = 250_000
 """... as long as they are no more than that, ..."""
-HEAVY = 16
-"""... or with triads, of which each cell takes so many times as long, than that share of it, ..."""
+HEAVY = 6
+"""... or with a triad, where each cell takes far longer, than this share of it, ..."""
 CLEAR = 4.0
 """The edge is one line where all that bounds it grows along one direction, by so many times what its forms leave open,
 ..."""
@@ -41,7 +41,9 @@ BLUNT = 0.5
 DEEPEST = 21
 """The whole square is halved no more often than that: what is narrower than a two-millionth of it isn't told."""
 FEW, LITTLE = 400, 5e-4
-"""... and of more than so many as long as more than this share of the area of all is open."""
+"""... and of more than so many as long as more than this share of the area of all is open, ..."""
+ENOUGH = 4.0
+"""... with a triad, so many times that."""
 
 
 CORNERS = np.array([[-1.0, 1.0, -1.0, 1.0], [-1.0, -1.0, 1.0, 1.0]])
@@ -159,7 +161,8 @@ def decided(places: Places, corner: Array, side: float, extent: float, deep: int
     axis = np.arange(2**COARSE)
     cells = Cells(corner, side, np.stack(np.meshgrid(axis, axis)).reshape(2, -1), np.full(4**COARSE, COARSE))
     fine = int(np.ceil(np.log2(side / extent))) + FINE
-    return _cut(places, cells, fine, min(fine + deep, DEEPEST), LITTLE)
+    little = LITTLE if places.poses_each == 1 else ENOUGH * LITTLE
+    return _cut(places, cells, fine, min(fine + deep, DEEPEST), little)
 
 
 def cut_on(places: Places, found: Decided, which: Mask) -> Decided:
