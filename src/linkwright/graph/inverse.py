@@ -35,14 +35,13 @@ TRIADS = 1
 
 @dataclass(frozen=True)
 class Platform:
-    """What tells the poses of a triad's platform. Its programs have the inputs of all poses, of which four, from
-    ``row`` on, are this one's cosine, sine, x and y.
+    """What tells the poses of a triad's platform. Its programs have the inputs of all poses, of which four are this
+    one's cosine, sine, x and y.
 
     ``polynomial`` vanishes at its angles; ``slope`` is that and its derivative by the angle; ``place`` is x and y where
     it vanishes; of ``rooms`` none is negative at a pose's angle; ``misses`` is what the three legs miss at any pose (m2
     or m), and row by row the derivatives by angle, x and y. The first legs, so many, move on ``circles``."""
 
-    row: int
     circles: int
     polynomial: Program
     slope: Program
@@ -157,7 +156,7 @@ class Inverse:
                 "misses": [misses, ca.reshape(ca.densify(slopes).T, -1, 1)],
             }
             programs = {name: self._numbered(name, ca.vertcat(*some)) for name, some in rows.items()}
-            found.append(Platform(row, len(system.circles), **programs))
+            found.append(Platform(len(system.circles), **programs))
         return tuple(found)
 
     @cached_property

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.enclosures.angles import numbered
 from linkwright.enclosures.forms import Form
 from linkwright.studies.workspace.places import Places
 
@@ -121,7 +122,7 @@ class Straight:
         first = np.searchsorted(self.of[order], cell)
         count = np.searchsorted(self.of[order], cell, side="right") - first
         line = np.repeat(np.arange(cell.size), count)
-        pair = order[np.arange(line.size) - np.repeat(np.cumsum(count) - count, count) + np.repeat(first, count)]
+        pair = order[numbered(count) + np.repeat(first, count)]
         value, rest, slope = self.value[:, pair], self.rest[:, pair], self.slope[:, :, pair]
         ends = [value + (slope * at[:, None, line]).sum(axis=0) for at in (start, stop)]
         # The forms are straight: what holds at both ends holds between.

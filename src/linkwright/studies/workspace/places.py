@@ -212,10 +212,8 @@ class Places:
     def rooms(self, middle: Array, half: Array, branch: Rows) -> tuple[Form, Rows]:
         """The rooms of platforms alone, over squares: (triads, sets), and of which square each set is."""
         sets = self._sets(middle, half, branch)
-        parts = [
-            np.stack([getattr(one, name) for one in sets.rooms]) for name in ("value", "u", "v", "rest") if sets.rooms
-        ]
-        return Form(*(parts or np.empty((4, 0, sets.of.size)))), sets.of
+        parts = [np.empty((4, 0, sets.of.size)), *(one.parts(sets.of.size)[:, None] for one in sets.rooms)]
+        return Form(*np.concatenate(parts, axis=1)), sets.of
 
     def _sets(self, middle: Array, half: Array, branch: Rows) -> Sets:
         zero = np.zeros_like(half)
@@ -228,10 +226,7 @@ class Places:
             sets = self._sets(middle, half, branch)
             rows = [*self._stage(sets.x.__getitem__), *sets.rooms]
             forms = [self._mixed(rows, coefficients) for coefficients in self.rows]
-        found = np.empty((4, len(forms), sets.of.size))
-        for k, one in enumerate(forms):
-            for part, value in zip(found, (one.value, one.u, one.v, one.rest), strict=True):
-                part[k] = value
+        found = np.stack([one.parts(sets.of.size) for one in forms], axis=1)
         return (found, sets.of) if self.poses_each == 1 else self._whole(found, sets)
 
     def _whole(self, parts: Array, sets: Sets) -> tuple[Array, Rows]:

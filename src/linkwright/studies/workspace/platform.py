@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.enclosures.angles import Polynomials, Stretches, numbered, stretches, turned
-from linkwright.enclosures.forms import UNIT, Form, joined
+from linkwright.enclosures.forms import TINY, UNIT, Form, joined
 from linkwright.enclosures.newton import inverted, solved
 from linkwright.enclosures.program import BOXES, Stage
 from linkwright.graph.inverse import Platform
@@ -33,7 +33,6 @@ SETTLED, PATIENT = 2, 16
 """Steps of Newton's method from a zero of the polynomial; from one whose room is little more than round-off ..."""
 NEAR, SURE = 0.05, 1e-8
 """... no longer than this (rad or m); it has come to an end where the last is shorter than that."""
-TINY = 1e-300
 
 
 class OnePlatform:

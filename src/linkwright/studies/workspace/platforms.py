@@ -20,7 +20,6 @@ class Platforms:
     """The platforms of a mechanism turned round with some parameters; without triads there are none."""
 
     def __init__(self, inverse: Inverse, parameters: Array) -> None:
-        self.parameters = parameters
         self._each = [OnePlatform(one, parameters) for one in inverse.platforms]
         self.most = MOST ** len(self._each)
         """So many poses there are at most of each choice of branches."""
