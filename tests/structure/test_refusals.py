@@ -168,13 +168,6 @@ def test_links_that_a_drive_holds_on_each_other_are_one_side_of_a_dyad(make: Any
     assert set(group.sides) == sides
 
 
-def test_a_group_of_too_many_links_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("linkwright.structure.placed.Placed.LARGEST", 3)
-    finding = only(triad())
-    assert finding.code == "structure.higher-group"
-    assert set(finding.data["links"].split(", ")) == {"rod1", "rod2", "rod3", "plate"}
-
-
 def test_a_third_parallel_crank_is_one_joint_too_many() -> None:
     """It moves in fact, as the cranks are parallel; no dimensions may be counted on to be exact."""
     data = four_bar(1, 4, 1, 4)

@@ -128,6 +128,10 @@ def _fields(motion: Motion, step: Cluster) -> tuple[list[dict[str, Twist]], dict
     return fields, twists
 
 
+NONE = ((0.0, 0.0), (0.0, 0.0))
+"""The slopes of a closure whose links a coordinate doesn't move."""
+
+
 def _slopes(
     motion: Motion, closures: list[tuple[Connection, Inner]], fields: list[dict[str, Twist]]
 ) -> list[list[Scalar]]:
@@ -135,6 +139,8 @@ def _slopes(
     for c, inner in closures:
         pairs = [
             inner.slopes(motion.bodies[c.a], motion.bodies[c.b], field.get(c.a, STILL), field.get(c.b, STILL))
+            if c.a in field or c.b in field
+            else NONE
             for field in fields
         ]
         rows += [[pair[row][0] + pair[row][1] for pair in pairs] for row in (0, 1)]

@@ -24,7 +24,7 @@ from linkwright.structure import FRAME, Structure
 
 Array = NDArray[np.float64]
 
-HELD = ("structure.overconstrained", "structure.redundant", "structure.higher-group", "structure.loop-of-slides")
+HELD = ("structure.overconstrained", "structure.redundant", "structure.loop-of-slides")
 """What may be said of a structure that stands all the same."""
 
 

@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-Powers = tuple[Fraction | int, ...]
+Power = Fraction | int
+Powers = tuple[Power, ...]
 Unknown = str | tuple[str, int]
 """A parameter's name, or something else whose dimension is open (a kind and a number)."""
 
@@ -15,34 +16,34 @@ Unknown = str | tuple[str, int]
 class System:
     """Linear equations over unknown dimensions, eliminated as they come."""
 
-    solved: dict[Unknown, tuple[dict[Unknown, Fraction], list[Fraction]]] = field(default_factory=dict)
+    solved: dict[Unknown, tuple[dict[Unknown, Power], list[Power]]] = field(default_factory=dict)
 
-    def add(self, unknowns: Mapping[Unknown, Fraction | int], value: Powers) -> bool:
+    def add(self, unknowns: Mapping[Unknown, Power], value: Powers) -> bool:
         """Add sum(unknowns) = value; ``False`` where it contradicts what is known."""
-        row, right = self._reduced({k: Fraction(v) for k, v in unknowns.items()}, [Fraction(v) for v in value])
+        row, right = self._reduced(dict(unknowns), [*value])
         if not row:
             return not any(right)
         # Rather what isn't a parameter, and rather a first power: no unit is the root of another.
         pivot = min(row, key=lambda name: (not isinstance(name, tuple), abs(row[name]) != 1))
-        scale = row.pop(pivot)
-        self.solved[pivot] = ({k: -v / scale for k, v in row.items()}, [v / scale for v in right])
+        by = row.pop(pivot)
+        if abs(by) != 1:
+            by = 1 / Fraction(by)
+        self.solved[pivot] = ({k: -v * by for k, v in row.items()}, [v * by for v in right])
         return True
 
-    def value(self, name: Unknown) -> tuple[list[Fraction], bool]:
+    def value(self, name: Unknown) -> tuple[list[Power], bool]:
         """The powers of an unknown where open ones are zero, and whether it is free of open ones."""
-        row, right = self._reduced({name: Fraction(-1)}, [Fraction(0)] * 3)
+        row, right = self._reduced({name: -1}, [0] * 3)
         return right, not row
 
-    def _reduced(
-        self, row: dict[Unknown, Fraction], right: list[Fraction]
-    ) -> tuple[dict[Unknown, Fraction], list[Fraction]]:
+    def _reduced(self, row: dict[Unknown, Power], right: list[Power]) -> tuple[dict[Unknown, Power], list[Power]]:
         """The equation with what is solved put in: sum(row) = right over open unknowns."""
         for name in [name for name in row if name in self.solved]:
             self._close(name)
             power = row.pop(name)
             others, constant = self.solved[name]
             for other, p in others.items():
-                row[other] = row.get(other, Fraction(0)) + power * p
+                row[other] = row.get(other, 0) + power * p
             right = [r - power * c for r, c in zip(right, constant, strict=True)]
         return {name: power for name, power in row.items() if power}, right
 

@@ -17,6 +17,10 @@ def unknown(kind: str, path: tuple[Any, ...], name: str, known: Iterable[str]) -
 def near(name: str, known: Sequence[str]) -> str:
     """A readable hint: the closest known names, else all of them."""
     known = [word for word in dict.fromkeys(known) if len(word) <= 60]
-    alike = [word for word in known if abs(len(word) - len(name)) <= 4][:200]
-    close = get_close_matches(name, alike, n=3, cutoff=0.6)
-    return ", ".join(close or known[:20]) or "-"
+    return ", ".join(alike(name, known) or known[:20]) or "-"
+
+
+def alike(name: str, known: Sequence[str]) -> list[str]:
+    """The known names that are spelled much like one, the closest first; three at most."""
+    words = [word for word in known if abs(len(word) - len(name)) <= 4][:200]
+    return get_close_matches(name, words, n=3, cutoff=0.6)

@@ -6,6 +6,7 @@ links that are already known.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from linkwright.groups import REGISTRY
@@ -14,13 +15,14 @@ from linkwright.model.mechanism import Mechanism
 from linkwright.structure.placed import Placed
 from linkwright.structure.refusals import apart, redundant, unsolved
 from linkwright.structure.steps import Chain, Cluster, Driven, Edge, Group, Step, Structure, Wedge
-from linkwright.structure.topology import Connection, Topology
+from linkwright.structure.topology import FREEDOMS, Connection, Topology
 
 
 @dataclass
 class _Search(Placed):
     steps: list[Step] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
+    together: Mapping[str, frozenset[str]] | None = None  # of Freedoms, when first asked
 
     def run(self) -> Structure:
         self.find_drives()
@@ -38,7 +40,8 @@ class _Search(Placed):
     def place(self, step: Step) -> bool:
         """Note a step as solved."""
         self.steps.append(step)
-        self.known += step.links
+        for link in step.links:
+            self.known[link] = len(self.known)
         for name in step.drives:
             self.joints.pop(name, None)
         return True
@@ -122,35 +125,41 @@ class _Search(Placed):
 
     def cluster_one(self) -> bool:
         """Solve the smallest set of links that hangs on known ones with no freedom left."""
-        for part in self.subsets(self.left, 2):
-            if not self.freedom(part) and not self.overfull(part) and (cluster := self.tree(part)) is not None:
+        self.together = self.together if self.together is not None else self.freedoms().together
+        rank = {link: i for i, link in enumerate(self.left)}
+        parts = {tuple(sorted(of & rank.keys(), key=rank.__getitem__)) for link, of in self.together.items()}
+        several = [part for part in parts if len(part) > 1]
+        for part in sorted(several, key=lambda part: (len(part), [rank[link] for link in part])):
+            if not self.freedom(part) and (cluster := self.tree(part)) is not None:
                 return self.place(cluster)
         return False
 
-    def tree(self, part: list[str]) -> Cluster | None:
+    def tree(self, part: tuple[str, ...]) -> Cluster | None:
         """A placing order of the links, drives inside first; ``None`` where the links don't hang together."""
         edges: list[Edge] = []
-        placed: list[str] = list(self.known)
+        placed = dict(self.known)
         driven = {joint: name for name, joint in self.joints.items()}
-        within = [c for c in self.topology.connections if {c.a, c.b} <= {*part, *self.known}]
-        todo = list(part)
+        todo = dict.fromkeys(part)
         while todo:
-            options = [(c, link) for link in todo for c in within if link in (c.a, c.b) and c.other(link) in placed]
+            options = [(c, link) for link in todo for c in self.topology.at(link) if c.other(link) in placed]
             if not options:
                 return None
             # A driven joint places its link for good; else outer joints keep the chains short.
-            joint, link = min(options, key=lambda o: (o[0] not in driven, placed.index(o[0].other(o[1]))))
+            joint, link = min(options, key=lambda o: (o[0] not in driven, placed[o[0].other(o[1])]))
             drive = driven.get(joint)
             sign = 1 if drive is None or self.drive(drive).link == link else -1
             edges.append(Edge(link, joint, drive, sign))
-            placed.append(link)
-            todo.remove(link)
-        closures = self.closures(part, edges)
-        free = sum(edge.drive is None for edge in edges)
-        return Cluster(tuple(edges), tuple(closures)) if free == 2 * len(closures) and free else None
+            placed[link] = len(placed)
+            del todo[link]
+        closures = self.closures({*part}, edges)
+        free = sum(FREEDOMS - edge.joint.rows for edge in edges if edge.drive is None)
+        return Cluster(tuple(edges), tuple(closures)) if free == sum(c.rows for c in closures) and free else None
 
-    def closures(self, part: list[str], edges: list[Edge]) -> list[Connection]:
+    def closures(self, part: set[str], edges: list[Edge]) -> list[Connection]:
         """The joints among the links and the known ones that the tree doesn't use."""
+        placing: dict[str, list[Edge]] = {}
+        for edge in edges:
+            placing.setdefault(edge.joint.joint, []).append(edge)
         found = []
         for pin in self.topology.pins.values():
             parts = [{link} for link in pin.links if link in part]
@@ -158,20 +167,15 @@ class _Search(Placed):
                 continue
             if known := {link for link in pin.links if link in self.known}:
                 parts.append(known)
-            for edge in edges:
-                if edge.joint.joint == pin.name:
-                    joined = [p for p in parts if edge.link in p or edge.base in p]
-                    parts = [p for p in parts if p not in joined] + [set().union(*joined)]
+            for edge in placing.get(pin.name, []):
+                joined = [p for p in parts if edge.link in p or edge.base in p]
+                parts = [p for p in parts if p not in joined] + [set().union(*joined)]
             heads = [next(link for link in pin.links if link in p) for p in parts]
             found += [Connection(pin.name, "R", heads[0], head) for head in heads[1:]]
         used = {edge.joint for edge in edges}
+        inside = part | self.known.keys()
         for c in self.topology.connections:
-            if (
-                c.letter == "P"
-                and c not in used
-                and (c.a in part or c.b in part)
-                and {c.a, c.b} <= {*part, *self.known}
-            ):
+            if c.letter == "P" and c not in used and inside.issuperset((c.a, c.b)) and not part.isdisjoint((c.a, c.b)):
                 found.append(c)
         return found
 
@@ -197,12 +201,13 @@ def decompose(mechanism: Mechanism) -> Structure:
     excess = [f for f in structure.findings if f.code == "structure.overconstrained" or (looped and f.code == TWICE)]
     if not excess:
         return structure
-    spare = _spare_drive(mechanism)
+    spare = _spare_drive(structure.topology)
     return structure if spare is None else Structure(structure.topology, structure.steps, (spare,))
 
 
-def _spare_drive(mechanism: Mechanism) -> Finding | None:
+def _spare_drive(topology: Topology) -> Finding | None:
     """A finding on the last drive without which the structure is sound, where there is one."""
+    mechanism = topology.mechanism
     for name in reversed(mechanism.drives):
         drives = {other: drive for other, drive in mechanism.drives.items() if other != name}
         rest = mechanism.model_copy(update={"drives": drives})

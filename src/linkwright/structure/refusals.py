@@ -7,29 +7,68 @@ from collections.abc import Iterator, Sequence
 
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import FRAME
+from linkwright.model.unknown import alike
+from linkwright.structure.freedoms import Freedoms
 from linkwright.structure.placed import Placed
 from linkwright.structure.steps import Step
 from linkwright.structure.topology import Topology
 
+MANY = 12
+"""The most loose links that are all named; of more, those at which the free motions begin."""
+
 
 def unsolved(placed: Placed) -> Iterator[Finding]:
-    """Drives that prescribe nothing new, and the links left: loose, held too much, or too many in one group."""
+    """Drives that prescribe nothing new, and the links left: held too much, loose, or in loops of slides."""
     for name in placed.joints:
         drive = placed.drive(name)
         if drive.link in placed.known:
             yield Finding("structure.drive-too-many", ("drives", name), {"link": drive.link, "on": drive.on})
+    if not placed.left:
+        return
+    freedoms = placed.freedoms()
+    full = list(freedoms.overfull())
+    for links, excess in full:
+        yield Finding("structure.overconstrained", ("links", links[0]), {"links": ", ".join(links), "excess": excess})
+    crowded = {link for links, _ in full for link in links}
+    unpinned: set[object] = set()
     for part in placed.parts(placed.left):
-        part = placed.overfull(part) or part
-        path, names, freedom = ("links", part[0]), ", ".join(part), placed.freedom(part)
-        if freedom > 0:
-            data = {"links": names, "freedom": freedom, "hint": _drive_hint(placed, part)}
-            yield Finding("structure.loose", path, data)
-        elif freedom < 0:
-            yield Finding("structure.overconstrained", path, {"links": names, "excess": -freedom})
-        elif placed.closing_slides({*part, *placed.known}):
-            yield Finding("structure.loop-of-slides", path, {"links": names})
-        else:
-            yield Finding("structure.higher-group", path, {"links": names, "most": placed.LARGEST})
+        if free := freedoms.loose(part):
+            finding = _loose(placed, freedoms, part, free)
+            pair = frozenset((finding.data.get("point"), finding.data.get("other"))) - {None}
+            if pair not in unpinned:  # the two parts that a misspelled pin leaves are one mistake
+                yield finding
+            unpinned |= {pair} if pair else set()
+        elif crowded.isdisjoint(part):
+            yield Finding("structure.loop-of-slides", ("links", part[0]), {"links": ", ".join(part)})
+
+
+def _loose(placed: Placed, freedoms: Freedoms, part: list[str], free: dict[str, int]) -> Finding:
+    """What a connected part of the links lacks: a pin, by the spelling of its points, or a drive."""
+    links = part if len(part) <= MANY else list(free)
+    data: dict[str, object] = {"links": ", ".join(links[:MANY]), "freedom": sum(free.values())}
+    for (link, point), (on, other) in _alike(placed.topology, part):
+        if freedoms.could_join(link, on):
+            data |= {"point": point, "link": link, "other": other, "on": on}
+            return Finding("structure.unpinned", ("links", link, "points", point), data)
+    data |= {"hint": _drive_hint(placed, part)}
+    if links is part:
+        return Finding("structure.loose", ("links", links[0]), data)
+    return Finding("structure.loose-many", ("links", links[0]), {**data, "count": len(part)})
+
+
+def _alike(topology: Topology, part: list[str]) -> Iterator[tuple[tuple[str, str], tuple[str, str]]]:
+    """Points of no joint that lie on one link each, the first on a link of the part, and have like names."""
+    used = {member for pin in topology.pins.values() for member in pin.members}
+    used |= {
+        (link, line.point)
+        for _, joint in topology.mechanism.prismatic_joints()
+        for link, line in zip(joint.links, joint.line or (), strict=False)
+    }
+    alone = [(link, p) for link, of in topology.mechanism.links.items() for p in of.points if (link, p) not in used]
+    for link, point in alone:
+        others = {other: on for on, other in alone if on != link}
+        if link in part:
+            yield from (((link, point), (others[other], other)) for other in alike(point, [*others]))
 
 
 def _drive_hint(placed: Placed, part: list[str]) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from linkwright.groups import REGISTRY, Dyad
 from linkwright.model.findings import Finding
@@ -70,12 +71,12 @@ class Group:
         """The known links on which the two sides hang."""
         return self.outer[0].other(self.ends[0]), self.outer[1].other(self.ends[1])
 
-    @property
+    @cached_property
     def links(self) -> tuple[str, ...]:
         """All its links, the first side's before the second's."""
         return tuple(link for side in self.sides for link in side)
 
-    @property
+    @cached_property
     def sides(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
         """The links of each side, from the outer joint to the inner one."""
         first, second = (
@@ -181,7 +182,7 @@ class Cluster:
     edges: tuple[Edge, ...]
     closures: tuple[Connection, ...]
 
-    @property
+    @cached_property
     def links(self) -> tuple[str, ...]:
         return tuple(edge.link for edge in self.edges)
 

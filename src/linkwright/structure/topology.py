@@ -2,22 +2,35 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
+from typing import ClassVar
 
 from linkwright.model.mechanism import FRAME, Drive, Mechanism
 from linkwright.model.pins import Pin, pins
 from linkwright.model.slides import closing, pairs_of
+
+FREEDOMS = 3
+"""Those of a link."""
 
 
 @dataclass(frozen=True)
 class Connection:
     """One joint as it ties two links: a pin (letter R) or a line (letter P)."""
 
+    ROWS: ClassVar[dict[str, int]] = {"R": 2, "P": 2}
+    """The constraints that a joint states, by its letter."""
+
     joint: str
     letter: str
     a: str
     b: str
+
+    @property
+    def rows(self) -> int:
+        """The constraints that it states."""
+        return self.ROWS[self.letter]
 
     def other(self, link: str) -> str:
         """The link at the other end."""
@@ -63,15 +76,22 @@ class Topology:
         return self._at[link]
 
     @cached_property
+    def letters(self) -> Counter[str]:
+        """How many joints there are of each letter; a pin of k links counts k - 1."""
+        pinned = sum(len(pin.links) - 1 for pin in self.pins.values())
+        return Counter(R=pinned, P=sum(1 for _ in self.mechanism.prismatic_joints()))
+
+    @property
     def joint_count(self) -> int:
-        """Joints of one freedom: a pin of k links counts k - 1."""
-        return sum(len(pin.links) - 1 for pin in self.pins.values()) + sum(1 for _ in self.mechanism.prismatic_joints())
+        """The joints, each between two links: a pin of k links counts k - 1."""
+        return self.letters.total()
 
     @property
     def gruebler(self) -> int:
-        """Mobility by Gruebler's count, 3 n - 2 j over the n moving links and j joints; one more for each slide that
-        closes a loop of slides alone, since its direction is held by the others already."""
-        return 3 * len(self.moving) - 2 * self.joint_count + len(self.closing_slides)
+        """Mobility by Gruebler's count: three freedoms of each moving link, less the constraints of all joints; one
+        more for each slide that closes a loop of slides alone, since its direction is held by the others already."""
+        rows = sum(Connection.ROWS[letter] * count for letter, count in self.letters.items())
+        return FREEDOMS * len(self.moving) - rows + len(self.closing_slides)
 
     @cached_property
     def slide_pairs(self) -> dict[str, frozenset[str]]:

@@ -1797,13 +1797,18 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "These links aren't held: {links} (free motions: {freedom}).",
         "Join them to links that are held, check the spelling of shared points, or add a drive. {hint}",
     ),
+    "structure.loose-many": (
+        "{count} links aren't held (free motions: {freedom}); nearest to what is held are {links}.",
+        "Join them to links that are held, check the spelling of shared points, or add a drive. {hint}",
+    ),
+    "structure.unpinned": (
+        "The points {point} of {link} and {other} of {on} have like names, but each lies on one link only, so that they "
+        "aren't a pin; and these links aren't held: {links} (free motions: {freedom}).",
+        "Give both points one name if they are one pin; else join the links to others that are held, or add a drive.",
+    ),
     "structure.overconstrained": (
         "These links are held too much: {links} (constraints too many: {excess}).",
         "Take out a joint or a drive, or add the link that is missing between two pins.",
-    ),
-    "structure.higher-group": (
-        "These links can only be placed all at once, and there are more than {most} of them: {links}.",
-        "Drive another link, so that the rest falls apart into smaller groups.",
     ),
     "structure.redundant-movable": (
         "{part} is redundant: with these dimensions the mechanism moves all the same (rank {rank} of {constraints} "
