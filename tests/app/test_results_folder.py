@@ -314,6 +314,97 @@ def test_a_killed_run_holds_nothing_and_its_files_are_replaced(model: Path, out:
     assert names(out) == FILES
 
 
+# Links that came with a folder lead nowhere.
+
+LINKS = pytest.mark.skipif(os.name == "nt", reason="links are POSIX's")
+
+
+def linked(path: Path, kind: str, elsewhere: Path) -> None:
+    """A link in place of a path, to a file or a folder of another's, or to nothing."""
+    if path.is_dir():
+        shutil.rmtree(path)
+    path.unlink(missing_ok=True)
+    path.symlink_to({"file": elsewhere / "mine", "folder": elsewhere, "nothing": elsewhere / "new"}[kind])
+
+
+@pytest.fixture
+def elsewhere(tmp_path: Path) -> Path:
+    (tmp_path / "elsewhere").mkdir()
+    (tmp_path / "elsewhere" / "mine").write_text("mine", "utf-8")
+    return tmp_path / "elsewhere"
+
+
+def untouched(elsewhere: Path) -> bool:
+    return {path.name: path.read_text("utf-8") for path in elsewhere.iterdir()} == {"mine": "mine"}
+
+
+@LINKS
+@pytest.mark.parametrize("kind", ["file", "folder", "nothing"])
+@pytest.mark.parametrize("name", ["cycle.csv", "report.html", NAME, OUTDATED, LOCK])
+def test_a_link_in_the_folder_is_refused_or_replaced(
+    model: Path, out: Path, elsewhere: Path, name: str, kind: str
+) -> None:
+    linked(out / name, kind, elsewhere)
+    refused = call("run", model)
+    assert (refused.exit_code, name in refused.stderr, untouched(elsewhere)) == (2, True, True)
+    assert call("run", model, "--force").exit_code == (2 if name == LOCK else 0)
+    assert untouched(elsewhere)
+    assert (out / name).is_symlink() is (name == LOCK)
+
+
+@LINKS
+def test_old_results_never_move_through_a_link(model: Path, out: Path, elsewhere: Path) -> None:
+    """Not even where the file that is run has an error, so that only they are set aside."""
+    linked(out / OUTDATED, "folder", elsewhere)
+    model.write_text(BROKEN, "utf-8")
+    assert call("run", model).exit_code == 2
+    assert untouched(elsewhere)
+    assert names(out) == FILES
+
+
+@LINKS
+def test_the_usual_folder_may_be_no_link_and_one_that_is_named_may(model: Path, tmp_path: Path) -> None:
+    (tmp_path / "elsewhere").mkdir()
+    (tmp_path / "model_linkwright").symlink_to(tmp_path / "elsewhere")
+    for words in (["run", model], ["export", model, "--to", "motor-expressions"]):
+        refused = call(*words)
+        assert (refused.exit_code, "file.link" in refused.stderr) == (2, True)
+    assert not names(tmp_path / "elsewhere")
+    assert call("run", model, "--out", tmp_path / "model_linkwright").exit_code == 0
+    assert names(tmp_path / "elsewhere") == FILES
+
+
+@LINKS
+@pytest.mark.parametrize("place", ["", "C.x", "C.x/c", "C.x/c/0", "zarr.json"])
+def test_a_store_is_not_resumed_through_links(
+    sweep: Path, tmp_path: Path, elsewhere: Path, place: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("zarr")
+    out = tmp_path / "out"
+    stopped(sweep, out, monkeypatch)
+    linked(out / "sweep.zarr" / place, "folder", elsewhere)
+    for how in ([], ["--fresh"], ["--force"]):
+        result = call("sweep", sweep, "--out", out, *how)
+        assert untouched(elsewhere)
+        if place or how != ["--force"]:
+            assert (result.exit_code, "sweep.zarr" in result.stderr) == (2, True)
+
+
+@LINKS
+def test_states_are_not_read_through_links(
+    sweep: Path, tmp_path: Path, elsewhere: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("zarr")
+    out = tmp_path / "out"
+    stopped(sweep, out, monkeypatch)
+    for name in manifest(out)["written"]["studies"]["resumable"]:
+        if name != "sweep.zarr":
+            linked(out / name, "file", elsewhere)
+    assert "file.link" in call("sweep", sweep, "--out", out).stderr
+    assert call("sweep", sweep, "--out", out, "--fresh").exit_code == 0
+    assert untouched(elsewhere)
+
+
 # Studies that go on.
 
 
@@ -362,6 +453,25 @@ def test_an_interrupted_sweep_goes_on_and_leaves_no_state(
     assert values.shape == (9000, 17)
     assert (values == whole).all()
     assert call("sweep", sweep, "--out", out).exit_code == 0  # and once more, over its own store
+
+
+def test_a_sweep_that_another_version_has_begun_is_refused(
+    sweep: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of linkwright or of the kernel: it is named, with the way on."""
+    pytest.importorskip("zarr")
+    out = tmp_path / "out"
+    with monkeypatch.context() as patch:
+        patch.setattr("linkwright.__version__", "0.0.9")
+        stopped(sweep, out, monkeypatch)
+    refused = call("sweep", sweep, "--out", out)
+    assert refused.exit_code == 2
+    assert f"begun with linkwright 0.0.9; this is linkwright {lw.__version__}" in refused.stderr
+    assert "--fresh" in refused.stderr
+    stopped(sweep, tmp_path / "other", monkeypatch)
+    monkeypatch.setattr("linkwright.kernels.numpy_blocks.NumpyKernel.packages", ("pytest",))
+    assert "this is kernel numpy pytest " in call("sweep", sweep, "--out", tmp_path / "other").stderr
+    assert call("sweep", sweep, "--out", out, "--fresh").exit_code == 0
 
 
 def test_the_state_of_another_model_is_removed_once_a_sweep_is_done(

@@ -117,13 +117,13 @@ def test_files_can_be_read_by_whoever_may_read_new_files(job: lw.Job, tmp_path: 
 
 
 @pytest.mark.skipif(os.name == "nt", reason="links are POSIX's")
-def test_a_link_in_place_of_a_file_is_followed(job: lw.Job, tmp_path: Path) -> None:
+def test_a_link_in_place_of_a_file_is_replaced(job: lw.Job, tmp_path: Path) -> None:
     (tmp_path / "kept.json").write_text("old", "utf-8")
     (tmp_path / "out").mkdir()
     (tmp_path / "out" / "summary.json").symlink_to(tmp_path / "kept.json")
     write(job, tmp_path / "out", Writing(force=True))
-    assert (tmp_path / "out" / "summary.json").is_symlink()
-    assert json.loads((tmp_path / "kept.json").read_text("utf-8"))["done"] is True
+    assert not (tmp_path / "out" / "summary.json").is_symlink()
+    assert (tmp_path / "kept.json").read_text("utf-8") == "old"
 
 
 def test_a_folder_that_can_not_be_is_an_oserror(job: lw.Job, tmp_path: Path) -> None:

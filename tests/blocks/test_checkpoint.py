@@ -49,6 +49,20 @@ def test_the_state_of_another_work(saved: Path) -> None:
     assert code(saved, "another") == "blocks.other-work"
 
 
+def test_the_state_of_another_version(saved: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of linkwright, of what the study names, of the file's own format; sound states all of them."""
+    monkeypatch.setattr("linkwright.__version__", "9.9")
+    assert code(saved) == "blocks.other-version"
+    Checkpoint(saved, "key", versions={"kernel": "abacus 1"}).write(7, ARRAYS)
+    for versions in ({}, {"kernel": "abacus 2"}, {"kernel": "abacus 1", "numpy": "1"}):
+        with pytest.raises(ModelError) as refused:
+            Checkpoint(saved, "key", versions=versions).read()
+        assert [finding.code for finding in refused.value.findings] == ["blocks.other-version"]
+    assert Checkpoint(saved, "key", versions={"kernel": "abacus 1"}).read() is not None
+    saved.write_bytes(saved.read_bytes().replace(b"blocks 2", b"blocks 1", 1))
+    assert code(saved) == "blocks.other-version"
+
+
 def test_a_damaged_file(saved: Path) -> None:
     """A flipped bit anywhere, a file cut short, an empty one, another kind of file."""
     content = saved.read_bytes()
@@ -65,7 +79,7 @@ def test_a_sound_file_of_other_content(saved: Path) -> None:
     import hashlib
 
     for body in (b"", b"PK\x03\x04 not a zip", saved.read_bytes().partition(b"\n")[2][:-40]):
-        saved.write_bytes(module.FORMAT + b" " + hashlib.sha256(body).hexdigest().encode() + b"\n" + body)
+        saved.write_bytes(f"linkwright blocks {module.FORMAT} {hashlib.sha256(body).hexdigest()}\n".encode() + body)
         assert code(saved) == "blocks.corrupt"
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import os
 import subprocess
+import sys
 import warnings
 from collections.abc import Iterator
 from pathlib import Path
@@ -13,6 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import linkwright
 from blocks.works import CUT, Noise, files, storing, values
 from linkwright.blocks import UNIT, Cluster, Cut, Threads, carry
 from linkwright.blocks.store import Stored, Variable, stored_name
@@ -87,6 +89,78 @@ def test_a_store_begun_twice_loses_nothing(tmp_path: Path, expected: dict[str, b
         first.take(atom, WORK.open().perform(atom))
     first.save()
     assert files(tmp_path / "z") == expected
+
+
+@pytest.mark.parametrize("harm", ["gone", "cut", "begun anew"])
+def test_holes_are_found_at_the_end_and_filled(harm: str, tmp_path: Path, expected: dict[str, bytes]) -> None:
+    """By the chunks' files: their values are NaN in places, and one of the atoms here has no other."""
+    path, work = tmp_path / "z", WORK.open()
+    sink = storing(WORK, path)
+    for atom in range(CUT.atoms):
+        sink.take(atom, work.perform(atom))
+        if atom == 6 and harm == "begun anew":  # by this process: others are kept out
+            storing(WORK, path, anew=True)
+    chunk = path / "a" / "c" / "1" / "2"
+    if harm == "gone":
+        chunk.unlink()
+    elif harm == "cut":
+        chunk.write_bytes(chunk.read_bytes()[:-8])
+    outcome = carry(WORK, sink)
+    assert outcome.error is not None
+    assert (outcome.error.code, outcome.done) == ("blocks.holes", False)
+    again = storing(WORK, path)
+    assert again.next == (0 if harm == "begun anew" else 5)
+    assert carry(WORK, again).done
+    assert files(path) == expected
+
+
+def test_atoms_without_any_value_are_no_holes(tmp_path: Path) -> None:
+    cut = Cut(10, 4)
+    sink = Stored(tmp_path / "z", "key", cut, [Variable("a")])
+    sink.take(0, {"a": np.full((10, 4), np.nan)})
+    sink.save()
+
+
+FILLING = """\
+import sys
+from pathlib import Path
+from blocks.works import Noise, storing
+sink = storing(Noise(), Path(sys.argv[1]))
+print("ready", flush=True)
+sys.stdin.read()
+"""
+
+
+def test_a_store_that_another_process_fills_is_refused(tmp_path: Path, expected: dict[str, bytes]) -> None:
+    """Until that process ends, however it ends; afterwards no trace of the lock is left."""
+    path = tmp_path / "z"
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(Path(__file__).parents[1]), *sys.path])}
+    command = [sys.executable, "-c", FILLING, str(path)]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment) as other:
+        assert other.stdout is not None
+        other.stdout.readline()
+        for anew in (False, True):
+            with pytest.raises(ModelError) as refused:
+                storing(WORK, path, anew=anew)
+            assert [finding.code for finding in refused.value.findings] == ["blocks.busy"]
+        other.kill()
+    assert carry(WORK, storing(WORK, path)).done
+    assert files(path) == expected
+    assert {found.name for found in tmp_path.iterdir()} == {"z", "z.checkpoint"}
+
+
+def test_a_store_names_the_versions_that_wrote_it_and_others_are_refused(tmp_path: Path) -> None:
+    sink = storing(WORK, tmp_path / "z", versions={"kernel": "abacus 1"})
+    sink.take(0, WORK.open().perform(0))
+    sink.save()
+    attributes = zarr.open_group(tmp_path / "z", mode="r").attrs.asdict()
+    assert attributes == {"linkwright": linkwright.__version__, "kernel": "abacus 1"}
+    with pytest.raises(ModelError) as refused:
+        storing(WORK, tmp_path / "z", versions={"kernel": "abacus 2"})
+    (finding,) = refused.value.findings
+    assert finding.code == "blocks.other-version"
+    assert "begun with kernel abacus 1; this is kernel abacus 2" in finding.what
+    assert storing(WORK, tmp_path / "z", versions={"kernel": "abacus 2"}, anew=True).next == 0
 
 
 def test_a_store_that_was_half_made_is_made_again(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -65,3 +66,13 @@ def test_a_folder_that_is_not_there(tmp_path: Path) -> None:
     result = call("wiper", "--out", tmp_path / "no" / "x.yaml")
     assert result.exit_code == 2
     assert "file.unwritable" in result.stderr
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links are POSIX's")
+def test_a_link_is_not_written_through(tmp_path: Path) -> None:
+    """Not even one that leads nowhere yet."""
+    (tmp_path / "mine.yaml").symlink_to(tmp_path / "elsewhere.yaml")
+    assert call("wiper", "--out", tmp_path / "mine.yaml").exit_code == 2
+    assert call("wiper", "--out", tmp_path / "mine.yaml", "--force").exit_code == 0
+    assert not (tmp_path / "elsewhere.yaml").exists()
+    assert (tmp_path / "mine.yaml").read_text("utf-8") == gallery.text("wiper")

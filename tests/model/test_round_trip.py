@@ -11,9 +11,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from linkwright.model.document import dump, load, plain, read_document, save, write_aside
+from linkwright.model.document import dump, load, parse_document, plain, read_document, save
 from linkwright.model.expressions import text_of
 from linkwright.model.mechanism import Document
+from linkwright.model.output_files import write_aside
 from linkwright.model.yaml_text import read_text
 from linkwright.model.yaml_write import write_text
 from model.given import DATA, FEEDER, four_bar
@@ -210,7 +211,7 @@ def test_a_failed_write_leaves_the_old_file(tmp_path: Path, monkeypatch: pytest.
     assert [entry.name for entry in tmp_path.iterdir()] == ["model.yaml"]
 
 
-def test_writing_keeps_permissions_and_follows_links(tmp_path: Path) -> None:
+def test_writing_keeps_permissions_and_replaces_links_but_of_a_model_file(tmp_path: Path) -> None:
     path, link = tmp_path / "model.yaml", tmp_path / "link.yaml"
     path.write_text("old")
     path.chmod(0o640)
@@ -218,10 +219,15 @@ def test_writing_keeps_permissions_and_follows_links(tmp_path: Path) -> None:
         link.symlink_to(path)
     except OSError:
         pytest.skip("no symbolic links here")
-    write_aside(link, "new\n")
+    document = parse_document(four_bar())
+    assert document is not None
+    save(document, link)
     assert link.is_symlink()
-    assert path.read_bytes() == b"new\n"
+    assert load(path) == document
     assert stat.S_IMODE(path.stat().st_mode) in (0o640, 0o666)
+    write_aside(link, "new\n")
+    assert not link.is_symlink()
+    assert load(path) == document
 
 
 def test_a_missing_folder_is_an_error_of_the_system(tmp_path: Path) -> None:

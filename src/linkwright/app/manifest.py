@@ -10,8 +10,9 @@ from typing import Annotated, Literal
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
 
 import linkwright
-from linkwright.model.document import write_aside
+from linkwright.model.findings import ModelError
 from linkwright.model.origin import Origin, hashed
+from linkwright.model.output_files import refuse_link, write_aside
 from linkwright.words import say
 
 NAME = "linkwright-manifest.json"
@@ -72,7 +73,7 @@ class Entry(_Strict):
 
 def _extent(path: Path) -> tuple[int, int]:
     """How many files a folder has, and their size."""
-    sizes = [Path(top, name).stat().st_size for top, _, names in os.walk(path) for name in names]
+    sizes = [Path(top, name).lstat().st_size for top, _, names in os.walk(path) for name in names]
     return len(sizes), sum(sizes)
 
 
@@ -131,6 +132,7 @@ class Manifest(_Strict):
 def read_manifest(folder: Path) -> Manifest | None:
     """The manifest of a folder; ``None`` where there is none that can be read."""
     try:
+        refuse_link(folder / NAME)
         return Manifest.model_validate_json((folder / NAME).read_bytes())
-    except (OSError, ValidationError):
+    except (ModelError, OSError, ValidationError):
         return None

@@ -5,7 +5,8 @@
 2. What linkwright wrote before is set aside into ``outdated``: that of the same kind of command, and all that comes
    from another model or another version of it. So whatever happens next, nothing old looks current.
 3. Each file is entered in the manifest before it is written.
-4. When the run is done, its outdated files are removed; after one that failed or was interrupted they stay.
+4. Nothing is written or moved through a link that stands in the folder.
+5. When the run is done, its outdated files are removed; after one that failed or was interrupted they stay.
 """
 
 from __future__ import annotations
@@ -18,12 +19,12 @@ from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
 
-from linkwright.app.lock import Lock
 from linkwright.app.manifest import NAME, OUTDATED, Entry, Manifest, Model, Part, State, read_manifest
 from linkwright.blocks.checkpoint import unsaved
-from linkwright.model.document import write_aside
+from linkwright.blocks.lock import Lock
 from linkwright.model.findings import Finding, ModelError
 from linkwright.model.origin import Origin
+from linkwright.model.output_files import make_folder, write_aside
 from linkwright.words import say
 
 LOCK = ".linkwright.lock"
@@ -99,7 +100,9 @@ class ResultsFolder:
         """Raise :class:`ModelError` for files that would be overwritten, though linkwright didn't write them; ``old``
         ones are about to be moved."""
         parts = self._manifest.written.values()
+        names = [*names, *([OUTDATED] if (self.path / OUTDATED).is_symlink() else [])]
         own = {name for part in parts for name in (*part.resumable, *(entry.name for entry in part.files))}
+        own = {name for name in own if not (self.path / name).is_symlink()}
         own |= {NAME} if read_manifest(self.path) else set()
         aside = self.path / OUTDATED
         there = {entry.name for part in parts for entry in part.outdated if entry.unchanged(aside)}
@@ -109,6 +112,9 @@ class ResultsFolder:
             self._refused = True
             data = {"folder": str(self.path), "files": ", ".join(foreign)}
             raise ModelError([Finding("folder.foreign", data=data)])
+        for path in (self.path / name for name in foreign):
+            if path.is_symlink():
+                path.unlink()
 
     def _set_aside(self, part: Part) -> None:
         """Move files of a run that was done to ``outdated``; remove those of one that wasn't."""
@@ -116,7 +122,7 @@ class ResultsFolder:
             self._clear(part)
             part.outdated = part.files
             self._manifest.write(self.path)  # whatever stops it here, they are known in both places
-            (self.path / OUTDATED).mkdir(exist_ok=True)
+            make_folder(self.path / OUTDATED)
             for entry in part.files:
                 (self.path / entry.name).replace(self.path / OUTDATED / entry.name)
         else:

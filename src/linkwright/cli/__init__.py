@@ -21,7 +21,25 @@ if TYPE_CHECKING:
     from linkwright.blocks import Runner
 
 
-@click.group(help=say("cli.help"), context_settings={"help_option_names": ["-h", "--help"]})
+class Commands(click.Group):
+    """The commands; what makes one impossible from the start is told as findings."""
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Carry out a command."""
+        try:
+            return super().invoke(ctx)
+        except Exception as error:
+            from linkwright.model.findings import ModelError
+
+            if not isinstance(error, ModelError):
+                raise
+            from linkwright.cli import show
+
+            show.refusals([*error.findings])
+            sys.exit(2)
+
+
+@click.group(cls=Commands, help=say("cli.help"), context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(__version__, prog_name="linkwright")
 def cli() -> None:
     """The group of commands."""
@@ -79,7 +97,12 @@ def _carry_out(
 
 
 def _beside(file: Path) -> Path:
-    return file.parent / f"{file.stem}_linkwright"
+    """The usual folder of a file's results. Raises :class:`ModelError` for a link: it may have come with the file."""
+    from linkwright.model.output_files import refuse_link
+
+    folder = file.parent / f"{file.stem}_linkwright"
+    refuse_link(folder)
+    return folder
 
 
 def _end(

@@ -35,6 +35,7 @@ class JaxKernel:
     """Runs a program on JAX's default device. float64 holds inside its calls alone: JAX's own setting stays."""
 
     name: ClassVar[str] = "jax"
+    packages: ClassVar[tuple[str, ...]] = ("jax", "jaxlib")
     scales: ClassVar[bool] = True
 
     def __init__(self, program: Program) -> None:

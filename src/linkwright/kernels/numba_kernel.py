@@ -34,6 +34,7 @@ class NumbaKernel:
     for, which takes seconds, or loaded from the cache."""
 
     name: ClassVar[str] = "numba"
+    packages: ClassVar[tuple[str, ...]] = ("numba", "llvmlite")
     scales: ClassVar[bool] = True
 
     def __init__(self, program: Program) -> None:

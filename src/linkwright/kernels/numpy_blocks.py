@@ -50,6 +50,7 @@ class NumpyKernel:
     """Runs a program over arrays of poses. ``run`` wants every input row of the program, in its order."""
 
     name: ClassVar[str] = "numpy"
+    packages: ClassVar[tuple[str, ...]] = ()
     scales: ClassVar[bool] = False  # its calls are short, and each waits for the interpreter
 
     def __init__(self, program: Program) -> None:

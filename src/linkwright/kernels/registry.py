@@ -22,6 +22,8 @@ class Kernel(Protocol):
     name: ClassVar[str]
     scales: ClassVar[bool]
     """Whether several threads are sooner done than one."""
+    packages: ClassVar[tuple[str, ...]]
+    """Those besides NumPy that compile or run it: the bits of results depend on their versions."""
     program: Program
 
     def __init__(self, program: Program) -> None:

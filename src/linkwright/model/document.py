@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
 import json
-import os
-import secrets
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -16,6 +13,7 @@ from pydantic import ValidationError
 from linkwright.model.faults import findings_of
 from linkwright.model.findings import Finding, ModelError, Term
 from linkwright.model.mechanism import VERSION, Document
+from linkwright.model.output_files import write_aside
 from linkwright.model.plane import in_plane
 from linkwright.model.sketch import with_sketch
 from linkwright.model.unknown import near
@@ -104,25 +102,5 @@ def plain(document: Document) -> dict[str, Any]:
 
 
 def save(document: Document, path: str | Path) -> None:
-    """Write a model file, aside first and then renamed, so that no half-written file is left."""
-    write_aside(Path(path), dump(document))
-
-
-def write_aside(path: Path, content: str | bytes, durable: bool = False) -> None:
-    """Write to ``path`` whole or not at all, text as UTF-8. A link is followed; a file's permissions stay. If
-    ``durable``, the content is on the disk before it has its name, so that it is whole even where the machine stops."""
-    path = path.resolve()
-    aside = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
-    try:
-        with aside.open("xb") as stream:
-            stream.write(content.encode() if isinstance(content, str) else content)
-            if durable:
-                stream.flush()
-                os.fsync(stream.fileno())
-        if path.exists():
-            aside.chmod(path.stat().st_mode & 0o777)
-        aside.replace(path)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            aside.unlink()
-        raise
+    """Write a model file, aside first and then renamed, so that no half-written file is left; a link is followed."""
+    write_aside(Path(path).resolve(), dump(document))

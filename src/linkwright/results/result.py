@@ -16,10 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.model.dimensions import DimensionError
-from linkwright.model.document import write_aside
 from linkwright.model.expressions import Call, ExpressionError, Name, parse
 from linkwright.model.findings import Finding, ModelError
 from linkwright.model.machine import needed
+from linkwright.model.output_files import write_aside
 from linkwright.model.units import PURE, Dimension
 from linkwright.results.certificate import Certificate
 from linkwright.results.run import Run

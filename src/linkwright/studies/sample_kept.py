@@ -14,7 +14,7 @@ from linkwright.blocks.store import Stored, Variable
 from linkwright.blocks.work import Arrays
 from linkwright.model.findings import Finding, ModelError
 from linkwright.studies.sample_sink import Samples
-from linkwright.studies.sample_work import SampleTask
+from linkwright.studies.sample_work import SampleTask, SampleWork
 from linkwright.studies.site import Site
 
 Array = NDArray[np.float64]
@@ -64,10 +64,10 @@ class Kept:
     files: list[Path] = field(default_factory=list)
 
     @classmethod
-    def begun(cls, task: SampleTask, key: str, site: Site) -> Kept:
+    def begun(cls, task: SampleTask, work: SampleWork, site: Site) -> Kept:
         """Sinks that go on where the site's folder has them. Raises :class:`ModelError`."""
         files: list[Path] = []
-        study = task.options.study
+        study, key = task.options.study, work.content
 
         def kept(name: str) -> Checkpoint | None:
             if site.out is None:
@@ -78,7 +78,7 @@ class Kept:
                 raise unsaved(site.out, error) from None
             files.append(site.out / f"{study}-{key[:12]}.{name}")
             site.keep(files[-1], study)
-            return Checkpoint(files[-1], key, site.fresh)
+            return Checkpoint(files[-1], key, site.fresh, work.versions)
 
         rows = len(task.figures.columns) + len(task.figures.required)
         tallied: dict[str, Reduction] = task.tallied if rows else {}
@@ -89,7 +89,7 @@ class Kept:
                 files.append(site.out / f"{store(study)}.checkpoint")
                 for path in (files[-1], site.out / store(study)):
                     site.keep(path, study)
-                made.stored = _stored(task, key, site.out, site.fresh)
+                made.stored = _stored(task, work, site.out, site.fresh)
             elif len(task.signals.texts) * task.cut.samples * task.cut.poses > VALUES:
                 raise ModelError([Finding("study.no-folder", ("studies", study, "keep"), {"limit": f"{VALUES:,}"})])
             else:
@@ -101,12 +101,17 @@ class Kept:
         """All of them."""
         return Together([sink for sink in (self.samples, self.signals, self.stored, self.held) if sink is not None])
 
+    def close(self) -> None:
+        """Let other processes write to the store."""
+        if self.stored is not None:
+            self.stored.close()
 
-def _stored(task: SampleTask, key: str, out: Path, fresh: bool) -> Stored:
+
+def _stored(task: SampleTask, work: SampleWork, out: Path, fresh: bool) -> Stored:
     """The store of all values. One without a checkpoint beside it is the result of an earlier study: it is replaced."""
     path = out / store(task.options.study)
     anew = fresh or not path.with_name(f"{path.name}.checkpoint").exists()
     time = Variable("t", ("pose",), "s", coordinate=True)
     attributes = {"title": task.compiled.mechanism.name, "source": "linkwright", "plan": task.plan.name}
     variables = [time, *task.of_samples(), *task.of_signals()]
-    return Stored(path, key, task.cut, variables, {"t": task.run.t}, attributes, anew)
+    return Stored(path, work.content, task.cut, variables, {"t": task.run.t}, attributes, anew, work.versions)

@@ -6,6 +6,7 @@ import hashlib
 import json
 import tempfile
 from collections.abc import Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -14,13 +15,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-import linkwright
 from linkwright.blocks import Cut, Fourth, Histogram, Moments, Reduction, Tallies
 from linkwright.blocks.store import Variable
 from linkwright.blocks.work import Arrays
 from linkwright.kernels import Compiled, examine
 from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.varied import Varied
+from linkwright.kernels.versions import versions
 from linkwright.model.document import plain
 from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, parse
 from linkwright.model.findings import raise_errors
@@ -58,17 +59,29 @@ class SampleWork:
     uses: tuple[Place, ...] = ()
 
     @cached_property
+    def versions(self) -> dict[str, str]:
+        """Those of all that computes the figures."""
+        return versions(self.kernel)
+
+    @property
     def key(self) -> str:
         """A hash of all that the figures depend on."""
+        said = json.dumps([self.content, self.versions], sort_keys=True)
+        return hashlib.sha256(said.encode()).hexdigest()
+
+    @cached_property
+    def content(self) -> str:
+        """A hash of what is to be computed, whatever computes it."""
         data = plain(self.document)
         data["studies"] = {name: data["studies"][name] for name in ("cycle", self.study)}
-        said = json.dumps([linkwright.__version__, data, self.kernel, self.reach], sort_keys=True)
+        data["studies"][self.study].pop("kernel", None)
+        said = json.dumps([data, self.reach], sort_keys=True)
         sums = [f"{name} {hashlib.sha256(content).hexdigest()}" for name, content in self.files]
         return hashlib.sha256("\n".join([said, *sums]).encode()).hexdigest()
 
     def open(self) -> SampleTask:
         """Compile the mechanism."""
-        with tempfile.TemporaryDirectory() as folder:
+        with tempfile.TemporaryDirectory() if self.files else nullcontext("") as folder:
             for name, content in self.files:
                 path = Path(folder, name)
                 path.parent.mkdir(parents=True, exist_ok=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from contextlib import closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -131,8 +132,9 @@ def perform(nominal: Run, options: Sampling, kernel: str, site: Site) -> Perform
         work = replace(work, reach=tuple(reach(row) for row in figures))
         task = opened(work)
         assert isinstance(task, SampleTask)
-    kept = Kept.begun(task, work.key, site)
-    result = carry(work, kept.sink, site.runner or Threads(None if KERNELS[kernel].scales else 1), site.progress)
+    runner = site.runner or Threads(None if KERNELS[kernel].scales else 1)
+    with closing(Kept.begun(task, work, site)) as kept:
+        result = carry(work, kept.sink, runner, site.progress)
     if result.error is not None:
         raise ModelError([result.error])
     if result.interrupted:

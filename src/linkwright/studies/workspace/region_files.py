@@ -2,8 +2,8 @@
 
 The files lie in the folder :data:`FOLDER` of the results. A file is named by the hash of all that its region depends
 on: the mechanism with its tables, the options of the study but those that only choose or use regions, the drives'
-ranges, the mode, the values of all parameters, the versions of linkwright and of the libraries that compute it. So
-another region is never taken for it, and one that a changed file still asks for needn't be found again.
+ranges, the mode, the values of all parameters. So another region is never taken for it, and one that a changed file
+still asks for needn't be found again. It holds the versions of linkwright and of the libraries that compute it.
 """
 
 from __future__ import annotations
@@ -12,18 +12,18 @@ import hashlib
 import json
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-import linkwright
 from linkwright.blocks import Checkpoint
 from linkwright.blocks.checkpoint import unsaved
 from linkwright.blocks.packing import UnpackError, pack, unpack
+from linkwright.kernels.versions import versions
 from linkwright.model.findings import Finding, ModelError
+from linkwright.model.output_files import make_folder
 from linkwright.studies.sample_work import table_files
 from linkwright.studies.site import Site
 from linkwright.studies.workspace.options import PATH
@@ -40,15 +40,15 @@ Found = tuple[Any, list[Finding]]
 
 STUDY = PATH[-1]
 FOLDER = f"{STUDY}.parts"
-FORMAT = 1
+FORMAT = "1"
 """Of what stands in a file."""
-LIBRARIES = ("casadi", "numpy", "scipy", "shapely")
-"""A region's last bits may change with their versions."""
+KERNEL = "numpy"
+"""The one that evaluates what regions are found by."""
 DIGITS = 24
 """Hex digits of a hash in a file's name; the file holds all of them."""
 APART = ("for_", "modes", *SECTIONS)
 """Options of the study that don't change a region."""
-NOTED = ("blocks.corrupt", "blocks.other-work", "file.unreadable")
+NOTED = ("blocks.corrupt", "blocks.other-work", "file.link", "file.unreadable")
 """Faults of a file that cost no more than the time to find its region again."""
 
 
@@ -66,24 +66,24 @@ def resumable(
     try:
         site.out.mkdir(parents=True, exist_ok=True)
         site.keep(folder, STUDY)
-        folder.mkdir(exist_ok=True)
+        make_folder(folder)
     except OSError as error:
         raise unsaved(folder, error) from None
-    return RegionFiles(folder, common(outcome), site.fresh, find, sheet if outcome.box else None)
+    import shapely
+
+    found = {**versions(KERNEL, "shapely"), "geos": shapely.geos_version_string, "regions": FORMAT}
+    return RegionFiles(folder, common(outcome), found, site.fresh, find, sheet if outcome.box else None)
 
 
 def common(outcome: WorkspaceOutcome) -> str:
     """What all regions of a study depend on, as text."""
-    import shapely
-
     compiled = outcome.compiled
     tables = {name: hashlib.sha256(data).hexdigest() for name, data in table_files(compiled.mechanism, compiled.folder)}
-    versions = [linkwright.__version__, *(version(name) for name in LIBRARIES), shapely.geos_version_string]
     mechanism = compiled.mechanism.model_dump(mode="json", exclude={"studies", "exports", "note"})
     options = outcome.options.model_dump(mode="json", exclude=set(APART))
     box = asdict(outcome.box) if outcome.box else None
     uses = repr(compiled.quantities.uses)
-    return json.dumps([FORMAT, versions, mechanism, tables, uses, options, box], sort_keys=True)
+    return json.dumps([mechanism, tables, uses, options, box], sort_keys=True)
 
 
 @dataclass(frozen=True)
@@ -93,6 +93,7 @@ class RegionFiles:
 
     folder: Path
     common: str
+    versions: dict[str, str]
     fresh: bool
     find: Callable[[Work], Found]
     sheet: Callable[[Work], Sheet] | None
@@ -119,7 +120,7 @@ class RegionFiles:
         signs, parameters = work
         content = [self.common.encode(), np.array(signs, dtype="<f8").tobytes(), parameters.astype("<f8").tobytes()]
         key = hashlib.sha256(b"\n".join(content)).hexdigest()
-        return Checkpoint(self.folder / f"{key[:DIGITS]}.region", key, self.fresh)
+        return Checkpoint(self.folder / f"{key[:DIGITS]}.region", key, self.fresh, self.versions)
 
 
 def _taken(arrays: dict[str, NDArray[Any]], outside: dict[str, Sheet]) -> Found:

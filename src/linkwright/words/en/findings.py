@@ -135,6 +135,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Write one of these: {near}. 'linkwright new' lists all.",
     ),
     # Large studies.
+    "file.link": (
+        "{file} is a symbolic link, through which linkwright writes nothing.",
+        "Remove the link, or name the place that it leads to.",
+    ),
     "folder.busy": (
         "Another run is writing to the folder {folder}.",
         "Wait until it ends, or choose another folder with --out.",
@@ -147,8 +151,20 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "These files in {folder} would be overwritten, but linkwright didn't write them or they were changed since: {files}.",
         "Move or rename them, choose another folder with --out, or add --force to overwrite them.",
     ),
+    "blocks.other-version": (
+        "The file {file} keeps the state of a study that was begun with {theirs}; this is {ours}, whose results may differ.",
+        "Resume it with {theirs}, or start it anew: --fresh (in Python fresh=True, of a Checkpoint or store anew=True).",
+    ),
+    "blocks.holes": (
+        "The store {file} lacks {count} of its {total} chunks, or they are cut short: something else has written to it.",
+        "Start the same study again: it computes what is missing.",
+    ),
+    "blocks.busy": (
+        "Another process is writing to {file}.",
+        "Wait until it ends, or give this study another file.",
+    ),
     "blocks.other-work": (
-        "The file {file} keeps the state of another study: the model, the options or the version differ.",
+        "The file {file} keeps the state of another study: the model or the options differ.",
         "Give this study another file, put back what it was begun with, or start anew, which writes over the file.",
     ),
     "blocks.corrupt": (
