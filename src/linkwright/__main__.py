@@ -1,3 +1,24 @@
-from linkwright.cli import main
+"""Where the program begins: interrupts are taken over before anything else is imported."""
 
-main()
+from __future__ import annotations
+
+import sys
+
+from linkwright.interrupts import end, install
+
+
+def main() -> None:
+    """The program ``linkwright``."""
+    install()
+    try:
+        from linkwright.cli import main as carry_out
+
+        carry_out()
+    except KeyboardInterrupt:  # before or after what the command line itself does
+        sys.exit(130)
+    finally:
+        end()
+
+
+if __name__ == "__main__":
+    main()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import sys
 from pathlib import Path
 
 import pytest
@@ -94,3 +95,9 @@ def test_a_wrong_file_is_told_of(tmp_path: Path) -> None:
     code, text = bench(str(tmp_path / "none.yaml"), "--json")
     assert code == 2
     assert json.loads(text)["findings"][0]["code"] == "file.unreadable"
+
+
+def test_a_kernel_whose_package_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "numba", None)
+    code, text = bench(str(FEEDER), "--poses", "100", "--kernel", "numba")
+    assert (code, "file.needs-package" in text) == (2, True)

@@ -75,7 +75,7 @@ def bench(
     """Time all kernels, or those named, on so many ``seconds`` of a compiled mechanism's motion.
 
     ``outputs`` are signals; without them all positions, velocities, accelerations, reactions and drive efforts of what
-    moves. Raises :class:`ModelError` for a name that isn't a signal.
+    moves. Raises :class:`ModelError` for a name that isn't a signal, and for a kernel whose package isn't installed.
     """
     names = _signals(compiled, outputs) or default_outputs(compiled)
     workers = workers or processors()
@@ -92,7 +92,7 @@ def bench(
     reference: Array | None = None
     fills = []
     for name, kernel in sorted(KERNELS.items(), key=lambda entry: entry[0] != "numpy"):
-        if not kernel.available() or (kernels and name not in kernels):
+        if (name not in kernels) if kernels else not kernel.available():
             continue
         with _nothing_kept():
             start = time.perf_counter()

@@ -10,6 +10,7 @@ from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+from linkwright import interrupts
 from linkwright.blocks.runners import Runner, Threads, opened
 from linkwright.blocks.work import Sink, Task, Work
 from linkwright.model.findings import Finding, ModelError
@@ -127,18 +128,19 @@ def suited(task: Task, atoms: range, runner: Runner) -> int:
 def _interrupts(at_once: Callable[[], bool]) -> Iterator[threading.Event]:
     """The first interrupt sets the event, the second one, or one ``at_once``, is raised. Others' handlers stay."""
     stop = threading.Event()
-    main = threading.current_thread() is threading.main_thread()
-    if not main or signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
+    main, usual = threading.current_thread() is threading.main_thread(), signal.getsignal(signal.SIGINT)
+    if not main or usual not in (signal.default_int_handler, interrupts.handle) or not callable(usual):
         yield stop
         return
 
     def handle(number: int, frame: Any) -> None:
         if stop.is_set() or at_once():
-            raise KeyboardInterrupt
-        stop.set()
+            usual(number, frame)
+        else:
+            stop.set()
 
     signal.signal(signal.SIGINT, handle)
     try:
         yield stop
     finally:
-        signal.signal(signal.SIGINT, signal.default_int_handler)
+        signal.signal(signal.SIGINT, usual)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import io
-import os
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -14,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from linkwright import __version__
+from linkwright.cli.streams import failed, prepare, read_or_not
 from linkwright.words import say
 
 if TYPE_CHECKING:
@@ -29,13 +28,12 @@ class Commands(click.Group):
         try:
             return super().invoke(ctx)
         except Exception as error:
-            from linkwright.model.findings import ModelError
-
-            if not isinstance(error, ModelError):
+            findings = getattr(error, "findings", None)  # that of a ModelError, which is a slow import
+            if findings is None:
                 raise
             from linkwright.cli import show
 
-            show.refusals([*error.findings])
+            show.refusals([*findings])
             sys.exit(2)
 
 
@@ -112,25 +110,13 @@ def _end(
     from linkwright.app.job import summary_text
     from linkwright.cli import show
 
-    with _read_or_not():
+    with read_or_not():
         if as_json:
             show.plain(summary_text(data()))
         else:
             show.findings(examined, file)
             tell()
     sys.exit(code)
-
-
-@contextmanager
-def _read_or_not() -> Iterator[None]:
-    """What is printed may go into a pipe whose reader has left (``linkwright run FILE | head``): then all is done."""
-    try:
-        yield
-        sys.stdout.flush()
-    except BrokenPipeError:
-        nowhere = os.open(os.devnull, os.O_WRONLY)
-        for stream in (sys.stdout, sys.stderr):  # for what is left in their buffers
-            os.dup2(nowhere, stream.fileno())
 
 
 @contextmanager
@@ -339,7 +325,7 @@ def new(name: str | None, as_list: bool, out: Path | None, force: bool) -> None:
     from linkwright.cli import show
 
     if name is None or as_list:
-        with _read_or_not():
+        with read_or_not():
             show.gallery()
         return
     file = out or Path(f"{name}.yaml")
@@ -356,23 +342,42 @@ def schema() -> None:
 
     from linkwright.exports.schema import file_schema
 
-    with _read_or_not():
+    with read_or_not():
         click.echo(json.dumps(file_schema(), indent=2, ensure_ascii=False))
 
 
 def main() -> None:
-    """Entry point: a user's mistake is a message, an interrupt says so."""
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):  # a terminal that lacks a letter shows another
-            stream.reconfigure(errors="replace")
+    """The command line as a process: a user's mistake is a message, an interrupt says so, and so does a system that
+    refuses something."""
+    prepare()
+    code: Any = 0
     try:
-        cli(standalone_mode=False)
+        code = _performed()
+        with read_or_not():
+            pass
+    except BrokenPipeError:
+        with read_or_not():
+            raise
+    except OSError as error:
+        code = failed(error)
+    sys.exit(code)
+
+
+def _performed() -> Any:
+    """Carry out the command; its exit code."""
+    try:
+        # Not by click's own main, which gives a closed pipe an exit code of its own.
+        with cli.make_context("linkwright", sys.argv[1:]) as context:
+            cli.invoke(context)
+    except SystemExit as done:
+        return done.code
     except click.exceptions.Exit as done:
-        sys.exit(done.exit_code)
+        return done.exit_code
     except click.ClickException as error:
         error.show()
-        sys.exit(2)
-    except (KeyboardInterrupt, click.Abort) as stop:
-        text = getattr(stop.__cause__, "what", None)  # that of a study that tells how to go on
+        return 2
+    except KeyboardInterrupt as stop:
+        text = getattr(stop, "what", None)  # that of a study that tells how to go on
         click.echo(text or say("cli.interrupted"), err=True)
-        sys.exit(130)
+        return 130
+    return 0

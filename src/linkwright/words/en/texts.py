@@ -219,6 +219,9 @@ TEXTS: dict[str, str] = {
     "cli.rate": "{rate} poses/s",
     "cli.count": "{done} of {total}",
     "cli.left": ", {time} left",
+    "cli.system": "Stopped: {reason}.",
+    "cli.system-file": "Stopped: {file}: {reason}.",
+    "cli.system-output": "Stopped: standard output can't be written: {reason}.",
     "cli.interrupted": "Interrupted. What is written already is whole.",
     # Why a joint with clearance may lose contact.
     "contact.pin-light": "the reaction is small",

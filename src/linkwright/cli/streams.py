@@ -1,0 +1,61 @@
+"""Standard input, output and error of the process: where they are closed, full, lack letters, or have no reader."""
+
+from __future__ import annotations
+
+import errno
+import io
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+import click
+
+from linkwright.words import say
+
+CANNOT = 2
+"""The exit code where what was asked can't be told."""
+FULL = (errno.ENOSPC, errno.EFBIG, errno.EIO)
+"""What a stream answers; where files can't be written, the commands themselves say which."""
+
+
+def prepare() -> None:
+    """Put an empty stream in place of each that is closed, else the next file would get its number; a terminal that
+    lacks a letter shows another."""
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        stream = getattr(sys, name)
+        if stream is None:
+            setattr(sys, name, Path(os.devnull).open(mode, encoding="utf-8"))  # noqa: SIM115
+        elif isinstance(stream, io.TextIOWrapper) and mode == "w":
+            stream.reconfigure(errors="replace")
+
+
+@contextmanager
+def read_or_not() -> Iterator[None]:
+    """What is printed may go into a pipe whose reader has left (``linkwright run FILE | head``): then all is done."""
+    try:
+        yield
+        sys.stdout.flush()
+    except BrokenPipeError:
+        _discard()
+
+
+def failed(error: OSError) -> int:
+    """Tell in one line that the system refuses something, such as to print; gives the exit code."""
+    reason = error.strerror or str(error)
+    if error.filename is not None:
+        text = say("cli.system-file", file=error.filename, reason=reason)
+    else:
+        text = say("cli.system-output" if error.errno in FULL else "cli.system", reason=reason)
+    with suppress(OSError):
+        click.echo(text, err=True)
+    _discard()
+    return CANNOT
+
+
+def _discard() -> None:
+    """Let nothing come of what the buffers still hold: the interpreter would complain of it at its end."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for stream in (sys.stdout, sys.stderr):
+        os.dup2(nowhere, stream.fileno())

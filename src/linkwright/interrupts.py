@@ -1,0 +1,54 @@
+"""Ctrl-C at any moment: an interrupt waits where it would come out as another error, or get lost.
+
+An import may turn it into an ImportError, and a module that tries what it can import passes over that. CasADi's
+compiled code asks Python for attributes and passes over whatever is raised there. Of a finalizer, Python prints what it
+raises and goes on.
+"""
+
+from __future__ import annotations
+
+import signal
+import sys
+import threading
+from types import FrameType
+from typing import Any
+
+DEAF = ("<frozen importlib._bootstrap>", "casadi/casadi.py", "casadi\\casadi.py")
+"""Ends of the names of files in whose calls no interrupt is raised."""
+AGAIN = 0.02
+"""Seconds after which an interrupt that can't be raised comes again."""
+
+
+def install() -> None:
+    """Take over interrupts, unless the process is told to handle or ignore them otherwise."""
+    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+        signal.signal(signal.SIGINT, handle)
+        sys.unraisablehook = _unraisable
+
+
+def end() -> None:
+    """Nothing is left to be done: an interrupt ends the process at once."""
+    if signal.getsignal(signal.SIGINT) is handle:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
+def handle(number: int, frame: FrameType | None) -> None:
+    """Raise KeyboardInterrupt, as soon as it can't get lost."""
+    while frame is not None:
+        if frame.f_code.co_filename.endswith(DEAF):
+            return _come_again()
+        frame = frame.f_back
+    raise KeyboardInterrupt
+
+
+def _come_again() -> None:
+    timer = threading.Timer(AGAIN, signal.raise_signal, [signal.SIGINT])
+    timer.daemon = True
+    timer.start()
+
+
+def _unraisable(found: Any) -> None:
+    if issubclass(found.exc_type, KeyboardInterrupt):
+        _come_again()
+    else:
+        sys.__unraisablehook__(found)
