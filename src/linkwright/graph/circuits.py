@@ -69,6 +69,11 @@ class Tracer:
         finest = min((ride.finest for ride in system.riding.values()), default=LONGEST)
         self.longest = min(LONGEST, max(finest, FINE))
 
+    @property
+    def too_large(self) -> bool:
+        """Whether the steps that are allowed don't even take one link round."""
+        return self.patience * self.longest < 2 * math.pi
+
     def follow(self, start: Array) -> Curve | None:
         """The whole curve through a pose; ``None`` where two curves cross there, so that it has no direction, or where
         it takes too long."""
@@ -82,10 +87,12 @@ class Tracer:
         if self.system.gradient(self.drive, z) @ tangent < 0:
             tangent = -tangent
         forward = self.one_way(z, tangent)
+        if forward.cut:
+            return None
         if forward.closed:
             return _with_ranges(forward)
         back = self.one_way(z, -tangent)
-        return None if forward.cut or back.cut else _joined(back, forward)
+        return None if back.cut else _joined(back, forward)
 
     def settle(self, z: Array) -> Array:
         """The nearest pose that the joints allow."""

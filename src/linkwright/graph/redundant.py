@@ -128,7 +128,8 @@ def _poses(quantities: Quantities, reduced: Structure, values: Mapping[str, floa
     for drive in values:
         system = Constraints(reduced.topology, geometry, size)
         system.hold({name: value for name, value in values.items() if name != drive})
-        curve = Tracer(system, drive).follow(system.pose(assembly.start.bodies))
+        tracer = Tracer(system, drive)
+        curve = None if tracer.too_large else tracer.follow(system.pose(assembly.start.bodies))
         if curve is None:
             return []
         step = max(1, len(curve.poses) // POSES)

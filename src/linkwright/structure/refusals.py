@@ -49,7 +49,8 @@ def _loose(placed: Placed, freedoms: Freedoms, part: list[str], free: dict[str, 
     for (link, point), (on, other) in _alike(placed.topology, part):
         if freedoms.could_join(link, on):
             data |= {"point": point, "link": link, "other": other, "on": on}
-            return Finding("structure.unpinned", ("links", link, "points", point), data)
+            code = "structure.unpinned-joint" if other in placed.topology.pins else "structure.unpinned"
+            return Finding(code, ("links", link, "points", point), data)
     data |= {"hint": _drive_hint(placed, part)}
     if links is part:
         return Finding("structure.loose", ("links", links[0]), data)
@@ -57,7 +58,8 @@ def _loose(placed: Placed, freedoms: Freedoms, part: list[str], free: dict[str, 
 
 
 def _alike(topology: Topology, part: list[str]) -> Iterator[tuple[tuple[str, str], tuple[str, str]]]:
-    """Points of no joint that lie on one link each, the first on a link of the part, and have like names."""
+    """Points on one link each and of no joint, with like names, the first on a link of the part; then such a point
+    and the pin of others whose name differs in letters."""
     used = {member for pin in topology.pins.values() for member in pin.members}
     used |= {
         (link, line.point)
@@ -69,6 +71,14 @@ def _alike(topology: Topology, part: list[str]) -> Iterator[tuple[tuple[str, str
         others = {other: on for on, other in alone if on != link}
         if link in part:
             yield from (((link, point), (others[other], other)) for other in alike(point, [*others]))
+    for link, point in alone:
+        if link in part:
+            pins = [name for name in topology.pins if _digits(name) == _digits(point)]
+            yield from (((link, point), (topology.pins[pin].links[0], pin)) for pin in alike(point, pins))
+
+
+def _digits(name: str) -> str:
+    return "".join(filter(str.isdigit, name))
 
 
 def _drive_hint(placed: Placed, part: list[str]) -> str:

@@ -1822,6 +1822,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "aren't a pin; and these links aren't held: {links} (free motions: {freedom}).",
         "Give both points one name if they are one pin; else join the links to others that are held, or add a drive.",
     ),
+    "structure.unpinned-joint": (
+        "The point {point} of {link} lies on no other link, though its name is like that of the joint {other}; and these "
+        "links aren't held: {links} (free motions: {freedom}).",
+        "Call it {other} if it is on that pin; else join the links to others that are held, or add a drive.",
+    ),
     "structure.overconstrained": (
         "These links are held too much: {links} (constraints too many: {excess}).",
         "Take out a joint or a drive, or add the link that is missing between two pins.",
