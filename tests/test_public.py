@@ -163,7 +163,7 @@ def test_a_registered_name_stands_on_its_class(registry: dict[str, Any], key: st
 # Imports go down only.
 
 LEVELS = {
-    **dict.fromkeys(("notation", "words", "gallery"), 0),
+    **dict.fromkeys(("interrupts", "notation", "words", "gallery"), 0),
     **dict.fromkeys(("laws", "tolerances"), 1),
     "model": 2,
     "groups": 3,
@@ -182,7 +182,11 @@ LEVELS = {
     "__main__": 16,
 }
 # The side floors know of nothing but what is named here.
-SIDES = {"notation": set(), "words": set(), "gallery": set(), "laws": {"notation"}, "tolerances": {"notation"}}
+SIDES = {
+    **{side: set[str]() for side in ("interrupts", "notation", "words", "gallery")},
+    "laws": {"notation"},
+    "tolerances": {"notation"},
+}
 
 
 def imports() -> list[tuple[str, str, str]]:

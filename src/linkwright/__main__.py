@@ -9,8 +9,8 @@ from linkwright.interrupts import end, install
 
 def main() -> None:
     """The program ``linkwright``."""
-    install()
     try:
+        install()
         from linkwright.cli import main as carry_out
 
         carry_out()

@@ -7,6 +7,7 @@ raises and goes on.
 
 from __future__ import annotations
 
+import contextlib
 import signal
 import sys
 import threading
@@ -28,8 +29,9 @@ def install() -> None:
 
 def end() -> None:
     """Nothing is left to be done: an interrupt ends the process at once."""
-    if signal.getsignal(signal.SIGINT) is handle:
-        signal.signal(signal.SIGINT, signal.SIG_DFL)
+    with contextlib.suppress(KeyboardInterrupt):  # one that came while it was done
+        if signal.getsignal(signal.SIGINT) is handle:
+            signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 def handle(number: int, frame: FrameType | None) -> None:

@@ -248,7 +248,7 @@ def test_what_only_chooses_or_uses_regions_does_not(change: dict[str, Any]) -> N
     assert said(**change) == said()
 
 
-def test_tables_and_versions_are_in_the_key(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_tables_are_in_the_key(tmp_path: Path) -> None:
     table = {"_tables": {"law": {"file": "law.csv", "x": "t s", "y": "h deg"}}}
     table |= {"_drives": {"motor": {"turns": "left", "on": "frame", "position": "law(t)"}}}
     keys = []
@@ -256,12 +256,6 @@ def test_tables_and_versions_are_in_the_key(tmp_path: Path, monkeypatch: pytest.
         (tmp_path / "law.csv").write_text(f"t,h\n0,0\n{row}\n2,0\n3,0\n", "utf-8")
         keys += [said(tmp_path, **table), said(tmp_path, **table)]
     assert keys[0] == keys[1] != keys[2] == keys[3]
-    before = said()
-    monkeypatch.setattr(lw, "__version__", "99")
-    assert said() != before
-    monkeypatch.undo()
-    monkeypatch.setattr(region_files, "version", lambda name: "99")
-    assert said() != before
 
 
 def test_a_changed_parameter_takes_nothing_and_a_further_value_the_rest(
