@@ -197,7 +197,7 @@ def stopped(self, target):
     return replace(self, target)
 Path.replace = stopped
 class Ready:
-    """Says that the program has begun: what comes before isn't its own."""
+    # Says that the program has begun: what comes before isn't its own.
     def find_spec(self, name, path=None, target=None):
         if name == "linkwright.cli":
             print("ready", flush=True)

@@ -18,7 +18,7 @@ from linkwright.model.document import parse_document
 from linkwright.model.findings import ModelError
 from linkwright.studies.site import Site
 from linkwright.studies.stopped import Stopped
-from linkwright.studies.workspace import region_files, study
+from linkwright.studies.workspace import study
 from linkwright.studies.workspace.options import WorkspaceOptions
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 from linkwright.studies.workspace.region_files import FOLDER, common
