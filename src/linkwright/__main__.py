@@ -14,8 +14,10 @@ def main() -> None:
         from linkwright.cli import main as carry_out
 
         carry_out()
-    except KeyboardInterrupt:  # before or after what the command line itself does
-        sys.exit(130)
+    except KeyboardInterrupt as stop:  # before or after what the command line itself does
+        from linkwright.cli.streams import interrupted
+
+        sys.exit(interrupted(stop))
     finally:
         end()
 

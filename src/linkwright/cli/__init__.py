@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from linkwright import __version__
-from linkwright.cli.streams import failed, prepare, read_or_not
+from linkwright.cli.streams import failed, interrupted, prepare, read_or_not
 from linkwright.words import say
 
 if TYPE_CHECKING:
@@ -377,7 +377,5 @@ def _performed() -> Any:
         error.show()
         return 2
     except KeyboardInterrupt as stop:
-        text = getattr(stop, "what", None)  # that of a study that tells how to go on
-        click.echo(text or say("cli.interrupted"), err=True)
-        return 130
+        return interrupted(stop)
     return 0

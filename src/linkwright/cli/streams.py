@@ -54,6 +54,12 @@ def failed(error: OSError) -> int:
     return CANNOT
 
 
+def interrupted(stop: KeyboardInterrupt) -> int:
+    """Tell in one line that the user stopped the program, and how to go on where a study can; gives the exit code."""
+    click.echo(getattr(stop, "what", None) or say("cli.interrupted"), err=True)
+    return 130
+
+
 def _discard() -> None:
     """Let nothing come of what the buffers still hold: the interpreter would complain of it at its end."""
     nowhere = os.open(os.devnull, os.O_WRONLY)
