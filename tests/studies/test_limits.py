@@ -53,6 +53,13 @@ def same_angle(angle: float, wanted: float, tolerance: float = 1e-9) -> bool:
     return abs((angle - wanted + np.pi) % (2 * np.pi) - np.pi) < tolerance
 
 
+def test_no_limits_are_made_up_for_a_motion_of_very_many_turns() -> None:
+    """A thousand million turns: no samples show where the slider turns round in each of them, the crank alone does."""
+    found = limits_of(slider_crank(studies={"cycle": {"turns": "1000000000 motor", "samples": 16}}))
+    assert (found.motion, codes(found.warnings)) == (None, ["study.long-motion"])
+    assert len(course(only(found)[1], "guide.s").reversals) == 2
+
+
 def triangle(a: float, b: float, opposite: float) -> float:
     """The angle (rad) between two sides."""
     return float(np.arccos((a * a + b * b - opposite * opposite) / (2 * a * b)))

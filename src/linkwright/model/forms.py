@@ -85,6 +85,8 @@ class Equations:
 
     def equate(self, left: Form, right: Form, where: Node, mixed: bool = False) -> None:
         """Note that two dimensions are one (those of two summands where ``mixed``). Raises DimensionError."""
+        if left == right:  # most summands: long sums are read in no time
+            return
         form = left.times(right, -1)
         if not self.physical.add(dict(form.unknowns), tuple(-p for p in form.known[:3])):
             data = {"part": text_of(where)[:80], "given": self.dimension(left), "wanted": self.dimension(right)}
@@ -140,6 +142,8 @@ class _Reader:
 
     def product(self, node: Node) -> Form:
         """A term: the product of its factors; with a bare number and otherwise pure, it floats."""
+        if isinstance(node, Name):
+            return self.name(node)
         form, bare = Form(), None
         for factor, power in _factors(node):
             if _is_bare(factor):

@@ -17,6 +17,7 @@ class System:
     """Linear equations over unknown dimensions, eliminated as they come."""
 
     solved: dict[Unknown, tuple[dict[Unknown, Power], list[Power]]] = field(default_factory=dict)
+    _values: dict[Unknown, tuple[list[Power], bool]] = field(default_factory=dict)
 
     def add(self, unknowns: Mapping[Unknown, Power], value: Powers) -> bool:
         """Add sum(unknowns) = value; ``False`` where it contradicts what is known."""
@@ -29,12 +30,15 @@ class System:
         if abs(by) != 1:
             by = 1 / Fraction(by)
         self.solved[pivot] = ({k: -v * by for k, v in row.items()}, [v * by for v in right])
+        self._values.clear()
         return True
 
     def value(self, name: Unknown) -> tuple[list[Power], bool]:
         """The powers of an unknown where open ones are zero, and whether it is free of open ones."""
-        row, right = self._reduced({name: -1}, [0] * 3)
-        return right, not row
+        if name not in self._values:
+            row, right = self._reduced({name: -1}, [0] * 3)
+            self._values[name] = right, not row
+        return self._values[name]
 
     def _reduced(self, row: dict[Unknown, Power], right: list[Power]) -> tuple[dict[Unknown, Power], list[Power]]:
         """The equation with what is solved put in: sum(row) = right over open unknowns."""

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated
 
+import numpy as np
 from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
 from linkwright.kernels import Compiled
@@ -35,6 +36,8 @@ from linkwright.studies.sweep import Sweep
 
 WIDEST = {True: 200 * math.pi, False: 1000.0}
 """The widest range of a drive that is looked at: a hundred turns, or so many times the mechanism's size."""
+TIMES = 1001
+"""How often over a motion the speeds of drives are looked at for the way that they go."""
 DRAWN = 720
 """The most steps of a sweep that is drawn."""
 
@@ -164,10 +167,21 @@ def _follow(outcome: LimitsOutcome, cycle: CycleOptions, signals: Signals) -> No
     if findings:
         return
     run = Run(outcome.compiled, 0.0, stop, max(cycle.samples, outcome.samples))
-    if gaps := unassembled(run):
+    if gaps := [*unassembled(run)] or [*_too_far(run)]:
         outcome.warnings += [replace(gap, severity="warning") for gap in gaps]
     else:
         outcome.motion = _stretch(run, signals)
+
+
+def _too_far(run: Run) -> Iterator[Finding]:
+    """The drives that go so far over a motion that what it passes can't all be looked for."""
+    for name in run.compiled.graph.motors:
+        speeds = run.compiled.laws[name](np.linspace(run.start, run.stop, TIMES)).d[1]
+        way, widest = float(np.abs(speeds).mean()) * (run.stop - run.start), _widest(run.compiled, name)
+        if way > widest:
+            unit, size = run.compiled.quantities.drive_unit(name)
+            data = {"drive": name, "way": f"{way / size:.4g}", "limit": f"{widest / size:.4g}", "unit": unit}
+            yield Finding("study.long-motion", ("studies", "cycle"), data)
 
 
 def outputs(compiled: Compiled) -> list[str]:
@@ -208,18 +222,23 @@ def _drives(compiled: Compiled, options: LimitsOptions) -> Iterator[Finding]:
         yield from (unknown("drive", ("studies", "limits", key), name, known) for name in names if name not in known)
 
 
+def _widest(compiled: Compiled, drive: str) -> float:
+    """The longest way of a drive (rad or m) over which limits are looked for."""
+    turns = compiled.mechanism.prescribed(drive).turns is not None
+    return WIDEST[turns] * (1.0 if turns else compiled.assembly.size())
+
+
 def _ranges(compiled: Compiled, options: LimitsOptions) -> Iterator[Finding]:
     for name, edges in options.ranges.items():
         path = ("studies", "limits", "ranges", name)
         if name not in compiled.graph.motors:
             continue
-        drive = compiled.mechanism.prescribed(name)
         try:
             low, high = (_value(compiled, name, edge) for edge in edges)
         except DimensionError as error:
             yield Finding(error.key, path, error.data)
             continue
-        widest = WIDEST[drive.turns is not None] * (1.0 if drive.turns else compiled.assembly.size())
+        widest = _widest(compiled, name)
         if not (abs(low) < LARGEST and abs(high) < LARGEST):
             yield Finding("value.not-finite", path, {"text": f"{edges[0].text}, {edges[1].text}"[:60]})
         elif not low < high:

@@ -913,6 +913,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The range of {drive} is wider than {limit} {unit}.",
         "Give a smaller range.",
     ),
+    "study.long-motion": (
+        "{drive} goes {way} {unit} in the motion of the cycle: dead centres and extremes of a motion are looked for where "
+        "a drive goes {limit} {unit} at most. Those of each drive alone are complete.",
+        "Give studies.cycle fewer turns or a shorter duration.",
+    ),
     # Of the workspace: wanted paths, required places.
     "workspace.path-source": (
         "A wanted path has one source; given are: {given}.",
