@@ -80,7 +80,7 @@ def test_the_lines_can_be_pasted(bar: Path) -> None:
         (("linkwright: 1", "linkwright: 1\nstudies: {modes: {at: 3 mm}}"), ["expression.units-conflict"], 2),
         (("linkwright: 1", "linkwright: 1\nstudies: {modes: {at: 1 s/0}}"), ["study.options"], 2),
         (("linkwright: 1", "linkwright: 1\nstudies: {modes: {at: later}}"), ["name.unknown-parameter"], 2),
-        (("linkwright: 1", "linkwright: 1\nstudies: {modes: {when: 3}}"), ["study.options"], 2),
+        (("linkwright: 1", "linkwright: 1\nstudies: {modes: {when: 3}}"), ["file.unknown-key"], 2),
         (("linkwright: 1", "linkwright: one"), ["file.version"], 2),
     ],
 )

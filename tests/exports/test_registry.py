@@ -109,8 +109,8 @@ def test_a_failure_of_the_target_is_exit_1(file: Path) -> None:
         (("--to", "own-numbers", "--set", "digits=[1"), "export.setting"),
         (("--to", "own-numbers", "--set", "digits=0"), "export.options"),
         (("--to", "own-numbers", "--set", "digits=16"), "export.options"),
-        (("--to", "own-numbers", "--set", "digit=2"), "export.options"),
-        (("--to", "own-numbers", "--dialect", "seed"), "export.options"),
+        (("--to", "own-numbers", "--set", "digit=2"), "file.unknown-key"),
+        (("--to", "own-numbers", "--dialect", "seed"), "file.unknown-key"),
     ],
 )
 def test_wrong_words(file: Path, words: tuple[str, ...], code: str) -> None:

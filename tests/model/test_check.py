@@ -12,7 +12,6 @@ from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.model.pins import pins
 from linkwright.model.signals import Signals
-from linkwright.model.unknown import near
 from model.given import DATA, changed, findings, four_bar
 
 
@@ -222,7 +221,7 @@ def test_unknown_names_come_with_the_likeliest_ones() -> None:
         ("window: feed", "window: fed"),
         ("mass: 0.6, shape: rod A-B", "mass: 0.6, shape: rod A-BB"),
     )
-    assert [(f.line, f.element, f.data["name"], f.data["near"].split(", ")[0]) for f in findings(text)] == [
+    assert [(f.line, f.element, f.data["name"], f.data["near"].likely[0]) for f in findings(text)] == [
         (7, "links.frame.points.D", "ADD", "AD"),
         (8, "links.crank.shape", "BB", "B"),
         (14, "joints.rail", "giude", "guide"),
@@ -296,13 +295,6 @@ def test_a_force_is_of_one_link_on_another_or_on_a_pin_of_three() -> None:
     data["links"]["extra"] = {"points": {"C": [0, 0], "Z": [1, 0]}}
     signals = Signals(Document.model_validate(data))
     assert {c.on for c in signals.contacts if c.joint == "C"} == {"C"}
-
-
-def test_near_is_bounded_and_never_empty() -> None:
-    assert near("x", []) == "-"
-    assert near("abc", ["abd", "zzz"]) == "abd"
-    assert near("q" * 5000, ["a"]) == "a"
-    assert len(near("zzzz", [f"name{i}" for i in range(500)]).split(", ")) == 20
 
 
 def test_names_are_checked_without_a_kernel() -> None:

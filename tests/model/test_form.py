@@ -35,8 +35,8 @@ def test_the_example_has_none() -> None:
 def test_a_misspelled_key_of_a_cam_is_told_the_known_ones() -> None:
     cam = {"cam": "crank", "folower": "rocker", "on": "frame", "base": 30, "law": "lift", "knife": "B"}
     found = {finding.code: finding for finding in faults(cams={"seal": cam})}
-    assert "follower" in found["file.unknown-key"].mend
-    assert "follower, on, base" in found["file.missing"].mend
+    assert found.keys() == {"file.unknown-key"}  # that the follower is missing follows from it
+    assert "'follower'" in found["file.unknown-key"].mend
 
 
 @pytest.mark.parametrize(
@@ -201,9 +201,9 @@ def test_masses(given: dict[str, Any], code: str) -> None:
 
 def test_a_mistyped_key_is_told_with_the_likeliest_one() -> None:
     found = one(windws={})
-    assert found.data["near"] == "windows"
+    assert found.data["near"].likely == ("windows",)
     found = one(links={"frame": {"points": {}, "intertia": 1}})
-    assert found.data["near"] == "inertia"
+    assert found.data["near"].likely == ("inertia",)
 
 
 def test_all_faults_at_once_with_lines() -> None:
@@ -224,7 +224,6 @@ def test_all_faults_at_once_with_lines() -> None:
         (7, "links.crank.points.A", "file.expected"),
         (8, "links.coupler.mass", "expression.syntax"),
         (12, "join", "file.unknown-key"),
-        (17, "drives.motor", "drive.start"),
         (17, "drives.motor.strat", "file.unknown-key"),
         (23, "measures.feed_speed_max.windw", "file.unknown-key"),
     ]

@@ -107,4 +107,4 @@ def test_a_name_that_could_be_both_is_asked_about() -> None:
 
 def test_a_misspelled_key_is_told_the_known_ones() -> None:
     (finding,) = findings(json.dumps(given({"limits": 0.1, "distributon": "uniform"}), indent=1))
-    assert finding.data["near"] == "distribution"
+    assert finding.data["near"].likely == ("distribution",)

@@ -80,7 +80,7 @@ def _keys(node: ast.expr, function: ast.FunctionDef) -> set[str] | None:
 
 def terms() -> set[str]:
     """The phrases of the catalogue that the source names: plainly, or by the start of their key."""
-    makers = {"Term", "unexpected", "pair", "plain_number", "ExpressionError", "least"}
+    makers = {"Term", "Near", "unexpected", "pair", "plain_number", "ExpressionError", "least"}
     found: set[str] = set()
     for tree in trees():
         for node in ast.walk(tree):

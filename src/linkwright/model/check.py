@@ -12,7 +12,7 @@ from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.motions import ARGUMENT
 from linkwright.model.pins import homes, pins
 from linkwright.model.tolerances import tolerance_faults
-from linkwright.model.unknown import near, unknown
+from linkwright.model.unknown import likeliest, near, unknown
 from linkwright.model.values import check_values
 
 __all__ = ["FRAME", "check_names", "check_values"]
@@ -20,7 +20,10 @@ __all__ = ["FRAME", "check_names", "check_values"]
 
 def check_names(m: Mechanism) -> list[Finding]:
     """All faults of names and references in a mechanism."""
-    return [finding for part in _PARTS for finding in part(m)]
+    found = [finding for part in _PARTS for finding in part(m)]
+    if FRAME in m.links:
+        return found
+    return [f for f in found if f.code != "name.unknown" or f.data["name"] != FRAME]  # follows from its absence
 
 
 def _parameters(m: Mechanism) -> Iterator[Finding]:
@@ -29,7 +32,9 @@ def _parameters(m: Mechanism) -> Iterator[Finding]:
 
 def _links(m: Mechanism) -> Iterator[Finding]:
     if FRAME not in m.links:
-        yield Finding("model.no-frame", ("links",), {"links": ", ".join(list(m.links)[:20]) or "-"})
+        meant = next((name for name in m.links if likeliest(name, [FRAME])), None)
+        hint = Term("frame-none") if meant is None else Term("frame-other", name=meant)
+        yield Finding("model.no-frame", ("links",), {"links": ", ".join(list(m.links)[:20]) or "-", "hint": hint})
     elif m.links[FRAME].mass is not None:
         yield Finding("model.frame-mass", ("links", FRAME, "mass"))
     for name, weight in m.counterweights.items():

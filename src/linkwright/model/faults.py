@@ -5,35 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from linkwright.model import actions as a
-from linkwright.model import elements as e
-from linkwright.model import motions as m
-from linkwright.model import parts as p
 from linkwright.model.absent import absent
-from linkwright.model.cams import Cam
 from linkwright.model.findings import Finding, Term
+from linkwright.model.known_keys import keys_at
 from linkwright.model.mechanism import Document
-from linkwright.model.tolerances import Stated
 from linkwright.model.unknown import near
-from linkwright.model.written import Frozen, describe
+from linkwright.model.written import describe
 from linkwright.model.yaml_text import Path, Source
-
-_CLASSES: dict[str, type[Frozen]] = {
-    "units": p.Units,
-    "parameters": p.Parameter,
-    "plane": p.Plane,
-    "links": p.Link,
-    "joints": p.Joint,
-    "cylinders": p.Cylinder,
-    "drives": p.Drive,
-    "tables": a.Table,
-    "laws": m.MotionLaw,
-    "cams": Cam,
-    "loads": a.Load,
-    "springs": e.Spring,
-    "counterweights": e.Counterweight,
-    "measures": a.Measure,
-}
 
 _WANTED = {
     "dict_type": "mapping", "model_type": "mapping", "model_attributes_type": "mapping",
@@ -49,12 +27,29 @@ def findings_of(faults: Iterable[Any], source: Source) -> list[Finding]:
         if not any(_nested(finding.path, bad) for bad in source.spoilt):
             line = source.line(finding.path)
             found.setdefault((finding.path, finding.code, str(finding.data)), finding.located(line))
-    elsewhere = {finding.path[:2] for finding in found.values() if finding.code.startswith("element.")}
-    return [f for f in found.values() if f.path[:2] not in elsewhere or f.code not in _FOLLOWING]
+    return _without_followers([*found.values()])
 
 
-_FOLLOWING = {"file.unknown-key", "joint.kind", "drive.kind", "drive.law", "drive.on", "load.empty", "spring.ends"}
-"""What else is wrong with an entry that stands for an element which there isn't: it follows from that."""
+_FOLLOWING = {"joint.kind", "drive.kind", "drive.law", "drive.start", "drive.on", "load.empty", "spring.ends"} | {
+    "mass.missing", "measure.reduction", "spring.law", "spring.stray", "law.way"
+}  # fmt: skip
+"""What else is wrong with an entry of which a key has another name: it follows from that."""
+
+
+def _without_followers(findings: list[Finding]) -> list[Finding]:
+    """Findings without those that follow from others: from an element which there isn't, from a key of another name."""
+    elsewhere = {f.path[:2] for f in findings if f.code.startswith("element.")}
+    renamed = {(f.path[:-1], name) for f in findings if f.code == "file.unknown-key" for name in f.data["near"].likely}
+    entries = {path for path, _ in renamed}
+
+    def follows(f: Finding) -> bool:
+        if f.code == "file.missing":
+            return (f.path, f.data["name"]) in renamed
+        if f.path[:2] in elsewhere:
+            return f.code in {"file.unknown-key", *_FOLLOWING}
+        return f.path in entries and f.code in _FOLLOWING
+
+    return [f for f in findings if not follows(f)]
 
 
 def _nested(path: Path, other: Path) -> bool:
@@ -81,23 +76,26 @@ def _finding(fault: Any, data: Any) -> Finding:
         named = absent("type", fault["input"])
     if named and (named[0] != "element.limits" or path[0] in ("joints", "cylinders")):  # limits are a study, too
         return Finding(named[0], path, {"name": named[1]})
-    if kind == "finding":
-        return Finding(context.pop("code"), path, context)
-    if kind == "missing":
-        name = str(fault["loc"][-1])
-        return Finding("file.missing", path, {"name": name, "known": ", ".join(known_keys((*path, name)))})
-    if kind == "extra_forbidden":
-        name = str(path[-1])
-        return Finding("file.unknown-key", path, {"name": name[:60], "near": near(name, known_keys(path))})
+    if (found := finding_of(fault, data, Document)) is not None:
+        return found
     wanted: Any = context.get("expected") if kind == "literal_error" else Term(_WANTED.get(kind, "other"))
     return Finding("file.expected", path, {"wanted": wanted, "given": describe(fault["input"])})
 
 
-def known_keys(path: Path) -> list[str]:
-    """The keys that may stand beside the last one of a path."""
-    inside = path[0] == "parameters" and "tolerance" in path[2:-1]
-    segment = path[0] == "laws" and "segments" in path[2:-1]
-    owner = Stated if inside else m.Segment if segment else Document if len(path) == 1 else _CLASSES.get(str(path[0]))
-    if owner is None:
-        return []
-    return [field.alias or name for name, field in owner.model_fields.items()]
+def finding_of(fault: Any, data: Any, owner: Any, place: Path = ()) -> Finding | None:
+    """A fault as its own finding, or on a key that is missing or unknown; ``None`` where it is one of a value.
+
+    ``data`` is what stands at ``place``, of the type ``owner``.
+    """
+    kind, path = fault["type"], written(fault["loc"], data)
+    if kind == "finding":
+        context = dict(fault["ctx"])
+        return Finding(context.pop("code"), (*place, *path), context)
+    if kind == "missing":
+        known = ", ".join(keys_at(owner, path))
+        return Finding("file.missing", (*place, *path), {"name": str(fault["loc"][-1]), "known": known})
+    if kind == "extra_forbidden":
+        name = str(path[-1])
+        hint = near(name, keys_at(owner, path[:-1]))
+        return Finding("file.unknown-key", (*place, *path), {"name": name[:60], "near": hint})
+    return None

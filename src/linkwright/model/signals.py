@@ -189,7 +189,11 @@ class Signals:
     def _signal(self, kind: str, owners: tuple[str, ...], attribute: str, attributes: dict[str, Dimension]) -> Signal:
         if attribute not in attributes:
             raise DimensionError(
-                "signal.no-attribute", name=", ".join(owners), attribute=attribute, known=", ".join(attributes)
+                "signal.no-attribute",
+                name=", ".join(owners),
+                attribute=attribute,
+                near=near(attribute, attributes),
+                known=", ".join(attributes),
             )
         return Signal(kind, owners, attribute, attributes[attribute])
 

@@ -1,12 +1,22 @@
-"""Names that nothing is called by, with the closest that are known."""
+"""Names that nothing is called by, with those that are meant: the one place where names are compared."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
-from difflib import get_close_matches
+from difflib import SequenceMatcher
 from typing import Any
 
 from linkwright.model.findings import Finding, Term
+from linkwright.model.synonyms import meant, plain
+
+MOST = 3
+"""The most names that a hint proposes."""
+LISTED = 24
+"""The most names that are listed where none is like the given one."""
+ALIKE, ALIKE_SHORT = 0.7, 0.6
+"""How much of two names must agree: 'ground' isn't 'rod'; less of two or three letters: 'BB' may be 'B'."""
+LONGEST = 60
 
 
 def unknown(kind: str, path: tuple[Any, ...], name: str, known: Iterable[str]) -> Finding:
@@ -14,13 +24,51 @@ def unknown(kind: str, path: tuple[Any, ...], name: str, known: Iterable[str]) -
     return Finding("name.unknown", path, {"kind": Term(f"a-{kind}"), "name": name, "near": near(name, [*known])})
 
 
-def near(name: str, known: Sequence[str]) -> str:
-    """A readable hint: the closest known names, else all of them."""
-    known = [word for word in dict.fromkeys(known) if len(word) <= 60]
-    return ", ".join(alike(name, known) or known[:20]) or "-"
+class Near(Term):
+    """A sentence on a name that isn't known; ``likely`` are the known ones that may be meant, the likeliest first."""
+
+    def __init__(self, key: str, names: Iterable[str], likely: Iterable[str]) -> None:
+        super().__init__(key, names=", ".join(names))
+        self.likely = tuple(likely)
+
+
+def proposed(names: Sequence[str]) -> Near:
+    """A sentence that proposes these names."""
+    return Near("near-one" if len(names) == 1 else "near-some", names, names)
+
+
+def near(name: str, known: Iterable[str]) -> Near:
+    """A sentence: which of the known names may be meant, else what is known."""
+    names = [word for word in dict.fromkeys(known) if len(word) <= LONGEST]
+    if likely := likeliest(name, names):
+        return proposed(likely)
+    return Near("near-none" if names else "near-nothing", names[:LISTED], ())
+
+
+def likeliest(name: str, known: Sequence[str]) -> list[str]:
+    """The known names that may be meant, the likeliest first: the same in another spelling, what it stands for
+    elsewhere, names spelled much like it, longer and shorter forms of it; three at most."""
+    own = plain(name)
+    same = [word for word in known if plain(word) == own]
+    if same:
+        return same[:MOST]
+    elsewhere = [word for word in meant(name) if word in known]
+    longer = [word for word in known if _begins(own, plain(word))]
+    found = [*elsewhere, *alike(name, known), *longer]
+    found = found or [word for part in re.split("[-_ ]", name) for word in meant(part) if word in known]
+    return [*dict.fromkeys(found)][:MOST]
+
+
+def _begins(name: str, other: str) -> bool:
+    """Whether one of two names is a shorter form of the other: of three letters at least, from its beginning."""
+    short, long = sorted((name, other), key=len)
+    return len(short) > 2 and long.startswith(short)
 
 
 def alike(name: str, known: Sequence[str]) -> list[str]:
     """The known names that are spelled much like one, the closest first; three at most."""
+    own = plain(name)
+    cutoff = ALIKE_SHORT if 2 <= len(own) <= 3 else ALIKE
     words = [word for word in known if abs(len(word) - len(name)) <= 4][:200]
-    return get_close_matches(name, words, n=3, cutoff=0.6)
+    ratios = {word: SequenceMatcher(None, own, plain(word)).ratio() for word in words}
+    return sorted((word for word in ratios if ratios[word] >= cutoff), key=lambda word: -ratios[word])[:MOST]

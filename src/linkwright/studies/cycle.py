@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field, replace
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import Field, ValidationError, ValidationInfo, model_validator
+from pydantic import BeforeValidator, Field, ValidationError, ValidationInfo, model_validator
 
 from linkwright.kernels import Compiled
 from linkwright.measures import Measurer, MeasureResult, enclose, misfit
 from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen, fault
 from linkwright.model.findings import Finding, ModelError, Term
+from linkwright.model.written import unexpected
 from linkwright.results import Result, Run, certify
 from linkwright.studies.acting import lifted, loose, outside, undefined
 from linkwright.studies.feasible import near, singular, strokes, travels, unassembled
@@ -29,12 +30,20 @@ LONGEST = 1e12
 TURNS = re.compile(r"^\s*(\d+(?:\.\d+)?)\s+(\w+)\s*$")
 
 
+def _counted(raw: Any) -> Any:
+    if raw is not None and not isinstance(raw, str):
+        raise unexpected("turns", raw)
+    return raw
+
+
 class CycleOptions(Frozen):
     """How long, and on how many steps. One of period, duration and turns says how long."""
 
     period: Expression | None = Field(None, description="the motion's period: it must close")
     duration: Expression | None = Field(None, description="how long the run lasts")
-    turns: str | None = Field(None, description="'2 engine': so many turns of a drive of constant speed")
+    turns: Annotated[str | None, BeforeValidator(_counted)] = Field(
+        None, description="'2 engine': so many turns of a drive of constant speed"
+    )
     samples: int = Field(200, ge=2, le=100_000, description="number of equal steps; rows are samples + 1")
     through: Literal["keep", "stop"] = Field(
         "stop", description="at a change point: keep goes on smoothly through it, stop refuses the run"

@@ -7,9 +7,10 @@ from typing import Any, ClassVar, Protocol, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
-from linkwright.model.faults import written
-from linkwright.model.findings import Finding
+from linkwright.model.faults import finding_of, written
+from linkwright.model.findings import Finding, Term
 from linkwright.model.unknown import near
+from linkwright.model.written import describe
 
 
 class Optioned(Protocol):
@@ -41,7 +42,7 @@ def read_section(
             read.append((owner, owner.options.model_validate(entry, context=raw)))
         except ValidationError as error:
             faults = error.errors(include_url=False)
-            findings += [_wrong(wrong, (section, name), entry, fault) for fault in faults]
+            findings += [_wrong(wrong, owner, (section, name), entry, fault) for fault in faults]
             if (rest := _rest(owner, entry, {fault["loc"][0] for fault in faults if fault["loc"]}, raw)) is not None:
                 read.append((owner, rest))
     return read, findings
@@ -58,12 +59,26 @@ def _rest(owner: Any, entry: Mapping[str, Any], wrong: set[Any], raw: Any) -> An
         return None
 
 
-def _wrong(code: str, place: tuple[str, str], entry: Mapping[str, Any], fault: Any) -> Finding:
+def _wrong(code: str, owner: Optioned, place: tuple[str, str], entry: Mapping[str, Any], fault: Any) -> Finding:
     """A fault of an option as a finding: its own where the option has one, else what the type wants."""
-    missing = fault["loc"][-1:] if fault["type"] == "missing" else ()
-    path = (*place, *written(fault["loc"], entry), *missing)
-    if fault["type"] == "finding":
-        context = dict(fault["ctx"])
-        return Finding(context.pop("code"), path, context)
+    if (found := finding_of(fault, entry, owner.options, place)) is not None:
+        return found
+    path = (*place, *written(fault["loc"], entry))
     key = ".".join(map(str, path[2:]))
-    return Finding(code, path, {code.split(".")[0]: place[1], "key": key, "reason": fault["msg"]})
+    return Finding(code, path, {code.split(".")[0]: place[1], "key": key, "reason": _reason(fault)})
+
+
+_REASONS = {
+    "bool_parsing": "bool", "bool_type": "bool", "float_parsing": "number", "float_type": "number",
+    "int_from_float": "whole", "int_parsing": "whole", "int_type": "whole", "string_type": "text",
+    "greater_than": "above", "greater_than_equal": "least", "less_than": "below", "less_than_equal": "most",
+    "literal_error": "choice",
+}  # fmt: skip
+"""What a value must be, by the kind of pydantic's fault on it."""
+
+
+def _reason(fault: Any) -> Term | str:
+    kind = _REASONS.get(fault["type"])
+    if kind is None:
+        return str(fault["msg"])
+    return Term(f"must-{kind}", given=describe(fault["input"]), **fault.get("ctx", {}))

@@ -413,7 +413,7 @@ def test_a_pin_of_two_names_is_called_after_its_joint() -> None:
     data["links"]["rocker"] = {"points": {"O4": [0, 0], "K": ["c", 0]}}
     data |= {"joints": {"J": {"revolute": ["coupler", "rocker"], "at": ["B", "K"]}}, "assembly": {"J": "left of A-O4"}}
     (finding,) = check_clearances(compiled_from(data), options({"B": 0.1}).clearances, ())
-    assert (finding.code, finding.data["near"]) == ("clearance.no-joint", "J")
+    assert (finding.code, finding.data["near"].data["names"]) == ("clearance.no-joint", "J")
     found = plays({**data, "gravity": [0, "-9.8 m/s^2"]}, {"J": 0.1})
     assert found.held[0].links == ("coupler", "rocker")
     assert found.curve(tree(found.compiled, "rocker.angle"), found.run.t)[1].min() > 1e-5

@@ -80,5 +80,5 @@ def test_mistakes_are_named() -> None:
     assert codes(arm(trajectories={"every": "3 mm"}))[0][1] == "every"
     assert codes(arm(trajectories={"every": "0.1 deg"})) == [("workspace.hold-many", "every")]
     assert codes(arm(trajectories={"steps": 721})) == [("study.options", "steps")]
-    assert codes(arm(trajectories={"step": 9}))[0][0] == "study.options"
+    assert codes(arm(trajectories={"step": 9}))[0][0] == "file.unknown-key"
     assert codes(four_bar(trajectories={})) == [("workspace.two-drives", "trajectories")]

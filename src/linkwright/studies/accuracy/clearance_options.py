@@ -17,7 +17,7 @@ from linkwright.model.pins import Pin
 from linkwright.model.places import Path
 from linkwright.model.quantities import LARGEST
 from linkwright.model.units import LENGTH
-from linkwright.model.unknown import near
+from linkwright.model.unknown import near, proposed
 from linkwright.model.written import Shortened
 from linkwright.studies.accuracy.rollers import rollers
 
@@ -103,7 +103,7 @@ def _no_joint(compiled: Compiled, name: str, path: Path) -> Finding:
         return Finding("clearance.no-joint", path, {"name": name, "near": near(name, joints)})
     called = [pin.name for pin in signals.pins.values() if any(point == name for _, point in pin.members)]
     if called:
-        return Finding("clearance.no-joint", path, {"name": name, "near": ", ".join(called)})
+        return Finding("clearance.no-joint", path, {"name": name, "near": proposed(called)})
     return Finding("clearance.one-link", path, {"name": name, "link": signals.homes[name]})
 
 

@@ -21,6 +21,7 @@ from linkwright.model.fields import Expression
 from linkwright.model.findings import Finding
 from linkwright.model.quantities import LARGEST
 from linkwright.model.units import Dimension, UnitError, unit
+from linkwright.model.unknown import near
 from linkwright.results import Run
 from linkwright.results.stationary import bracketed
 from linkwright.studies.asked import of_signals, signal_faults
@@ -175,7 +176,7 @@ def _columns(
             place = column
         elif column is not None and name == "t":
             if where in known:  # else that is told
-                findings.append(Finding("study.no-output", path, {"text": name, "near": "E.x"}))
+                findings.append(Finding("study.no-output", path, {"text": name, "near": near(name, driving(compiled))}))
         elif column is not None:
             outputs.append(column)
     return place, outputs, findings
@@ -193,7 +194,7 @@ def _column(compiled: Compiled, name: str, written: str | None, path: Path_, fin
     except ValueError:
         expression = None
     if expression is None or not of_signals(expression):
-        findings.append(Finding("study.no-output", path, {"text": name[:60], "near": ", ".join(driving(compiled))}))
+        findings.append(Finding("study.no-output", path, {"text": name[:60], "near": near(name, driving(compiled))}))
         return None
     if wrong := signal_faults(compiled, expression, path):
         findings += wrong

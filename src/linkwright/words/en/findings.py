@@ -104,7 +104,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "file.unknown-key": (
         "'{name}' isn't a key that can stand here.",
-        "Write one of these: {near}. Or remove it.",
+        "{near} Otherwise remove it.",
     ),
     "file.expected": (
         "Wanted here: {wanted}. Given: {given}.",
@@ -132,7 +132,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "gallery.unknown": (
         "The gallery has no model called '{name}'.",
-        "Write one of these: {near}. 'linkwright new' lists all.",
+        "{near} 'linkwright new' lists all.",
     ),
     # Large studies.
     "file.link": (
@@ -226,7 +226,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "expression.unknown-function": (
         "There is no function, table or motion law called '{name}'.",
-        "Write one of these: {near}. Or declare it under tables or laws.",
+        "{near} Otherwise declare it under tables or laws.",
     ),
     "expression.unit-alone": (
         "'{name}' is a unit without a number, and no parameter is called so.",
@@ -275,15 +275,15 @@ _TEXTS: dict[str, tuple[str, str]] = {
     # Names.
     "name.unknown": (
         "'{name}' isn't {kind} of this mechanism.",
-        "Write one of these: {near}.",
+        "{near}",
     ),
     "name.unknown-point": (
         "The link {link} has no point called '{name}'.",
-        "Write one of these: {near}. Or add the point to the link.",
+        "{near} Otherwise add the point to the link.",
     ),
     "name.unknown-element": (
         "Nothing in this mechanism is called '{name}'.",
-        "Write one of these: {near}.",
+        "{near}",
     ),
     "name.unknown-kernel": (
         "There is no kernel '{name}'.",
@@ -291,7 +291,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "name.unknown-parameter": (
         "There is no parameter called '{name}'.",
-        "Write one of these: {near}. Or declare it under parameters.",
+        "{near} Otherwise declare it under parameters.",
     ),
     "name.taken": (
         "'{name}' is the name of {first} and of {second}; signals such as '{name}.x' couldn't be told apart.",
@@ -299,7 +299,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "signal.no-attribute": (
         "'{attribute}' isn't a signal of {name}.",
-        "Write one of these: {known}.",
+        "{near} The signals of {name}: {known}.",
     ),
     "signal.indeterminate": (
         "The {attribute} in the slide {joint} isn't determined by statics: the slides {loop} hold each other's "
@@ -330,7 +330,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     # Links, joints, drives, loads.
     "model.no-frame": (
         "No link is called 'frame', so nothing stands still. Links: {links}.",
-        "Call the link that doesn't move 'frame'.",
+        "{hint}",
     ),
     "model.frame-mass": (
         "The frame has a mass; it doesn't move, so its mass has no effect.",
@@ -394,8 +394,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Give on with turns and slides (often on: frame), and leave it out with extends.",
     ),
     "sketch.missing-point": (
-        "The link {link} takes the place of {name} from the sketch, which doesn't have it (near: {near}).",
-        "Give the point's place under sketch, or its coordinates in the link's own axes.",
+        "The link {link} takes the place of {name} from the sketch, which doesn't have it.",
+        "{near} Otherwise give the point's place under sketch, or its coordinates in the link's own axes.",
     ),
     "sketch.unused": (
         "No link takes the sketched point {name}.",
@@ -573,7 +573,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "drive.output": (
         "'{name}' is no output that a drive can move: neither a prismatic joint nor a link of this model.",
-        "Name a prismatic joint, or a link that is hinged on the frame. Known: {near}.",
+        "{near} An output is a prismatic joint, or a link that is pinned to the frame.",
     ),
     "drive.output-own": (
         "{link} and {on} are the drive's own links; '{name}' is no output of it.",
@@ -722,7 +722,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     # Motion laws.
     "law.unknown": (
         "There is no motion law called '{name}'.",
-        "Write one of these: {near}. Or give fractions, powers or a formula instead of law.",
+        "{near} Otherwise give fractions, powers or a formula instead of law.",
     ),
     "law.segment": (
         "It isn't clear what kind of segment this is: given are {given}.",
@@ -890,7 +890,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "study.unknown": (
         "There is no study called '{name}'.",
-        "Write one of these: {near}.",
+        "{near}",
     ),
     "study.options": (
         "The option {key} of the study {study} is wrong: {reason}.",
@@ -1128,7 +1128,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "study.no-output": (
         "'{text}' is neither a measure of this file nor an expression of signals.",
-        "Write a measure ({near}), a signal such as E.x, or an expression of such.",
+        "{near} An output is a measure, a signal such as E.x, or an expression of signals.",
     ),
     "study.no-outputs": (
         "The sweep has nothing to find out: the file has no measures.",
@@ -1205,7 +1205,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     # Of exports.
     "export.unknown": (
         "There is no export to '{name}'.",
-        "Write one of these: {near}.",
+        "{near}",
     ),
     "export.options": (
         "The option {key} of the export to {export} is wrong: {reason}.",
@@ -1346,7 +1346,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "workspace.fixed-point": (
         "The working point {name} lies on the frame, so that it doesn't move.",
-        "Take a point of a moving link: {near}.",
+        "{near} The working point belongs to a moving link.",
     ),
     "workspace.no-values": (
         "There are no values of {name}.",
@@ -1491,7 +1491,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "clearance.no-joint": (
         "{name} is neither a pin nor a prismatic joint, so it has no clearance.",
-        "Name one of the joints: {near}; a pin made by a revolute joint is called after that.",
+        "{near} A pin made by a revolute joint has the name of that joint.",
     ),
     "clearance.one-link": (
         "{name} is a point of {link} alone, so there is no joint that could have a clearance.",
@@ -1623,7 +1623,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "tolerance.no-contributor": (
         "Nothing that deviates is called {name}.",
-        "Write the name of a parameter with a tolerance, or of a change of temperature: {near}.",
+        "{near} A parameter with a tolerance or a change of temperature can stand here.",
     ),
     "tolerance.correlation-twice": (
         "{name} stands twice in one correlation.",
@@ -1661,7 +1661,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "tolerance.material": (
         "The expansion of '{given}' isn't known.",
-        "Write a material that is ({near}); or expansion: and its coefficient in 1e-6/K.",
+        "{near} Otherwise write expansion: and the coefficient in 1e-6/K.",
     ),
     "tolerance.thermal-name": (
         "A parameter has the name of this change of temperature.",
@@ -1682,11 +1682,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "accuracy.no-contributor": (
         "{name} is no deviation of this study: its tolerance can't be allotted, nor its deviation estimated.",
-        "Write one that is ({near}); or give the parameter a tolerance, or general, and name it under parameters.",
+        "{near} Otherwise give the parameter a tolerance, or general, and name it under parameters.",
     ),
     "accuracy.no-target": (
         "'{name}' is no figure of this study.",
-        "Write one of its outputs, for example {near}; of a signal at a position 'E.x at POSITION'.",
+        "{near} An output of a signal at a position is 'E.x at POSITION'.",
     ),
     "accuracy.target": (
         "The wanted half-width {text} isn't positive, or is too large.",
@@ -2002,6 +2002,7 @@ _TERMS: dict[str, str] = {
     "two-links": "[LINK, LINK]",
     "two-points": "[POINT, POINT], one of each link",
     "two-lines": "[POINT at ANGLE, POINT at ANGLE], one on each link",
+    "turns": "a number of turns and the drive that makes them, such as '1 motor'",
     "numbers": "a list of numbers",
     "segments": "a list of segments",
     "law-start": "start",
@@ -2011,6 +2012,23 @@ _TERMS: dict[str, str] = {
     "table-row": "[x, y]",
     "table-rows": "a list of points [x, y]",
     "column": "'COLUMN UNIT', for example angle deg",
+    # Which names may be meant.
+    "frame-other": "Rename '{name}' to 'frame', here and wherever it is used.",
+    "frame-none": "Name the link that doesn't move 'frame', here and wherever it is used.",
+    "near-one": "Did you mean '{names}'?",
+    "near-some": "Did you mean one of these: {names}?",
+    "near-none": "Write one of these: {names}.",
+    "near-nothing": "The file has nothing of this kind.",
+    # What the value of an option must be.
+    "must-bool": "it must be true or false, not {given}",
+    "must-number": "it must be a number, not {given}",
+    "must-whole": "it must be a whole number, not {given}",
+    "must-text": "it must be a text, not {given}",
+    "must-above": "it must be greater than {gt}, not {given}",
+    "must-least": "it must be at least {ge}, not {given}",
+    "must-below": "it must be less than {lt}, not {given}",
+    "must-most": "it must be at most {le}, not {given}",
+    "must-choice": "it must be {expected}, not {given}",
     # What is given.
     "nothing": "nothing",
     "given-mapping": "a mapping",

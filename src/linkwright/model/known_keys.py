@@ -1,0 +1,50 @@
+"""The keys that may stand at a place of a file, read off the types of its parts."""
+
+from __future__ import annotations
+
+import types
+from collections.abc import Iterable, Iterator
+from typing import Annotated, Any, Union, get_args, get_origin
+
+from pydantic import BaseModel
+
+
+def keys_at(owner: Any, path: Iterable[str | int]) -> list[str]:
+    """The keys of what stands at a path within a part of the type ``owner``; of several kinds that may stand there,
+    those of all. Empty where names are free."""
+    kinds = [*_kinds(owner)]
+    for key in path:
+        kinds = [inner for kind in kinds for inner in _inside(kind, key)]
+    keys = (key for kind in kinds if _is_part(kind) for key in _fields(kind))
+    return [*dict.fromkeys(keys)]
+
+
+def _kinds(annotation: Any) -> Iterator[Any]:
+    """The types that an annotation allows."""
+    origin = get_origin(annotation)
+    if origin is Annotated:
+        yield from _kinds(get_args(annotation)[0])
+    elif origin in (Union, types.UnionType):
+        for kind in get_args(annotation):
+            yield from _kinds(kind)
+    else:
+        yield annotation
+
+
+def _inside(kind: Any, key: str | int) -> Iterator[Any]:
+    """The types of what stands under a key of a type."""
+    if _is_part(kind):
+        if (annotation := _fields(kind).get(str(key))) is not None:
+            yield from _kinds(annotation)
+    elif args := get_args(kind):
+        for part in args[1:] if get_origin(kind) is dict else args:
+            yield from _kinds(part)
+
+
+def _is_part(kind: Any) -> bool:
+    return isinstance(kind, type) and issubclass(kind, BaseModel)
+
+
+def _fields(kind: type[BaseModel]) -> dict[str, Any]:
+    """The annotations of a part's keys, by the names that a file has."""
+    return {field.alias or name: field.annotation for name, field in kind.model_fields.items()}
