@@ -92,11 +92,15 @@ def test_a_document_has_no_lines_but_the_same_findings(tmp_path: Path) -> None:
     assert all(f.line is None for f in of_document)
 
 
-@pytest.mark.parametrize("make", [lambda p: p / "nowhere.yaml", lambda p: p], ids=["missing", "a folder"])
-def test_a_file_that_can_not_be_read(tmp_path: Path, make: Any) -> None:
-    path = make(tmp_path)
+@pytest.mark.parametrize(
+    ("name", "code"),
+    [("nowhere.yaml", "file.unreadable"), ("", "file.irregular"), ("a\0b", "file.unreadable")],
+    ids=["missing", "a folder", "no name"],
+)
+def test_a_file_that_can_not_be_read(tmp_path: Path, name: str, code: str) -> None:
+    path = tmp_path / name
     (finding,) = lw.check(path)
-    assert finding.code == "file.unreadable"
+    assert finding.code == code
     assert str(path) in finding.what
     with pytest.raises(lw.ModelError):
         lw.run(path)

@@ -84,7 +84,7 @@ def test_a_sound_file_of_other_content(saved: Path) -> None:
 
 
 def test_a_file_that_cannot_be_read(tmp_path: Path) -> None:
-    assert code(tmp_path) == "file.unreadable"
+    assert code(tmp_path) == "file.irregular"
 
 
 def test_anew_passes_over_it(saved: Path) -> None:

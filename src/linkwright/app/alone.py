@@ -7,9 +7,9 @@ from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Any
 
-from linkwright.app.job import Examined, Writing, carry_out, examine_document, read_file
+from linkwright.app.job import Examined, Writing, carry_out, examine_document, read_file, read_model
 from linkwright.blocks import RUNNERS, Runner
-from linkwright.model.document import load, parse_document, plain
+from linkwright.model.document import parse_document, plain
 from linkwright.model.findings import raise_errors
 from linkwright.model.mechanism import Document
 from linkwright.studies import Site
@@ -50,11 +50,11 @@ def perform_alone(
 ) -> Any:
     """The outcome of one study with the options ``given`` in place of the file's, and ``without`` some of these. Raises
     :class:`ModelError` with all findings."""
-    document = model if isinstance(model, Document) else load(model)
-    tables = Path(folder) if folder else None if isinstance(model, Document) else Path(model).parent
-    examined = examine_document(altered(document, study, given, without), tables, only=study)
-    if not isinstance(model, Document):
-        examined.file, examined.content = Path(model), Path(model).read_bytes()
+    read = read_model(model, folder)
+    assert read.document is not None
+    examined = examine_document(altered(read.document, study, given, without), read.folder, only=study)
+    if read.file is not None:
+        examined.read_from(read)
     target = Path(out) if out is not None else None
     with runner_of(workers, cluster) as runner:
         job = carry_out(examined, Site(out=target, runner=runner, fresh=fresh), Writing(force=force))

@@ -8,10 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from linkwright.app.alone import altered
-from linkwright.app.job import USUAL, Examined, Writing, examine_document, read_file
+from linkwright.app.job import USUAL, Examined, Writing, examine_document, read_file, read_model
 from linkwright.app.results_folder import ResultsFolder, outdate
 from linkwright.exports import TARGETS, Exported
-from linkwright.model.document import load
 from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.mechanism import Document
 from linkwright.model.unknown import near
@@ -68,11 +67,11 @@ def export(
     document lie; those of a file lie beside it. Raises :class:`ModelError` with all findings where the mechanism can't
     be exported at all; what the target found else stands in ``failures`` and ``warnings`` of the result.
     """
-    document = model if isinstance(model, Document) else load(model)
-    tables = Path(folder) if folder else None if isinstance(model, Document) else Path(model).parent
-    examined = _examined(document, tables, to, options)
-    if not isinstance(model, Document):
-        examined.file, examined.content = Path(model), Path(model).read_bytes()
+    read = read_model(model, folder)
+    assert read.document is not None
+    examined = _examined(read.document, read.folder, to, options)
+    if read.file is not None:
+        examined.read_from(read)
     job = export_of(examined, to) if out is None else export_into(examined, to, Path(out), Writing(force=force))
     raise_errors(job.examined.findings)
     assert job.exported is not None

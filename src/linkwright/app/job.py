@@ -16,10 +16,11 @@ from linkwright.exports import Order, read_exports
 from linkwright.kernels import Compiled
 from linkwright.model.document import dump, located, read_document
 from linkwright.model.findings import Finding, ModelError, raise_errors
+from linkwright.model.input_files import read_at_most, reason
 from linkwright.model.mechanism import Document
 from linkwright.model.origin import Origin, hashed, table_hashes
 from linkwright.model.spelled import home
-from linkwright.model.yaml_text import Source
+from linkwright.model.yaml_text import MAX_BYTES, Source
 from linkwright.report.build import report_data
 from linkwright.report.page import page
 from linkwright.report.parts import PARTS, drawn, found, summary
@@ -92,13 +93,25 @@ class Examined:
 def read_file(path: Path) -> Examined:
     """Read a model file, without looking into what it describes."""
     try:
-        raw = path.read_bytes() if path.stat().st_size < 1 << 26 else b" " * (1 << 21)
-    except OSError as error:
-        data = {"file": str(path), "reason": error.strerror or str(error)}
+        raw = read_at_most(path, MAX_BYTES)
+    except ModelError as error:
+        return Examined(findings=[*error.findings], file=path)
+    except (OSError, ValueError) as error:
+        data = {"file": str(path), "reason": reason(error)}
         return Examined(findings=[Finding("file.unreadable", data=data)], file=path)
     document, source = read_document(raw)
     findings = source.findings if document is None else []
     return Examined(document, findings=findings, source=source, folder=path.parent, file=path, content=raw)
+
+
+def read_model(model: str | Path | Document, folder: str | Path | None) -> Examined:
+    """A document, or that of a model file, without looking into what it describes; ``folder`` is where the files lie
+    that it names. Raises :class:`ModelError` for a file that holds none."""
+    if isinstance(model, Document):
+        return Examined(model, folder=Path(folder) if folder else None)
+    read = read_file(Path(model))
+    raise_errors(read.findings)
+    return replace(read, folder=Path(folder)) if folder else read
 
 
 def examine_file(path: Path, only: str | None = None) -> Examined:

@@ -11,6 +11,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationErr
 
 import linkwright
 from linkwright.model.findings import ModelError
+from linkwright.model.input_files import MAX_BYTES, read_at_most
 from linkwright.model.origin import Origin, hashed
 from linkwright.model.output_files import refuse_link, write_aside
 from linkwright.words import say
@@ -66,8 +67,8 @@ class Entry(_Strict):
                 return False
             if self.files is not None:
                 return path.is_dir() and _extent(path) == (self.files, self.size)
-            return path.is_file() and path.stat().st_size == self.size and hashed(path.read_bytes()) == self.sha256
-        except OSError:
+            return hashed(read_at_most(path, self.size)) == self.sha256
+        except (ModelError, OSError):
             return False
 
 
@@ -133,6 +134,6 @@ def read_manifest(folder: Path) -> Manifest | None:
     """The manifest of a folder; ``None`` where there is none that can be read."""
     try:
         refuse_link(folder / NAME)
-        return Manifest.model_validate_json((folder / NAME).read_bytes())
+        return Manifest.model_validate_json(read_at_most(folder / NAME, MAX_BYTES))
     except (ModelError, OSError, ValidationError):
         return None

@@ -17,6 +17,7 @@ import numpy as np
 import linkwright
 from linkwright.blocks.work import Arrays
 from linkwright.model.findings import Finding, ModelError
+from linkwright.model.input_files import read_at_most
 from linkwright.model.output_files import refuse_link, write_aside
 
 FORMAT = 2
@@ -64,7 +65,7 @@ class Checkpoint:
         if not self.path.exists():
             return None
         try:
-            content = self.path.read_bytes()
+            content = read_at_most(self.path)
         except OSError as error:
             data = {"file": str(self.path), "reason": error.strerror or str(error)}
             raise ModelError([Finding("file.unreadable", (), data)]) from None

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
@@ -17,6 +16,7 @@ from linkwright.kernels.tables import StatedTable, stated_values
 from linkwright.laws import DEGREES, OutsideTable
 from linkwright.model import units as u
 from linkwright.model.cams import Following
+from linkwright.model.csv_file import CsvFile, read_csv
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, nodes
 from linkwright.model.findings import Finding, ModelError
@@ -202,12 +202,12 @@ def _must_be_finite(drive: str, t: Array, jet: Jet) -> None:
 def read_table(quantities: Quantities, name: str, folder: Path | None) -> StatedTable:
     """A table's interpolant in SI. Raises :class:`ModelError` naming what is wrong with it."""
     table: Table = quantities.mechanism.tables[name]
-    path = ("tables", name)
+    path, file = ("tables", name), None
     if table.points is not None:
         rows = [[quantities.value(value, None) for value in point] for point in table.points]
         argument = quantities.dimensions.dimension(table.points[0][0].node)
     else:
-        rows, argument = _file_rows(table, name, folder)
+        file, rows, argument = _file_rows(table, name, folder)
     points = np.array(rows, dtype=float).reshape(-1, 2)
     degree = DEGREES[table.between]
     if len(points) < degree + 1:
@@ -216,7 +216,7 @@ def read_table(quantities: Quantities, name: str, folder: Path | None) -> Stated
     known = np.isfinite(points).all(axis=1)
     if not known.all() or (steps <= 0).any():
         row = int(np.argmin(known)) + 1 if not known.all() else int(np.argmax(steps <= 0)) + 2
-        row += 1 if table.file is not None else 0  # the header is a row of the file
+        row = row if file is None else file.rows[row - 1][0]
         raise ModelError([Finding("table.order", path, {"row": row})])
     period = quantities.value(table.period, argument) if table.period else None
     if period is not None and period < points[-1, 0] - points[0, 0] - 1e-12 * abs(period):
@@ -230,32 +230,13 @@ def read_table(quantities: Quantities, name: str, folder: Path | None) -> Stated
     return StatedTable(points[:, 0], points[:, 1], degree, period, values, quantities.parameters)
 
 
-def _file_rows(table: Table, name: str, folder: Path | None) -> tuple[list[list[float]], u.Dimension]:
+def _file_rows(table: Table, name: str, folder: Path | None) -> tuple[CsvFile, list[list[float]], u.Dimension]:
     assert table.file is not None
     path = ("tables", name, "file")
     try:
         (x_unit, argument), (y_unit, _) = column_unit(table.x), column_unit(table.y)
     except DimensionError as error:
         raise ModelError([Finding(error.key, ("tables", name), error.data)]) from None
-    columns = [(text or "").split()[0] for text in (table.x, table.y)]
-    place = (folder or Path()) / table.file
-    try:
-        with place.open(newline="", encoding="utf-8-sig") as stream:
-            reader = csv.DictReader(stream)
-            missing = [c for c in columns if c not in (reader.fieldnames or [])]
-            if missing:
-                known = ", ".join(reader.fieldnames or [])
-                raise ModelError([Finding("table.no-column", path, {"name": missing[0], "known": known})])
-            rows = []
-            for number, row in enumerate(reader, start=2):
-                if number > MAX_ROWS:
-                    raise ModelError([Finding("table.long", path, {"limit": MAX_ROWS})])
-                try:
-                    rows.append([float(row[columns[0]]) * x_unit, float(row[columns[1]]) * y_unit])
-                except (TypeError, ValueError):
-                    raise ModelError([Finding("table.not-number", path, {"row": number})]) from None
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise ModelError(
-            [Finding("table.unreadable", path, {"file": table.file, "reason": str(error)[:100]})]
-        ) from None
-    return rows, argument
+    file = read_csv(table.file, folder, path, MAX_ROWS)
+    columns = [file.column((text or "").split()[0]) for text in (table.x, table.y)]
+    return file, [[x * x_unit, y * y_unit] for x, y in file.numbers(columns)], argument

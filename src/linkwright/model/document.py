@@ -12,12 +12,13 @@ from pydantic import ValidationError
 
 from linkwright.model.faults import findings_of
 from linkwright.model.findings import Finding, ModelError, Term
+from linkwright.model.input_files import read_at_most
 from linkwright.model.mechanism import VERSION, Document
 from linkwright.model.output_files import write_aside
 from linkwright.model.plane import in_plane
 from linkwright.model.sketch import with_sketch
 from linkwright.model.unknown import near
-from linkwright.model.yaml_text import MAX_FINDINGS, Source, read_text
+from linkwright.model.yaml_text import MAX_BYTES, MAX_FINDINGS, Source, read_text
 from linkwright.model.yaml_write import write_text
 
 
@@ -63,7 +64,7 @@ def load(path: str | Path) -> Document:
 
     Raises :class:`ModelError` with all findings of form, OSError where the file can't be read.
     """
-    document, source = read_document(Path(path).read_bytes())
+    document, source = read_document(read_at_most(Path(path), MAX_BYTES))
     if document is None:
         raise ModelError(source.findings)
     return document

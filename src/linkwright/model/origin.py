@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -11,7 +12,9 @@ from pathlib import Path
 from typing import Any
 
 import linkwright
-from linkwright.model.mechanism import Document
+from linkwright.model.findings import ModelError
+from linkwright.model.input_files import read_beside
+from linkwright.model.mechanism import Mechanism
 
 DIGITS = 12
 """So many hex digits of a hash are shown to people."""
@@ -51,12 +54,16 @@ class Origin:
         return {"model": {"file": self.file, "sha256": self.sha256}, "date": self.date}
 
 
-def table_hashes(document: Document, folder: Path | None) -> dict[str, str]:
-    """The hashes of a document's tables by file name, of those that can be read."""
+def table_hashes(mechanism: Mechanism, folder: Path | None) -> dict[str, str]:
+    """The hashes of a mechanism's tables by file name, of those that can be read."""
+    return {name: hashed(content) for name, content in table_files(mechanism, folder).items()}
+
+
+def table_files(mechanism: Mechanism, folder: Path | None) -> dict[str, bytes]:
+    """The content of a mechanism's table files by name, of those that can be read: the examination tells of others
+    that are used."""
     found = {}
-    for name in sorted({table.file for table in document.tables.values() if table.file is not None}):
-        try:
-            found[name] = hashed(((folder or Path()) / name).read_bytes())
-        except OSError:  # the examination says so
-            continue
+    for name in sorted({table.file for table in mechanism.tables.values() if table.file is not None}):
+        with contextlib.suppress(ModelError):
+            found[name] = read_beside(name, folder, ("tables",))
     return found

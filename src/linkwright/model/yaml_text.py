@@ -51,7 +51,7 @@ def read_text(raw: bytes) -> Source:
     """Read a model file's bytes; every fault of the text becomes a finding."""
     source = Source()
     if len(raw) > MAX_BYTES:
-        source.findings.append(Finding("file.too-large", data={"size": len(raw), "limit": MAX_BYTES}))
+        source.findings.append(Finding("file.too-large", data={"limit": f"{MAX_BYTES:,}"}))
         return source
     try:
         text = raw.decode("utf-8-sig")

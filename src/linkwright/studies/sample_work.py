@@ -25,7 +25,7 @@ from linkwright.kernels.versions import versions
 from linkwright.model.document import plain
 from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, parse
 from linkwright.model.findings import raise_errors
-from linkwright.model.mechanism import Document, Mechanism
+from linkwright.model.mechanism import Document
 from linkwright.model.places import Place
 from linkwright.notation.angles import whole_turns
 from linkwright.results import Run
@@ -94,12 +94,6 @@ class SampleWork:
         raise_errors(findings)
         options = next(task.options for task in tasks if task.study.name == self.study)
         return SampleTask(options.made(compiled), options, self.kernel, self.reach)
-
-
-def table_files(mechanism: Mechanism, folder: Path | None) -> tuple[tuple[str, bytes], ...]:
-    """The files of a mechanism's tables with their content."""
-    names = sorted({table.file for table in mechanism.tables.values() if table.file is not None})
-    return tuple((name, ((folder or Path()) / name).read_bytes()) for name in names)
 
 
 class SampleTask:

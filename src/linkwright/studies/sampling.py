@@ -16,13 +16,14 @@ from linkwright.kernels import KERNELS
 from linkwright.kernels.choice import Choice, choose
 from linkwright.measures import bound
 from linkwright.model.findings import Finding, ModelError
+from linkwright.model.origin import table_files
 from linkwright.results import Run
 from linkwright.studies.asked import Sampling
 from linkwright.studies.feasible import singular, unassembled
 from linkwright.studies.histograms import coarse, fine, histogram, reach
 from linkwright.studies.locked import locked
 from linkwright.studies.sample_kept import Kept, tabled
-from linkwright.studies.sample_work import SampleTask, SampleWork, table_files
+from linkwright.studies.sample_work import SampleTask, SampleWork
 from linkwright.studies.site import Site
 from linkwright.studies.through import carried
 from linkwright.words import say
@@ -122,7 +123,7 @@ def perform(nominal: Run, options: Sampling, kernel: str, site: Site) -> Perform
     Raises :class:`Interrupted`, and :class:`ModelError` where it can't be carried on.
     """
     assert site.document is not None, "samples need the file's document"
-    files = table_files(nominal.compiled.mechanism, site.folder)
+    files = tuple(table_files(nominal.compiled.mechanism, site.folder).items())
     work = SampleWork(site.document, files, kernel, options.study, uses=nominal.compiled.quantities.uses)
     task = opened(work)
     assert isinstance(task, SampleTask)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from copy import copy
-from pathlib import Path
 from typing import Annotated, Any
 
 import numpy as np
@@ -67,18 +66,23 @@ class Calibrate(Frozen):
 
 
 def check_calibrate(compiled: Compiled, options: Calibrate, contributors: Contributors, run: Run) -> Iterator[Finding]:
-    """What is wrong with the options, as far as that can be told without the file."""
+    """What is wrong with the options and with the measurements."""
     for i, name in enumerate(options.parameters or ()):
         if name not in contributors.names:
             data = {"name": name[:60], "near": near(name, contributors.names)}
             yield Finding("accuracy.no-contributor", (*PATH, "parameters", i), data)
-    if options.points is not None:
-        sheet, findings = read(compiled, options.points, options.at)
-        yield from findings
-        if sheet is not None:
-            yield from _check_sheet(run, options, contributors, sheet)
-    else:
+    sheet, findings = _measured(compiled, options)
+    yield from findings
+    if sheet is not None:
+        yield from _check_sheet(run, options, contributors, sheet)
+    elif options.file is not None:
         yield from check_sigmas(compiled, options.sigma)
+
+
+def _measured(compiled: Compiled, options: Calibrate) -> tuple[Sheet | None, list[Finding]]:
+    if options.file is not None:
+        return read_file(compiled, options.file, options.at, compiled.folder)
+    return read(compiled, options.points or (), options.at)
 
 
 def _check_sheet(run: Run, options: Calibrate, contributors: Contributors, sheet: Sheet) -> Iterator[Finding]:
@@ -92,18 +96,11 @@ def _check_sheet(run: Run, options: Calibrate, contributors: Contributors, sheet
         yield Finding("accuracy.few-measurements", sheet.path, {"count": count, "parameters": chosen, "least": least})
 
 
-def calibrate(
-    run: Run, options: Calibrate, contributors: Contributors, folder: Path | None = None
-) -> tuple[Calibration, list[Finding]]:
+def calibrate(run: Run, options: Calibrate, contributors: Contributors) -> tuple[Calibration, list[Finding]]:
     """Estimate the deviations, and warnings. Raises ModelError where the measurements can't be used."""
     compiled = run.compiled
     raise_errors(check_calibrate(compiled, options, contributors, run))
-    if options.file is not None:
-        sheet, findings = read_file(compiled, options.file, options.at, folder)
-        if sheet is not None:
-            findings = list(_check_sheet(run, options, contributors, sheet))
-    else:
-        sheet, findings = read(compiled, options.points or (), options.at)
+    sheet, findings = _measured(compiled, options)
     raise_errors(findings)
     assert sheet is not None
     t, sigma = times(run, sheet)[0], sigmas(compiled, sheet, options.sigma)[0]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +26,7 @@ Array = NDArray[np.float64]
 def check_design(
     compiled: Compiled, options: AccuracyOptions, contributors: Contributors, stop: float
 ) -> Iterator[Finding]:
-    """What is wrong with what is asked of the coefficients and with measurements that stand in the model; ``stop`` is
+    """What is wrong with what is asked of the coefficients and with the measurements; ``stop`` is
     the length of the run (s)."""
     if options.allocate is not None:
         outputs = _known(compiled, options, len(contributors))
@@ -37,11 +36,10 @@ def check_design(
         yield from check_calibrate(compiled, options.calibrate, contributors, run)
 
 
-def add_calibration(outcome: AccuracyOutcome, folder: Path | None = None) -> None:
-    """Put the calibration into an outcome where it is asked for; ``folder`` is where the file of measurements lies.
-    Raises ModelError where that is wrong."""
+def add_calibration(outcome: AccuracyOutcome) -> None:
+    """Put the calibration into an outcome where it is asked for. Raises ModelError where its file is wrong."""
     if (options := outcome.options.calibrate) is not None:
-        outcome.calibration, notes = calibrate(outcome.run, options, outcome.contributors, folder)
+        outcome.calibration, notes = calibrate(outcome.run, options, outcome.contributors)
         outcome.warnings += notes
 
 

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import csv
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -15,10 +13,11 @@ from numpy.typing import NDArray
 
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
+from linkwright.model.csv_file import finite, read_csv
 from linkwright.model.dimensions import DimensionError, declared_scale
 from linkwright.model.expressions import Node
 from linkwright.model.fields import Expression
-from linkwright.model.findings import Finding
+from linkwright.model.findings import Finding, ModelError
 from linkwright.model.quantities import LARGEST
 from linkwright.model.units import Dimension, UnitError, unit
 from linkwright.model.unknown import near
@@ -102,37 +101,24 @@ def read_file(compiled: Compiled, file: str, at: str | None, folder: Path | None
     """A CSV file, and what is wrong with it. Its first line names the columns, with units as in ``E.x [mm]``."""
     path = (*PATH, "file")
     try:
-        with ((folder or Path()) / file).open(newline="", encoding="utf-8-sig") as stream:
-            every = enumerate(islice(csv.reader(stream), 2 * MAX_ROWS), start=1)
-            lines = [(number, cells) for number, cells in every if any(map(str.strip, cells))]
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
-        return None, [Finding("table.unreadable", path, {"file": file, "reason": str(error)[:100]})]
-    if len(lines) > MAX_ROWS + 1:
-        return None, [Finding("table.long", path, {"limit": MAX_ROWS})]
-    headers = []
-    for cell in lines[0][1] if lines else []:
-        match = _HEADER.fullmatch(cell)
-        headers.append((match[1], match[2]) if match else (cell, None))
+        measured = read_csv(file, folder, path, MAX_ROWS)
+    except ModelError as error:
+        return None, [*error.findings]
+    matches = [(head, _HEADER.fullmatch(head)) for head in measured.heads]
+    headers = [(match[1], match[2]) if match else (head, None) for head, match in matches]
     place, outputs, findings = _columns(compiled, headers, at, path)
     sizes = {column.text: column.size for column in (*outputs, *([place] if place else []))}
     rows = []
-    for number, cells in lines[1:]:
+    for number, cells in measured.rows:
         row = []
         for i, (name, _) in enumerate(headers):
             cell = cells[i].strip() if i < len(cells) else ""
-            value = _number(cell)
-            row.append(value * sizes.get(name, 1.0) if cell else np.nan)
-            if (cell and not abs(value) < LARGEST) or (not cell and place and name == place.text):
+            value = finite(cell)
+            row.append(value * sizes.get(name, 1.0))
+            if (cell and np.isnan(value)) or (not cell and place and name == place.text):
                 findings.append(Finding("accuracy.measured-number", path, {"row": number, "name": name[:60]}))
         rows.append(row)
-    return _sheet(place, outputs, [n for n, _ in headers], rows, [n for n, _ in lines[1:]], path, findings)
-
-
-def _number(cell: str) -> float:
-    try:
-        return float(cell)
-    except ValueError:
-        return float("nan")
+    return _sheet(place, outputs, [n for n, _ in headers], rows, [n for n, _ in measured.rows], path, findings)
 
 
 def _sheet(

@@ -53,7 +53,7 @@ class AccuracyStudy:
             outcome.failures = found
             return outcome
         texts = [signal.text for signal in options.signals(compiled)]
-        add_calibration(outcome, site.folder)
+        add_calibration(outcome)
         outcome.curves = curves(nominal, Slopes(nominal, deviations.directions), deviations, texts)
         widest = {text: float(nominal.t[curve.widest]) for text, curve in outcome.curves.items()}
         placed = augmented(site.document, compiled, options, widest)

@@ -6,7 +6,6 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -164,7 +163,7 @@ def known(value: float) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def follow(paths: Mapping[str, WantedPath], outcome: WorkspaceOutcome, folder: Path | None) -> Followed:
+def follow(paths: Mapping[str, WantedPath], outcome: WorkspaceOutcome) -> Followed:
     """Try each path in each region. A path that none of them lets follow as it is asked is a failure."""
     compiled = outcome.compiled
     attempts, wrong = [], []
@@ -172,7 +171,7 @@ def follow(paths: Mapping[str, WantedPath], outcome: WorkspaceOutcome, folder: P
         for name, path in paths.items():
             parameters = parameters_of(one, compiled)
             try:
-                way = wanted(compiled, path, (*PATH, name), parameters, folder)
+                way = wanted(compiled, path, (*PATH, name), parameters)
             except ModelError as error:
                 wrong += [finding for finding in error.findings if finding not in wrong]
                 continue

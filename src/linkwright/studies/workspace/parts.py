@@ -26,7 +26,8 @@ class Section(Protocol):
 
     def perform(self, outcome: WorkspaceOutcome, site: Site) -> Any:
         """The part: it has ``as_dict()``, its entry in the summary. The outcome has its workspaces; findings go to its
-        failures and warnings. ``site.folder`` is where the files lie that the section names."""
+        failures and warnings. ``outcome.compiled.folder`` is where the files lie that the
+        section names."""
 
 
 def sections(options: WorkspaceOptions) -> list[tuple[str, Section]]:

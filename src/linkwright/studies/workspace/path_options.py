@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
@@ -81,7 +80,7 @@ class WantedPaths(RootModel[Annotated[dict[NameField, WantedPath], freeze, Field
     model_config = ConfigDict(frozen=True)
 
     def check(self, compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
-        """What is wrong with them, as far as that can be told without their files."""
+        """What is wrong with them and with their files."""
         if len(compiled.graph.drives) != 2:
             yield Finding("workspace.section-drives", PATH, {"count": len(compiled.graph.drives)})
             return
@@ -92,7 +91,7 @@ class WantedPaths(RootModel[Annotated[dict[NameField, WantedPath], freeze, Field
         """Each path tried in each region."""
         from linkwright.studies.workspace.followed import follow
 
-        return follow(self.root, outcome, site.folder)
+        return follow(self.root, outcome)
 
 
 def _check(compiled: Compiled, path: WantedPath, at: Path_) -> Iterator[Finding]:
@@ -117,11 +116,10 @@ def _check(compiled: Compiled, path: WantedPath, at: Path_) -> Iterator[Finding]
         yield from wrong
         if wrong:
             return
-    if path.file is None and path.drawing is None:
-        try:
-            wanted(compiled, path, at, compiled.quantities.parameters)
-        except ModelError as error:
-            yield from error.findings
+    try:
+        wanted(compiled, path, at, compiled.quantities.parameters)
+    except ModelError as error:
+        yield from error.findings
 
 
 def rate_of(compiled: Compiled, drive: str) -> u.Dimension:
@@ -150,15 +148,13 @@ def positive(compiled: Compiled, expression: Expression, dimension: u.Dimension,
     return faults
 
 
-def wanted(
-    compiled: Compiled, path: WantedPath, at: Path_, parameters: Mapping[str, float], folder: Path | None = None
-) -> Wanted:
+def wanted(compiled: Compiled, path: WantedPath, at: Path_, parameters: Mapping[str, float]) -> Wanted:
     """The path itself, for values of the parameters (SI). Raises ModelError."""
     quantities, source = compiled.quantities, (*at, next(key for key in SOURCES if getattr(path, key) is not None))
     if path.file is not None:
-        made = from_csv(path.file, folder, path.between, source)
+        made = from_csv(path.file, compiled.folder, path.between, source)
     elif path.drawing is not None:
-        made = from_dxf(path.drawing, quantities.unit_of(u.LENGTH)[1], folder, path.layer, source)
+        made = from_dxf(path.drawing, quantities.unit_of(u.LENGTH)[1], compiled.folder, path.layer, source)
     elif path.points is not None:
         points = [[valued(compiled, value, u.LENGTH, parameters) for value in point] for point in path.points]
         made = through(np.array(points).reshape(-1, 2), path.between, source)

@@ -23,8 +23,8 @@ from linkwright.blocks.checkpoint import unsaved
 from linkwright.blocks.packing import UnpackError, pack, unpack
 from linkwright.kernels.versions import versions
 from linkwright.model.findings import Finding, ModelError
+from linkwright.model.origin import table_hashes
 from linkwright.model.output_files import make_folder
-from linkwright.studies.sample_work import table_files
 from linkwright.studies.site import Site
 from linkwright.studies.workspace.options import PATH
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
@@ -48,7 +48,7 @@ DIGITS = 24
 """Hex digits of a hash in a file's name; the file holds all of them."""
 APART = ("for_", "modes", *SECTIONS)
 """Options of the study that don't change a region."""
-NOTED = ("blocks.corrupt", "blocks.other-work", "file.link", "file.unreadable")
+NOTED = ("blocks.corrupt", "blocks.other-work", "file.irregular", "file.link", "file.unreadable")
 """Faults of a file that cost no more than the time to find its region again."""
 
 
@@ -78,7 +78,7 @@ def resumable(
 def common(outcome: WorkspaceOutcome) -> str:
     """What all regions of a study depend on, as text."""
     compiled = outcome.compiled
-    tables = {name: hashlib.sha256(data).hexdigest() for name, data in table_files(compiled.mechanism, compiled.folder)}
+    tables = table_hashes(compiled.mechanism, compiled.folder)
     mechanism = compiled.mechanism.model_dump(mode="json", exclude={"studies", "exports", "note"})
     options = outcome.options.model_dump(mode="json", exclude=set(APART))
     box = asdict(outcome.box) if outcome.box else None

@@ -5,7 +5,6 @@ A path comes from points, from a CSV file or a DXF drawing beside the model, or 
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,6 +15,7 @@ from numpy.typing import NDArray
 
 from linkwright.laws import DEGREES
 from linkwright.model import units as u
+from linkwright.model.csv_file import read_csv
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import (
     FUNCTIONS,
@@ -103,21 +103,11 @@ def _corners(points: Array, share: Array, closed: bool) -> tuple[float, ...]:
 
 def from_csv(file: str, folder: Path | None = None, between: str = "cubic", path: Path_ = PATH) -> Wanted:
     """The path through the rows of a CSV file with the columns ``x [mm]`` and ``y [mm]`` (any unit of length)."""
-    try:
-        with ((folder or Path()) / file).open(newline="", encoding="utf-8-sig") as stream:
-            rows = [row for _, row in zip(range(MAX_ROWS + 2), csv.reader(stream), strict=False) if any(row)]
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
-        data = {"file": file, "reason": str(error)[:100]}
-        raise ModelError([Finding("table.unreadable", path, data)]) from None
-    if len(rows) > MAX_ROWS + 1:
-        raise ModelError([Finding("table.long", path, {"limit": MAX_ROWS})])
-    header = [cell.strip() for cell in rows[0]] if rows else []
+    rows = read_csv(file, folder, path, MAX_ROWS)
     columns, sizes = [], []
     for name in ("x", "y"):
-        found = next((cell for cell in header if cell.split("[")[0].strip() == name), None)
-        if found is None:
-            known = ", ".join(header)[:80]
-            raise ModelError([Finding("table.no-column", path, {"name": f"{name} [mm]", "known": known})])
+        found = next((head for head in rows.heads if head.split("[")[0].strip() == name), name)
+        columns.append(rows.column(found, f"{name} [mm]"))
         word = found.partition("[")[2].rstrip("] ")
         try:
             size, dimension = unit(word)
@@ -125,15 +115,8 @@ def from_csv(file: str, folder: Path | None = None, between: str = "cubic", path
             size, dimension = 1.0, u.PURE
         if dimension != u.LENGTH:
             raise ModelError([Finding("workspace.path-unit", path, {"column": found[:40]})])
-        columns.append(header.index(found))
         sizes.append(size)
-    points = []
-    for number, row in enumerate(rows[1:], start=2):
-        try:
-            points.append([float(row[column]) * size for column, size in zip(columns, sizes, strict=True)])
-        except (ValueError, IndexError):
-            raise ModelError([Finding("table.not-number", path, {"row": number})]) from None
-    return through(np.array(points).reshape(-1, 2), between, path)
+    return through(np.array(rows.numbers(columns)).reshape(-1, 2) * sizes, between, path)
 
 
 def from_dxf(

@@ -14,6 +14,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The file {file} can't be read: {reason}.",
         "Check its name and your permission to read it.",
     ),
+    "file.irregular": (
+        "{file} is {kind}; only regular files are read.",
+        "Name a file, or a link to one.",
+    ),
     "file.unwritable": (
         "Can't write to {file}: {reason}.",
         "Choose another folder with --out, or make this one writable.",
@@ -23,7 +27,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Install it: pip install 'linkwright[{extra}]'.",
     ),
     "file.too-large": (
-        "The file has {size} bytes; a model file has at most {limit}.",
+        "The file has more than {limit} bytes, the most that a model file may have.",
         "Put long tables into CSV files beside the model and name them under tables.",
     ),
     "file.binary": (
@@ -689,15 +693,39 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "table.unreadable": (
         "The file {file} can't be read: {reason}.",
-        "Put the CSV file beside the model, as UTF-8 text with a line of column names first.",
+        "Put the file beside the model, with its name as it is written here and permission to read it.",
+    ),
+    "table.too-large": (
+        "The file {file} has more than {limit} bytes, the most that is read.",
+        "Leave rows and columns out of it; of a drawing, all but the path.",
+    ),
+    "table.not-text": (
+        "The file {file} isn't text in UTF-8: byte {at} (line {line}) can't stand in it.",
+        "Save it as a CSV file in UTF-8, not in UTF-16, GBK or a spreadsheet's own format.",
+    ),
+    "table.bad-line": (
+        "The file {file} can't be read as CSV at line {line}: {reason}.",
+        "Look there and above for a quotation mark without its partner.",
+    ),
+    "table.empty": (
+        "The file {file} is empty.",
+        "Its first line names the columns, the following ones hold their numbers, with commas between them.",
+    ),
+    "table.separator": (
+        "The file {file} separates its columns by '{sign}', where commas are expected.",
+        "Save it with commas between the columns and points in decimal numbers.",
+    ),
+    "table.column-twice": (
+        "The file {file} has several columns called '{name}'.",
+        "Give each its own name, or remove those that aren't meant.",
     ),
     "table.no-column": (
         "The file has no column '{name}'. Its columns: {known}.",
         "Correct x and y, or the first line of the file.",
     ),
     "table.not-number": (
-        "Row {row} of the file holds something that isn't a number.",
-        "Correct the row; write decimal points, and no units.",
+        "Line {row} of the file has '{given}' in the column '{name}', where a finite number belongs.",
+        "Correct the cell; write decimal points, and no units.",
     ),
     "table.long": (
         "The file has more than {limit} rows.",
@@ -2033,6 +2061,11 @@ _TERMS: dict[str, str] = {
     "nothing": "nothing",
     "given-mapping": "a mapping",
     "given-list": "a list of {count}",
+    # What isn't a regular file.
+    "a-folder": "a folder",
+    "a-pipe": "a named pipe",
+    "a-socket": "a socket",
+    "a-device": "a device",
     "no-unit": "1 (a pure number)",
     # Kinds of names.
     "a-link": "a link",

@@ -1,0 +1,101 @@
+"""CSV files beside a model: the one reader of them, which says everything that is wrong with their text and numbers."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import islice
+from pathlib import Path
+
+from linkwright.model.findings import Finding, ModelError
+from linkwright.model.input_files import read_beside
+from linkwright.model.quantities import LARGEST
+from linkwright.model.written import NO_TEXT
+
+Path_ = tuple[str | int, ...]
+
+MAX_TOLD = 10
+"""So many wrong cells are told one by one."""
+
+
+@dataclass(frozen=True)
+class CsvFile:
+    """``heads`` are the cells of the first line, ``rows`` the others that aren't blank, each with its line in the file;
+    ``path`` is the place in the model that names the file."""
+
+    name: str
+    path: Path_
+    heads: list[str]
+    rows: list[tuple[int, list[str]]]
+
+    def column(self, head: str, wanted: str | None = None) -> int:
+        """The number of the column with a head; ``wanted`` is what to write there. Raises :class:`ModelError`."""
+        count = self.heads.count(head)
+        if count > 1:
+            raise ModelError([Finding("table.column-twice", self.path, {"name": head[:60], "file": self.name})])
+        if count == 0:
+            known = ", ".join(self.heads)[:100]
+            raise ModelError([Finding("table.no-column", self.path, {"name": wanted or head, "known": known})])
+        return self.heads.index(head)
+
+    def numbers(self, columns: Sequence[int]) -> list[list[float]]:
+        """The numbers in some columns, row by row. Raises :class:`ModelError` with all cells that hold none."""
+        made, findings = [], []
+        for line, cells in self.rows:
+            numbers = []
+            for column in columns:
+                cell = cells[column].strip() if column < len(cells) else ""
+                numbers.append(value := finite(cell))
+                if value != value:
+                    data = {"row": line, "name": self.heads[column][:60], "given": cell[:40]}
+                    findings.append(Finding("table.not-number", self.path, data))
+            made.append(numbers)
+        if more := len(findings) - MAX_TOLD:
+            findings[MAX_TOLD:] = [Finding("file.more", self.path, {"count": more})] if more > 0 else []
+        if findings:
+            raise ModelError(findings)
+        return made
+
+
+def finite(cell: str) -> float:
+    """A cell's number; NaN where it holds none that can be computed with."""
+    try:
+        value = float(cell)
+    except ValueError:
+        return float("nan")
+    return value if abs(value) < LARGEST else float("nan")
+
+
+def read_csv(name: str, folder: Path | None, path: Path_, limit: int) -> CsvFile:
+    """A CSV file beside the model, of up to ``limit`` rows below its heads. Raises :class:`ModelError`."""
+    text = _decoded(read_beside(name, folder, path), name, path)
+    reader = csv.reader(io.StringIO(text, newline=""))
+    try:
+        lines = ((reader.line_num, cells) for cells in reader if any(map(str.strip, cells)))
+        heads, *rows = list(islice(lines, limit + 2)) or [(1, [])]
+    except csv.Error as error:
+        data = {"file": name, "line": reader.line_num, "reason": str(error)}
+        raise ModelError([Finding("table.bad-line", path, data)]) from None
+    if len(rows) > limit:
+        raise ModelError([Finding("table.long", path, {"limit": limit})])
+    found = [cell.strip() for cell in heads[1]]
+    if not found:
+        raise ModelError([Finding("table.empty", path, {"file": name})])
+    if len(found) == 1 and (sign := next((sign for sign in ";\t" if sign in found[0]), None)):
+        data = {"file": name, "sign": "tab" if sign == "\t" else sign}
+        raise ModelError([Finding("table.separator", path, data)])
+    return CsvFile(name, path, found, rows)
+
+
+def _decoded(content: bytes, name: str, path: Path_) -> str:
+    try:
+        text = content.decode("utf-8-sig")
+        at = len(text[: bad.start()].encode()) if (bad := NO_TEXT.search(text)) else None
+    except UnicodeDecodeError as error:
+        at = error.start
+    if at is None:
+        return text
+    line = content.count(b"\n", 0, at) + 1
+    raise ModelError([Finding("table.not-text", path, {"file": name, "at": at, "line": line})])
