@@ -106,7 +106,8 @@ class Passages:
 
     def sign(self, group: str, t: Array) -> Array:
         """The group's branch at times ``t`` over that which the model states."""
-        own = self.of(group)
+        if not (own := self.of(group)):
+            return np.ones(t.shape)
         passed = np.searchsorted(np.array([p.time for p in own]), t, side="right")
         return np.asarray(1.0 - 2.0 * ((passed - sum(p.at_start for p in own)) % 2))
 

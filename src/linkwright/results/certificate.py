@@ -271,12 +271,14 @@ def nearest(run: Run) -> Nearest | None:
 
     found = []
     turning = stationary(rates, run.start, run.stop, run.grid) if groups else []
-    for i, group in enumerate(groups):
-        times = np.concatenate([turning[i], [run.start, run.stop]])
+    every = np.unique(np.concatenate([[run.start, run.stop], *turning]))
+    at_all = np.abs(run.compiled.evaluate(names, every)) / largest[:, None] if groups else np.empty((0, every.size))
+    for group, own, row in zip(groups, turning, at_all, strict=True):
+        times = np.concatenate([own, [run.start, run.stop]])
         times = times[run.compiled.passages.outside(times, group)]
         if not times.size:
             continue
-        values = np.abs(run.compiled.evaluate([names[i]], times)[0]) / largest[i]
+        values = row[np.searchsorted(every, times)]
         found.append(Nearest(group, float(values.min()), float(times[values.argmin()])))
     return min(found, key=lambda near: near.determinant, default=None)
 

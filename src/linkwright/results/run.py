@@ -39,6 +39,7 @@ class Run:
         """Angles that turn too often to be followed: they are NaN."""
         self._repeating: set[str] = set()
         self._angles: dict[str, tuple[Array, Array]] = {}
+        self._firsts: dict[str, tuple[Array, Array]] = {}
         self._usual: dict[Dimension, float] | None = None
 
     @cached_property
@@ -86,6 +87,7 @@ class Run:
 
     def evaluate(self, names: Sequence[str], t: Array) -> Array:
         """The named signals at times ``t`` (s): (names, times), SI, angles continuous over the run."""
+        self._begin(names)
         y = self.compiled.evaluate(names, t)
         for i, name in enumerate(names):
             if self.compiled.graph.wrapped(name):
@@ -94,6 +96,7 @@ class Run:
 
     def rates(self, names: Sequence[str], t: Array) -> tuple[Array, Array]:
         """The named signals and their exact time derivatives at times ``t``."""
+        self._begin(names)
         values, slopes = self.compiled.rates(names, t)
         for i, name in enumerate(names):
             if self.compiled.graph.wrapped(name):
@@ -196,13 +199,26 @@ class Run:
                 turning.append(2 * np.pi / abs(float(rates[0][0])))
         return turning[0] if len(turning) == 1 and turning[0] < self.stop - self.start else None
 
+    def _begin(self, names: Sequence[str]) -> None:
+        """The angles and velocities on the first grid of all angles to be followed: computed at once, as links share
+        most of what leads to them."""
+        if new := [name for name in names if self.compiled.graph.wrapped(name) and name not in self._angles]:
+            grid, _ = self.place(self._shares(1.0))
+            rows = self.compiled.evaluate([*new, *map(_rate, new)], grid)
+            self._firsts.update((name, (rows[i], rows[len(new) + i])) for i, name in enumerate(new))
+
+    def _shares(self, part: float) -> Array:
+        """The grid over the first ``part`` of the run that an angle is followed on first."""
+        return np.linspace(0.0, part, max(self.steps, 64) + 1)
+
     def _followed(self, name: str, part: float) -> tuple[Array, Array] | None:
         """The continuous angle over the first ``part`` of the run, on a grid that is halved where a step turns too far;
         ``None`` where it turns too often."""
-        names = [name, name.replace(".angle", ".omega")]
-        share = np.linspace(0.0, part, max(self.steps, 64) + 1)
+        names = [name, _rate(name)]
+        share = self._shares(part)
         grid, slope = self.place(share)
-        angle, omega = self.compiled.evaluate(names, grid)
+        first = self._firsts.pop(name, None) if part == 1.0 else None
+        angle, omega = self.compiled.evaluate(names, grid) if first is None else first
         known_before = -1
         while True:
             known = np.isfinite(angle) & np.isfinite(omega) & self.clear(grid)
@@ -224,6 +240,11 @@ class Run:
             order = np.argsort(np.concatenate([share, middle]), kind="stable")
             pairs = ((share, middle), (grid, more), (angle, own[0]), (omega, own[1]), (slope, steepness))
             share, grid, angle, omega, slope = (np.concatenate(pair)[order] for pair in pairs)
+
+
+def _rate(angle: str) -> str:
+    """The signal that is the rate of an angle."""
+    return angle.replace(".angle", ".omega")
 
 
 def combined(

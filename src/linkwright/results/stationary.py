@@ -25,12 +25,14 @@ def stationary(
     stop: float,
     steps: int,
     scales: Sequence[float] | None = None,
+    alone: bool = False,
 ) -> list[Array]:
     """The times in ``start`` .. ``stop`` at which each row's rate changes sign, to round-off. ``scales`` (rows,) are
     the sizes of what cancels in each row where the row itself is smaller.
 
     ``rates(t)`` gives (values, rates), each (rows, times). The grid starts near ``steps`` and is doubled until each
-    row's count of brackets has stayed the same twice; rows that only vary by round-off have none.
+    row's count of brackets has stayed the same twice; rows that only vary by round-off have none. With ``alone`` each
+    row has the grid that it would have by itself.
     """
 
     def look(t: Array) -> list[Array]:
@@ -38,7 +40,7 @@ def stationary(
         least = np.zeros(len(values)) if scales is None else scales
         return [_brackets(t, v, s, scale) for v, s, scale in zip(values, slopes, least, strict=True)]
 
-    return roots(lambda at: rates(at)[1], _settled(look, start, stop, steps))
+    return roots(lambda at: rates(at)[1], _settled(look, start, stop, steps, alone))
 
 
 def fineness(rates: Callable[[Array], tuple[Array, Array]], start: float, stop: float, steps: int) -> list[int]:
@@ -69,16 +71,24 @@ def crossings(values: Callable[[Array], Array], start: float, stop: float, steps
     return roots(lambda at: values(at)[None, :], brackets)[0]
 
 
-def _settled(look: Callable[[Array], list[Array]], start: float, stop: float, steps: int) -> list[Array]:
-    """The brackets that ``look`` finds on a grid, doubled until their counts have stayed the same twice."""
+def _settled(
+    look: Callable[[Array], list[Array]], start: float, stop: float, steps: int, alone: bool = False
+) -> list[Array]:
+    """The brackets that ``look`` finds on a grid, doubled until their counts have stayed the same twice: of all rows
+    at once, or with ``alone`` of each."""
     counts: list[list[int]] = []
+    settled: dict[int, Array] = {}
     steps = min(max(steps, FIRST_STEPS), LATEST_FIRST)
     while True:
         t = np.linspace(start, stop, steps + 1)
         brackets = look(t)
         counts.append([len(b) for b in brackets])
-        if (len(counts) > 2 and counts[-1] == counts[-2] == counts[-3]) or steps >= MAX_STEPS:
-            return brackets
+        same = [len(last) == 3 and len(set(last)) == 1 for last in zip(*counts[-3:], strict=True)]
+        for row, found in enumerate(brackets):
+            if alone and same[row]:
+                settled.setdefault(row, found)
+        if all(same) or len(settled) == len(brackets) or steps >= MAX_STEPS:
+            return [settled.get(row, found) for row, found in enumerate(brackets)]
         steps *= 2
 
 

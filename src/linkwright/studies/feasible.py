@@ -32,6 +32,7 @@ def unassembled(run: Run) -> list[Finding]:
     """Each interval of the run in which a group can't be assembled, by the group that fails first."""
     findings: list[Finding] = stuck(run)
     taken: list[tuple[float, float]] = [(f.data["start"], f.data["stop"]) for f in findings]
+    look_at(run, [f"reach:{group.label}" for group in run.compiled.structure.groups if group.modes > 1])
     for group in run.compiled.structure.groups:
         if group.modes < 2:
             continue
@@ -57,19 +58,30 @@ def stuck(run: Run) -> list[Finding]:
     return findings
 
 
-def row_of(run: Run, row: str, more: Sequence[float] = ()) -> tuple[Array, Array]:
-    """Times and values of a row, on a grid that holds its turning points and some more times."""
+def look_at(run: Run, rows: Sequence[str]) -> None:
+    """Look closely at rows, all at once, so that :func:`row_of` has them at hand: what many groups share is computed
+    once."""
+    rows = [row for row in rows if row not in run.rows]
+    if not rows:
+        return
 
     def rates(share: Array) -> tuple[Array, Array]:
         t, slope = run.place(share)
-        values, slopes = run.compiled.rates([row], t)
+        values, slopes = run.compiled.rates(rows, t)
         with np.errstate(invalid="ignore"):  # an infinite rate where the run's pace is zero: no sign is known there
             return values, slopes * slope
 
-    if row not in run.rows:
-        shares = np.union1d(np.linspace(0.0, 1.0, max(run.grid, 200) + 1), stationary(rates, 0.0, 1.0, run.grid)[0])
-        t = run.place(shares)[0]
-        run.rows[row] = t, run.compiled.evaluate([row], t)[0]
+    grid, turning = np.linspace(0.0, 1.0, max(run.grid, 200) + 1), stationary(rates, 0.0, 1.0, run.grid, alone=True)
+    every = np.union1d(grid, np.concatenate(turning))
+    t = run.place(every)[0]
+    for row, own, values in zip(rows, turning, run.compiled.evaluate(rows, t), strict=True):
+        at = np.searchsorted(every, np.union1d(grid, own))
+        run.rows[row] = t[at], values[at]
+
+
+def row_of(run: Run, row: str, more: Sequence[float] = ()) -> tuple[Array, Array]:
+    """Times and values of a row, on a grid that holds its turning points and some more times."""
+    look_at(run, [row])
     t, values = run.rows[row]
     if not len(more):
         return t, values
@@ -147,9 +159,9 @@ def singular(run: Run, code: str = "motion.singular") -> list[Finding]:
     Poses through which the run is carried (``run.compiled.passages``) are none.
     """
     findings = []
-    for group in run.compiled.structure.groups:
-        if group.modes < 2:
-            continue
+    groups = [group for group in run.compiled.structure.groups if group.modes > 1]
+    look_at(run, [f"span:{group.label}" for group in groups if group.has_span])
+    for group in groups:
         vague: list[float] = []
         if group.has_span:
             s, span = row_of(run, f"span:{group.label}")
