@@ -14,7 +14,7 @@ from pathlib import Path
 from figures import parser, tell
 
 import linkwright as lw
-from linkwright.app.job import examine_file
+from linkwright.app import examine_alone
 from linkwright.blocks import Threads
 from linkwright.model.machine import processors
 from linkwright.studies import Site
@@ -30,7 +30,7 @@ TASK = Task(speeds=(3.0, 3.0), efforts=(1.0, 1.0), force=(1.0, 2.0))
 
 def once(workers: int) -> tuple[float, float]:
     """Seconds of the regions and of the maps."""
-    examined = examine_file(EXAMPLE, only="workspace")
+    examined = examine_alone(EXAMPLE, "workspace")
     assert examined.compiled is not None and not examined.findings
     (task,) = examined.tasks
     alone = task.options.model_copy(update=dict.fromkeys(SECTIONS))  # the regions without what the file asks of them

@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from linkwright.app.job import Examined, Writing, carry_out, examine_document, read_file, read_model
 from linkwright.blocks import RUNNERS, Runner
+from linkwright.exports import TARGETS
 from linkwright.model.document import parse_document, plain
-from linkwright.model.findings import raise_errors
+from linkwright.model.findings import Finding, Term, raise_errors
 from linkwright.model.mechanism import Document
-from linkwright.studies import Site
+from linkwright.studies import STUDIES, Site
 
 
 @contextmanager
@@ -27,12 +29,44 @@ def runner_of(workers: int | None = None, cluster: str | None = None) -> Iterato
         yield runner
 
 
-def examine_alone(path: Path, study: str, given: Mapping[str, Any]) -> Examined:
+def examine_alone(path: Path, study: str, given: Mapping[str, Any] = MappingProxyType({})) -> Examined:
     """Read and compile a model file for one study alone, with the options ``given`` in place of the file's."""
     read = read_file(path)
     if read.document is None:
         return read
-    return examine_document(altered(read.document, study, given), path.parent, only=study).read_from(read)
+    return examine_one(read.document, path.parent, study, given).read_from(read)
+
+
+_SECTIONS: dict[str, tuple[str, str, Mapping[str, Any]]] = {
+    "studies": ("study.missing", "only", STUDIES),
+    "exports": ("export.missing", "to", TARGETS),
+}
+"""The sections of which one entry can be asked for: the finding where the file doesn't have it, the key of
+:func:`~linkwright.app.job.examine_document`, the registry."""
+
+_LACKING = {"file.missing", "cam.none", "tolerance.none"}
+"""Of a study that the file doesn't have, what says that it needs more than options of its own."""
+
+
+def examine_one(
+    document: Document,
+    folder: Path | None,
+    name: str,
+    given: Mapping[str, Any],
+    without: Sequence[str] = (),
+    section: str = "studies",
+) -> Examined:
+    """Compile a document for one study, or one export, with the options ``given`` in place of its own and ``without``
+    some of these. Where it has none and can't do without, that is the finding, with an example."""
+    code, key, known = _SECTIONS[section]
+    examined = examine_document(altered(document, name, given, without, section), folder, **{key: name})
+    own = getattr(document, section)
+    lacking = [f for f in examined.findings if f.code in _LACKING and f.path == (section, name)]
+    if lacking and name not in own:
+        data = {"name": name, "has": ", ".join(own) or Term("none"), "example": known[name].example}
+        rest = [f for f in examined.findings if f not in lacking or f.code != "file.missing"]
+        examined.findings = [Finding(code, (section,), data), *rest]
+    return examined
 
 
 def perform_alone(
@@ -52,7 +86,7 @@ def perform_alone(
     :class:`ModelError` with all findings."""
     read = read_model(model, folder)
     assert read.document is not None
-    examined = examine_document(altered(read.document, study, given, without), read.folder, only=study)
+    examined = examine_one(read.document, read.folder, study, given, without)
     if read.file is not None:
         examined.read_from(read)
     target = Path(out) if out is not None else None

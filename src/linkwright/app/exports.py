@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from linkwright.app.alone import altered
-from linkwright.app.job import USUAL, Examined, Writing, examine_document, read_file, read_model
+from linkwright.app.alone import examine_one
+from linkwright.app.job import USUAL, Examined, Writing, read_file, read_model
 from linkwright.app.results_folder import ResultsFolder, outdate
 from linkwright.exports import TARGETS, Exported
 from linkwright.model.findings import Finding, ModelError, raise_errors
@@ -137,7 +137,7 @@ def _examined(document: Document, folder: Path | None, to: str, given: Mapping[s
     if to not in TARGETS:
         data = {"name": to, "near": near(to, [*TARGETS])}
         return Examined(document, findings=[Finding("export.unknown", (), data)])
-    return examine_document(altered(document, to, given, section="exports"), folder, to=to)
+    return examine_one(document, folder, to, given, section="exports")
 
 
 def _settings(settings: Sequence[str]) -> dict[str, Any]:

@@ -114,12 +114,12 @@ def read_model(model: str | Path | Document, folder: str | Path | None) -> Exami
     return replace(read, folder=Path(folder)) if folder else read
 
 
-def examine_file(path: Path, only: str | None = None) -> Examined:
-    """Read and compile a model file; findings carry the lines of the file. ``only``: see :func:`examine_document`."""
+def examine_file(path: Path) -> Examined:
+    """Read and compile a model file; findings carry the lines of the file."""
     read = read_file(path)
     if read.document is None:
         return read
-    return examine_document(read.document, path.parent, only).read_from(read)
+    return examine_document(read.document, path.parent).read_from(read)
 
 
 def examine_document(

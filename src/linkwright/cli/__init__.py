@@ -165,7 +165,7 @@ def limits(file: Path, as_json: bool) -> None:
     from linkwright import app
     from linkwright.cli import show
 
-    examined = app.examine_file(file, only="limits")
+    examined = app.examine_alone(file, "limits")
     with show.working(file, "limits", quiet=as_json):
         job = app.perform(examined)
     _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
@@ -237,7 +237,7 @@ def workspace(
     from linkwright.model.findings import ModelError
     from linkwright.model.machine import needed
 
-    examined = app.examine_file(file, only="workspace")
+    examined = app.examine_alone(file, "workspace")
     for asked, package, extra in ((dxf, "ezdxf", "cad"), (png, "resvg_py", "png")):
         try:
             if asked:

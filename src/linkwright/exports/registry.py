@@ -35,9 +35,11 @@ class Exported:
 
 
 class Target(Protocol):
-    """A format: its name in ``exports``, the options under it, and an export that makes the contents of its files."""
+    """A format: its name in ``exports``, the options under it (``example`` as a file has them), and an export that
+    makes the contents of its files."""
 
     name: ClassVar[str]
+    example: ClassVar[str]
     options: ClassVar[type[BaseModel]]
 
     def check(self, compiled: Compiled, options: Any) -> list[Finding]:

@@ -92,6 +92,7 @@ class Cycle:
     """Motion and forces over time."""
 
     name = "cycle"
+    example = "{turns: 1 motor, samples: 360}"
     options = CycleOptions
 
     def check(self, compiled: Compiled, options: CycleOptions) -> list[Finding]:

@@ -115,6 +115,7 @@ class Limits:
     """Ranges, dead centres, strokes, transmission angles, types of four-bars."""
 
     name = "limits"
+    example = "{signals: [rocker.angle]}"
     options = LimitsOptions
 
     def check(self, compiled: Compiled, options: LimitsOptions) -> list[Finding]:

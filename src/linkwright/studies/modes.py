@@ -121,6 +121,7 @@ class Modes:
     """Every way to put the mechanism together."""
 
     name = "modes"
+    example = "{drive: motor}"
     options = ModesOptions
 
     def check(self, compiled: Compiled, options: ModesOptions) -> list[Finding]:

@@ -97,6 +97,7 @@ class Reactions:
     """Reactions of a structure at its pose."""
 
     name = "reactions"
+    example = "{}"
     options = ReactionsOptions
     examine = staticmethod(examine_still)
 

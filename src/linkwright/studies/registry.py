@@ -19,9 +19,11 @@ from linkwright.studies.site import Site
 
 
 class Study(Protocol):
-    """What a study gives: its name in the file, its options, and a run that makes an outcome."""
+    """What a study gives: its name in the file, its options (``example`` as a file has them), and a run that makes an
+    outcome."""
 
     name: ClassVar[str]
+    example: ClassVar[str]
     options: ClassVar[type[BaseModel]]
 
     def check(self, compiled: Compiled, options: Any) -> list[Finding]:

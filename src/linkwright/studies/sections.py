@@ -14,9 +14,10 @@ from linkwright.model.written import describe
 
 
 class Optioned(Protocol):
-    """What stands in such a section: its name there, and the model of its options."""
+    """What stands in such a section: its name there, an example of its options as a file has them, and their model."""
 
     name: ClassVar[str]
+    example: ClassVar[str]
     options: ClassVar[type[BaseModel]]
 
 

@@ -30,6 +30,7 @@ class SweepStudy:
     """Many samples of the parameters."""
 
     name = "sweep"
+    example = "{vary: {AB: {from: 150, to: 160, count: 11}}}"
     options = SweepOptions
 
     def check(self, compiled: Compiled, options: SweepOptions) -> list[Finding]:

@@ -46,6 +46,7 @@ class Mjcf:
     """MuJoCo's XML, with a table of joint positions."""
 
     name = "mjcf"
+    example = "{duration: 2 s}"
     options = MjcfOptions
 
     def check(self, compiled: Compiled, options: MjcfOptions) -> list[Finding]:

@@ -35,6 +35,7 @@ class MotorExpressions:
     """The motion laws of drives as piecewise text in t, and as tables."""
 
     name = "motor-expressions"
+    example = "{dialect: creo}"
     options = MotorOptions
 
     def check(self, compiled: Compiled, options: MotorOptions) -> list[Finding]:

@@ -26,6 +26,7 @@ class ProcessSimulate:
     """Joint functions for Siemens Tecnomatix Process Simulate."""
 
     name = "process-simulate"
+    example = "{dialect: seed}"
     options = ProcessSimulateOptions
 
     def check(self, compiled: Compiled, options: ProcessSimulateOptions) -> list[Finding]:

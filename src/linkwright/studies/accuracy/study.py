@@ -36,6 +36,7 @@ class AccuracyStudy:
     """What deviations do to the outputs."""
 
     name = "accuracy"
+    example = "{outputs: [rocker.angle], positions: {middle: 0.5 s}}"
     options = AccuracyOptions
 
     def check(self, compiled: Compiled, options: AccuracyOptions) -> list[Finding]:

@@ -53,6 +53,7 @@ class CamStudy:
     """A plate cam from its law to its NC code."""
 
     name = "cam"
+    example = "{cam: seal, limits: {pressure_rise: 30}}"
     options = CamOptions
 
     def without(self, wrong: set[str]) -> set[str] | None:
@@ -167,7 +168,9 @@ def chosen(compiled: Compiled, options: CamOptions) -> tuple[str | None, list[Fi
         return (options.cam, []) if options.cam in cams else (None, [unknown("cam", (*PATH, "cam"), options.cam, cams)])
     if len(cams) == 1:
         return next(iter(cams)), []
-    return None, [Finding("cam.which", PATH, {"count": len(cams), "names": ", ".join(cams) or "-"})]
+    if not cams:
+        return None, [Finding("cam.none", PATH)]
+    return None, [Finding("cam.which", PATH, {"count": len(cams), "names": ", ".join(cams)})]
 
 
 def _sizes(outcome: CamOutcome, low: float, high: float) -> None:

@@ -44,6 +44,7 @@ class WorkspaceStudy:
     """Reachable regions with their boundaries."""
 
     name = "workspace"
+    example = "{point: P}"
     options = WorkspaceOptions
 
     def check(self, compiled: Compiled, options: WorkspaceOptions) -> list[Finding]:

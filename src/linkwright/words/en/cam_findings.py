@@ -3,7 +3,13 @@
 CAM_TEXTS: dict[str, tuple[str, str]] = {
     "cam.which": (
         "Which cam the study looks at isn't clear; there are {count}: {names}.",
-        "Name one under cam; a file without cams needs an entry of cams.",
+        "Name one under cam.",
+    ),
+    "cam.none": (
+        "The file has no cams.",
+        "Add one and its motion law, for example 'cams: {{seal: {{cam: disc, follower: lever, on: frame, base: 40 mm, law: "
+        "lift, roller: 15 mm, at: R}}}}' and 'laws: {{lift: {{over: angle, of: angle, beyond: repeat, segments: [...]}}}}'; "
+        "see docs/how-to/cams.md.",
     ),
     "cam.together": (
         "These belong together: {keys}.",

@@ -920,6 +920,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "There is no study called '{name}'.",
         "{near}",
     ),
+    "study.missing": (
+        "The file has no study {name}. Its studies: {has}.",
+        "Add it to the file, for example 'studies: {{{name}: {example}}}'.",
+    ),
     "study.options": (
         "The option {key} of the study {study} is wrong: {reason}.",
         "Correct it; docs/file-format.md lists the options of each study.",
@@ -1234,6 +1238,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "export.unknown": (
         "There is no export to '{name}'.",
         "{near}",
+    ),
+    "export.missing": (
+        "The file doesn't say how it is exported to {name}. Its exports: {has}.",
+        "Add it to the file, for example 'exports: {{{name}: {example}}}'.",
     ),
     "export.options": (
         "The option {key} of the export to {export} is wrong: {reason}.",
@@ -2059,6 +2067,7 @@ _TERMS: dict[str, str] = {
     "must-choice": "it must be {expected}, not {given}",
     # What is given.
     "nothing": "nothing",
+    "none": "none",
     "given-mapping": "a mapping",
     "given-list": "a list of {count}",
     # What isn't a regular file.
