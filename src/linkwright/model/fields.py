@@ -9,6 +9,7 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator, WithJsonSchema
 
 from linkwright.model.expressions import ExpressionError, Node, Number, parse
+from linkwright.model.respelled import syntax_fault
 from linkwright.model.written import (
     Frozen,
     FrozenDict,
@@ -94,8 +95,8 @@ def parse_text(text: str) -> Node:
     try:
         return parse(text)
     except ExpressionError as error:
-        short = text if len(text) <= 60 else text[:57] + "..."
-        raise fault("expression.syntax", text=short, reason=error.reason) from None
+        code, data = syntax_fault(text, error.reason)
+        raise fault(code, **data) from None
 
 
 def pair(wanted: str) -> Callable[[Any], Any]:

@@ -10,6 +10,7 @@ from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, is_signal,
 from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.places import Place, Scope
+from linkwright.model.respelled import respelled
 from linkwright.model.signals import Signals
 from linkwright.model.trees import children
 from linkwright.model.units import is_unit
@@ -72,10 +73,13 @@ class Names:
                 data = {"name": node.name, "near": near(node.name, known)}
                 yield Finding("expression.unknown-function", path, data)
         elif node.text not in ("t", "pi") and node.text not in m.parameters:
-            if is_unit(node.text):
+            known = [*place.names, *m.parameters, "t", "pi"]
+            if found := respelled(place.expression.text, known):
+                data = {"text": place.expression.text[:60], "reason": found[0], "hint": found[1]}
+                yield Finding("expression.respelled", path, data)
+            elif is_unit(node.text):
                 yield Finding("expression.unit-alone", path, {"name": node.text})
             else:
-                known = [*place.names, *m.parameters, "t", "pi"]
                 data = {"name": node.text, "near": near(node.text, known)}
                 yield Finding("name.unknown-parameter", path, data)
 

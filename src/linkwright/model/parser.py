@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
@@ -36,6 +37,17 @@ _SPELLINGS = {"**": "^", "−": "-", "·": "*", "×": "*"}
 _NEVER_UNITS = ("t", "pi")
 
 
+def tokens(text: str) -> Iterator[tuple[str, str, int, int]]:
+    """The numbers, words and operators of a text, each with its kind and place; what is none of these has no kind."""
+    position, text = 0, text.rstrip()
+    while position < len(text):
+        match = _TOKEN.match(text, position)
+        kind = (match.lastgroup or "") if match else ""
+        start, end = match.span(kind) if match else (position + text[position:].index(text[position:].lstrip()[0]), 0)
+        position = end or start + 1
+        yield kind, text[start:position], start, position
+
+
 @lru_cache(maxsize=4096)
 def parse(text: str) -> Node:
     """The syntax tree of ``text``. Raises :class:`ExpressionError` with a short reason."""
@@ -58,15 +70,10 @@ class _Parser:
     depth: int = 0
 
     def scan(self) -> None:
-        position, text = 0, self.text.rstrip()
-        while position < len(text):
-            match = _TOKEN.match(text, position)
-            if match is None:
-                raise ExpressionError("character", given=text[position:].lstrip()[:1])
-            kind = match.lastgroup or ""
-            value = match.group(kind)
+        for kind, value, _, _ in tokens(self.text):
+            if not kind:
+                raise ExpressionError("character", given=value)
             self.tokens.append((kind, _SPELLINGS.get(value, value)))
-            position = match.end()
         self.tokens.append(("end", ""))
 
     @property

@@ -19,6 +19,7 @@ from linkwright.model.mechanism import Mechanism
 from linkwright.model.names import Names
 from linkwright.model.places import OF_FORMULA, Place, position_parts
 from linkwright.model.signals import Signals
+from linkwright.model.synonyms import unit_meant
 from linkwright.model.units import Dimension, UnitError, si_text, spelled, unit, words_of
 
 __all__ = ["Quantities", "column_unit", "position_parts"]
@@ -66,7 +67,7 @@ class Quantities:
             except UnitError:
                 fits = False
             if not fits or (len(words_of(word)) > 1 and base in ("length", "angle", "mass", "time")):
-                data = {"word": word[:40], "base": base, "usual": _USUAL[base]}
+                data = {"word": word[:40], "base": base, "usual": unit_meant(word) or _USUAL[base]}
                 self.findings.append(Finding("units.wrong", ("units", base), data))
                 del declared[base]
         return declared

@@ -119,3 +119,39 @@ for _word, _others in _WORDS.items():
 def meant(name: str) -> list[str]:
     """The words of the format that a name stands for elsewhere."""
     return _MEANT.get(plain(name), [])
+
+
+_UNITS = {
+    "mm": "millimeter millimeters millimetre millimetres 毫米",
+    "cm": "centimeter centimeters centimetre centimetres 厘米",
+    "m": "meter meters metre metres 米",
+    "um": "micron microns micrometer micrometre 微米",
+    "in": "inches zoll 英寸",
+    "ft": "foot feet 英尺",
+    "kg": "kilogram kilograms kilo 千克 公斤",
+    "g": "gram grams gramm 克",
+    "s": "sec secs second seconds sek 秒",
+    "ms": "msec millisecond milliseconds 毫秒",
+    "min": "minute minutes 分 分钟",
+    "h": "hour hours hr 小时",
+    "deg": "degree degrees grad 度",
+    "rad": "radian radians 弧度",
+    "r": "revs revolution revolutions turns rotation rotations U 转",
+    "N": "newton newtons 牛 牛顿",
+    "kN": "kilonewton 千牛",
+    "Nm": "newtonmeter 牛米",
+    "Pa": "pascal 帕",
+    "J": "joule joules 焦耳",
+    "W": "watt watts 瓦",
+    "rpm": "Upm",
+}
+_UNIT_MEANT = {plain(other): unit for unit, others in _UNITS.items() for other in others.split()}
+
+
+def unit_meant(word: str) -> str | None:
+    """The unit that a word stands for elsewhere, if any: its name written out, in another language, or in capitals."""
+    return _UNIT_MEANT.get(plain(word)) or next((unit for unit in _CAPITALS if plain(word) == plain(unit)), None)
+
+
+_CAPITALS = ("mm", "cm", "kg", "deg", "rad", "rpm", "Hz", "kHz", "kN", "Nm", "MPa", "kPa", "bar", "min", "N", "s")
+"""Units that are recognised in other capitals; not those of which two differ in them alone."""

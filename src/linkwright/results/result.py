@@ -20,6 +20,7 @@ from linkwright.model.expressions import Call, ExpressionError, Name, parse
 from linkwright.model.findings import Finding, ModelError
 from linkwright.model.machine import needed
 from linkwright.model.output_files import write_aside
+from linkwright.model.respelled import syntax_fault
 from linkwright.model.units import PURE, Dimension
 from linkwright.results.certificate import Certificate
 from linkwright.results.run import Run
@@ -156,7 +157,8 @@ def _read(text: str) -> Iterator[None]:
     except DimensionError as error:
         raise ModelError([Finding(error.key, (text,), error.data)]) from None
     except ExpressionError as error:
-        raise ModelError([Finding("expression.syntax", (text,), {"text": text, "reason": error.reason})]) from None
+        code, data = syntax_fault(text, error.reason)
+        raise ModelError([Finding(code, (text,), data)]) from None
 
 
 def si_unit(dimension: Dimension) -> str:

@@ -212,6 +212,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "'{text}' can't be read as an expression: {reason}.",
         "Write arithmetic with + - * / ^ and brackets, as in '2*AB + 5 mm'; put a * between factors.",
     ),
+    "expression.respelled": (
+        "'{text}' can't be read as an expression: {reason}.",
+        "{hint}",
+    ),
     "expression.units-conflict": (
         "'{part}' has the unit {given}; here {wanted} is wanted.",
         "Correct the unit written, or the parameter; a parameter takes its unit from its own value or its other uses.",
@@ -2135,6 +2139,18 @@ _TERMS: dict[str, str] = {
     "syntax-unit": "'{word}' isn't a unit",
     "syntax-unit-power": "the power of a unit is one digit, 1 to 9",
     "syntax-place": "{name} can't stand here",
+    # What is written otherwise than in a file, and what is meant.
+    "respelled-wide": "it has full-width characters",
+    "respelled-signs": "it has characters that expressions don't take",
+    "respelled-stray": "it has characters before or behind it that belong to no expression",
+    "respelled-comma": "numbers have a decimal point, not a comma",
+    "respelled-speed": "rotational speeds are written in rpm or r/s",
+    "respelled-unit": "units are written by their short names",
+    "respelled-factor": "a * is missing between factors",
+    "respelled-tolerance": "a tolerance is written apart from the value, without a sign",
+    "write-tolerance": "Write '{{value: {value}, tolerance: {text}}}'.",
+    "write": "Write '{text}'.",
+    "write-either": "Write '{text}', or '{other}' if the comma separates thousands.",
 }
 
 _ALL = {**_TEXTS, **CAM_TEXTS, **PLAUSIBILITY_TEXTS, **ABSENT_TEXTS}

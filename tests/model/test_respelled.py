@@ -1,0 +1,74 @@
+"""Expressions in the spellings of other places: what is meant is proposed, and can be read."""
+
+from __future__ import annotations
+
+import pytest
+
+from linkwright.model.expressions import ExpressionError, parse
+from linkwright.model.respelled import respelled
+
+SPELLINGS = {
+    "190,5": "190.5",
+    "60,5 rpm": "60.5 rpm",
+    "AB+1,5*CD": "AB+1.5*CD",
+    "1.000,5": "1000.5",
+    "1'900.5": "1900.5",
+    "2AB": "2*AB",
+    "2,5AB": "2.5*AB",
+    "3(AB+1)": "3*(AB+1)",
+    "(AB+1)(BC)": "(AB+1)*(BC)",
+    "max(1,5)*2AB": "max(1,5)*2*AB",
+    "45 1/min": "45 rpm",
+    "451/min": "451 rpm",
+    "45 min^-1": "45 rpm",
+    "45 min⁻¹": "45 rpm",
+    "45 U/min": "45 rpm",
+    "45 RPM": "45 rpm",
+    "45转/分": "45 rpm",
+    "2 rps": "2 r/s",
+    "60 deg/sec": "60 deg/s",
+    "60 millimeters": "60 mm",
+    "60毫米": "60 mm",
+    "30度": "30 deg",
+    "9.81 m/s2": "9.81 m/s^2",
+    "5 N.m": "5 N*m",
+    "（AB＋CD）": "(AB+CD)",
+    "１９０": "190",
+    "CD÷2": "CD/2",
+    "√(AB)": "sqrt(AB)",
+    "AB*π": "AB*pi",
+    "=AB*2": "AB*2",
+    "190;": "190",
+    "190 // coupler": "190",
+    "±0.1": "0.1",
+}
+
+
+@pytest.mark.parametrize("text", SPELLINGS)
+def test_what_is_meant(text: str) -> None:
+    found = respelled(text)
+    assert found is not None and str(found[1]) == f"Write '{SPELLINGS[text]}'."
+    parse(SPELLINGS[text])
+
+
+@pytest.mark.parametrize("text", ["", "AB CD", "2 +", "(AB", "f(1,5", "190 ± x y", "a" * 50 + "(" * 50, "1/2 AB CD"])
+def test_what_has_no_sound_spelling(text: str) -> None:
+    assert respelled(text) is None
+    with pytest.raises(ExpressionError):
+        parse(text)
+
+
+def test_a_comma_before_three_digits_may_be_either() -> None:
+    found = respelled("1,900 mm")
+    assert found is not None
+    assert str(found[1]) == "Write '1.900 mm', or '1900 mm' if the comma separates thousands."
+
+
+def test_a_tolerance_beside_its_value() -> None:
+    found = respelled("190 ± 0.1")
+    assert found is not None and str(found[1]) == "Write '{value: 190, tolerance: 0.1}'."
+
+
+def test_names_that_are_known_stay() -> None:
+    assert respelled("60 deg/sec", ["sec"]) is None
+    assert respelled("2*sec", ["sec"]) is None
