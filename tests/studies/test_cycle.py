@@ -25,6 +25,8 @@ def cycle(**options: Any) -> dict[str, Any]:
     [
         ({"turns": "1 motor"}, 1.0),
         ({"turns": "2 motor"}, 2.0),
+        ({"turns": "1.5e1 motor"}, 15.0),
+        ({"turns": ".5 motor"}, 0.5),
         ({"turns": "0.25 motor"}, 0.25),
         ({"turns": "  3   motor "}, 3.0),
         ({"duration": "0.3 s"}, 0.3),
@@ -85,9 +87,26 @@ def test_turns_of_either_direction(speed: str) -> None:
 )
 def test_a_bad_option_is_named(options: dict[str, Any], key: str) -> None:
     (finding,) = refused(slider_crank(**cycle(**options)))
-    assert finding.code in ("study.options", "file.expected", "file.unknown-key")
+    assert finding.code in ("study.options", "file.expected", "file.unknown-key", "name.unknown", "value.not-finite")
     assert finding.path[:2] == ("studies", "cycle")
     assert finding.data.get("key", finding.path[-1]) == key
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        ({"duration": "1e300 s"}, "1e+300 s, and 1e+12 s is the longest"),
+        ({"turns": "1e300 motor"}, "1e+300 s, and 1e+12 s is the longest"),
+        ({"turns": "1e400 motor"}, "inf s, and 1e+12 s is the longest"),
+        ({"duration": "1/0"}, "'1/0'"),
+        ({"duration": "-1e300 s"}, "it must be positive"),
+        ({"turns": "2 moter"}, "'moter'"),
+    ],
+    ids=str,
+)
+def test_what_is_wrong_with_a_length(options: dict[str, Any], said: str) -> None:
+    (finding,) = refused(slider_crank(**cycle(**options)))
+    assert said in finding.what
 
 
 def test_turns_of_an_accelerating_drive_are_refused() -> None:

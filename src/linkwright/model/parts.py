@@ -109,8 +109,9 @@ def _named(raw: Any) -> Any:
     """A list of names stands for points whose places are those of the sketch."""
     if not isinstance(raw, list | tuple) or not raw:
         return raw
-    if bad := next((name for name in raw if not isinstance(name, str)), None):
-        raise unexpected("name", bad)
+    for name in raw:
+        if not isinstance(name, str):
+            raise unexpected("name", name)
     return dict.fromkeys(raw, "sketch")
 
 

@@ -105,8 +105,9 @@ class FrozenDict(dict[str, Any]):
 def frozen(raw: Any) -> Any:
     """Plain data (as YAML holds it) made immutable, through and through."""
     if isinstance(raw, Mapping):
-        if bad := next((key for key in raw if not isinstance(key, str)), None):
-            raise unexpected("name", bad)
+        for key in raw:
+            if not isinstance(key, str):
+                raise unexpected("name", key)
         return FrozenDict({key: frozen(value) for key, value in raw.items()})
     if isinstance(raw, list | tuple):
         return tuple(frozen(value) for value in raw)

@@ -137,7 +137,7 @@ def check_span(compiled: Compiled, options: Sampling, varied: frozenset[str], at
     that names these."""
     cycle, m = options.cycle, compiled.mechanism
     length = cycle.period if cycle.period is not None else cycle.duration
-    if cycle.turns is not None and (match := TURNS.match(cycle.turns)) and match[2] in m.drives:
+    if cycle.turns is not None and (match := TURNS.fullmatch(cycle.turns)) and match[2] in m.drives:
         length = m.drives[match[2]].speed
     if findings := span(compiled, cycle)[1]:
         yield from findings

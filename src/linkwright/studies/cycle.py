@@ -14,6 +14,7 @@ from linkwright.measures import Measurer, MeasureResult, enclose, misfit
 from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen, fault
 from linkwright.model.findings import Finding, ModelError, Term
+from linkwright.model.unknown import unknown
 from linkwright.model.written import unexpected
 from linkwright.results import Result, Run, certify
 from linkwright.studies.acting import lifted, loose, outside, undefined
@@ -27,7 +28,7 @@ from linkwright.studies.through import carried, warnings
 
 LONGEST = 1e12
 """No run is longer (s)."""
-TURNS = re.compile(r"^\s*(\d+(?:\.\d+)?)\s+(\w+)\s*$")
+TURNS = re.compile(r"\s*((?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s+(\w+)\s*")
 
 
 def _counted(raw: Any) -> Any:
@@ -54,7 +55,7 @@ class CycleOptions(Frozen):
         given = [name for name in ("period", "duration", "turns") if getattr(self, name) is not None]
         if len(given) != 1:
             key = given[0] if given else "period"
-            raise fault("study.options", study="cycle", key=key, reason="give one of period, duration, turns")
+            raise fault("study.options", study="cycle", key=key, reason=Term("one-length"))
         return self
 
 
@@ -180,29 +181,37 @@ def span(compiled: Compiled, options: CycleOptions) -> tuple[float, list[Finding
     except DimensionError as error:
         return 0.0, [Finding(error.key, path, error.data)]
     except KeyError:
-        data = {"study": "cycle", "key": key, "reason": "it must be made of numbers and parameters"}
-        return 0.0, [Finding("study.options", path, data)]
-    if not 0 < seconds < LONGEST:
-        return 0.0, [Finding("study.options", path, {"study": "cycle", "key": key, "reason": "must be positive"})]
-    return seconds, []
+        return _wrong(key, Term("length-constant"))
+    if not np.isfinite(seconds):
+        return 0.0, [Finding("value.not-finite", path, {"text": length.text[:60]})]
+    if seconds <= 0:
+        return _wrong(key, Term("length-positive"))
+    return (seconds, []) if seconds < LONGEST else _wrong(key, _too_long(seconds))
+
+
+def _wrong(key: str, reason: Term) -> tuple[float, list[Finding]]:
+    data = {"study": "cycle", "key": key, "reason": reason}
+    return 0.0, [Finding("study.options", ("studies", "cycle", key), data)]
+
+
+def _too_long(seconds: float) -> Term:
+    return Term("length-limit", seconds=f"{seconds:.3g}", limit=f"{LONGEST:.3g}")
 
 
 def _turns(compiled: Compiled, text: str) -> tuple[float, list[Finding]]:
-    def wrong(reason: str) -> tuple[float, list[Finding]]:
-        data = {"study": "cycle", "key": "turns", "reason": reason}
-        return 0.0, [Finding("study.options", ("studies", "cycle", "turns"), data)]
-
-    match = TURNS.match(text)
-    drive = compiled.mechanism.drives.get(match[2]) if match else None
-    if match is None or drive is None:
-        return wrong(f"'{text}' isn't a number and a drive, such as '2 {compiled.graph.drives[0]}'")
+    drives, match = compiled.mechanism.drives, TURNS.fullmatch(text)
+    if match is None:
+        return _wrong("turns", Term("turns-form", text=text[:60], drive=compiled.graph.drives[0]))
+    count, name = float(match[1]), match[2]
+    if (drive := drives.get(name)) is None:
+        return 0.0, [unknown("drive", ("studies", "cycle", "turns"), name, drives)]
     if drive.speed is None or drive.output is not None or drive.acceleration is not None or not drive.turns:
-        return wrong(f"{match[2]} doesn't turn at constant speed; give duration instead")
+        return _wrong("turns", Term("turns-constant", drive=name))
     speed = compiled.quantities.value(drive.speed, u.OMEGA)
-    if speed == 0 or float(match[1]) == 0:
-        return wrong(f"{match[2]} doesn't turn")
-    seconds = 2 * np.pi * float(match[1]) / abs(speed)
-    return (seconds, []) if seconds < LONGEST else wrong(f"{match[2]} turns too slowly: that takes {seconds:.3g} s")
+    if speed == 0 or count == 0:
+        return _wrong("turns", Term("turns-none", drive=name))
+    seconds = 2 * np.pi * count / abs(speed)
+    return (seconds, []) if seconds < LONGEST else _wrong("turns", _too_long(seconds))
 
 
 def not_periodic(run: Run) -> list[Finding]:

@@ -2074,6 +2074,14 @@ _TERMS: dict[str, str] = {
     "none": "none",
     "given-mapping": "a mapping",
     "given-list": "a list of {count}",
+    # What is wrong with the length of a run.
+    "one-length": "give one of period, duration, turns",
+    "length-constant": "it must be made of numbers and parameters",
+    "length-positive": "it must be positive",
+    "length-limit": "the run would last {seconds} s, and {limit} s is the longest; give fewer turns, a shorter time or a faster drive",
+    "turns-form": "'{text}' isn't a positive number and a drive, such as '2 {drive}'",
+    "turns-constant": "{drive} doesn't turn at constant speed; give duration instead",
+    "turns-none": "{drive} doesn't turn",
     # What isn't a regular file.
     "a-folder": "a folder",
     "a-pipe": "a named pipe",
