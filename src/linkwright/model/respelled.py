@@ -20,26 +20,27 @@ WIDE = {code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)} | {
 }  # fmt: skip
 """Punctuation, digits and letters of Chinese keyboards, with those that a file takes."""
 _SIGNS = str.maketrans({"÷": "/", "√": "sqrt", "π": "pi", "∙": "*", "•": "*", "–": "-"})
-_RAISED = {"⁻": "-", "¹": "1", "²": "2", "³": "3"}
+_RAISED = str.maketrans("⁻¹²³", "-123")
 _LONGEST = 100
 
 
 def respelled(text: str, known: Collection[str] = ()) -> tuple[Term, Term] | None:
     """Why a text isn't an expression and how the one is written that it stands for, if there is one. ``known`` are
     names that mean what they say."""
+    if len(text) > _LONGEST:
+        return None
     if (limits := _LIMITS.fullmatch(text.strip())) and _reads(limits[1] or "0") and _reads(limits[2]):
-        key = "write-tolerance" if limits[1] else "write"
-        return Term("respelled-tolerance"), Term(key, value=limits[1], text=limits[2])
+        value, tolerance = limits.groups()
+        hint = Term("write-tolerance", value=value, text=tolerance) if value else Term("write", text=tolerance)
+        return Term("respelled-tolerance"), hint
     why, meant = None, text
     for reason, rule in _RULES.items():
         if (changed := rule(meant, known)) != meant:
             why, meant = why or reason, changed
-    if why is None or not _reads(meant) or max(len(text), len(meant)) > _LONGEST:
+    if why is None or not _reads(meant):
         return None
     if thousands := _THOUSANDS.fullmatch(text.strip()):
-        return Term("respelled-comma"), Term(
-            "write-either", text=meant, other=f"{thousands[1]}{thousands[2]}{thousands[3]}"
-        )
+        return Term("respelled-comma"), Term("write-either", text=meant, other="".join(thousands.groups()))
     return Term(f"respelled-{why}"), Term("write", text=meant)
 
 
@@ -53,9 +54,7 @@ _MINUTE = re.compile(
 )
 _SECOND = re.compile(rf"{_NUMBER}\s*(?:rps|{_ROUND}\s*/\s*(?:s|sec|seconds?|秒))(?!\s*[\w(])", re.I)
 _COMMA = re.compile(r"(?<![\w.,])(\d+),(\d+)(?![\w.,]*,)(?!\.)")
-_GROUPED = re.compile(
-    r"(?<![\w.,])(\d{1,3})(?:\.(\d{3}))+,(\d+)(?![\w.,])|(?<![\w.,])\d{1,3}(?:[,' ]\d{3})+\.\d+(?![\w.,])"
-)
+_GROUPED = re.compile(r"(?<![\w.,])\d{1,3}(?:(?:\.\d{3})+,|(?:[,' ]\d{3})+\.)\d+(?![\w.,])")
 
 
 def _wide(text: str, known: Collection[str]) -> str:
@@ -63,10 +62,7 @@ def _wide(text: str, known: Collection[str]) -> str:
 
 
 def _signs(text: str, known: Collection[str]) -> str:
-    raised = re.sub(
-        f"[{''.join(_RAISED)}]+", lambda match: "^" + "".join(map(_RAISED.__getitem__, match.group())), text
-    )
-    return raised.translate(_SIGNS)
+    return re.sub("[⁻¹²³]+", lambda match: "^" + match.group().translate(_RAISED), text).translate(_SIGNS)
 
 
 def _stray(text: str, known: Collection[str]) -> str:
@@ -77,9 +73,11 @@ def _stray(text: str, known: Collection[str]) -> str:
 def _comma(text: str, known: Collection[str]) -> str:
     """Decimal points in numbers outside the arguments of calls."""
     text = _GROUPED.sub(lambda match: _ungrouped(match.group()), text)
-    return _COMMA.sub(
-        lambda match: match.group() if _within_call(text, match.start()) else f"{match[1]}.{match[2]}", text
-    )
+
+    def pointed(match: re.Match[str]) -> str:
+        return match.group() if _within_call(text, match.start()) else f"{match[1]}.{match[2]}"
+
+    return _COMMA.sub(pointed, text)
 
 
 def _ungrouped(number: str) -> str:
@@ -141,7 +139,8 @@ def _factor(text: str, known: Collection[str]) -> str:
 
 
 _RULES: dict[str, Callable[[str, Collection[str]], str]] = {
-    "wide": _wide, "signs": _signs, "stray": _stray, "comma": _comma, "speed": _speed, "unit": _units, "factor": _factor,
+    "wide": _wide, "signs": _signs, "stray": _stray, "comma": _comma, "speed": _speed, "unit": _units,
+    "factor": _factor,
 }  # fmt: skip
 """Ways to write, each with its rewriting; applied one after the other, the first that changes something is named."""
 
