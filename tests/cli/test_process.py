@@ -246,3 +246,43 @@ def test_an_interrupt_while_writing(model: Path, tmp_path: Path, at: str) -> Non
     found = {p.name for p in out.iterdir()} if out.exists() else set()
     assert found <= {*FILES} - {at}
     assert not found or "nothing was written" not in result.stderr
+
+
+AT_HOME_NOWHERE = """\
+import pwd, sys, tempfile
+from linkwright.__main__ import main
+def unusable(*given):
+    raise FileNotFoundError(2, "No usable temporary directory found")
+def unknown(number):
+    raise KeyError(number)
+tempfile._get_default_tempdir, pwd.getpwuid = unusable, unknown
+main()
+"""
+
+
+@pytest.mark.skipif(os.name == "nt", reason="users are POSIX's")
+@pytest.mark.parametrize(
+    ("words", "code"),
+    [
+        (["sweep", "four_bar_sweep.yaml", "--kernel", "numba"], ""),
+        (["sweep", "slider_crank_gas.yaml"], "file.no-temporary"),
+        (["bench", "four_bar.yaml", "--poses", "10"], "file.no-temporary"),
+        (["cam", "groove_cam.yaml"], "file.package-fails"),
+    ],
+    ids=lambda given: given if isinstance(given, str) else given[0],
+)  # fmt: skip
+def test_neither_a_home_nor_a_temporary_folder(tmp_path: Path, words: list[str], code: str) -> None:
+    """A user whom the system doesn't know: what needs no such folder is done, the rest says what is missing."""
+    needs = {"--kernel": "numba", "cam": "build123d"}
+    for word in words:
+        pytest.importorskip(needs.get(word, "linkwright"))
+    for path in (Path(__file__).parents[2] / "examples").glob("*.[yc][as][mv]*"):
+        (tmp_path / path.name).write_bytes(path.read_bytes())
+    with (tmp_path / "slider_crank_gas.yaml").open("a") as stream:
+        stream.write("  sweep: {vary: {r: {uniform: [44, 46]}}, outputs: [C.x], samples: 4}\n")
+    unset = ("HOME", "LINKWRIGHT_CACHE", "XDG_CACHE_HOME")
+    environment = {name: value for name, value in os.environ.items() if name not in unset}
+    command = [sys.executable, "-c", AT_HOME_NOWHERE, *words]
+    told = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, encoding="utf-8", timeout=120)
+    assert (told.returncode, "Traceback" in told.stderr) == (2 if code else 0, False), told.stderr
+    assert code in told.stderr

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import statistics
-import tempfile
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -22,6 +21,7 @@ from linkwright.model.expressions import ExpressionError
 from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.machine import processors
 from linkwright.model.signals import Signal
+from linkwright.model.temporary import temporary_folder
 from linkwright.studies.cycle import CycleOptions, span
 
 Array = NDArray[np.float64]
@@ -181,8 +181,8 @@ def median(action: Callable[[], object], times: int = REPEATS, clock: Callable[[
 def _nothing_kept() -> Iterator[None]:
     """An empty folder of compiled kernels, for a while."""
     told = os.environ.get("LINKWRIGHT_CACHE")
-    with tempfile.TemporaryDirectory() as folder:
-        os.environ["LINKWRIGHT_CACHE"] = folder
+    with temporary_folder() as folder:
+        os.environ["LINKWRIGHT_CACHE"] = str(folder)
         try:
             yield
         finally:

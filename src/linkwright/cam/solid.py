@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 from linkwright.cam.nc.path import Element
 from linkwright.model.machine import needed
+from linkwright.model.temporary import temporary_folder
 
 
 @dataclass(frozen=True)
@@ -90,7 +89,7 @@ def _edge(b: Any, element: Element) -> Any:
 def step(made: Any) -> bytes:
     """A solid as a STEP file (mm)."""
     b = needed("build123d", "cad")
-    with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder) / "cam.step"
+    with temporary_folder() as folder:
+        file = folder / "cam.step"
         b.export_step(made, str(file))
         return file.read_bytes()

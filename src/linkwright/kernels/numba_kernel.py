@@ -56,7 +56,7 @@ class NumbaKernel:
 
     def kept(self, form: str = "apart") -> bool:
         """Whether a form is at hand without compiling."""
-        return form in self._forms or code_cache.kept(str(Source.fitting(self.program, form)), _about()).exists()
+        return form in self._forms or code_cache.kept(str(Source.fitting(self.program, form)), _about())
 
     def run(self, x: Array, p: Array, out: Array | None = None) -> Array:
         poses = x.shape[1]
@@ -122,12 +122,12 @@ def _module(source: str) -> ModuleType:
     return code_cache.load(source, _about(), _read)
 
 
-def _read(path: Path, name: str) -> ModuleType:
-    """The module at a path; Numba keeps its machine code beside it, whatever folder the user has set for others."""
+def _read(source: str, path: Path | None, name: str) -> ModuleType:
+    """The module of a source; Numba keeps its machine code beside it, whatever folder the user has set for others."""
     import numba
 
     told, numba.config.CACHE_DIR = numba.config.CACHE_DIR, ""
     try:
-        return code_cache.module_at(path, name)
+        return code_cache.module_at(source, path, name)
     finally:
         numba.config.CACHE_DIR = told

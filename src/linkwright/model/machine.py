@@ -10,11 +10,14 @@ from linkwright.model.findings import Finding, ModelError
 
 
 def needed(package: str, extra: str) -> Any:
-    """The package. Raises :class:`~linkwright.model.findings.ModelError`, with the extra that brings it, for none."""
+    """The package. Raises :class:`~linkwright.model.findings.ModelError`, with the extra that brings it, for none, and
+    for one that can't be loaded."""
     try:
         return import_module(package)
     except ImportError:
         raise ModelError([Finding("file.needs-package", (), {"package": package, "extra": extra})]) from None
+    except RuntimeError as error:  # some look for the user's home, which there may not be
+        raise ModelError([Finding("file.package-fails", (), {"package": package, "reason": str(error)})]) from None
 
 
 def processors() -> int:

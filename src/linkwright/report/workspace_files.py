@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.model import units as u
+from linkwright.model.machine import needed
 from linkwright.report.csv_text import cell, head, written
 from linkwright.report.tiled import tiled
 from linkwright.report.workspace_parts import written as parts
@@ -141,8 +142,7 @@ def dxf(outcome: WorkspaceOutcome) -> str | None:
     """The rings as closed polylines, a layer for each mode and its values; nothing where ezdxf isn't installed."""
     if not outcome.workspaces or find_spec("ezdxf") is None:
         return None
-    import ezdxf
-    from ezdxf import units
+    ezdxf, units = needed("ezdxf", "cad"), needed("ezdxf.units", "cad")
 
     unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
     drawing: Any = ezdxf.new("R2010")

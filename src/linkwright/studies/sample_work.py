@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-import tempfile
 from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import dataclass
@@ -27,6 +26,7 @@ from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, 
 from linkwright.model.findings import raise_errors
 from linkwright.model.mechanism import Document
 from linkwright.model.places import Place
+from linkwright.model.temporary import temporary_folder
 from linkwright.notation.angles import whole_turns
 from linkwright.results import Run
 from linkwright.results.result import si_unit
@@ -81,12 +81,12 @@ class SampleWork:
 
     def open(self) -> SampleTask:
         """Compile the mechanism."""
-        with tempfile.TemporaryDirectory() if self.files else nullcontext("") as folder:
+        with temporary_folder() if self.files else nullcontext(Path()) as folder:
             for name, content in self.files:
-                path = Path(folder, name)
+                path = folder / name
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_bytes(content)
-            compiled, findings = examine(self.document, Path(folder), self.uses)
+            compiled, findings = examine(self.document, folder, self.uses)
         raise_errors(findings)
         assert compiled is not None
         studies = {name: self.document.studies[name] for name in ("cycle", self.study)}

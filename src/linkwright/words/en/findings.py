@@ -22,6 +22,14 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Can't write to {file}: {reason}.",
         "Choose another folder with --out, or make this one writable.",
     ),
+    "file.package-fails": (
+        "The package {package} can't be loaded: {reason}",
+        "Where it looks for your home, name a folder by the variable HOME; else install the package again.",
+    ),
+    "file.no-temporary": (
+        "There is no folder for temporary files: {reason}.",
+        "Name a folder that can be written to: TMPDIR=FOLDER linkwright ... (TEMP on Windows).",
+    ),
     "file.needs-package": (
         "This needs the package {package}, which isn't installed.",
         "Install it: pip install 'linkwright[{extra}]'.",
