@@ -20,6 +20,7 @@ def pasteable(made: JointFunctions, title: str) -> str:
         say("functions.head", title=title, dialect=made.dialect),
         say("functions.units"),
         say("functions.proof", error=f"{made.max_error:.1e}", decimals=made.decimals),
+        *([say("functions.master", master=made.driving.name, drive=made.motion.drive)] * made.motion.turned_round),
         *([say("functions.fitted")] if made.fitted else []),
         *([say("functions.compared")] if any(">=" in function.text for function in made.functions) else []),
         "",

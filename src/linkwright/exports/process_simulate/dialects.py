@@ -172,9 +172,9 @@ class Seed(Dialect):
 
     def from_base(self, links: Linkage, triangle: Triangle, side: int) -> Angle:
         """The law of cosines, as the paper's equation (13)."""
-        own, other = triangle.lengths[side], triangle.lengths[1 - side]
-        square = triangle.base.square(links.symbols)
-        above = add(multiply(own, own), square, negated(multiply(other, other)))
+        own = triangle.lengths[side]
+        own_square, other_square = (triangle.arms[k].square(links.symbols) for k in (side, 1 - side))
+        above = add(own_square, triangle.base.square(links.symbols), negated(other_square))
         below = multiply(number(2.0), own, self.length(links, triangle.base))
         sign = triangle.branch * (1, -1)[side]
         return Angle().plus(links.hidden(call("acos", divide(above, below))), round(sign))

@@ -136,7 +136,8 @@ class RRR(Rule):
         base = second.start.minus(first.start)
         own = [dialect.aim(links, arm) for arm in arms]
         l1, l2 = (dialect.length(links, arm) for arm in arms)
-        above = add(multiply(l1, l1), multiply(l2, l2), negated(base.square(links.symbols)))
+        squares = [arm.square(links.symbols) for arm in arms]
+        above = add(*squares, negated(base.square(links.symbols)))
         opening = call("acos", divide(above, multiply(number(2.0), l1, l2)))
         # From the first arm to the second, and what that makes between the links that meet.
         bend = Angle().plus(links.hidden(opening), round(branch))

@@ -16,6 +16,7 @@ from linkwright.exports.process_simulate.fitting import fit
 from linkwright.exports.process_simulate.followers import followers
 from linkwright.exports.process_simulate.joints import ToolJoint, driving, joints_of, named
 from linkwright.exports.process_simulate.linkage import MM, Linkage, Refused, shared_pin
+from linkwright.exports.process_simulate.masters import mastered
 from linkwright.exports.process_simulate.motion import Motion
 from linkwright.exports.process_simulate.printer import text
 from linkwright.exports.process_simulate.reach import reach
@@ -83,14 +84,16 @@ class JointFunctions:
     zero: float
     motion: Motion
     fitted: bool = False
+    warnings: tuple[Finding, ...] = ()
 
 
 @dataclass(frozen=True)
 class Wish:
     """What is asked for.
 
-    ``zero`` and ``window`` are values of the drive (rad or m); in place of a window, ``stops`` are those of the driving
-    joint since the zero pose, as the tool counts it (rad or m). ``longest`` is the length of a text, ``approximate``
+    ``master`` is the driving joint, else the one that the drive moves. ``zero`` and ``window`` are values of the drive
+    (rad or m); in place of a window, ``stops`` are those of the driving joint since the zero pose, as the tool counts
+    it (rad or m). ``longest`` is the length of a text, ``approximate``
     the error (rad or mm) of polynomials for groups without a closed form.
     """
 
@@ -105,12 +108,18 @@ class Wish:
     left_out: tuple[str, ...] = ()
     longest: int | None = None
     approximate: float | None = None
+    master: str | None = None
 
 
 def make(compiled: Compiled, wish: Wish) -> JointFunctions:
     """The joint functions. Raises :class:`Refused` where there are none."""
     joints = named(joints_of(compiled.structure), wish.names, wish.flipped, wish.left_out)
-    motion = _motion(compiled, wish, joints)
+    motion, warnings = _motion(compiled, wish, joints)
+    made = _made(compiled, wish, joints, motion)
+    return replace(made, warnings=tuple(warnings))
+
+
+def _made(compiled: Compiled, wish: Wish, joints: list[ToolJoint], motion: Motion) -> JointFunctions:
     if wish.approximate is None:
         links, fits = _links(compiled, wish, joints, motion, OFFERED)
         if not fits:
@@ -125,20 +134,26 @@ def make(compiled: Compiled, wish: Wish) -> JointFunctions:
     raise Refused(_no_closed_form(fits, found.max_error, wish.drive))
 
 
-def _motion(compiled: Compiled, wish: Wish, joints: list[ToolJoint]) -> Motion:
+def _motion(compiled: Compiled, wish: Wish, joints: list[ToolJoint]) -> tuple[Motion, list[Finding]]:
+    """The motion over the range, with the tool's driving joint, and warnings on it."""
     of, moved, on = driving(compiled.structure, wish.drive)
     joint = next((j for j in joints if j.of == of and {j.parent, j.child} == {moved, on}), None)
-    if joint is None:
+    master = joint if wish.master is None else next(j for j in joints if j.joint == wish.master)
+    if master is None:
         raise Refused(shared_pin(wish.drive, of))
-    sign, window = joint.sign * (1.0 if joint.child == moved else -1.0), wish.window
-    if wish.stops is not None:
+    sign, window, stops = master.sign * (1.0 if master.child == moved else -1.0), wish.window, None
+    if wish.stops is not None and master == joint:
         zero = float(values_at(compiled.laws, 0.0)[wish.drive]) if wish.zero is None else wish.zero
         ends = sorted(zero + sign * stop for stop in wish.stops)
-        window = ends[0], ends[1]
-    found = reach(compiled, wish.drive, wish.zero, window, None if wish.stops is None else (joint.name, sign))
+        window, stops = (ends[0], ends[1]), (master.name, sign)
+    found = reach(compiled, wish.drive, wish.zero, window, stops)
     if isinstance(found, Finding):
         raise Refused(found)
-    return Motion(compiled, wish.drive, found, joint, sign)
+    if master == joint:
+        return Motion(compiled, wish.drive, found, master, sign), []
+    unit = MM if master.kind == "D" else 1.0
+    own = None if wish.stops is None else (unit * wish.stops[0], unit * wish.stops[1])
+    return mastered(compiled, wish.drive, joints, master, found, window is not None, own)
 
 
 def _links(
@@ -155,9 +170,10 @@ def _links(
         fits.append((cluster, fit(links, cluster, motion.joint, moved, close)))
 
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
+    structure, branches = motion.solved
     links = linkage(
-        compiled.structure, geometry, compiled.assembly.branches, joints,
-        DIALECTS[wish.dialect], wish.drive, motion.reach.zero, poses, fitted, followers(motion),
+        structure, geometry, branches, joints,
+        DIALECTS[wish.dialect], wish.drive, motion.origin, poses, fitted, followers(motion),
     )  # fmt: skip
     return links, fits
 
@@ -207,7 +223,7 @@ class _Writer:
             unit, size = self.compiled.quantities.drive_unit(self.wish.drive)
             off = np.nan_to_num(np.abs(best[3][own] - self.expected), nan=np.inf)
             row = int((off / self.close[:, None]).max(axis=0).argmax())
-            at = self.motion.sign * self.poses[row] / self.motion.unit + self.motion.reach.zero
+            at = float(self.motion.to_drive(self.poses[row : row + 1])[0])
             data = {
                 "error": f"{float(off[:, row].max()):.2g}",
                 "at": f"{at / size:.6g}",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -13,7 +13,7 @@ from linkwright.exports.process_simulate.reach import Reach
 from linkwright.exports.process_simulate.trees import Array
 from linkwright.kernels import Compiled
 from linkwright.results import Run
-from linkwright.structure import FRAME
+from linkwright.structure import FRAME, Group, Structure
 from linkwright.studies.sweep import sweeping
 
 STEPS = 720
@@ -21,8 +21,9 @@ STEPS = 720
 
 @dataclass
 class Motion:
-    """A mechanism moved by one drive alone over its reach. ``sign`` is +1 where the driving joint counts as the drive
-    does, ``unit`` what it counts in (rad, or m in mm), ``told`` the dependent joints that have functions."""
+    """A mechanism moved by one drive alone over its reach; ``joint`` is the tool's driving joint, here the one that the
+    drive moves. ``sign`` is +1 where that counts as the drive does, ``unit`` what it counts in (rad, or m in mm),
+    ``told`` the dependent joints that have functions."""
 
     compiled: Compiled
     drive: str
@@ -47,9 +48,28 @@ class Motion:
         ends = sorted(self.of_drive(np.array([self.reach.low, self.reach.high])))
         return float(ends[0]), float(ends[1])
 
+    @property
+    def turned_round(self) -> bool:
+        """Whether another joint than the one that the drive moves is the driving one."""
+        return False
+
+    @property
+    def solved(self) -> tuple[Structure, Mapping[Group, float]]:
+        """How the mechanism is solved where the driving joint is known: its steps, and the branches of its dyads."""
+        return self.compiled.structure, self.compiled.assembly.branches
+
+    @property
+    def origin(self) -> float:
+        """The driving joint's value at the zero pose as the drive counts it (rad or m)."""
+        return self.reach.zero
+
     def of_drive(self, value: Array) -> Array:
         """The driving joint's values from those of the drive."""
         return np.asarray(self.sign * (value - self.reach.zero) * self.unit)
+
+    def to_drive(self, poses: Array) -> Array:
+        """The drive's values (rad or m) from those of the driving joint."""
+        return np.asarray(self.sign * poses / self.unit + self.reach.zero)
 
     def poses(self, steps: int) -> Array:
         """Values of the driving joint (rad or mm), ascending, with both ends of the reach and the zero pose."""
@@ -59,7 +79,11 @@ class Motion:
 
     def values(self, joints: Sequence[ToolJoint], poses: Array) -> Array:
         """The joints' values since the zero pose (rad or mm), as the tool counts them: (joints, poses)."""
-        every = self.between(joints, np.append(self.sign * poses / self.unit + self.reach.zero, self.reach.zero))
+        return self.since_zero(joints, self.to_drive(poses))
+
+    def since_zero(self, joints: Sequence[ToolJoint], drive: Array) -> Array:
+        """The same at values of the drive."""
+        every = self.between(joints, np.append(drive, self.reach.zero))
         signs = np.array([j.sign for j in joints])[:, None]
         return np.asarray(signs * (every[:, :-1] - every[:, -1:]))
 
@@ -69,18 +93,27 @@ class Motion:
 
     def between(self, joints: Sequence[ToolJoint], drive: Array) -> Array:
         """The child's angle (rad) or slide (mm) less the parent's at values of the drive: (joints, values)."""
+        names = self._names(joints)
+        return self._differences(joints, names, self.run.evaluate(names, drive - self.reach.start))
+
+    def rates(self, joints: Sequence[ToolJoint], drive: Array) -> Array:
+        """How fast they change with the drive (rad or mm each rad or m), as the tool counts them: (joints, values)."""
+        names = self._names(joints)
+        slopes = self.run.rates(names, drive - self.reach.start)[1]
+        return np.array([j.sign for j in joints])[:, None] * self._differences(joints, names, slopes)
+
+    def _names(self, joints: Sequence[ToolJoint]) -> list[str]:
         links = [link for link in self.compiled.mechanism.links if link != FRAME]
-        slides = [j.of for j in joints if j.kind == "D"]
-        names = [*(f"{link}.angle" for link in links), *(f"{slide}.s" for slide in slides)]
-        rows = dict(
-            zip([*links, *names[len(links) :]], self.run.evaluate(names, drive - self.reach.start), strict=True)
-        )
-        rows[FRAME] = np.zeros(drive.size)
-        found = []
-        for j in joints:
+        return [*(f"{link}.angle" for link in links), *(f"{j.of}.s" for j in joints if j.kind == "D")]
+
+    def _differences(self, joints: Sequence[ToolJoint], names: list[str], rows: Array) -> Array:
+        """Those of the links' angles, and the travels of slides (mm)."""
+        known = {f"{FRAME}.angle": np.zeros(rows.shape[1:]), **dict(zip(names, rows, strict=True))}
+
+        def one(j: ToolJoint) -> Array:
             if j.kind == "T":
-                found.append(rows[j.child] - rows[j.parent])
-            else:
-                first = self.compiled.mechanism.joints[j.of].links[0]
-                found.append(rows[f"{j.of}.s"] * (MM if first == j.parent else -MM))
-        return np.array(found).reshape(len(joints), drive.size)
+                return np.asarray(known[f"{j.child}.angle"] - known[f"{j.parent}.angle"])
+            forward = self.compiled.mechanism.joints[j.of].links[0] == j.parent
+            return np.asarray(known[f"{j.of}.s"] * (MM if forward else -MM))
+
+        return np.array([one(j) for j in joints]).reshape(len(joints), *rows.shape[1:])

@@ -13,6 +13,7 @@ from linkwright.exports.process_simulate.facts import Facts, check_facts
 from linkwright.exports.process_simulate.functions import MOST, PATH, Wish
 from linkwright.exports.process_simulate.joints import ToolJoint, driving, joints_of, named
 from linkwright.kernels import Compiled
+from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Frozen, FrozenDict
 from linkwright.model.fields import Name as NameField
@@ -25,6 +26,8 @@ from linkwright.studies.limits import WIDEST
 
 ALLOWED = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,59}")
 """Names that every tool takes: what else Process Simulate would take isn't known."""
+VALUES = {"T": u.ANGLE, "D": u.LENGTH}
+"""The dimensions of what joints count."""
 
 Which = one_of("process-simulate", "dialect", [*DIALECTS], "export.choice")
 
@@ -37,6 +40,12 @@ class ProcessSimulateOptions(Frozen):
         default_factory=FrozenDict,
         description="names of joints in the tool; else those of the model",
         examples=[{"A": "j2", "B": "j3", "C": "j4"}],
+    )
+    master: NameField | None = Field(
+        None,
+        description="the joint that all functions ask for, by its name in the model or in the tool; else the one that "
+        "the drive moves",
+        examples=["j2"],
     )
     zero: Expression | None = Field(
         None, description="the drive's value in the pose in which all joints are 0; else that at the start"
@@ -63,16 +72,24 @@ class ProcessSimulateOptions(Frozen):
     def wish(self, compiled: Compiled) -> Wish:
         """What is asked for, in SI. Raises DimensionError where a value doesn't fit."""
         (drive,) = compiled.graph.motors
-        quantities, dimension = compiled.quantities, compiled.quantities.drive_dimension(drive)
+        quantities, dimension, master = compiled.quantities, compiled.quantities.drive_dimension(drive), None
         zero = None if self.zero is None else quantities.value(self.zero, dimension)
+        if self.master is not None:
+            master = self.named_master(joints_of(compiled.structure))
 
-        def two(ends: tuple[Expression, Expression] | None) -> tuple[float, float] | None:
-            return ends and (quantities.value(ends[0], dimension), quantities.value(ends[1], dimension))
+        def two(ends: tuple[Expression, Expression] | None, of: u.Dimension) -> tuple[float, float] | None:
+            return ends and (quantities.value(ends[0], of), quantities.value(ends[1], of))
 
+        stops = two(self.stops, dimension if master is None else VALUES[master.kind])
         return Wish(
-            drive, self.dialect, zero, two(self.range), two(self.stops), self.decimals,
-            self.names, self.flipped, self.left_out, self.longest, self.approximate,
+            drive, self.dialect, zero, two(self.range, dimension), stops, self.decimals, self.names, self.flipped,
+            self.left_out, self.longest, self.approximate, None if master is None else master.joint,
         )  # fmt: skip
+
+    def named_master(self, joints: list[ToolJoint]) -> ToolJoint | None:
+        """The joint that ``master`` names: by its name in the model, else in the tool."""
+        meant = [self.master, *(joint for joint, name in self.names.items() if name == self.master)]
+        return next((j for name in meant for j in joints if j.joint == name), None)
 
 
 def check(compiled: Compiled, options: ProcessSimulateOptions) -> Iterator[Finding]:
@@ -89,12 +106,15 @@ def check(compiled: Compiled, options: ProcessSimulateOptions) -> Iterator[Findi
     if len(drives) != 1:
         yield Finding("functions.drives", ("drives",), {"count": len(drives), "names": ", ".join(drives)})
         return
-    moved = _moved(compiled, drives[0], joints)
+    moved = _moved(compiled, drives[0], joints) if options.master is None else options.named_master(joints)
+    if moved is None and options.master is not None:
+        yield unknown("joint", (*PATH, "master"), options.master, [*known, *options.names.values()])
     if moved is not None and moved.joint in options.left_out:
-        yield Finding("functions.left-out", (*PATH, "left_out"), {"joint": moved.joint, "drive": drives[0]})
+        code = "functions.left-out" if options.master is None else "functions.master-left-out"
+        yield Finding(code, (*PATH, "left_out"), {"joint": moved.joint, "drive": drives[0]})
     if not any(j != moved and j.joint not in options.left_out for j in joints):
         yield Finding("functions.no-dependent", ("joints",), {"drive": drives[0]})
-    yield from _values(compiled, options, drives[0])
+    yield from _values(compiled, options, drives[0], moved)
     yield from check_facts(compiled, options.sheet, (*PATH, "sheet"))
 
 
@@ -114,19 +134,22 @@ def _names(joints: list[ToolJoint]) -> Iterator[Finding]:
             yield Finding("functions.same-name", (*PATH, "names"), data)
 
 
-def _values(compiled: Compiled, options: ProcessSimulateOptions, drive: str) -> Iterator[Finding]:
+def _values(
+    compiled: Compiled, options: ProcessSimulateOptions, drive: str, driving: ToolJoint | None
+) -> Iterator[Finding]:
     quantities, dimension = compiled.quantities, compiled.quantities.drive_dimension(drive)
-    unit, size = quantities.drive_unit(drive)
-    turns = compiled.mechanism.prescribed(drive).turns is not None
-    widest = WIDEST[turns] * (1.0 if turns else compiled.assembly.size())
+    stops = dimension if driving is None else VALUES[driving.kind]
     if options.range is not None and options.stops is not None:
         yield Finding("functions.two-ranges", (*PATH, "stops"), {})
     alone = None if options.zero is None else (options.zero, options.zero)
-    for key, ends in (("zero", alone), ("range", options.range), ("stops", options.stops)):
+    every = (("zero", alone, dimension), ("range", options.range, dimension), ("stops", options.stops, stops))
+    for key, ends, of in every:
         if ends is None:
             continue
+        unit, size = quantities.unit_of(of)
+        widest = WIDEST[True] if of == u.ANGLE else WIDEST[False] * compiled.assembly.size()
         try:
-            low, high = (quantities.value(end, dimension) for end in ends)
+            low, high = (quantities.value(end, of) for end in ends)
         except DimensionError as error:
             yield Finding(error.key, (*PATH, key), quantities.spelt(error.data))
             continue

@@ -117,7 +117,7 @@ def _home(found: list[Range], start: float) -> _Home | None:
 def _zero_beyond(compiled: Compiled, drive: str, zero: float, found: _Home) -> Finding:
     unit, size = compiled.quantities.drive_unit(drive)
     data = {"drive": drive, "unit": unit, "zero": f"{zero / size:.6g}", "groups": _named(found.groups)}
-    return Finding("functions.zero", (*PATH[:-1], "zero"), data | _offered(found.allowed, size))
+    return Finding("functions.zero", (*PATH[:-1], "zero"), data | offered(found.allowed, size))
 
 
 def _beyond(
@@ -140,14 +140,14 @@ def _beyond(
         "of": of, "unit": unit, "from": f"{asked[0] / size:.6g}", "to": f"{asked[1] / size:.6g}",
         "key": key, "groups": _named(groups),
     }  # fmt: skip
-    return Finding("functions.toggle", (*PATH[:-1], key), data | _offered(allowed, size))
+    return Finding("functions.toggle", (*PATH[:-1], key), data | offered(allowed, size))
 
 
 def _named(groups: tuple[str, ...]) -> str:
     return ", ".join(dict.fromkeys(groups)) or "-"
 
 
-def _offered(allowed: tuple[float, float], size: float) -> dict[str, str]:
+def offered(allowed: tuple[float, float], size: float) -> dict[str, str]:
     """A range in a unit, rounded inwards, so that what is offered is taken."""
     fine = 10.0 ** (math.floor(math.log10(max(allowed[1] - allowed[0], 1e-12) / size)) - 4)
     low, high = math.ceil(allowed[0] / size / fine) * fine, math.floor(allowed[1] / size / fine) * fine

@@ -49,7 +49,7 @@ class ProcessSimulate:
         summed = {**summary(made, compiled), "facts": told.as_dict()}
         if compiled.plane is not None:
             summed["plane"] = compiled.plane.as_dict(told.units["length"][1])
-        return Exported(files, summed, sentences(made), [], [*_still(made)])
+        return Exported(files, summed, sentences(made), [], [*made.warnings, *_still(made)])
 
 
 def _still(made: JointFunctions) -> Iterator[Finding]:

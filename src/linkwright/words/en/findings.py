@@ -1313,6 +1313,44 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The joint {joint} is left out, but it is the one that {drive} drives.",
         "Take it out of left_out.",
     ),
+    "functions.master-left-out": (
+        "The joint {joint} is left out, but it is the master: all functions ask for it.",
+        "Remove it from left_out, or name another master.",
+    ),
+    "functions.master-cam": (
+        "The joint {joint} can't be the master: functions of cams ask for the camshaft's joint ({drives} follow cams).",
+        "Remove master; then the joint that the camshaft turns on is the driving one.",
+    ),
+    "functions.master-still": (
+        "The joint {joint} can't be the master: it stands still over the range.",
+        "Name a joint that moves. These go one way over the whole range: {others}.",
+    ),
+    "functions.master-zero": (
+        "The joint {joint} can't be the master: it has a dead centre at {drive} = {at} {unit}, where it turns back, and "
+        "the zero pose lies there.",
+        "Set zero to a value of {drive} well away from it, or name another master. These go one way over the whole range: "
+        "{others}.",
+    ),
+    "functions.master-turns": (
+        "The joint {joint} can't be the master over this range: it has a dead centre at {drive} = {at} {unit}, where it "
+        "turns back, so that its value belongs to two poses.",
+        "Take range within [{low} {unit}, {high} {unit}], or name another master. These go one way over the whole range: "
+        "{others}.",
+    ),
+    "functions.master-cut": (
+        "The master {joint} has a dead centre at {drive} = {at} {unit}, where it turns back. The functions hold from {low} "
+        "to {high} {unit} of {drive} only.",
+        "Set range within these values to state that this is enough, or name another master. These go one way over all "
+        "that {drive} reaches: {others}.",
+    ),
+    "functions.master-stops": (
+        "The master {joint} doesn't reach both stops without a dead centre.",
+        "Take stops within [{low} {unit}, {high} {unit}], its range around the zero pose.",
+    ),
+    "functions.master-structure": (
+        "The joint {joint} can't be the master: driven instead of {drive}, it leaves the mechanism loose or over-constrained.",
+        "Name a joint of a loop that {drive} moves.",
+    ),
     "functions.no-dependent": (
         "No joint depends on {drive}: there is nothing to write a function for.",
         "Close a loop, take a joint out of left_out, or leave the export out; a joint that is driven alone needs no function.",

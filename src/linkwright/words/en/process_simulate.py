@@ -6,6 +6,9 @@ PROCESS_SIMULATE: dict[str, str] = {
         "# Radians and mm. A function is the text of its line, and belongs to the joint named above it."
     ),
     "functions.proof": "# Held against the solver over the whole range: off by {error} at most, with {decimals} decimals.",
+    "functions.master": (
+        "# {master} is the master in place of the joint that {drive} moves: over this range it goes one way only."
+    ),
     "functions.compared": "# Functions of cams hold comparisons, >= and <: 1 where they hold, and 0 elsewhere.",
     "functions.fitted": "# Polynomials stand for joints that have no closed form; the errors say how close they come.",
     "functions.driving": (
