@@ -16,6 +16,7 @@ from linkwright.model.input_files import read_at_most
 from linkwright.model.mechanism import VERSION, Document
 from linkwright.model.output_files import write_aside
 from linkwright.model.plane import in_plane
+from linkwright.model.respelled_lines import read_respelled
 from linkwright.model.sketch import with_sketch
 from linkwright.model.unknown import near
 from linkwright.model.yaml_text import MAX_BYTES, MAX_FINDINGS, Source, read_text
@@ -24,6 +25,15 @@ from linkwright.model.yaml_write import write_text
 
 def read_document(raw: bytes) -> tuple[Document | None, Source]:
     """A document from a file's bytes; the source holds the line marks and all findings of form."""
+    document, source = _read(raw)
+    if source.findings and source.text is not None:
+        source.findings = read_respelled(source.text, source.findings, lambda text: _read(text.encode())[1].findings)
+    source.findings = _limited(sorted(source.findings, key=lambda finding: finding.line or 0))
+    return (None if source.findings else document), source
+
+
+def _read(raw: bytes) -> tuple[Document | None, Source]:
+    """The same of the text as it stands, with all its findings in any order."""
     source = read_text(raw)
     document = None
     if isinstance(source.data, dict):
@@ -32,8 +42,7 @@ def read_document(raw: bytes) -> tuple[Document | None, Source]:
         document = parse_document(source.data, source)
     elif not source.findings:
         source.findings.append(Finding("file.mapping", line=1))
-    source.findings = _limited(sorted(source.findings, key=lambda finding: finding.line or 0))
-    return (None if source.findings else document), source
+    return document, source
 
 
 def parse_document(data: dict[str, Any], source: Source | None = None) -> Document | None:

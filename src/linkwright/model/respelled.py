@@ -54,7 +54,7 @@ _MINUTE = re.compile(
 )
 _SECOND = re.compile(rf"{_NUMBER}\s*(?:rps|{_ROUND}\s*/\s*(?:s|sec|seconds?|秒))(?!\s*[\w(])", re.I)
 _COMMA = re.compile(r"(?<![\w.,])(\d+),(\d+)(?![\w.,]*,)(?!\.)")
-_GROUPED = re.compile(r"(?<![\w.,])\d{1,3}(?:(?:\.\d{3})+,|(?:[,' ]\d{3})+\.)\d+(?![\w.,])")
+_GROUPED = re.compile(r"(?<![\w.,])\d{1,3}(?:(?:\.\d{3})+,\d+|(?:,\d{3})+\.\d+|(?:[' ]\d{3})+(?:[.,]\d+)?)(?![\w.,])")
 
 
 def _wide(text: str, known: Collection[str]) -> str:
@@ -81,8 +81,10 @@ def _comma(text: str, known: Collection[str]) -> str:
 
 
 def _ungrouped(number: str) -> str:
-    mark = max(number.rfind("."), number.rfind(","))
-    return re.sub(r"\D", "", number[:mark]) + "." + number[mark + 1 :]
+    """A number without the marks between its thousands, with a decimal point."""
+    *groups, last = re.split("[.,]", number)
+    whole, decimals = ("".join(groups), f".{last}") if groups else (last, "")
+    return re.sub(r"\D", "", whole) + decimals
 
 
 def _within_call(text: str, at: int) -> bool:

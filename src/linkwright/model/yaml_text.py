@@ -6,9 +6,11 @@ import io
 import math
 import re
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
-from linkwright.model.findings import Finding
+from linkwright.model.encodings import likely_encoding
+from linkwright.model.findings import Finding, Term
 from linkwright.model.written import NO_TEXT
 
 MAX_BYTES = 1_000_000
@@ -19,6 +21,7 @@ MAX_FINDINGS = 50
 Path = tuple[str | int, ...]
 
 _INT = re.compile(r"[-+]?[0-9]{1,15}")
+_DECIMALS = re.compile(r"[0-9]{1,9}(\s*[^\W\d]\S{0,20})?")
 _FLOAT = re.compile(r"[-+]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?")
 _CONSTANTS = {"": None, "~": None, "null": None, "true": True, "false": False}
 _NOT_NUMBERS = {".nan": math.nan, ".inf": math.inf, "+.inf": math.inf, "-.inf": -math.inf}
@@ -28,14 +31,29 @@ _MARKS = re.compile(r"(?:^\s*-\s+|:\s+|[\[{,]\s*)([@%`*][^\s,}\]]*|[>|](?![-+0-9
 _QUOTED = re.compile(r"\"[^\"]*\"|'[^']*'|(?:^|\s)#.*")
 
 
+_REASONS = {
+    "mapping values are not allowed": "colon",
+    "could not find expected ':'": "no-colon",
+    "expected <block end>": "indentation",
+    "inconsistent": "indentation",
+    "expected ',' or": "bracket",
+    "expected the node content": "bracket",
+    "found unexpected end of stream": "quote",
+    "did not find expected ',' or": "bracket",
+}
+"""Why YAML gives up, by how its own sentence begins."""
+
+
 @dataclass
 class Source:
     """What a file holds: its data, the line of each entry, and what is wrong with its text.
 
-    ``spoilt`` are the places of which a finding tells already; ``data`` is ``None`` where nothing could be read.
+    ``spoilt`` are the places of which a finding tells already; ``data`` is ``None`` where nothing could be read,
+    ``text`` where it is no text.
     """
 
     data: Any = None
+    text: str | None = None
     lines: dict[Path, int] = field(default_factory=dict)
     findings: list[Finding] = field(default_factory=list)
     spoilt: set[Path] = field(default_factory=set)
@@ -55,14 +73,16 @@ def read_text(raw: bytes) -> Source:
         return source
     try:
         text = raw.decode("utf-8-sig")
+        bad = match.start() if (match := NO_TEXT.search(text)) else None
+        line = text.count("\n", 0, bad) + 1 if bad is not None else 0
     except UnicodeDecodeError as error:
-        line = raw.count(b"\n", 0, error.start) + 1
-        source.findings.append(Finding("file.binary", data={"at": error.start}, line=line))
+        bad, line = error.start, raw.count(b"\n", 0, error.start) + 1
+    if bad is not None:
+        encoding = likely_encoding(raw)
+        code = "file.binary" if encoding is None else "file.encoding"
+        source.findings.append(Finding(code, data={"at": bad, "encoding": encoding}, line=line))
         return source
-    if bad := NO_TEXT.search(text):
-        line = text.count("\n", 0, bad.start()) + 1
-        source.findings.append(Finding("file.binary", data={"at": bad.start()}, line=line))
-        return source
+    source.text = text
     _Builder(source).build(text)
     return source
 
@@ -73,12 +93,15 @@ class _Stop(Exception):
 
 @dataclass
 class _Entry:
-    """One value of a collection. ``plain`` is its text where it stands without quotes."""
+    """One value of a collection, from ``start`` (that of its key) to ``end``, places in the text. ``plain`` is its text
+    where it stands without quotes."""
 
     key: str
     value: Any
     line: int
     plain: str | None
+    start: int
+    end: int
 
 
 class _Builder:
@@ -111,7 +134,7 @@ class _Builder:
         """YAML itself gives up at the first fault; where that is a common one, all of its kind are named."""
         tabs, marks = [], {}
         for number, content in enumerate(text.split("\n"), start=1):
-            if re.match(r" *\t", content):
+            if re.match(r" *\t", content) or (number == line and "\t" in _QUOTED.sub("", content)):
                 tabs.append(number)
             elif mark := _MARKS.search(_QUOTED.sub("", content)):
                 marks[number] = mark.group(1).strip()[:40]
@@ -122,7 +145,8 @@ class _Builder:
             for number, value in marks.items():
                 self.note("file.quote", number, value=value)
         else:
-            self.note("file.yaml", line, reason=reason)
+            known = next((term for start, term in _REASONS.items() if reason.startswith(start)), None)
+            self.note("file.yaml", line, reason=Term(f"yaml-{known}") if known else reason)
 
     def document(self) -> None:
         event = next(self.events)
@@ -176,13 +200,14 @@ class _Builder:
             if type(event).__name__ != "ScalarEvent":
                 self.note("file.key", line, path)
                 raise _Stop
-            key, event = str(event.value), next(self.events)
+            key, start, event = str(event.value), event.start_mark.index, next(self.events)
             if NO_TEXT.search(key):
                 self.note("file.character", line, path)
                 key = NO_TEXT.sub("?", key)
             self.source.lines.setdefault((*path, key), line)
             plain = event.value if _is_plain(event) else None
-            entries.append(_Entry(key, self.value(event, (*path, key)), line, plain))
+            end = event.end_mark.index
+            entries.append(_Entry(key, self.value(event, (*path, key)), line, plain, start, end))
         data: dict[str, Any] = {}
         lines: dict[str, int] = {}
         for entry in self.rejoined(entries, path) if flow else entries:
@@ -196,7 +221,8 @@ class _Builder:
         entries: list[_Entry] = []
         while type(event := next(self.events)).__name__ != "SequenceEndEvent":
             plain, line = event.value if _is_plain(event) else None, event.start_mark.line + 1
-            entries.append(_Entry("", self.value(event, (*path, len(entries))), line, plain))
+            start, end = event.start_mark.index, event.end_mark.index
+            entries.append(_Entry("", self.value(event, (*path, len(entries))), line, plain, start, end))
         return [entry.value for entry in (self.rejoined(entries, path) if flow else entries)]
 
     def rejoined(self, entries: list[_Entry], path: Path) -> list[_Entry]:
@@ -210,13 +236,32 @@ class _Builder:
                 if part is None or (entry.key and entries[end].plain != ""):
                     break
                 text, end = f"{text}, {part}", end + 1
-            if end > at + 1 and not _opens(text):
+            if (comma := _decimal(entries, at)) is not None:
+                text, after = f"{entry.plain},{comma}", entries[at + 1]
+                given = text.replace(",", ".")
+                self.note("file.decimal-comma", entry.line, (*path, entry.key or len(found)), text=text, meant=given)
+                entry.value, at = scalar(given), at + 2
+                entry.end = after.end
+            elif end > at + 1 and not _opens(text):
                 entry.value, at = text, end
                 self.note("file.comma", entry.line, (*path, entry.key or len(found)), text=text[:80])
             else:
                 at += 1
             found.append(entry)
         return found
+
+
+def _decimal(entries: list[_Entry], at: int) -> str | None:
+    """What follows the comma of a number that YAML splits there: digits right behind it, of a list where other commas
+    have a space; in a mapping, a key without a value."""
+    if at + 1 >= len(entries) or not _INT.fullmatch(entries[at].plain or ""):
+        return None
+    entry, after = entries[at], entries[at + 1]
+    close = after.start == entry.end + 1
+    if entry.key:
+        return after.key if close and after.plain == "" and _DECIMALS.fullmatch(after.key) else None
+    spaced = any(b.start > a.end + 1 for a, b in pairwise(entries))
+    return after.plain if close and spaced and _DECIMALS.fullmatch(after.plain or "") else None
 
 
 def scalar(text: str) -> Any:

@@ -42,6 +42,26 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "This is no text file: byte {at} can't stand in one.",
         "Save the model as plain text in UTF-8.",
     ),
+    "file.encoding": (
+        "The file isn't UTF-8 (byte {at}); it looks like {encoding}.",
+        "Save it as UTF-8: in Notepad and most editors under 'Save as', 'Encoding'.",
+    ),
+    "file.wide": (
+        "Full-width characters stand where a file takes half-width ones: {given}",
+        "{hint}",
+    ),
+    "file.colon": (
+        "A space is missing behind the colon: {given}",
+        "{hint}",
+    ),
+    "file.equals": (
+        "A value follows a colon, not '=': {given}",
+        "{hint}",
+    ),
+    "file.decimal-comma": (
+        "YAML splits '{text}' at the comma; numbers have a decimal point.",
+        "Write {meant}.",
+    ),
     "file.character": (
         "A text here holds a control character.",
         "Type the text again; write no \\x, \\u or \\0 escapes in it.",
@@ -67,8 +87,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Look here and in the line above for an open bracket or quote, a missing colon, or wrong indentation.",
     ),
     "file.tab": (
-        "The line is indented with a tab; YAML takes spaces only.",
-        "Replace the tab by spaces.",
+        "A tab stands where YAML takes spaces only.",
+        "Replace the tab by spaces; most editors can insert spaces for the tab key.",
     ),
     "file.quote": (
         "YAML doesn't take a value that starts like '{value}' as text.",
@@ -2104,7 +2124,7 @@ _TERMS: dict[str, str] = {
     "near-one": "Did you mean '{names}'?",
     "near-some": "Did you mean one of these: {names}?",
     "near-none": "Write one of these: {names}.",
-    "near-nothing": "The file has nothing of this kind.",
+    "near-nothing": "The file has none yet.",
     # What the value of an option must be.
     "must-bool": "it must be true or false, not {given}",
     "must-number": "it must be a number, not {given}",
@@ -2203,6 +2223,12 @@ _TERMS: dict[str, str] = {
     "respelled-factor": "a * is missing between factors",
     "respelled-tolerance": "a tolerance is written apart from the value, without a sign",
     "write-tolerance": "Write '{{value: {value}, tolerance: {text}}}'.",
+    # Why YAML gives up.
+    "yaml-colon": "a colon stands in a value without quotes, or the line above lacks one",
+    "yaml-no-colon": "a name stands here without a colon and a value",
+    "yaml-indentation": "this line is indented, or begins with '-', unlike those above it",
+    "yaml-bracket": "a bracket isn't closed, or a comma is missing",
+    "yaml-quote": "a quote isn't closed",
     "write": "Write '{text}'.",
     "write-either": "Write '{text}', or '{other}' if the comma separates thousands.",
 }

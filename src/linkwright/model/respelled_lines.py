@@ -1,0 +1,91 @@
+"""Lines of a model file in the spellings of other places: full-width punctuation, colons without a space, ``=``.
+
+Such a line is read as something else, and what is then found misleads. Here it is rewritten and read once more: where
+that mends what was found on it, the spelling is the finding, and the rest of the file is looked at all the same.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+
+from linkwright.model.findings import Finding, Term
+from linkwright.model.respelled import WIDE
+
+ROUNDS = 20
+"""How often a text is rewritten: YAML gives up at its first fault, and then only that line is known."""
+LONGEST = 100_000
+"""Longer texts are read once."""
+AROUND = 24
+"""So much of a line is shown around what is rewritten."""
+
+_QUOTED = re.compile(r"\"[^\"]*\"|'[^']*'|(?:^|\s)#.*")
+_COLON = re.compile(r"((?:^|[{,])\s*[^\W\d]\w*):(?=[^\s:/])")
+_EQUALS = re.compile(r"^(\s*[^\W\d]\w*)\s*=\s*(?=[^\s=])")
+
+
+def _wide(text: str) -> str:
+    return re.sub("([：，]) *", r"\1 ", text).translate(WIDE)
+
+
+_RULES: dict[str, Callable[[str], str]] = {
+    "file.wide": _wide,
+    "file.colon": lambda text: _COLON.sub(r"\1: ", text),
+    "file.equals": lambda text: _EQUALS.sub(r"\1: ", text),
+}
+"""Spellings by the finding on them, each with its rewriting; these stand outside quotes and comments."""
+
+
+def read_respelled(text: str, found: list[Finding], read: Callable[[str], list[Finding]]) -> list[Finding]:
+    """What is wrong with a text of which ``read`` has ``found`` the findings: lines in other spellings, and what else
+    there is once these are rewritten."""
+    told: list[Finding] = []
+    lines = text.split("\n")
+    for _ in range(ROUNDS if len(text) <= LONGEST else 0):
+        meant = {at: line for at in _suspects(lines, found) if (line := _rewritten(lines[at])[0]) != lines[at]}
+        again = read("\n".join(meant.get(at, line) for at, line in enumerate(lines))) if meant else found
+        left = {(f.code, f.line, f.path) for f in again}
+        mended = {at for f in found if (f.code, f.line, f.path) not in left for at in _places(lines, f) if at in meant}
+        if not mended:
+            break
+        for at in sorted(mended):
+            data = {"given": _changed(lines[at], meant[at]), "hint": Term("write", text=_changed(meant[at], lines[at]))}
+            told.append(Finding(_rewritten(lines[at])[1], (), data, at + 1))
+            lines[at] = meant[at]
+        found = again if mended == meant.keys() else read("\n".join(lines))
+    return [*told, *found]
+
+
+def _suspects(lines: list[str], found: Iterable[Finding]) -> list[int]:
+    """The lines that may be to blame for findings."""
+    return sorted({at for finding in found for at in _places(lines, finding)})
+
+
+def _places(lines: list[str], finding: Finding) -> list[int]:
+    """The line of a finding; where YAML gives up, the one before it too."""
+    if not finding.line or finding.line > len(lines):
+        return []
+    at = finding.line - 1
+    before = next((i for i in range(at - 1, -1, -1) if lines[i].strip()), at)
+    return [at, before] if finding.code == "file.yaml" else [at]
+
+
+def _rewritten(line: str) -> tuple[str, str]:
+    """A line as it is meant, and the code of the first spelling that it has."""
+    code, meant = "", line
+    for name, rule in _RULES.items():
+        kept = [*_QUOTED.finditer(meant)]
+        ends = [0, *(match.end() for match in kept)]
+        starts = [*(match.start() for match in kept), len(meant)]
+        parts = [rule(meant[end:start]) for end, start in zip(ends, starts, strict=True)]
+        changed = "".join(part + match.group() for part, match in zip(parts, kept, strict=False)) + parts[-1]
+        code, meant = code or (name if changed != meant else ""), changed
+    return meant, code
+
+
+def _changed(line: str, other: str) -> str:
+    """What of a line differs from another, with a little around it."""
+    short = min(len(line), len(other))
+    first = next((i for i in range(short) if line[i] != other[i]), short)
+    last = next((i for i in range(short - first) if line[-1 - i] != other[-1 - i]), short - first)
+    return line[max(0, first - AROUND) : len(line) - max(0, last - AROUND)].strip()
