@@ -21,6 +21,7 @@ def pasteable(made: JointFunctions, title: str) -> str:
         say("functions.units"),
         say("functions.proof", error=f"{made.max_error:.1e}", decimals=made.decimals),
         *([say("functions.master", master=made.driving.name, drive=made.motion.drive)] * made.motion.turned_round),
+        *([say("functions.mirror", master=made.driving.name, follower=made.follower)] if made.follower else []),
         *([say("functions.fitted")] if made.fitted else []),
         *([say("functions.compared")] if any(">=" in function.text for function in made.functions) else []),
         "",
@@ -76,4 +77,6 @@ def check_table(made: JointFunctions) -> str:
     columns += [(j.kind, j.name, row) for j, row in zip(joints, values, strict=True)]
     header = [f"{kind}({name}) [{'deg' if kind == 'T' else 'mm'}]" for kind, name, _ in columns]
     shown = [np.degrees(row) if kind == "T" else row for kind, _, row in columns]
-    return written(header, [[f"{value:.9f}" for value in row] for row in zip(*shown, strict=True)])
+    return written(
+        header, [[f"{round(float(value), 9) + 0.0:.9f}" for value in row] for row in zip(*shown, strict=True)]
+    )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 
@@ -17,11 +17,13 @@ from linkwright.exports.process_simulate.followers import followers
 from linkwright.exports.process_simulate.joints import ToolJoint, driving, joints_of, named
 from linkwright.exports.process_simulate.linkage import MM, Linkage, Refused, shared_pin
 from linkwright.exports.process_simulate.masters import mastered
+from linkwright.exports.process_simulate.mirror import Mirror
 from linkwright.exports.process_simulate.motion import Motion
 from linkwright.exports.process_simulate.printer import text
 from linkwright.exports.process_simulate.reach import reach
 from linkwright.exports.process_simulate.splitting import least, split
-from linkwright.exports.process_simulate.trees import Array, Tree, evaluate
+from linkwright.exports.process_simulate.trees import Array, Tree, evaluate, multiply, number
+from linkwright.exports.process_simulate.trees import joint as joint_value
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
@@ -52,6 +54,7 @@ class JointFunction:
     ``kind`` is ``T`` (turns, rad) or ``D`` (slides, mm); its value is the turn or slide of the link ``child`` against
     ``parent`` since the zero pose, times ``sign``. ``text`` is empty for the driving joint, ``error`` the largest
     difference from the solver over the range, ``limits`` the least and largest value. A helper has no links.
+    ``mirrored`` is a joint of the second of two hinges that mirror each other.
     """
 
     joint: str
@@ -63,6 +66,7 @@ class JointFunction:
     parent: str
     child: str
     sign: float = 1.0
+    mirrored: bool = False
 
     @property
     def helper(self) -> bool:
@@ -73,7 +77,8 @@ class JointFunction:
 @dataclass(frozen=True)
 class JointFunctions:
     """The functions in the order in which they ask for one another. ``range`` is that of the drive, ``zero`` its value
-    at the zero pose (rad or m); ``fitted`` whether polynomials stand for what has no closed form."""
+    at the zero pose (rad or m); ``fitted`` whether polynomials stand for what has no closed form; ``follower`` the
+    joint of the second of two hinges that follows the driving one of the first."""
 
     driving: JointFunction
     functions: tuple[JointFunction, ...]
@@ -85,6 +90,7 @@ class JointFunctions:
     motion: Motion
     fitted: bool = False
     warnings: tuple[Finding, ...] = ()
+    follower: str | None = None
 
 
 @dataclass(frozen=True)
@@ -109,14 +115,50 @@ class Wish:
     longest: int | None = None
     approximate: float | None = None
     master: str | None = None
+    mirror: Mirror | None = None
 
 
 def make(compiled: Compiled, wish: Wish) -> JointFunctions:
     """The joint functions. Raises :class:`Refused` where there are none."""
     joints = named(joints_of(compiled.structure), wish.names, wish.flipped, wish.left_out)
     motion, warnings = _motion(compiled, wish, joints)
-    made = _made(compiled, wish, joints, motion)
+    make_side = partial(_made, compiled, wish)
+    made = make_side(joints, motion) if wish.mirror is None else _both(wish.mirror, make_side, joints, motion)
     return replace(made, warnings=tuple(warnings))
+
+
+def _both(
+    mirror: Mirror,
+    make_side: Callable[[list[ToolJoint], Motion], JointFunctions],
+    joints: list[ToolJoint],
+    motion: Motion,
+) -> JointFunctions:
+    """The functions of two hinges: those of each in its own joints; the second one's driving joint follows the first
+    one's."""
+    sides = [mirror.side(joints, second) for second in (False, True)]
+    drivers = [next(j for j in side if j.joint == motion.joint.joint) for side in sides]
+    way = drivers[0].sign * drivers[1].sign
+    motions = [replace(motion, joint=drivers[0]), replace(motion, joint=drivers[1], sign=way * motion.sign)]
+    first, second = map(make_side, sides, motions)
+    (driver, follower), names = drivers, {drivers[0].joint: drivers[0].name}
+    tree = multiply(number(way), joint_value(driver.kind, driver.joint))
+    linked = replace(second.driving, text=text(tree, DIALECTS[first.dialect], names, first.decimals))
+    functions = (*first.functions, *(replace(f, mirrored=True) for f in (linked, *second.functions)))
+    _limited(len(functions) + 1)
+    motions[0].told += [follower, *motions[1].told]
+    return replace(
+        first,
+        functions=functions,
+        decimals=max(first.decimals, second.decimals),
+        max_error=max(first.max_error, second.max_error),
+        follower=follower.name,
+    )
+
+
+def _limited(count: int) -> None:
+    """Raise :class:`Refused` for more joints than the tool's functions know."""
+    if count > MOST:
+        raise Refused(Finding("functions.too-many", PATH, {"count": count, "limit": MOST}))
 
 
 def _made(compiled: Compiled, wish: Wish, joints: list[ToolJoint], motion: Motion) -> JointFunctions:
@@ -283,8 +325,7 @@ class _Writer:
             functions.append(
                 JointFunction(joint, self.names.get(joint, joint), kind, shown, limits, error, *links, sign)
             )
-        if len(functions) >= MOST:
-            raise Refused(Finding("functions.too-many", PATH, {"count": len(functions) + 1, "limit": MOST}))
+        _limited(len(functions) + 1)
         j = self.motion.joint
         moving = JointFunction(j.joint, j.name, j.kind, "", (low, high), 0.0, j.parent, j.child, j.sign)
         r, worst = self.motion.reach, max((f.error for f in functions), default=0.0)

@@ -12,6 +12,7 @@ from linkwright.exports.process_simulate.dialects import DIALECTS
 from linkwright.exports.process_simulate.facts import Facts, check_facts
 from linkwright.exports.process_simulate.functions import MOST, PATH, Wish
 from linkwright.exports.process_simulate.joints import ToolJoint, driving, joints_of, named
+from linkwright.exports.process_simulate.mirror import Mirror
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
@@ -46,6 +47,9 @@ class ProcessSimulateOptions(Frozen):
         description="the joint that all functions ask for, by its name in the model or in the tool; else the one that "
         "the drive moves",
         examples=["j2"],
+    )
+    mirror: Mirror | None = Field(
+        None, description="write the functions of two hinges that mirror each other and move in step, in one file"
     )
     zero: Expression | None = Field(
         None, description="the drive's value in the pose in which all joints are 0; else that at the start"
@@ -84,6 +88,7 @@ class ProcessSimulateOptions(Frozen):
         return Wish(
             drive, self.dialect, zero, two(self.range, dimension), stops, self.decimals, self.names, self.flipped,
             self.left_out, self.longest, self.approximate, None if master is None else master.joint,
+            self.mirror,
         )  # fmt: skip
 
     def named_master(self, joints: list[ToolJoint]) -> ToolJoint | None:
@@ -100,6 +105,10 @@ def check(compiled: Compiled, options: ProcessSimulateOptions) -> Iterator[Findi
     for key, names in (("names", options.names), ("flipped", options.flipped), ("left_out", options.left_out)):
         yield from (unknown("joint", (*PATH, key), name, known) for name in names if name not in known)
     told = [j for j in named(joints, options.names, (), options.left_out) if not j.left_out]
+    if options.mirror is not None and not options.mirror.distinct:
+        yield Finding("functions.mirror-names", (*PATH, "mirror"), {})
+    elif options.mirror is not None:
+        told = [j for second in (False, True) for j in options.mirror.side(told, second)]
     yield from _names(told)
     if len(told) > MOST:
         yield Finding("functions.too-many", PATH, {"count": len(told), "limit": MOST})
@@ -129,9 +138,10 @@ def _names(joints: list[ToolJoint]) -> Iterator[Finding]:
     for j in joints:
         if not ALLOWED.fullmatch(j.name):
             yield Finding("functions.name", (*PATH, "names"), {"joint": j.joint, "name": j.name[:60]})
-        if (other := first.setdefault(j.name, j.joint)) != j.joint:
-            data = {"name": j.name[:60], "joints": f"{other}, {j.joint}"}
+        if j.name in first:
+            data = {"name": j.name[:60], "joints": f"{first[j.name]}, {j.joint}"}
             yield Finding("functions.same-name", (*PATH, "names"), data)
+        first.setdefault(j.name, j.joint)
 
 
 def _values(

@@ -140,6 +140,7 @@ def _table(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> 
         else:
             place = at[spots[_anchor(compiled, joint)]]
             where = _places((place if compiled.plane is None else compiled.plane.place(*place)) / size, whole)
+            where = _note("sheet.mirrored") if joint.mirrored else where
             links = f"{joint.parent} / {joint.child}"
             if joint.name != joint.joint:
                 name += f'<span class="note">{escape(say("sheet.model", joint=joint.joint))}</span>'

@@ -56,7 +56,7 @@ def _still(made: JointFunctions) -> Iterator[Finding]:
     """A warning where joints stay as they are: pivots may stand in one place by mistake."""
     still = [f.joint for f in made.functions if not f.helper and max(map(abs, f.limits)) < STILL]
     if still:
-        yield Finding("functions.still", PATH, {"joints": ", ".join(still)}, severity="warning")
+        yield Finding("functions.still", PATH, {"joints": ", ".join(dict.fromkeys(still))}, severity="warning")
 
 
 def summary(made: JointFunctions, compiled: Compiled) -> dict[str, Any]:
@@ -86,6 +86,7 @@ def _joint(function: JointFunction) -> dict[str, Any]:
         "parent": function.parent,
         "child": function.child,
         "sign": function.sign,
+        "mirrored": function.mirrored,
         "error": function.error,
     }
 

@@ -1401,6 +1401,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Several joints are called '{name}': {joints}.",
         "Give each a name of its own under names.",
     ),
+    "functions.mirror-names": (
+        "The joints of both hinges have the same names.",
+        "Give the two sides different suffixes or prefixes, for example mirror: {{suffixes: [_l, _r]}}.",
+    ),
     "functions.two-ranges": (
         "Both range and stops say how far the driving joint goes.",
         "Keep one: range in values of the drive, or stops in values of the joint since the zero pose.",

@@ -9,6 +9,7 @@ PROCESS_SIMULATE: dict[str, str] = {
     "functions.master": (
         "# {master} is the master in place of the joint that {drive} moves: over this range it goes one way only."
     ),
+    "functions.mirror": "# Two mirrored hinges that move in step: {master} drives, and {follower} on the second one follows it.",
     "functions.compared": "# Functions of cams hold comparisons, >= and <: 1 where they hold, and 0 elsewhere.",
     "functions.fitted": "# Polynomials stand for joints that have no closed form; the errors say how close they come.",
     "functions.driving": (

@@ -8,6 +8,7 @@ SHEET: dict[str, str] = {
     "sheet.drawing.title": "The linkage at the zero pose, with its links numbered and its joints named",
     "sheet.drawing.note": "Solid: the zero pose, where all functions are 0. Dashed: {drive} at {far}.",
     "sheet.flipped": "counts the other way",
+    "sheet.mirrored": "on the mirrored hinge",
     "sheet.helper": "helping joint: a part of long functions",
     "sheet.axis": "Turns are positive about the axis ({normal}) of the vehicle, by the right hand.",
     "sheet.axis.flat": "Turns are positive counter-clockwise.",
