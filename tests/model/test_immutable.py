@@ -95,7 +95,12 @@ def test_frozen_dicts_are_still_dicts() -> None:
 
 
 def test_findings_are_values() -> None:
-    finding = Finding("file.expected", ("a",), {"wanted": Term("vector"), "given": Term("given-list", count=1)}, 3)
+    finding = Finding(
+        "file.expected",
+        ("a",),
+        {"wanted": Term("vector"), "given": Term("given-list", count=1), "hint": Term("vector-as")},
+        3,
+    )
     error = ModelError([finding])
     assert pickle.loads(pickle.dumps(error)).findings == (finding,)
     assert copy.deepcopy(finding) == finding

@@ -98,7 +98,7 @@ def test_a_sweep_needs_a_cycle() -> None:
 
 def test_a_fault_of_the_cycle_is_told_once() -> None:
     codes = [f.code for f in refused(swept({"turns": "1 engine"}, vary={"r": STEPS}))]
-    assert codes == ["study.options"]
+    assert codes == ["name.unknown"]
 
 
 def test_a_file_without_measures_needs_outputs() -> None:

@@ -91,3 +91,15 @@ def terms() -> set[str]:
                         if isinstance(part, ast.Constant) and isinstance(part.value, str):
                             found.add(prefix + part.value)
     return found
+
+
+def wanted() -> set[str]:
+    """The phrases that say what is wanted where something else is given."""
+    found: set[str] = set()
+    for tree in trees():
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Call) and node.args and _name(node.func) in ("unexpected", "pair", "plain_number"):
+                last = node.args[-1] if _name(node.func) == "plain_number" else node.args[0]
+                if isinstance(last, ast.Constant):
+                    found.add(str(last.value))
+    return found

@@ -153,7 +153,13 @@ def test_phrases_are_all_there_and_all_used() -> None:
         "list",
         "other",
     }
+    made |= {name for name in phrases if name.removesuffix("-as") in phrases}
     assert phrases - named <= made, phrases - named - made
+
+
+def test_what_is_wanted_has_an_example() -> None:
+    phrases = {key.removeprefix("term.") for key in FINDINGS if key.startswith("term.")}
+    assert {f"{name}-as" for name in source.wanted()} <= phrases
 
 
 @pytest.mark.parametrize("key", sorted(FINDINGS))

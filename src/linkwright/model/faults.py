@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -69,17 +70,21 @@ def written(loc: tuple[Any, ...], data: Any) -> Path:
     return tuple(path)
 
 
-def _finding(fault: Any, data: Any) -> Finding:
-    context, kind, path = dict(fault.get("ctx") or {}), fault["type"], written(fault["loc"], data)
+def _finding(fault: Any, raw: Any) -> Finding:
+    context, kind, path = dict(fault.get("ctx") or {}), fault["type"], written(fault["loc"], raw)
     named = absent(path[-1], fault["input"]) if kind == "extra_forbidden" and path else None
     if kind in _WANTED and path[:1] == ("joints",):
         named = absent("type", fault["input"])
     if named and (named[0] != "element.limits" or path[0] in ("joints", "cylinders")):  # limits are a study, too
         return Finding(named[0], path, {"name": named[1]})
-    if (found := finding_of(fault, data, Document)) is not None:
+    if (found := finding_of(fault, raw, Document)) is not None:
         return found
-    wanted: Any = context.get("expected") if kind == "literal_error" else Term(_WANTED.get(kind, "other"))
-    return Finding("file.expected", path, {"wanted": wanted, "given": describe(fault["input"])})
+    wanted = _WANTED.get(kind, "other")
+    data: dict[str, Any] = {"wanted": Term(wanted), "given": describe(fault["input"]), "hint": Term(f"{wanted}-as")}
+    if kind == "literal_error":
+        choice = str(context["expected"])
+        data |= {"wanted": choice, "hint": near(str(fault["input"]), re.findall("'([^']*)'", choice))}
+    return Finding("file.expected", path, data)
 
 
 def finding_of(fault: Any, data: Any, owner: Any, place: Path = ()) -> Finding | None:

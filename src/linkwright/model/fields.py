@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Annotated, Any
 
 from pydantic import BeforeValidator, WithJsonSchema
 
 from linkwright.model.expressions import ExpressionError, Node, Number, parse
+from linkwright.model.findings import Term
 from linkwright.model.respelled import syntax_fault
 from linkwright.model.written import (
     Frozen,
@@ -120,6 +121,7 @@ class Position(Written):
             {"type": "string", "pattern": " at |^sketch$"},
         ]
     }
+    spellings = {r"\(?([^,()]+),\s*([^,()]+)\)?": r"[\1, \2]", r"(.+?)\s*[@<∠]\s*(.+)": r"\1 at \2"}
     first: Expression
     second: Expression
     polar: bool
@@ -135,8 +137,10 @@ class Position(Written):
         elif isinstance(raw, list | tuple) and len(raw) == 2:
             parts = list(raw)
             self.put("polar", False)
+        elif isinstance(raw, Mapping) and raw.keys() == {"x", "y"}:
+            raise unexpected("position", raw, Term("write-bare", text=f"[{raw['x']}, {raw['y']}]"))
         else:
-            raise unexpected("position", raw)
+            raise self.unexpected("position", raw)
         self.put("first", Expression(parts[0]))
         self.put("second", Expression(parts[1]))
         if not self.polar and not self.sketched:
@@ -177,15 +181,20 @@ class LineOn(Written):
 
     __slots__ = ("angle", "point")
     json_type = {"type": "string", "pattern": "^\\s*\\S+ at "}
+    spellings = {r"([^\W\d]\w*)\s*[,:@ ]\s*([-+\d.].*)": r"\1 at \2", r"([^\W\d]\w*)": r"\1 at 0 deg"}
     point: str
     angle: Expression
 
     def read(self, raw: Any) -> None:
         parts = raw.split(" at ") if isinstance(raw, str) else []
         if len(parts) != 2:
-            raise unexpected("line", raw)
+            raise self.unexpected("line", raw)
         self.put("point", check_name(parts[0].strip()))
         self.put("angle", Expression(parts[1]))
+
+
+_TWO = r"\s+(?!of\b)(\w+)\s*(?:-|–|,|\s|\band\b|\bto\b)\s*(\w+)"
+"""Two points in other spellings of A-B."""
 
 
 class Shape(Written):
@@ -193,6 +202,11 @@ class Shape(Written):
 
     __slots__ = ("form", "points", "radius")
     json_type = {"type": "string", "pattern": "^\\s*(rod|disc|point) "}
+    spellings = {
+        rf"(?i:rod|bar|beam|link|stick){_TWO}": r"rod \1-\2",
+        r"(?i:disc|disk|wheel|cylinder)\s+(\S.*?)\s+(?:at|in|on|@)\s+(\w+)": r"disc \1 at \2",
+        r"(?i:point|mass|particle)(?:\s+mass)?\s+(?:at\s+)?(\w+)": r"point \1",
+    }
     form: str
     points: tuple[str, ...]
     radius: Expression | None
@@ -202,7 +216,7 @@ class Shape(Written):
     def read(self, raw: Any) -> None:
         match = self._PATTERN.fullmatch(raw) if isinstance(raw, str) else None
         if match is None:
-            raise unexpected("shape", raw)
+            raise self.unexpected("shape", raw)
         start, end, radius, centre, single = match.groups()
         self.put("form", raw.split()[0])
         self.put("points", tuple(p for p in (start, end, centre, single) if p))
@@ -219,6 +233,12 @@ class AssemblyRule(Written):
             {"type": "string", "pattern": "^\\s*(left of|right of|ahead of|behind|open|crossed)"},
             {"type": "array", "items": {"type": ["number", "string"]}, "minItems": 2, "maxItems": 2},
         ]
+    }
+    spellings = {
+        rf"(?i:left)(?:\s+of)?{_TWO}": r"left of \1-\2",
+        rf"(?i:right)(?:\s+of)?{_TWO}": r"right of \1-\2",
+        r"(?i:open|opened)": "open",
+        r"(?i:cross|crossed|crossing)": "crossed",
     }
     word: str
     reference: tuple[str, ...]
@@ -238,7 +258,7 @@ class AssemblyRule(Written):
             return
         match = self._PATTERN.fullmatch(raw) if isinstance(raw, str) else None
         if match is None:
-            raise unexpected("assembly", raw)
+            raise self.unexpected("assembly", raw)
         words = [group for group in match.groups() if group]
         sliding = words[0] in ("ahead", "behind")
         along = words[2] if sliding else None
@@ -261,6 +281,11 @@ class Requirement(Written):
 
     __slots__ = ("high", "low")
     json_type = {"type": "string", "pattern": "^\\s*(>=|<=)|\\.\\."}
+    spellings = {
+        r"(?:≥|⩾|=>|>|at least|min\.?|不小于)\s*([^=].*)": r">= \1",
+        r"(?:≤|⩽|=<|<|at most|max\.?|不大于)\s*([^=].*)": r"<= \1",
+        r"\[?([^,\]]+?)\s*(?:~|～|…|–|—|,|\bto\b|\bbis\b|至|到| - )\s*([^,\]]+?)\]?": r"\1 .. \2",
+    }
     low: Expression | None
     high: Expression | None
 
@@ -274,7 +299,7 @@ class Requirement(Written):
         elif ".." in text:
             low, high = (Expression(part) for part in text.split("..", 1))
         else:
-            raise unexpected("requirement", raw)
+            raise self.unexpected("requirement", raw)
         self.put("low", low)
         self.put("high", high)
 

@@ -26,6 +26,11 @@ class Gravity(Written):
             {"type": "array", "items": {"type": ["number", "string"]}, "minItems": 2, "maxItems": 2},
         ]
     }
+    spellings = {
+        r"(?i:earth|g|1 ?g|true|yes|down)": "earth",
+        r"[-+]?(\d+(?:\.\d*)?)": r"[0, -\1 m/s^2]",
+        r"[-+]?(\d+(?:\.\d*)?\s*m+/s.*)": r"[0, -\1]",
+    }
     parts: tuple[Expression, Expression]
 
     _PATTERN = re.compile(r"\s*earth(?:\s+along\s+\[(.+)\])?\s*", re.S)
@@ -38,7 +43,7 @@ class Gravity(Written):
             return
         match = self._PATTERN.fullmatch(raw) if isinstance(raw, str) else None
         if match is None:
-            raise unexpected("gravity", raw)
+            raise self.unexpected("gravity", raw)
         self.put(
             "parts", (Expression("0 m/s^2"), Expression(f"-{_EARTH}")) if match[1] is None else _along(match[1], raw)
         )

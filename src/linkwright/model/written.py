@@ -41,9 +41,10 @@ def fault(code: str, **data: Any) -> PydanticCustomError:
     return PydanticCustomError("finding", "{code}", {"code": code, **data})
 
 
-def unexpected(wanted: str, given: Any) -> PydanticCustomError:
-    """A validation error: something else is wanted here (a phrase of the catalogue), and what is given."""
-    return fault("file.expected", wanted=Term(wanted), given=describe(given))
+def unexpected(wanted: str, given: Any, hint: Term | None = None) -> PydanticCustomError:
+    """A validation error: something else is wanted here (a phrase of the catalogue), what is given, and a ``hint`` or
+    else an example."""
+    return fault("file.expected", wanted=Term(wanted), given=describe(given), hint=hint or Term(f"{wanted}-as"))
 
 
 def describe(raw: Any) -> Any:
@@ -192,6 +193,8 @@ class Written:
     __slots__ = ("raw",)
     raw: Any
     json_type: ClassVar[dict[str, Any]] = {"type": "string"}
+    spellings: ClassVar[Mapping[str, str]] = {}
+    """Patterns of other spellings, each with the one that a file has: a text, or a list in brackets."""
 
     def __init__(self, raw: Any) -> None:
         if isinstance(raw, str):
@@ -201,6 +204,15 @@ class Written:
 
     def read(self, raw: Any) -> None:
         """Parse and store; raises :func:`fault`."""
+
+    def unexpected(self, wanted: str, raw: Any) -> PydanticCustomError:
+        """A fault: something else is wanted, with what is meant where it is in another spelling."""
+        given = str(raw).strip() if isinstance(raw, str | int | float) and not isinstance(raw, bool) else ""
+        for pattern, meant in self.spellings.items():
+            if match := re.fullmatch(pattern, given[:MAX_NAME]):
+                text = match.expand(meant)
+                return unexpected(wanted, raw, Term("write-bare" if text.startswith("[") else "write", text=text))
+        return unexpected(wanted, raw)
 
     def put(self, name: str, value: Any) -> None:
         """Set an attribute, while the value is being made."""

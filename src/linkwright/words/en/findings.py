@@ -6,6 +6,7 @@ don't are in SI, and the text says so.
 
 from linkwright.words.en.absent import ABSENT_TEXTS
 from linkwright.words.en.cam_findings import CAM_TERMS, CAM_TEXTS
+from linkwright.words.en.examples import EXAMPLE_TERMS
 from linkwright.words.en.plausibility import PLAUSIBILITY_TERMS, PLAUSIBILITY_TEXTS
 
 _TEXTS: dict[str, tuple[str, str]] = {
@@ -140,7 +141,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "file.expected": (
         "Wanted here: {wanted}. Given: {given}.",
-        "Write what is wanted; docs/file-format.md shows an example of each entry.",
+        "{hint}",
     ),
     "file.not-finite": (
         "{given} is no finite number.",
@@ -2233,6 +2234,7 @@ _TERMS: dict[str, str] = {
     "yaml-indentation": "this line is indented, or begins with '-', unlike those above it",
     "yaml-bracket": "a bracket isn't closed, or a comma is missing",
     "yaml-quote": "a quote isn't closed",
+    "write-bare": "Write {text}.",
     "write": "Write '{text}'.",
     "write-either": "Write '{text}', or '{other}' if the comma separates thousands.",
 }
@@ -2242,5 +2244,5 @@ _ALL = {**_TEXTS, **CAM_TEXTS, **PLAUSIBILITY_TEXTS, **ABSENT_TEXTS}
 FINDINGS: dict[str, str] = {
     **{f"{code}.what": what for code, (what, _) in _ALL.items()},
     **{f"{code}.mend": mend for code, (_, mend) in _ALL.items()},
-    **{f"term.{name}": text for name, text in {**_TERMS, **CAM_TERMS, **PLAUSIBILITY_TERMS}.items()},
+    **{f"term.{name}": text for name, text in {**_TERMS, **CAM_TERMS, **EXAMPLE_TERMS, **PLAUSIBILITY_TERMS}.items()},
 }
