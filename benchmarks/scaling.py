@@ -1,5 +1,8 @@
 """Time against the number of links: ``python benchmarks/scaling.py [--json] [--largest 40] [--poses 50000]``.
 
+With ``--links 10 20 50 100 194`` instead whole processes, from a model file of so many links to its results, or to the
+answer to a fault (whole_runs.py): processor time and peak memory.
+
 Chains of 2 to 40 dyads: a crank rocks the first of a row of parallelograms, each driven by the rocker before it. All
 links have mass; outputs are each rocker's joint, angular acceleration and force from the frame, and the drive's torque.
 The rockers turn like the crank, whatever the length of the chain, so that the last joint's height and the torque have
@@ -24,6 +27,7 @@ from typing import Any
 from unittest.mock import patch
 
 import numpy as np
+import whole_runs
 from contest import Array, kernels
 from run import median
 
@@ -105,6 +109,13 @@ def table(rows: list[Row]) -> Iterator[str]:
             yield f"{left}{times}{f['two_threads']:11.2f}  {f['error']:.0e}"
 
 
+def told(rows: Iterator[Row]) -> Iterator[Row]:
+    """The rows, each said when it is there."""
+    for row in rows:
+        say(f"{row['class']}, {row['links']} links: {row['run_s']:.3g} s")
+        yield row
+
+
 def say(text: str) -> None:
     """Progress, apart from the figures."""
     print(text, file=sys.stderr, flush=True)
@@ -117,7 +128,12 @@ def main() -> None:
     parser.add_argument("--largest", type=int, default=SIZES[-1], help="dyads of the longest chain")
     parser.add_argument("--poses", type=int, default=50_000, help="poses of a run")
     parser.add_argument("--repeats", type=int, default=5, help="runs that the medians are taken of")
+    parser.add_argument("--links", type=int, nargs="*", help="whole processes for models of so many links")
     options = parser.parse_args()
+    if options.links is not None:
+        whole = list(told(whole_runs.measured(options.links or whole_runs.SIZES)))
+        print(json.dumps(whole, indent=2) if options.json else "\n".join(whole_runs.table(whole)))
+        return
     with tempfile.TemporaryDirectory() as folder, patch.dict(os.environ, XDG_CACHE_HOME=folder):
         measure(1, 100, 1)  # what kernels import isn't theirs to build
         rows = [measure(n, options.poses, options.repeats) for n in SIZES if n <= options.largest]

@@ -6,9 +6,11 @@ import json
 import sys
 
 import contest
+import large_models
 import numpy as np
 import pytest
 import scaling
+import whole_runs
 
 import linkwright as lw
 from linkwright.kernels import KERNELS
@@ -39,6 +41,18 @@ def test_the_figures_of_a_chain() -> None:
         assert figures["error"] < 1e-13
         assert min(row["graph_s"], *figures.values()) >= 0
         assert figures["ns_per_pose_and_dyad"] == pytest.approx(figures["ns_per_pose"] / row["dyads"])
+
+
+def test_whole_processes(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    """A class of mechanism from its file to results, and to the answers to its faults."""
+    monkeypatch.setattr(whole_runs, "CLASSES", {"grid": large_models.grid})
+    monkeypatch.setattr(sys, "argv", ["scaling.py", "--json", "--links", "10"])
+    scaling.main()
+    (row,) = json.loads(capsys.readouterr().out)
+    assert (row["class"], row["links"], row["done"]) == ("grid", 7, True)
+    assert row["run_mb"] > 20
+    assert all(row[f"check_{fault}_s"] > 0 for fault in large_models.FAULTS)
+    assert len(list(whole_runs.table([row]))) == 2
 
 
 @pytest.mark.parametrize("words", [[], ["--json"]])

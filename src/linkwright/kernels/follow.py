@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,11 +39,15 @@ class Corrector:
     """Newton on one cluster, from inputs in which the coordinates of earlier clusters stand already."""
 
     def __init__(self, graph: Graph, cluster: Cluster, size: float, kernel: str) -> None:
-        self.cluster, self.n = cluster, len(cluster.free)
+        self.graph, self.cluster, self.kernel, self.n = graph, cluster, kernel, len(cluster.free)
         self.rows = graph.coordinates(cluster)
-        self.solver: Kernel = KERNELS[kernel](graph.solving(cluster))
         self.scale = np.array(cluster.units(size))
         self.slides = 1.0 - np.array(cluster.turning, dtype=float)
+
+    @cached_property
+    def solver(self) -> Kernel:
+        """What solves the cluster; built when it is asked for, which an examination doesn't."""
+        return KERNELS[self.kernel](self.graph.solving(self.cluster))
 
     def moved(self, step: Array, u: Array) -> Array:
         """The largest step of a pose's coordinates: (poses,), in rad, and of slides over the size or where it is more
@@ -62,11 +67,14 @@ class Follower(Corrector):
 
     def __init__(self, graph: Graph, cluster: Cluster, start: list[float], size: float, kernel: str) -> None:
         super().__init__(graph, cluster, size, kernel)
-        rates = [f"rate:{cluster.label}:{i}" for i in range(self.n)]
-        self.motion: Kernel = KERNELS[kernel](graph.program(rates))
         self.start = np.array(start)
         self.path = Path()
         self.correction = 0.0  # the most that Newton moved a foretold coordinate (rad, or over the size)
+
+    @cached_property
+    def motion(self) -> Kernel:
+        """What gives the rates of the coordinates."""
+        return KERNELS[self.kernel](self.graph.program([f"rate:{self.cluster.label}:{i}" for i in range(self.n)]))
 
     def solve(self, x: Array, t: Array, p: Array, at: Callable[[Array], Array]) -> Array:
         """The coordinates at times ``t``: (coordinates, times), NaN past the path's end. ``at`` gives inputs."""
