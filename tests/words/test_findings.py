@@ -63,6 +63,7 @@ TITLES = {
     "load": "Loads",
     "spring": "Springs",
     "table": "Tables",
+    "drawing": "Drawings",
     "law": "Motion laws",
     "window": "Windows",
     "measure": "Measures",

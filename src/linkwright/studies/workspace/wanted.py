@@ -31,10 +31,10 @@ from linkwright.model.expressions import (
     parse,
 )
 from linkwright.model.findings import Finding, ModelError
-from linkwright.model.machine import needed
 from linkwright.model.quantities import Quantities
 from linkwright.model.units import UnitError, unit
 from linkwright.notation import Jet
+from linkwright.studies.workspace.dxf_file import read_curve
 
 Array = NDArray[np.float64]
 Path_ = tuple[str | int, ...]
@@ -45,8 +45,6 @@ SAME = 1e-9
 """Ends nearer than this share of the path's extent are one: the path is closed."""
 BENT = 1e-6
 """Straight pieces that turn by more than this (rad) make a corner."""
-CHORD = 1e-4
-"""Arcs and splines of a drawing become chords that lie within this share of its extent."""
 
 
 @dataclass(frozen=True)
@@ -72,9 +70,9 @@ def through(points: Array, between: str = "cubic", path: Path_ = PATH) -> Wanted
     from scipy.interpolate import make_interp_spline
 
     points = np.asarray(points, dtype=float).reshape(-1, 2)
-    size = float(np.ptp(points, axis=0).max(initial=0.0))
+    size = float(np.ptp(points, axis=0).max(initial=0.0)) if len(points) else 0.0
     chords = np.hypot(*np.diff(points, axis=0).T)
-    kept = np.concatenate([[True], chords > SAME * size])
+    kept = np.concatenate([[True], chords > SAME * size])[: len(points)]
     points, chords = points[kept], chords[kept[1:]]
     degree = DEGREES[between]
     if len(points) < degree + 1 or not np.isfinite(points).all():
@@ -126,21 +124,7 @@ def from_dxf(
 
     Polylines stay straight pieces; arcs and splines become chords.
     """
-    ezdxf = needed("ezdxf", "cad")
-    paths = needed("ezdxf.path", "cad")
-    try:
-        drawing = ezdxf.readfile((folder or Path()) / file)
-    except (OSError, ezdxf.DXFError, UnicodeDecodeError, ValueError) as error:
-        data = {"file": file, "reason": str(error)[:100]}
-        raise ModelError([Finding("table.unreadable", path, data)]) from None
-    kinds = "LWPOLYLINE POLYLINE LINE ARC CIRCLE ELLIPSE SPLINE"
-    found = [e for e in drawing.modelspace().query(kinds) if layer is None or e.dxf.layer == layer]
-    if len(found) != 1:
-        raise ModelError([Finding("workspace.path-drawing", path, {"file": file, "count": len(found)})])
-    drawn = paths.make_path(found[0])
-    extent = max(paths.bbox([drawn]).size)
-    points = np.array([(p.x, p.y) for p in drawn.flattening(CHORD * extent)])
-    return through(size * points, "linear", path)
+    return through(size * read_curve(file, folder, layer, path), "linear", path)
 
 
 def from_formula(

@@ -757,7 +757,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Correct x and y, or the first line of the file.",
     ),
     "table.not-number": (
-        "Line {row} of the file has '{given}' in the column '{name}', where a finite number belongs.",
+        "Line {row} of the file has '{given}' in the column '{name}', where a finite number below 1e40 belongs.",
         "Correct the cell; write decimal points, and no units.",
     ),
     "table.long": (
@@ -1033,6 +1033,22 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "workspace.path-drawing": (
         "The drawing {file} holds {count} curves where the wanted path is one.",
         "Join them into one polyline, or name the layer that holds only the path.",
+    ),
+    "drawing.unreadable": (
+        "The drawing {file} can't be read as DXF: {reason}.",
+        "Save it again as DXF from the program that made it.",
+    ),
+    "drawing.code": (
+        "The drawing {file} has '{given}' ({place}) where the number of a group belongs.",
+        "Save it again as DXF from the program that made it.",
+    ),
+    "drawing.number": (
+        "The drawing {file} has '{given}' in a group {code} ({place}), where a finite number below 1e40 belongs.",
+        "Correct the number, or draw the curve again; save the drawing again as DXF.",
+    ),
+    "drawing.entity": (
+        "The {kind} with the handle {handle} in the drawing {file} makes no path: {reason}.",
+        "Draw it again, best as one polyline near the origin.",
     ),
     "workspace.path-name": (
         "'{name}' can't stand in the formula of a wanted path.",
@@ -2145,6 +2161,19 @@ _TERMS: dict[str, str] = {
     "none": "none",
     "given-mapping": "a mapping",
     "given-list": "a list of {count}",
+    # Why an entity of a drawing makes no path.
+    "drawn-line": "line {at}",
+    "drawn-group": "group {at} from its beginning",
+    "drawn-inconsistent": "what it holds doesn't fit together",
+    "drawn-radius": "its radius isn't positive",
+    "drawn-axis": "its major axis has no length",
+    "drawn-ratio": "the ratio of its axes isn't between 0 and 1",
+    "drawn-degree": "its degree is too small or too large",
+    "drawn-knots": "its knots don't ascend",
+    "drawn-weights": "its weights aren't positive",
+    "drawn-large": "its places aren't finite",
+    "drawn-far": "it lies farther from the origin than {limit} times its size",
+    "drawn-long": "it has more than {limit} points",
     # What is wrong with the length of a run.
     "one-length": "give one of period, duration, turns",
     "length-constant": "it must be made of numbers and parameters",
