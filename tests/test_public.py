@@ -166,7 +166,7 @@ LEVELS = {
     **dict.fromkeys(("interrupts", "notation", "words", "gallery"), 0),
     **dict.fromkeys(("laws", "tolerances"), 1),
     "model": 2,
-    "groups": 3,
+    **dict.fromkeys(("formulas", "groups"), 3),
     "structure": 4,
     "graph": 5,
     "kernels": 6,

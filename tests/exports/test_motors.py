@@ -10,13 +10,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import linkwright as lw
 from linkwright.exports import Exported
 from linkwright.exports.motors import target
-from linkwright.exports.motors.evaluate import DialectError, value
-from linkwright.exports.motors.terms import number
+from linkwright.formulas.evaluate import value
 from linkwright.model.document import read_document
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -84,25 +82,6 @@ def by_python(text: str, t: float, unit: float) -> float:
     names |= {f.__name__: lambda x, f=f: f(x * unit) for f in (math.sin, math.cos, math.tan)}
     names |= {f.__name__: lambda x, f=f: f(x) / unit for f in (math.asin, math.acos)}
     return float(eval(text.replace("^", "**"), names))
-
-
-def test_the_published_table() -> None:
-    """Table 1 of "Fast modelling of plate cams in Pro/Mechanism" (777doc.com/doc-2571803): an oscillating follower with
-    cycloidal rise over 90 deg, dwell 180, fall over 75, dwell 15, a cam turning at 15 deg/s; m is the stroke."""
-    found = exported("position: swing(w*t/(1 s))", duration="24 s")
-    m, rows = 15.0, pieces(found)
-    assert [domain for domain, *_ in rows] == ["0 <= t < 6", "6 <= t < 18", "18 <= t < 23", "23 <= t <= 24"]
-    printed = [
-        lambda t: m * (t / 6 - np.sin(2 * np.pi * t / 6) / (2 * np.pi)),
-        lambda t: m + 0 * t,
-        lambda t: m - m * ((t - 18) / 5 - np.sin(2 * np.pi * (t - 18) / 5) / (2 * np.pi)),
-        lambda t: 0 * t,
-    ]
-    for (_, start, stop, text), formula in zip(rows, printed, strict=True):
-        t = np.linspace(start, stop, 50)
-        assert value(text, t, degrees=True) == pytest.approx(formula(t), abs=1e-12)
-    assert rows[0][3] == "2.5*t - 2.38732414637843*sin(60*t)"
-    assert "0 <= t < 6      2.5*t - 2.38732414637843*sin(60*t)" in str(found.files["motors.txt"])
 
 
 LAWS = {
@@ -181,26 +160,3 @@ def test_what_is_not_proven_is_not_given(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setattr(target, "PROVEN", 0.0)
     found = exported("position: 20 deg*sin(1 deg*t/(1 s) + 0.3)", duration="6 s")
     assert [finding.code for finding in found.failures] == ["export.unproven"] and not found.files
-
-
-@pytest.mark.parametrize(
-    "text", ["", "1e-5", "2t", "t^^2", "exp(t)", "log(t)", "sin t", "(t", "t)", "x", "--t", "1,5", "pi*t", "t*-2"]
-)
-def test_the_evaluator_refuses_what_is_not_in_the_dialect(text: str) -> None:
-    with pytest.raises(DialectError):
-        value(text, np.zeros(1), degrees=True)
-
-
-def test_the_evaluator() -> None:
-    t: NDArray[np.float64] = np.array([0.5, 2.0])
-    assert value("-2^2*t - 4/2/t + (t - 3)^2", t, degrees=True) == pytest.approx([-2 - 4 + 6.25, -8 - 1 + 1])
-    assert value("sin(60*t) + asin(t/2)", t, degrees=True) == pytest.approx([0.5 + 14.4775121859, 3**0.5 / 2 + 90])
-    assert value("cos(t) + ln(t)*sqrt(t)", t, degrees=False) == pytest.approx(np.cos(t) + np.log(t) * np.sqrt(t))
-
-
-@pytest.mark.parametrize(
-    ("given", "text"),
-    [(0.0, "0"), (-0.0, "0"), (1e-7, "0.0000001"), (-2.5e16, "-25000000000000000"), (1 / 3, "0.333333333333333")],
-)
-def test_numbers_have_no_exponent(given: float, text: str) -> None:
-    assert number(given) == text

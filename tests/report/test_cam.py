@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import math
+import re
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -17,6 +18,7 @@ import linkwright as lw
 from helpers.heat_seal import NC, heat_seal, performed
 from linkwright.app.job import Job
 from linkwright.cli import cli
+from linkwright.formulas.evaluate import value
 from linkwright.model.document import parse_document
 from linkwright.report.build import report_data
 from linkwright.report.cam_files import FILES
@@ -55,14 +57,30 @@ def test_the_profile_as_a_table(outcome: CamOutcome) -> None:
 
 
 def test_the_motion_as_formulas(outcome: CamOutcome) -> None:
-    """Evaluated by Python, over a turn of 1 s."""
-    lines = [line.split("\t") for line in str(FILES["cam_motion.txt"](outcome)).splitlines()[1:]]
-    assert [float(line[0]) for line in lines] == pytest.approx([0, 0.25, 0.75, 345 / 360])
-    for start, stop, text in lines:
-        for t in np.linspace(float(start), float(stop), 7)[:-1]:
-            value = eval(text.replace("^", "**"), {"t": t, "sin": math.sin, "pi": math.pi})
-            look = outcome.disc.look(np.array([2 * np.pi * t]))
-            assert math.radians(value) == pytest.approx(np.broadcast_to(look.lift.d[0], 1)[0], abs=1e-12)
+    """In degrees, as it says, over a turn of 1 s."""
+    text = str(FILES["cam_motion.txt"](outcome))
+    assert "lift in deg over t in s" in text and "sin, cos and tan take degrees" in text
+    rows = [re.split(r" <=? t <=? |   +", line.strip()) for line in text.splitlines() if line.startswith("  ")]
+    assert [float(row[0]) for row in rows] == pytest.approx([0, 0.25, 0.75, 345 / 360])
+    for start, stop, formula in rows:
+        t = np.linspace(float(start), float(stop), 7)[:-1]
+        lift = np.broadcast_to(outcome.disc.look(2 * np.pi * t).lift.d[0], t.shape)
+        assert np.radians(value(formula, t, degrees=True)) == pytest.approx(lift, abs=1e-12)
+
+
+def test_a_file_in_radians_has_its_motion_in_degrees_too() -> None:
+    data = heat_seal({"base": "39 mm"}) | {"units": {"length": "m", "angle": "rad"}}
+    data["links"] = {
+        "frame": {"points": {"O": [0, 0], "A": ["85 mm", 0]}},
+        "cam": {"points": {"O": [0, 0]}},
+        "arm": {"points": {"A": [0, 0], "B": ["90 mm", 0]}},
+    }
+    data["cams"]["heat_seal"]["roller"] = "20 mm"
+    data["laws"]["swing"]["segments"] = [{"rise": "12 deg", "over": "90 deg", "law": "cycloidal"}, {"dwell": "180 deg"}]
+    data["laws"]["swing"]["segments"] += [{"fall": "12 deg", "over": "75 deg", "law": "cycloidal"}, {"dwell": "15 deg"}]
+    found = performed(data).cam
+    assert found is not None
+    assert "48*t - 1.90985931710274*sin(1440*t)" in str(FILES["cam_motion.txt"](found))
 
 
 def test_the_drawing(outcome: CamOutcome) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import perm
 from typing import Any, NamedTuple, Protocol
 
@@ -16,6 +16,9 @@ from linkwright.notation.duals import Dual, value_of
 from linkwright.notation.jets import call
 
 Array = NDArray[np.float64]
+
+ROUND_OFF = 1e-14
+"""How far a wave's half turns may be off a whole number that they are meant to be, over them."""
 
 
 class Part(Protocol):
@@ -98,7 +101,24 @@ class Piece:
         waves = tuple(Wave(scale * a * (1.0 if even else turned), r / abs(width), even) for a, r, even in self.waves)
         return Piece(start, stop, tuple(powers), waves, offset + width * self.origin)
 
+    def _from_start(self) -> Piece:
+        """One that counts back from its end counted from its start, where its powers and waves stay as short."""
+        back = self.origin - self.start
+        halves = [wave.rate * back for wave in self.waves]
+        whole = all(abs(half - round(half)) <= ROUND_OFF * max(1.0, abs(half)) for half in halves)
+        if self.origin != self.stop or len(self.powers) > 2 or not self.waves or not whole:
+            return self
+        height, slope = (*self.powers, 0.0, 0.0)[:2]
+        waves = tuple(
+            Wave(-wave.amplitude if round(half) % 2 else wave.amplitude, *wave[1:])
+            for wave, half in zip(self.waves, halves, strict=True)
+        )
+        return replace(self, powers=(height - slope * back, slope), waves=waves, origin=self.start)
+
     def text(self, x: str) -> str:
+        return self._from_start()._text(x)
+
+    def _text(self, x: str) -> str:
         z = x if self.origin == 0 else f"({x} {'-' if self.origin > 0 else '+'} {abs(self.origin)!r})"
         terms = [(c, f"{z}^{i}" if i > 1 else z if i else "") for i, c in enumerate(map(float, self.powers)) if c]
         for amplitude, rate, even in self.waves:

@@ -14,7 +14,12 @@ from linkwright.cam.nc.path import Element
 from linkwright.cam.nc.posts import POSTS
 from linkwright.cam.solid import solid, step
 from linkwright.cam.splines import Spline
+from linkwright.formulas.functions import OfMotion
+from linkwright.formulas.motor import motor, unit_of
+from linkwright.formulas.pieces import TooManyError, Unfolding
+from linkwright.formulas.terms import T, number
 from linkwright.model import units as u
+from linkwright.model.expressions import Binary, Call, Number
 from linkwright.report.cam_picture import still
 from linkwright.report.csv_text import cell, head, written
 from linkwright.studies.cam.outcome import CamOutcome
@@ -92,17 +97,19 @@ def cam_step(outcome: CamOutcome, plate: Plate) -> bytes | None:
     return step(solid(plate.contour, blank, plate.flank))
 
 
-def motion_text(outcome: CamOutcome) -> str:
-    """The follower's motion over a turn as formulas in t, for a CAD simulator's motor: from, to, formula."""
-    unit, size = outcome.compiled.quantities.unit_of(outcome.lift_dimension)
+def motion_text(outcome: CamOutcome) -> str | None:
+    """The follower's motion over a turn as formulas in t for the motor of Creo Mechanism, which counts in degrees: each
+    line a domain and its formula. Nothing of a law of more pieces than anyone types."""
     period = outcome.stated.period
-    motion = outcome.law.restated(TURN / period, size)
-    times = round(TURN / outcome.law.period)  # a law may go through several periods in a turn
-    lines = ["# " + say("cam.motion", name=outcome.name, unit=unit, period=f"{period:.10g}")]
-    for k in range(times):
-        for start, stop, text in motion.pieces("t" if k == 0 else f"(t - {k * motion.period!r})"):
-            lines.append(f"{start + k * motion.period!r}\t{stop + k * motion.period!r}\t{text}")
-    return "\n".join(lines) + "\n"
+    asked = Binary("*", Number(TURN / period), T)
+    try:
+        pieces = Unfolding(period, {}, {"law": OfMotion(outcome.law)}).pieces(Call("law", (asked,)))
+    except TooManyError:
+        return None
+    unit = unit_of(outcome.compiled.quantities, outcome.lift_dimension)
+    made = motor(pieces, unit, lambda t: outcome.law.at(TURN / period * t), "creo", period)
+    about = {"name": outcome.name, "unit": made.unit, "period": number(period), "error": f"{made.error:.1e}"}
+    return "\n".join([say("cam.motion", **about), say("motors.dialect.creo"), "", *made.lines]) + "\n"
 
 
 def nc(post: str) -> OfPlate:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from linkwright.exports.motors.functions import Function, OfMotion, OfTable
+from linkwright.formulas.functions import Function, OfMotion, OfTable
 from linkwright.graph.cams import value
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import read_table

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Literal
 
 import numpy as np
@@ -9,9 +10,10 @@ from pydantic import Field
 
 from linkwright.exports.followed import duration
 from linkwright.exports.motors.law import functions, law_of
-from linkwright.exports.motors.pieces import MOST, TooManyError, Unfolding
-from linkwright.exports.motors.write import Motor, expressions, motor, sheet, values
+from linkwright.exports.motors.write import expressions, sheet, values
 from linkwright.exports.registry import Exported, register
+from linkwright.formulas.motor import Motor, motor, unit_of
+from linkwright.formulas.pieces import MOST, Piece, TooManyError, Unfolding
 from linkwright.kernels import Compiled
 from linkwright.model.fields import Expression, Frozen
 from linkwright.model.findings import Finding
@@ -48,12 +50,12 @@ class MotorExpressions:
         if stop is None:
             return Exported(failures=findings or [Finding("export.no-duration", data={"export": self.name})])
         t = np.linspace(0.0, stop, options.samples + 1)
-        table, motors, warnings = values(compiled, t), list[Motor](), list[Finding]()
+        table, motors, warnings = values(compiled, t), dict[str, Motor](), list[Finding]()
         for drive in compiled.mechanism.drives:
             law = law_of(compiled, drive)
             unfolding = Unfolding(stop, compiled.quantities.parameters, functions(compiled, law, site.folder))
             try:
-                motors.append(motor(compiled, drive, unfolding.pieces(law), options.dialect, stop))
+                motors[drive] = _motor(compiled, drive, unfolding.pieces(law), options.dialect, stop)
             except TooManyError:
                 data = {"drive": drive, "limit": MOST}
                 warnings.append(Finding("export.too-many-pieces", ("drives", drive), data, severity="warning"))
@@ -67,14 +69,19 @@ class MotorExpressions:
         summary = {
             "dialect": options.dialect,
             "duration": stop,
-            "motors": {made.drive: _summary(made) for made in motors},
-            "max_error": max((made.error * made.size for made in motors), default=0.0),
+            "motors": {drive: _summary(made) for drive, made in motors.items()},
+            "max_error": max((made.error * made.size for made in motors.values()), default=0.0),
         }
         told = [
-            say("motors.told", drive=made.drive, count=len(made.rows), error=f"{made.error:.1e}", unit=made.unit)
-            for made in motors
+            say("motors.told", drive=drive, count=len(made.rows), error=f"{made.error:.1e}", unit=made.unit)
+            for drive, made in motors.items()
         ]
         return Exported(files, summary, told, [], warnings)
+
+
+def _motor(compiled: Compiled, drive: str, pieces: Sequence[Piece], dialect: str, stop: float) -> Motor:
+    unit, motion = unit_of(compiled.quantities, compiled.quantities.drive_dimension(drive)), compiled.laws[drive]
+    return motor(pieces, unit, lambda t: motion(t).d[0], dialect, stop)
 
 
 def _summary(made: Motor) -> dict[str, object]:
@@ -82,12 +89,12 @@ def _summary(made: Motor) -> dict[str, object]:
     return {"unit": made.unit, "pieces": pieces, "max_error": made.error}
 
 
-def _unproven(compiled: Compiled, motors: list[Motor], t: np.typing.NDArray[np.float64]) -> list[Finding]:
+def _unproven(compiled: Compiled, motors: dict[str, Motor], t: np.typing.NDArray[np.float64]) -> list[Finding]:
     """A failure for each drive whose text isn't its law."""
     found = []
-    for made in motors:
-        largest = float(np.abs(compiled.laws[made.drive](t).d[0]).max()) / made.size
+    for drive, made in motors.items():
+        largest = float(np.abs(compiled.laws[drive](t).d[0]).max()) / made.size
         if not made.error <= PROVEN * max(largest, 1.0):
-            data = {"name": made.drive, "error": f"{made.error:.1e}", "unit": made.unit}
-            found.append(Finding("export.unproven", ("drives", made.drive), data))
+            data = {"name": drive, "error": f"{made.error:.1e}", "unit": made.unit}
+            found.append(Finding("export.unproven", ("drives", drive), data))
     return found

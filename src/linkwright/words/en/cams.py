@@ -17,7 +17,7 @@ CAMS: dict[str, str] = {
     "cam.sentence.apart-one": "The first contact bears all around.",
     "cam.sentence.apart-other": "The second contact bears all around, with up to {most}.",
     "cam.sentence.one-flank": "The roller stays on one flank of its groove.",
-    "cam.motion": "Motion of the follower of {name} in {unit} over t in s for a turn of {period} s; t = 0 where its law begins. From, to, formula.",
+    "cam.motion": "Motion of the follower of {name}: lift in {unit} over t in s, a turn in {period} s; t = 0 where its law begins; off by {error} {unit} at most.",
     "cam.angle": "cam angle",
     "cam.base": "radius of the base circle",
     "cam.picture": "The cam {name}",

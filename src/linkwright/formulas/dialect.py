@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from math import pi
 
-from linkwright.exports.motors.terms import MADE, scaled, shifted, text, times
+from linkwright.formulas.terms import MADE, scaled, shifted, text, times
 from linkwright.model.expressions import Binary, Call, Node, Number
 
 DIALECTS = {"creo": 180 / pi, "radians": 1.0}

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from math import copysign, e, pi
 
-from linkwright.exports.motors.functions import polynomial
-from linkwright.exports.motors.terms import MADE, called, over, plus, power, times
+from linkwright.formulas.functions import polynomial
+from linkwright.formulas.terms import MADE, called, over, plus, power, times
 from linkwright.model.expressions import Node, Number
 
 MINUS = MADE["-"]

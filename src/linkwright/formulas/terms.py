@@ -13,6 +13,7 @@ from math import isfinite, pi
 from linkwright.model.expressions import FUNCTIONS, Binary, Call, Name, Negative, Node, Number
 
 T = Name("t")
+ONE = Number(1.0)
 
 
 def called(name: str, *args: Node) -> Node:
@@ -24,13 +25,22 @@ def called(name: str, *args: Node) -> Node:
 
 
 def plus(a: Node, b: Node) -> Node:
-    """The sum of two trees, term after term, a number first."""
-    terms = [*_terms(a), *_terms(b)]
-    constant = sum(term.value for term in terms if isinstance(term, Number))
-    others: list[Node] = [term for term in terms if not isinstance(term, Number)]
-    if constant or not others:
-        others.insert(0, Number(float(constant)))
-    return reduce(lambda left, right: Binary("+", left, right), others)
+    """The sum of two trees, term after term, a number first; terms that are alike are one."""
+    factors: dict[Node, float] = {ONE: 0.0}
+    for term in (*_terms(a), *_terms(b)):
+        factor, of = _factor(term)
+        factors[of] = factors.get(of, 0.0) + factor
+    terms = [times(Number(factor), of) for of, factor in factors.items() if factor]
+    return reduce(lambda left, right: Binary("+", left, right), terms) if terms else Number(0.0)
+
+
+def _factor(term: Node) -> tuple[float, Node]:
+    """A term as a number times something."""
+    if isinstance(term, Number):
+        return float(term.value), ONE
+    if isinstance(term, Binary) and term.op == "*" and isinstance(term.left, Number):
+        return float(term.left.value), term.right
+    return 1.0, term
 
 
 def _terms(node: Node) -> Iterator[Node]:
@@ -108,9 +118,13 @@ def plain(node: Node, names: Mapping[str, Node], kept: Container[str] = ()) -> N
 
 
 def scaled(node: Node, by: float) -> Node:
-    """A tree times a number, which goes into each term of a sum."""
+    """A tree times a number, which goes into each term of a sum, and of one that is multiplied already; but not into
+    ``b (t - t0)``."""
     if isinstance(node, Binary) and node.op == "+":
         return plus(scaled(node.left, by), scaled(node.right, by))
+    factor, of = _factor(node)
+    if factor != 1 and affine(of) is None:
+        return scaled(of, by * factor)
     return times(Number(by), node)
 
 

@@ -10,7 +10,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.exports.motors.terms import plain, plus, power, times
+from linkwright.formulas.terms import plain, plus, power, times
 from linkwright.laws import Motion, TableLaw
 from linkwright.model.expressions import Node, Number, parse
 from linkwright.notation import Jet
