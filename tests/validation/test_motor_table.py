@@ -1,5 +1,6 @@
-"""Zhang Jun, Fu Zhengfei, Gao Chenghui, "A quickly entity modeling method for planar cam based on Pro/Mechanism" (2012):
-Table 1, the expressions that are typed into the servo motor of the swinging arm of an MH-101B strapping machine.
+"""Zhang Jun, Fu Zhengfei, Gao Chenghui, "A quickly entity modeling method for planar cam based on
+Pro/Mechanism" (2012): Table 1, the expressions that are typed into the servo motor of the swinging arm of an
+MH-101B strapping machine.
 
 Printed, for a cam that turns at 15 deg/s (24 s a turn) and the largest swing m = 12 deg, with sines as the method takes
 them, of 2 pi times the share of the segment:
