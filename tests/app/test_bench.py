@@ -94,7 +94,7 @@ def test_wrong_names_are_refused(words: list[str], wanted: list[str]) -> None:
 def test_a_wrong_file_is_told_of(tmp_path: Path) -> None:
     code, text = bench(str(tmp_path / "none.yaml"), "--json")
     assert code == 2
-    assert json.loads(text)["findings"][0]["code"] == "file.unreadable"
+    assert json.loads(text)["findings"][0]["code"] == "file.not-found"
 
 
 def test_a_kernel_whose_package_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -94,7 +94,7 @@ def test_a_document_has_no_lines_but_the_same_findings(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("name", "code"),
-    [("nowhere.yaml", "file.unreadable"), ("", "file.irregular"), ("a\0b", "file.unreadable")],
+    [("nowhere.yaml", "file.not-found"), ("", "file.irregular"), ("a\0b", "file.unreadable")],
     ids=["missing", "a folder", "no name"],
 )
 def test_a_file_that_can_not_be_read(tmp_path: Path, name: str, code: str) -> None:

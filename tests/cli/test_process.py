@@ -32,7 +32,7 @@ def model(tmp_path: Path) -> Path:
     return path
 
 
-@pytest.mark.parametrize("words", [["--help"], ["--version"], ["run", "--help"], ["fly"]], ids=" ".join)
+@pytest.mark.parametrize("words", [["--help"], ["--version"], ["run", "--help"]], ids=" ".join)
 def test_help_waits_for_no_slow_import(words: list[str]) -> None:
     """Help answers at once, because nothing that computes is loaded for it."""
     code = f"""\

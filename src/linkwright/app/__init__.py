@@ -5,7 +5,7 @@ from linkwright.app.alone import examine_alone, runner_of
 from linkwright.app.assembly_modes import ModesJob, modes, modes_of_file
 from linkwright.app.bench import Bench, bench_file
 from linkwright.app.cams import examine_cam, plate_cam
-from linkwright.app.exports import ExportJob, examine_export, export, export_into, export_of
+from linkwright.app.exports import ExportJob, examine_export, export, export_into, export_of, no_target
 from linkwright.app.job import Examined, Job, Writing, carry_out, check, examine_file, perform, run, write
 from linkwright.app.sweeps import sweep
 from linkwright.app.workspaces import workspace
@@ -30,6 +30,7 @@ __all__ = [
     "export_of",
     "modes",
     "modes_of_file",
+    "no_target",
     "perform",
     "plate_cam",
     "run",

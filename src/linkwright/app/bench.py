@@ -22,6 +22,7 @@ from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.machine import processors
 from linkwright.model.signals import Signal
 from linkwright.model.temporary import temporary_folder
+from linkwright.model.unknown import near
 from linkwright.studies.cycle import CycleOptions, span
 
 Array = NDArray[np.float64]
@@ -117,8 +118,9 @@ def bench_file(
     """The same of an examined file, over the span of its cycle where it has one. What is wrong goes to its findings."""
     compiled = examined.compiled
     unknown = [name for name in kernels if name not in KERNELS]
-    known = ", ".join(sorted(KERNELS))
-    examined.findings += [Finding("name.unknown-kernel", (), {"name": name, "known": known}) for name in unknown]
+    known = sorted(KERNELS)
+    for name in unknown:
+        examined.findings.append(Finding("name.unknown-kernel", (), {"name": name, "near": near(name, known, True)}))
     if compiled is None or examined.exit_code:
         return None
     cycles = [task.options for task in examined.tasks if isinstance(task.options, CycleOptions)]

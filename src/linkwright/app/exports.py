@@ -135,9 +135,14 @@ def export_into(examined: Examined, to: str, folder: Path, how: Writing = USUAL)
 
 def _examined(document: Document, folder: Path | None, to: str, given: Mapping[str, Any]) -> Examined:
     if to not in TARGETS:
-        data = {"name": to, "near": near(to, [*TARGETS])}
+        data = {"name": to, "near": near(to, TARGETS, listed=True)}
         return Examined(document, findings=[Finding("export.unknown", (), data)])
     return examine_one(document, folder, to, given, section="exports")
+
+
+def no_target() -> Finding:
+    """The finding where nothing says for which tool."""
+    return Finding("export.which", data={"known": ", ".join(TARGETS)})
 
 
 def _settings(settings: Sequence[str]) -> dict[str, Any]:

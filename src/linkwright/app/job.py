@@ -9,17 +9,18 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from linkwright import kernels
+from linkwright import gallery, kernels
 from linkwright.app.manifest import State
 from linkwright.app.results_folder import ResultsFolder, outdate
 from linkwright.exports import Order, read_exports
 from linkwright.kernels import Compiled
 from linkwright.model.document import dump, located, read_document
-from linkwright.model.findings import Finding, ModelError, raise_errors
+from linkwright.model.findings import Finding, ModelError, Term, raise_errors
 from linkwright.model.input_files import read_at_most, reason
 from linkwright.model.mechanism import Document
 from linkwright.model.origin import Origin, hashed, table_hashes
 from linkwright.model.spelled import home
+from linkwright.model.unknown import likeliest, proposed
 from linkwright.model.yaml_text import MAX_BYTES, Source
 from linkwright.report.build import report_data
 from linkwright.report.page import page
@@ -96,12 +97,25 @@ def read_file(path: Path) -> Examined:
         raw = read_at_most(path, MAX_BYTES)
     except ModelError as error:
         return Examined(findings=[*error.findings], file=path)
+    except FileNotFoundError:
+        return Examined(
+            findings=[Finding("file.not-found", data={"file": str(path), "hint": _other_file(path)})], file=path
+        )
     except (OSError, ValueError) as error:
         data = {"file": str(path), "reason": reason(error)}
         return Examined(findings=[Finding("file.unreadable", data=data)], file=path)
     document, source = read_document(raw)
     findings = source.findings if document is None else []
     return Examined(document, findings=findings, source=source, folder=path.parent, file=path, content=raw)
+
+
+def _other_file(path: Path) -> Term:
+    """What may be meant by the name of a file that isn't there: one beside it, a model of the gallery."""
+    if path.stem in gallery.names():
+        return Term("gallery-model", name=path.stem)
+    beside = {other.stem: other.name for other in sorted(path.parent.glob("*.y*ml"))} if path.parent.is_dir() else {}
+    found = likeliest(path.stem, [*beside])
+    return proposed([beside[stem] for stem in found]) if found else Term("file-name")
 
 
 def read_model(model: str | Path | Document, folder: str | Path | None) -> Examined:

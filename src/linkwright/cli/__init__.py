@@ -13,6 +13,7 @@ import click
 
 from linkwright import __version__
 from linkwright.cli.streams import failed, interrupted, prepare, read_or_not
+from linkwright.cli.usage import Group
 from linkwright.words import say
 
 if TYPE_CHECKING:
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     from linkwright.blocks import Runner
 
 
-class Commands(click.Group):
+class Commands(Group):
     """The commands; what makes one impossible from the start is told as findings."""
 
     def invoke(self, ctx: click.Context) -> Any:
@@ -250,7 +251,7 @@ def workspace(
 
 @cli.command(help=say("cli.export"))
 @_written
-@click.option("--to", required=True, metavar="NAME", help=say("cli.to"))
+@click.option("--to", metavar="NAME", help=say("cli.to"))
 @click.option("--dialect", metavar="NAME", help=say("cli.dialect"))
 @click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help=say("cli.set"))
 @_json
@@ -259,7 +260,7 @@ def export(
     out: Path | None,
     force: bool,
     comments: bool,
-    to: str,
+    to: str | None,
     dialect: str | None,
     settings: tuple[str, ...],
     as_json: bool,
@@ -268,6 +269,9 @@ def export(
     from linkwright import app
     from linkwright.cli import show
 
+    if to is None:
+        show.refusals([app.no_target()])
+        sys.exit(2)
     folder, how = out or _beside(file), app.Writing(force=force, comments=comments)
     with show.working(file, to, quiet=as_json), _writable(folder):
         examined = app.examine_export(file, to, settings, {"dialect": dialect})

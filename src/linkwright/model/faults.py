@@ -83,7 +83,7 @@ def _finding(fault: Any, raw: Any) -> Finding:
     data: dict[str, Any] = {"wanted": Term(wanted), "given": describe(fault["input"]), "hint": Term(f"{wanted}-as")}
     if kind == "literal_error":
         choice = str(context["expected"])
-        data |= {"wanted": choice, "hint": near(str(fault["input"]), re.findall("'([^']*)'", choice))}
+        data |= {"wanted": choice, "hint": near(str(fault["input"]), re.findall("'([^']*)'", choice), listed=True)}
     return Finding("file.expected", path, data)
 
 

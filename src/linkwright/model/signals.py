@@ -192,8 +192,7 @@ class Signals:
                 "signal.no-attribute",
                 name=", ".join(owners),
                 attribute=attribute,
-                near=near(attribute, attributes),
-                known=", ".join(attributes),
+                near=near(attribute, attributes, listed=True),
             )
         return Signal(kind, owners, attribute, attributes[attribute])
 

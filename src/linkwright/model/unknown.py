@@ -27,8 +27,8 @@ def unknown(kind: str, path: tuple[Any, ...], name: str, known: Iterable[str]) -
 class Near(Term):
     """A sentence on a name that isn't known; ``likely`` are the known ones that may be meant, the likeliest first."""
 
-    def __init__(self, key: str, names: Iterable[str], likely: Iterable[str]) -> None:
-        super().__init__(key, names=", ".join(names))
+    def __init__(self, key: str, names: Iterable[str], likely: Iterable[str], known: Iterable[str] = ()) -> None:
+        super().__init__(key, names=", ".join(names), known=", ".join(known))
         self.likely = tuple(likely)
 
 
@@ -37,10 +37,12 @@ def proposed(names: Sequence[str]) -> Near:
     return Near("near-one" if len(names) == 1 else "near-some", names, names)
 
 
-def near(name: str, known: Iterable[str]) -> Near:
-    """A sentence: which of the known names may be meant, else what is known."""
+def near(name: str, known: Iterable[str], listed: bool = False) -> Near:
+    """A sentence: which of the known names may be meant, else what is known; ``listed`` says that besides, too."""
     names = [word for word in dict.fromkeys(known) if len(word) <= LONGEST]
     if likely := likeliest(name, names):
+        if listed and len(likely) < len(names) <= LISTED:
+            return Near("near-one-of" if len(likely) == 1 else "near-some-of", likely, likely, names[:LISTED])
         return proposed(likely)
     return Near("near-none" if names else "near-nothing", names[:LISTED], ())
 

@@ -26,7 +26,8 @@ def one_of(study: str, key: str, known: Sequence[str], code: str = "study.choice
 
     def check(raw: Any) -> str:
         if raw not in known:
-            raise fault(code, study=study, key=key, given=str(raw)[:40], known=", ".join(known))
+            given = str(raw)[:40]
+            raise fault(code, study=study, key=key, given=given, near=near(given, known, listed=True))
         return str(raw)
 
     return Annotated[str, BeforeValidator(check), WithJsonSchema({"type": "string", "enum": [*known]})]

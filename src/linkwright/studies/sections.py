@@ -37,7 +37,7 @@ def read_section(
     for name, entry in raw.items():
         owner = known.get(name)
         if owner is None:
-            findings.append(Finding(unknown, (section, name), {"name": name, "near": near(name, [*known])}))
+            findings.append(Finding(unknown, (section, name), {"name": name, "near": near(name, known, listed=True)}))
             continue
         try:
             read.append((owner, owner.options.model_validate(entry, context=raw)))

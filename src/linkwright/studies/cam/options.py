@@ -11,6 +11,7 @@ from linkwright.cam.nc.posts import POSTS
 from linkwright.model.fields import Expression, Frozen, FrozenDict, Requirement
 from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import Interval, freeze
+from linkwright.model.unknown import near
 from linkwright.model.written import Fault, fault
 from linkwright.studies.asked import one_of
 from linkwright.studies.cam.force_options import CamForces
@@ -24,7 +25,8 @@ def _posts(raw: Any) -> Any:
     names = [raw] if isinstance(raw, str) else raw
     if isinstance(names, list | tuple):
         if wrong := [str(name)[:40] for name in names if name not in POSTS]:
-            raise fault("study.choice", study="cam", key="post", given=", ".join(wrong[:9]), known=", ".join(POSTS))
+            hint = near(wrong[0], POSTS, listed=True)
+            raise fault("study.choice", study="cam", key="post", given=", ".join(wrong[:9]), near=hint)
         if not names:
             raise fault("nc.no-post", known=", ".join(POSTS))
         return tuple(dict.fromkeys(names))

@@ -19,6 +19,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "{file} is {kind}; only regular files are read.",
         "Name a file, or a link to one.",
     ),
+    "file.not-found": (
+        "There is no file {file}.",
+        "{hint}",
+    ),
     "file.unwritable": (
         "Can't write to {file}: {reason}.",
         "Choose another folder with --out, or make this one writable.",
@@ -324,7 +328,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "name.unknown-kernel": (
         "There is no kernel '{name}'.",
-        "Choose one of {known}.",
+        "{near}",
     ),
     "name.unknown-parameter": (
         "There is no parameter called '{name}'.",
@@ -336,7 +340,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "signal.no-attribute": (
         "'{attribute}' isn't a signal of {name}.",
-        "{near} The signals of {name}: {known}.",
+        "{near}",
     ),
     "signal.indeterminate": (
         "The {attribute} in the slide {joint} isn't determined by statics: the slides {loop} hold each other's "
@@ -963,7 +967,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "study.choice": (
         "The option {key} of the study {study} can't be {given}.",
-        "Write one of these: {known}.",
+        "{near}",
     ),
     "study.not-in-sweep": (
         "'{name}' has no meaning in the limits study: one drive moves through its values at unit speed, without forces.",
@@ -1284,6 +1288,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Add one, for example studies: {{cycle: {{period: 1.5 s, samples: 200}}}}.",
     ),
     # Of exports.
+    "export.which": (
+        "Nothing says which tool the mechanism is exported for.",
+        "Add --to and one of these: {known}.",
+    ),
     "export.unknown": (
         "There is no export to '{name}'.",
         "{near}",
@@ -1298,7 +1306,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "export.choice": (
         "The option {key} of the export to {study} can't be {given}.",
-        "Write one of these: {known}.",
+        "{near}",
     ),
     "export.handle": (
         "The handle {name} is a point of the frame: it doesn't move.",
@@ -2142,8 +2150,12 @@ _TERMS: dict[str, str] = {
     # Which names may be meant.
     "frame-other": "Rename '{name}' to 'frame', here and wherever it is used.",
     "frame-none": "Name the link that doesn't move 'frame', here and wherever it is used.",
+    "file-name": "Check its name and folder; 'linkwright new' writes a file to start from.",
+    "gallery-model": "'{name}' is a model of the gallery; 'linkwright new {name}' writes it to a file.",
     "near-one": "Did you mean '{names}'?",
     "near-some": "Did you mean one of these: {names}?",
+    "near-one-of": "Did you mean '{names}'? All of them: {known}.",
+    "near-some-of": "Did you mean one of these: {names}? All of them: {known}.",
     "near-none": "Write one of these: {names}.",
     "near-nothing": "The file has none yet.",
     # What the value of an option must be.

@@ -155,6 +155,12 @@ TEXTS: dict[str, str] = {
     "csv.comments": "# linkwright {version}\n# model: {file}\n# model sha256: {sha256}\n# date: {date}\n",
     # Command line.
     "cli.help": "Planar mechanisms from one readable file: motion, forces, proofs, reports.",
+    "cli.no-command": "There is no command '{name}'. {near}",
+    "cli.file-alone": "'{name}' is a file. Did you mean 'linkwright run {name}'?",
+    "cli.study-alone": "'{name}' is a study. Write it into the file, for example 'studies: {{{name}: {example}}}', and run the file: 'linkwright run FILE'.",
+    "cli.target-alone": "'{name}' is a target of exports. Did you mean 'linkwright export FILE --to {name}'?",
+    "cli.gallery-alone": "'{name}' is a model of the gallery. Did you mean 'linkwright new {name}'?",
+    "cli.no-option": "'{command}' has no option '{name}'. {near}",
     "cli.run": "Perform the studies that FILE names; write report.html, summary.json, cycle.csv, sweep.csv.",
     "cli.check": "Say what FILE describes, and everything that is wrong with it.",
     "cli.new": "Write the gallery's model NAME, with comments, to a file to start from; without NAME, list the gallery.",

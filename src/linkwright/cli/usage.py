@@ -1,0 +1,57 @@
+"""Commands and options that aren't there: what is said of them, with those that may be meant."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from linkwright.words import say
+
+
+class Hinted(click.Command):
+    """A command that names the option that may be meant."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Parse the arguments. Raises :class:`click.UsageError`."""
+        try:
+            return super().parse_args(ctx, args)
+        except click.NoSuchOption as error:
+            from linkwright.model.unknown import near
+
+            known = [name for option in self.get_params(ctx) for name in option.opts if name.startswith("--")]
+            hint = near(error.option_name, known, listed=True)
+            text = say("cli.no-option", command=ctx.command_path, name=error.option_name, near=hint)
+            raise click.UsageError(text, ctx) from None
+
+
+class Group(click.Group):
+    """Commands of which one that isn't there is told with those that may be meant."""
+
+    command_class = Hinted
+
+    def resolve_command(self, ctx: click.Context, args: list[str]) -> Any:
+        """The command that is asked for. Raises :class:`click.UsageError`."""
+        name = args[0]
+        if self.get_command(ctx, name) is None and not name.startswith("-") and not ctx.resilient_parsing:
+            raise click.UsageError(_no_command(name, sorted(self.commands)), ctx)
+        return super().resolve_command(ctx, args)
+
+
+def _no_command(name: str, commands: list[str]) -> str:
+    """What is said of a word at the place of a command."""
+    from linkwright import gallery
+    from linkwright.exports import TARGETS
+    from linkwright.model.unknown import near
+    from linkwright.studies import STUDIES
+
+    if Path(name).is_file() or name.endswith((".yaml", ".yml")):
+        return say("cli.file-alone", name=name)
+    if name in STUDIES:
+        return say("cli.study-alone", name=name, example=STUDIES[name].example)
+    if name in TARGETS:
+        return say("cli.target-alone", name=name)
+    if name in gallery.names():
+        return say("cli.gallery-alone", name=name)
+    return say("cli.no-command", name=name, near=near(name, commands, listed=True))
