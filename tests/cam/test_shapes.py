@@ -31,6 +31,18 @@ def off(places: Any) -> float:
     return float(np.abs(((np.asarray(places).T - profile[:, which]) * normal[:, which]).sum(axis=0)).max())
 
 
+def places(line: Any, count: int) -> list[tuple[float, float]]:
+    """Places along a polyline, ``count`` on each arc: as it is, ezdxf's paths are Bezier curves, some 1e-2 mm off."""
+    found: list[Any] = []
+    for part in line.virtual_entities():
+        if part.dxftype() == "LINE":
+            found += [part.dxf.start, part.dxf.end]
+        else:
+            low, high = part.dxf.start_angle, part.dxf.end_angle
+            found += part.vertices(low + np.linspace(0, 1, count) * ((high - low) % 360))
+    return [(p[0], p[1]) for p in found]
+
+
 def test_areas() -> None:
     """A circle in closed form, the heat-seal cam against Shapely."""
     import shapely
@@ -49,15 +61,7 @@ def test_the_drawing_is_within_its_tolerance(tolerance: float) -> None:
     (line,) = drawing.modelspace().query("LWPOLYLINE")
     assert line.closed
     assert line.dxf.layer == "PROFILE"
-    places = []
-    for part in line.virtual_entities():  # arcs as they are: ezdxf's paths are Bezier curves, some 1e-2 mm off
-        if part.dxftype() == "LINE":
-            places += [part.dxf.start, part.dxf.end]
-        else:
-            low, high = part.dxf.start_angle, part.dxf.end_angle
-            places += list(part.vertices(low + np.linspace(0, 1, 40) * ((high - low) % 360)))
-    places = [(p[0], p[1]) for p in places]
-    assert off(places) < 1e3 * tolerance * 1.01
+    assert off(places(line, 40)) < 1e3 * tolerance * 1.01
     (circle,) = drawing.modelspace().query("CIRCLE")
     assert circle.dxf.radius == 10.0
 
@@ -122,6 +126,33 @@ def test_the_solid_read_back(tmp_path: Path) -> None:
     assert off([(p.X, p.Y) for p in places]) < 1.1e-5
     box = found.bounding_box()
     assert (pytest.approx(0.0, abs=1e-6), pytest.approx(20.0, abs=1e-6)) == (box.min.Z, box.max.Z)
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.3, -2.0])
+def test_the_keyway_of_the_drawing_is_that_of_the_solid(angle: float, tmp_path: Path) -> None:
+    """Bore and keyway, one closed contour: its area in closed form, its shape by Shapely, the section of the solid."""
+    import shapely
+
+    ezdxf = pytest.importorskip("ezdxf")
+    blank = Blank(12.0, bore=10.0, key_width=6.0, key_depth=2.8, key_angle=angle)
+    drawing = ezdxf.read(io.StringIO(dxf({"PROFILE": contour(DISC, 1e-6), "BORE": blank.keyed}, {})))
+    assert not drawing.audit().errors
+    (line,) = drawing.modelspace().query('LWPOLYLINE[layer=="BORE"]')
+    assert line.closed and not drawing.modelspace().query("CIRCLE")
+    drawn = shapely.set_precision(shapely.Polygon(places(line, 2000)), 1e-9)  # joins apart by round-off
+    assert drawn.is_valid and drawn.area == pytest.approx(blank.hollow, rel=1e-6)
+    key = shapely.affinity.rotate(shapely.box(0, -3, 12.8, 3), angle, origin=(0, 0), use_radians=True)
+    wanted = shapely.Point(0, 0).buffer(10.0, quad_segs=2000).union(key)
+    assert drawn.symmetric_difference(wanted).area < 1e-5 * wanted.area
+    bottom = min(read_back(step(solid(contour(DISC, 1e-6), blank)), tmp_path).faces(), key=lambda face: face.center().Z)
+    assert bottom.area == pytest.approx(1e6 * area(DISC) - drawn.area, rel=1e-6)
+    (hole,) = bottom.inner_wires()
+    found = shapely.Polygon([((hole @ u).X, (hole @ u).Y) for u in np.linspace(0, 1, 4000)])
+    assert found.symmetric_difference(drawn).area < 1e-3 * drawn.area
+
+
+def test_a_bore_without_a_keyway_stays_a_circle() -> None:
+    assert Blank(12.0, bore=10.0).keyed == [] and Blank(12.0, key_width=6.0).keyed == []
 
 
 def test_bore_and_keyway() -> None:

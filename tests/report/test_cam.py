@@ -92,6 +92,22 @@ def test_the_drawing(outcome: CamOutcome) -> None:
     assert bore.dxf.radius == 10
 
 
+def test_the_drawing_has_the_keyway(outcome: CamOutcome) -> None:
+    """Whether the profile is drawn by arcs or by splines."""
+    ezdxf = pytest.importorskip("ezdxf")
+    for drawing in ("arcs", "splines"):
+        blank = {"thickness": 12, "bore": 10, "key_width": 6, "key_depth": 2.8, "key_angle": "30 deg"}
+        found = performed(heat_seal(blank=blank, drawing=drawing, tolerance="1e-3 mm", steps=36)).cam
+        assert found is not None
+        space = ezdxf.read(io.StringIO(str(FILES["cam.dxf"](found)))).modelspace()
+        (bore,) = space.query('LWPOLYLINE[layer=="BORE"]')
+        assert bore.closed and not space.query("CIRCLE")
+        far = max(bore.get_points("xy"), key=lambda place: math.hypot(*place))
+        assert math.hypot(*far) == pytest.approx(math.hypot(12.8, 3))
+        off = math.atan2(far[1], far[0]) - math.radians(30)
+        assert abs(off) == pytest.approx(math.atan2(3, 12.8))
+
+
 def test_summary_and_page(job: Job, outcome: CamOutcome) -> None:
     entry = json.loads(json.dumps(job.summary["cam"], allow_nan=False))
     assert entry["contour"]["area"] == pytest.approx(outcome.area * 1e6)

@@ -41,6 +41,23 @@ class Blank:
         sector = self.bore**2 * math.asin(half / self.bore)
         return math.pi * self.bore**2 + self.key_width * reach - (half * corner + sector)
 
+    @property
+    def keyed(self) -> list[Element]:
+        """Bore and keyway as one closed contour (mm), counter-clockwise about the centre; empty without a keyway."""
+        if not self.bore or not self.key_width:
+            return []
+        half, reach = self.key_width / 2, self.bore + self.key_depth
+        corner = math.sqrt(self.bore**2 - half**2)
+        cos, sin = math.cos(self.key_angle), math.sin(self.key_angle)
+
+        def place(x: float, y: float) -> tuple[float, float]:
+            return x * cos - y * sin, x * sin + y * cos
+
+        inner, back = [place(corner, y) for y in (-half, half)], place(-self.bore, 0.0)
+        outer = [place(reach, y) for y in (-half, half)]
+        key = [Element(inner[0], outer[0]), Element(outer[0], outer[1]), Element(outer[1], inner[1])]
+        return [*key, Element(inner[1], back, (0.0, 0.0), 1), Element(back, inner[0], (0.0, 0.0), 1)]
+
     def volume(self, area: float, outer: float | None = None) -> float:
         """The volume (mm3) of a cam whose profile has an area (mm2) and holds the hub; of a groove cam with that within
         the ``outer`` flank."""
@@ -67,12 +84,10 @@ def solid(elements: Sequence[Element], blank: Blank, outer: Sequence[Element] = 
     if blank.hub and blank.height:
         made += b.Pos(0, 0, high) * b.extrude(b.Circle(blank.hub), amount=blank.height)
         high += blank.height
-    if blank.bore:
+    if blank.keyed:
+        made -= plate(blank.keyed, high)
+    elif blank.bore:
         made -= b.extrude(b.Circle(blank.bore), amount=high)
-    if blank.bore and blank.key_width:
-        reach = blank.bore + blank.key_depth
-        key = b.Pos(reach / 2, 0, 0) * b.Rectangle(reach, blank.key_width)
-        made -= b.extrude(b.Rot(0, 0, math.degrees(blank.key_angle)) * key, amount=high)
     return made
 
 

@@ -74,7 +74,10 @@ def cam_dxf(outcome: CamOutcome) -> str | None:
         return None
     blank = outcome.stated.blank
     circles: dict[str, list[Circle]] = {}
-    if blank is not None and blank.bore:
+    keyed: dict[str, Sequence[Element]] = {}
+    if blank is not None and blank.keyed:
+        keyed["BORE"] = blank.keyed
+    elif blank is not None and blank.bore:
         circles["BORE"] = [(0.0, 0.0, blank.bore)]
     if blank is not None and blank.hub:
         circles["HUB"] = [(0.0, 0.0, blank.hub)]
@@ -86,7 +89,7 @@ def cam_dxf(outcome: CamOutcome) -> str | None:
         own = {"SECOND" if plate.second else "PROFILE": plate.contour} | ({"FLANK": plate.flank} if plate.flank else {})
         layers |= own
         curves |= zip(own, plate.splines, strict=False)
-    return dxf(layers, circles) if outcome.options.drawing == "arcs" else dxf({}, circles, curves)
+    return dxf(layers | keyed, circles) if outcome.options.drawing == "arcs" else dxf(keyed, circles, curves)
 
 
 def cam_step(outcome: CamOutcome, plate: Plate) -> bytes | None:
