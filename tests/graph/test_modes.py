@@ -49,7 +49,7 @@ def misses(data: dict[str, Any], outcome: ModesOutcome) -> list[float]:
     return found
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(mechanisms())
 def test_the_own_mode_is_found_and_every_mode_is_selected_by_its_lines(plain: Plain) -> None:
     compiled = compiled_of(plain)
@@ -63,7 +63,7 @@ def test_the_own_mode_is_found_and_every_mode_is_selected_by_its_lines(plain: Pl
     assert max(misses(data, outcome)) < 1e-9 * max(1.0, compiled.assembly.size())
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=6, deadline=None)
 @given(st.sampled_from(["four_bar", "slider_crank", "inverted_slider_crank", "six_bar"]), st.data())
 def test_a_mechanism_driven_elsewhere_has_its_pose_among_the_modes(recipe: str, data: st.DataObject) -> None:
     """The groups are beyond the dyads there; the pose from which the mechanism was made must be found."""

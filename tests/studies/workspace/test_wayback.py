@@ -86,29 +86,28 @@ def test_the_servo_follows_the_closed_form(speed: float) -> None:
     law = way.law
     assert law is not None
     assert law.residual < 1e-14
-    mp.mp.dps = 30
-    start = law.motor[0, 0]
+    with mp.workdps(30):
+        start = law.motor[0, 0]
 
-    def place(u: Any) -> tuple[Any, Any]:
-        return mp.mpf("0.2") + mp.mpf("0.6") * u, mp.mpf("1.6") - mp.mpf("0.1") * u**2
+        def place(u: Any) -> tuple[Any, Any]:
+            return mp.mpf("0.2") + mp.mpf("0.6") * u, mp.mpf("1.6") - mp.mpf("0.1") * u**2
 
-    def nearest(x: Any, y: Any, value: float) -> int:
-        return min((1, -1), key=lambda side: abs(mp.cos(crank(x, y, side)) - mp.cos(value)))
+        def nearest(x: Any, y: Any, value: float) -> int:
+            return min((1, -1), key=lambda side: abs(mp.cos(crank(x, y, side)) - mp.cos(value)))
 
-    x0, y0 = place(mp.mpf(float(law.u[0])))
-    one, two = nearest(x0, y0, start), nearest(x0 - 1, y0, law.servo[0, 0])
-    for k in (40, 300):
-        guess = float(law.u[k])
+        x0, y0 = place(mp.mpf(float(law.u[0])))
+        one, two = nearest(x0, y0, start), nearest(x0 - 1, y0, law.servo[0, 0])
+        for k in (40, 300):
+            guess = float(law.u[k])
 
-        def servo(t: Any, guess: float = guess) -> Any:
-            u = mp.findroot(lambda u: crank(*place(u), one) - start - speed * t, guess)
-            x, y = place(u)
-            return crank(x - 1, y, two)
+            def servo(t: Any, guess: float = guess) -> Any:
+                u = mp.findroot(lambda u: crank(*place(u), one) - start - speed * t, guess)
+                x, y = place(u)
+                return crank(x - 1, y, two)
 
-        exact = [float(mp.diff(servo, mp.mpf(float(law.t[k])), order, h=mp.mpf("1e-9"))) for order in range(3)]
-        assert law.servo[:, k] == pytest.approx(exact, rel=1e-7)
-        assert law.motor[:, k] == pytest.approx([start + speed * law.t[k], speed, 0.0], abs=1e-12)
-    mp.mp.dps = 15
+            exact = [float(mp.diff(servo, mp.mpf(float(law.t[k])), order, h=mp.mpf("1e-9"))) for order in range(3)]
+            assert law.servo[:, k] == pytest.approx(exact, rel=1e-7)
+            assert law.motor[:, k] == pytest.approx([start + speed * law.t[k], speed, 0.0], abs=1e-12)
 
 
 def test_both_drives_follow_a_path_in_time_with_the_torques_of_virtual_work() -> None:
