@@ -49,6 +49,27 @@ def test_the_second_process_does_not_compile_again(tmp_path: Path) -> None:
     assert not list(tmp_path.rglob("new-*"))
 
 
+@posix
+def test_a_mask_that_lets_the_group_write_is_no_hindrance(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The usual one where each user has a group; folders of earlier versions were made under it too."""
+    monkeypatch.delenv("LINKWRIGHT_CACHE")
+    monkeypatch.setattr(code_cache, "folder", lambda: tmp_path / "linkwright")
+    made: list[Path | None] = []
+
+    def read(source: str, path: Path | None, name: str) -> ModuleType:
+        made.append(path)
+        return code_cache.module_at(source, path, name)
+
+    before = os.umask(0o002)
+    try:
+        (tmp_path / "linkwright").mkdir()
+        for _ in range(2):
+            code_cache.load("a = 1", "", read)
+    finally:
+        os.umask(before)
+    assert [path is not None and path.parent.name.startswith("new-") for path in made] == [True, False]
+
+
 @pytest.mark.parametrize("pattern", ["*.nbc", "*.nbi", "kernel.py", code_cache.SUMS])
 @pytest.mark.parametrize("harm", ["cut", "flipped", "gone"])
 def test_a_damaged_kernel_is_made_anew(pattern: str, harm: str, tmp_path: Path) -> None:

@@ -82,6 +82,8 @@ def load(source: str, about: str, read: Read) -> ModuleType:
         module = _made(aside, source, read, module_name)
         with contextlib.suppress(OSError):  # another process may have been first, or the disk is full
             _write_sums(aside)
+            for file in aside.rglob("*"):
+                _close(file)
             aside.rename(place)
             _prune(kernels)
         return module
@@ -122,6 +124,9 @@ def _kernels() -> Path | None:
     try:
         base.mkdir(parents=True, exist_ok=True, mode=0o700)
         (base / "kernels").mkdir(exist_ok=True, mode=0o700)
+        if not os.environ.get("LINKWRIGHT_CACHE"):  # a folder of the user's choice stays as it is
+            _close(base)
+            _close(base / "kernels")
         above = [place.stat().st_mode for place in base.resolve().parents]
     except OSError:
         return None
@@ -136,6 +141,13 @@ def _own(place: Path) -> bool:
     if stat.S_ISLNK(found.st_mode):
         return False
     return os.name != "posix" or (found.st_uid == os.geteuid() and not found.st_mode & (stat.S_IWGRP | stat.S_IWOTH))
+
+
+def _close(place: Path) -> None:
+    """Leave others no right to write to what is the user's: a process's mask may give it to them."""
+    found = place.lstat()
+    if os.name == "posix" and found.st_uid == os.geteuid() and not stat.S_ISLNK(found.st_mode):
+        place.chmod(stat.S_IMODE(found.st_mode) & ~(stat.S_IWGRP | stat.S_IWOTH))
 
 
 def _unkept(source: str, read: Read, name: str) -> ModuleType:
