@@ -71,6 +71,7 @@ TITLES = {
     "study": "Studies",
     "reactions": "Reactions of structures",
     "export": "Exports",
+    "batch": "Batches of exports",
     "clearance": "Clearances",
     "tolerance": "Tolerances",
     "accuracy": "Accuracy",

@@ -3,6 +3,7 @@
 from linkwright.app.accuracies import accuracy
 from linkwright.app.alone import examine_alone, runner_of
 from linkwright.app.assembly_modes import ModesJob, modes, modes_of_file
+from linkwright.app.batch import export_batch
 from linkwright.app.bench import Bench, bench_file
 from linkwright.app.cams import examine_cam, plate_cam
 from linkwright.app.exports import ExportJob, examine_export, export, export_into, export_of, no_target
@@ -26,6 +27,7 @@ __all__ = [
     "examine_export",
     "examine_file",
     "export",
+    "export_batch",
     "export_into",
     "export_of",
     "modes",

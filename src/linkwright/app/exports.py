@@ -13,6 +13,7 @@ from linkwright.app.results_folder import ResultsFolder, outdate
 from linkwright.exports import TARGETS, Exported
 from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.mechanism import Document
+from linkwright.model.origin import Origin
 from linkwright.model.unknown import near
 from linkwright.model.yaml_text import read_text
 from linkwright.studies import Site
@@ -69,7 +70,7 @@ def export(
     """
     read = read_model(model, folder)
     assert read.document is not None
-    examined = _examined(read.document, read.folder, to, options)
+    examined = examined_for(read.document, read.folder, to, options)
     if read.file is not None:
         examined.read_from(read)
     job = export_of(examined, to) if out is None else export_into(examined, to, Path(out), Writing(force=force))
@@ -87,7 +88,7 @@ def examine_export(
     if read.document is None:
         return read
     try:
-        examined = _examined(read.document, path.parent, to, {**(given or {}), **_settings(settings)})
+        examined = examined_for(read.document, path.parent, to, {**(given or {}), **settings_of(settings)})
     except ModelError as error:
         return Examined(findings=[*error.findings])
     return examined.read_from(read)
@@ -121,19 +122,35 @@ def export_into(examined: Examined, to: str, folder: Path, how: Writing = USUAL)
     try:
         with ResultsFolder(folder, examined.origin, kind, force=how.force, comments=how.comments) as place:
             job = export_of(examined, to)
-            if job.exported is not None and job.exported.files:
-                place.begin(job.exported.files)
-                for name, content in job.exported.files.items():
-                    place.write(name, content)
-                place.done()
-                job.folder = folder
+            _write(job, place)
         job.outdated = place.outdated
     except ModelError as error:
         examined.findings += error.findings
     return job
 
 
-def _examined(document: Document, folder: Path | None, to: str, given: Mapping[str, Any]) -> Examined:
+def written_into(job: ExportJob, origin: Origin, folder: Path, how: Writing = USUAL) -> ExportJob:
+    """Write what was exported to a folder, as :func:`export_into` does."""
+    try:
+        with ResultsFolder(folder, origin, f"export {job.to}", force=how.force, comments=how.comments) as place:
+            _write(job, place)
+        job.outdated = place.outdated
+    except ModelError as error:
+        job.examined.findings += error.findings
+    return job
+
+
+def _write(job: ExportJob, place: ResultsFolder) -> None:
+    if job.exported is not None and job.exported.files:
+        place.begin(job.exported.files)
+        for name, content in job.exported.files.items():
+            place.write(name, content)
+        place.done()
+        job.folder = place.path
+
+
+def examined_for(document: Document, folder: Path | None, to: str, given: Mapping[str, Any]) -> Examined:
+    """A document compiled for one export, with options in place of its own."""
     if to not in TARGETS:
         data = {"name": to, "near": near(to, TARGETS, listed=True)}
         return Examined(document, findings=[Finding("export.unknown", (), data)])
@@ -145,7 +162,7 @@ def no_target() -> Finding:
     return Finding("export.which", data={"known": ", ".join(TARGETS)})
 
 
-def _settings(settings: Sequence[str]) -> dict[str, Any]:
+def settings_of(settings: Sequence[str]) -> dict[str, Any]:
     """Options from ``KEY=VALUE``."""
     options, findings = {}, []
     for setting in settings:

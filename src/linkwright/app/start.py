@@ -11,14 +11,29 @@ from linkwright.model.output_files import write_aside
 from linkwright.model.unknown import near
 
 
+def new_table(name: str, file: Path, force: bool = False) -> list[Finding]:
+    """Write a table for a batch of exports, with the parameters of a model of the gallery or of a model file; what
+    stands against it, where something does."""
+    from linkwright.app.batch import template
+
+    text, findings = template(name, file.parent)
+    if [finding.code for finding in findings] == ["batch.model"]:
+        return [Finding("gallery.unknown", data={"name": name, "near": near(name, gallery.names())})]
+    return [finding for finding in findings if finding.severity == "error"] or _write(file, text, force)
+
+
 def new(name: str, file: Path, force: bool = False) -> list[Finding]:
     """Write a model of the gallery to a file; what stands against it, where something does."""
     if name not in gallery.names():
         return [Finding("gallery.unknown", data={"name": name, "near": near(name, gallery.names())})]
+    return _write(file, gallery.text(name), force)
+
+
+def _write(file: Path, text: str, force: bool) -> list[Finding]:
     if os.path.lexists(file) and not force:
         return [Finding("file.exists", data={"file": str(file)})]
     try:
-        write_aside(file, gallery.text(name))
+        write_aside(file, text)
     except OSError as error:
         return [Finding("file.unwritable", data={"file": str(file), "reason": error.strerror or str(error)})]
     return []

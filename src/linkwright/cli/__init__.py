@@ -274,9 +274,11 @@ def export(
         sys.exit(2)
     folder, how = out or _beside(file), app.Writing(force=force, comments=comments)
     with show.working(file, to, quiet=as_json), _writable(folder):
-        examined = app.examine_export(file, to, settings, {"dialect": dialect})
-        job = app.export_into(examined, to, folder, how)
-    _end(file, examined, as_json, lambda: job.summary, lambda: show.export(job, file), job.exit_code)
+        if file.suffix.lower() == ".csv":
+            job = app.export_batch(file, to, folder, how, settings, {"dialect": dialect})
+        else:
+            job = app.export_into(app.examine_export(file, to, settings, {"dialect": dialect}), to, folder, how)
+    _end(file, job.examined, as_json, lambda: job.summary, lambda: show.export(job, file), job.exit_code)
 
 
 @cli.command(help=say("cli.cam"))
@@ -321,19 +323,20 @@ def bench(
 @cli.command(help=say("cli.new"))
 @click.argument("name", required=False)
 @click.option("--list", "as_list", is_flag=True, help=say("cli.list"))
+@click.option("--table", "as_table", is_flag=True, help=say("cli.new_table"))
 @click.option("--out", type=click.Path(path_type=Path), help=say("cli.new_out"))
 @click.option("--force", is_flag=True, help=say("cli.force"))
-def new(name: str | None, as_list: bool, out: Path | None, force: bool) -> None:
-    """Start a model file from the gallery."""
-    from linkwright.app.start import new as start
+def new(name: str | None, as_list: bool, as_table: bool, out: Path | None, force: bool) -> None:
+    """Start a model file from the gallery, or a table for a batch of exports."""
+    from linkwright.app import start
     from linkwright.cli import show
 
     if name is None or as_list:
         with read_or_not():
             show.gallery()
         return
-    file = out or Path(f"{name}.yaml")
-    if findings := start(name, file, force):
+    file = out or Path(f"{Path(name).stem}.csv" if as_table else f"{name}.yaml")
+    if findings := (start.new_table if as_table else start.new)(name, file, force):
         show.refusals(findings)
         sys.exit(2)
     show.written(file)

@@ -137,7 +137,7 @@ def _beyond(
             (min(ends), max(ends)) for ends in ([sign * (end - zero) for end in pair] for pair in (asked, allowed))
         )
     data = {
-        "of": of, "unit": unit, "from": f"{asked[0] / size:.6g}", "to": f"{asked[1] / size:.6g}",
+        "of": of, "unit": unit, "from": f"{asked[0] / size + 0.0:.6g}", "to": f"{asked[1] / size + 0.0:.6g}",
         "key": key, "groups": _named(groups),
     }  # fmt: skip
     return Finding("functions.toggle", (*PATH[:-1], key), data | offered(allowed, size))

@@ -1,6 +1,7 @@
 """English words, by key. Chinese and others follow as packages beside this one."""
 
 from linkwright.words.en.accuracy import ACCURACY
+from linkwright.words.en.batch import BATCH
 from linkwright.words.en.cams import CAMS
 from linkwright.words.en.export import EXPORT
 from linkwright.words.en.findings import FINDINGS
@@ -18,6 +19,7 @@ from linkwright.words.en.workspace_trajectories import WORKSPACE_TRAJECTORIES
 
 PARTS = (
     ACCURACY,
+    BATCH,
     CAMS,
     EXPORT,
     FINDINGS,

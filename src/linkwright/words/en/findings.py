@@ -1349,6 +1349,39 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "camshafts' actuators don't feel them.",
         "Take their controls from positions.csv; take forces and torques on cams from linkwright.",
     ),
+    # Of batches.
+    "batch.head": (
+        "The column '{head}' can't be read.",
+        "Write the name of a parameter and its unit in brackets, for example x1 [mm].",
+    ),
+    "batch.no-name": (
+        "The file has no column 'name'. Its columns: {known}.",
+        "Add the column name with a name for each row; 'linkwright new hinge --table' writes a file to start from.",
+    ),
+    "batch.parameter": (
+        "The model '{model}' of this row has no parameter '{name}'.",
+        "Leave the cell blank, or name another model in the column model.",
+    ),
+    "batch.empty": (
+        "The file {file} has no rows below its heads.",
+        "Add one for each mechanism; 'linkwright new hinge --table' writes a file to start from.",
+    ),
+    "batch.cells": (
+        "The row has {count} cells, and there are {heads} columns.",
+        "Remove the cells that are too many; a comma inside a cell needs quotes around the cell.",
+    ),
+    "batch.name": (
+        "The name '{name}' can't begin the names of files.",
+        "Write letters, digits, spaces, dots, hyphens and underscores, 60 at most, with a letter or digit first.",
+    ),
+    "batch.name-twice": (
+        "The name '{name}' stands in line {first} already.",
+        "Give each row a name of its own; small and capital letters count as the same.",
+    ),
+    "batch.model": (
+        "There is no model '{name}', neither in the gallery nor as a file beside this one.",
+        "{near} Or write the path of a model file.",
+    ),
     # Of joint functions.
     "functions.drives": (
         "Joint functions ask for one driving joint; this mechanism has {count} drives: {names}.",

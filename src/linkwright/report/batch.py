@@ -1,0 +1,77 @@
+"""The index page of a batch of exports: a row for each mechanism, with links to its files."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from html import escape
+from importlib.resources import files
+from typing import Any
+from urllib.parse import quote
+
+import linkwright
+from linkwright.model.origin import Origin
+from linkwright.report.page import POLICY
+from linkwright.words import LANGUAGE, say
+
+
+@dataclass(frozen=True)
+class BatchRow:
+    """A row with its name, its model, its cells as the file has them, and what was exported."""
+
+    name: str
+    model: str
+    cells: Sequence[str]
+    exported: Any
+
+
+def batch_page(file: str, target: str, heads: Sequence[str], rows: Sequence[BatchRow], origin: Origin) -> str:
+    """The page as the text of an HTML file (UTF-8); it links to files named ``NAME_FILE`` beside it."""
+    title = say("batch.page.title", file=file, target=target)
+    style = files("linkwright.report").joinpath("assets", "report.css").read_text("utf-8")
+    columns = [
+        say("batch.page.name"), say("batch.page.model"), *heads, say("batch.page.result"), say("batch.page.files"),
+    ]  # fmt: skip
+    head = "".join(f"<th>{escape(column)}</th>" for column in columns)
+    body = "".join(_row(row) for row in rows)
+    footer = say("batch.page.footer", version=linkwright.__version__, file=file, sha256=origin.short, date=origin.date)
+    return f"""<!DOCTYPE html>
+<html lang="{LANGUAGE}">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="{POLICY}">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<meta name="generator" content="linkwright {escape(linkwright.__version__)}">
+<link rel="icon" href="data:,">
+<title>{escape(title)}</title>
+<style>
+{style}
+</style>
+</head>
+<body>
+<header><h1>{escape(title)}</h1><p class="subtitle">{escape(say("batch.page.subtitle", count=len(rows)))}</p></header>
+<main class="batch"><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></main>
+<footer>{escape(footer)}</footer>
+</body>
+</html>
+"""
+
+
+def _row(row: BatchRow) -> str:
+    names = [*row.exported.files]
+    page = next((name for name in names if name.endswith(".html")), None)
+    name = escape(row.name) if page is None else _link(row, page, row.name)
+    told = [*row.exported.sentences, *(f"{warning.what} {warning.mend}" for warning in row.exported.warnings)]
+    cells = [
+        f"<td>{name}</td>",
+        f"<td>{escape(row.model)}</td>",
+        *(f'<td class="figure">{escape(cell)}</td>' for cell in row.cells),
+        f"<td>{'<br>'.join(map(escape, told))}</td>",
+        f"<td>{'<br>'.join(_link(row, file, file) for file in names)}</td>",
+    ]
+    return f"<tr>{''.join(cells)}</tr>"
+
+
+def _link(row: BatchRow, file: str, text: str) -> str:
+    return f'<a href="{quote(f"{row.name}_{file}")}">{escape(text)}</a>'
