@@ -43,6 +43,13 @@ SPELLINGS = {
     "190;": "190",
     "190 // coupler": "190",
     "±0.1": "0.1",
+    "$AB*2": "AB*2",
+    "{AB} + 1": "AB + 1",
+    "190 x 2": "190*2",
+    "|C.vx|": "abs(C.vx)",
+    "motor torque": "motor.torque",
+    "0.4kgs": "0.4 kg",
+    "60 rpm clockwise": "-60 rpm",
 }
 
 
@@ -53,7 +60,23 @@ def test_what_is_meant(text: str) -> None:
     parse(SPELLINGS[text])
 
 
-@pytest.mark.parametrize("text", ["", "AB CD", "2 +", "(AB", "f(1,5", "190 ± x y", "a" * 50 + "(" * 50, "1/2 AB CD"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "AB CD",
+        "about 190",
+        "190..200",
+        "7 1/2 in",
+        "190 m m",
+        "2 +",
+        "(AB",
+        "f(1,5",
+        "190 ± x y",
+        "a" * 50 + "(" * 50,
+        "1/2 AB CD",
+    ],
+)
 def test_what_has_no_sound_spelling(text: str) -> None:
     assert respelled(text) is None
     with pytest.raises(ExpressionError):

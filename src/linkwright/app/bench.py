@@ -18,7 +18,7 @@ from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.spread import pool, spread, stretches
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import ExpressionError
-from linkwright.model.findings import Finding, ModelError, raise_errors
+from linkwright.model.findings import Finding, ModelError, Term, raise_errors
 from linkwright.model.machine import processors
 from linkwright.model.signals import Signal
 from linkwright.model.temporary import temporary_folder
@@ -157,7 +157,7 @@ def _signals(compiled: Compiled, names: Sequence[str]) -> tuple[str, ...]:
         try:
             found.append(compiled.graph.signal(name).text)
         except (DimensionError, ExpressionError, AssertionError):
-            wrong.append(Finding("signal.unknown", (), {"name": name}))
+            wrong.append(Finding("signal.unknown", (), {"name": name, "hint": Term("signal-forms")}))
     raise_errors(wrong)
     return tuple(found)
 

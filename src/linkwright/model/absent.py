@@ -29,13 +29,13 @@ _WORDS = {
 CODES = {word: code for code, words in _WORDS.items() for word in words.split()}
 """The code of each word; a word of two codes would be a mistake here."""
 assert len(CODES) == sum(len(words.split()) for words in _WORDS.values())
-_SAYS_KIND = ("type", "kind", "joint")
+SAYS_KIND = ("type", "kind", "joint", "类型", "种类")
 """Keys by which other programs name the kind of an element."""
 
 
 def absent(key: Any, value: Any = None) -> tuple[str, str] | None:
     """The code of an element that is looked for by a key, or as the value of ``type``, and the word; else ``None``."""
-    for word in (value, key) if key in _SAYS_KIND else (key,):
+    for word in (value, key) if key in SAYS_KIND else (key,):
         plain = word.strip().lower().replace(" ", "_").replace("-", "_") if isinstance(word, str) else ""
         if plain in CODES:
             return CODES[plain], str(word)[:60]

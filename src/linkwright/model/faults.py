@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from typing import Any
 
-from linkwright.model.absent import absent
+from linkwright.model.absent import SAYS_KIND, absent
 from linkwright.model.findings import Finding, Term
 from linkwright.model.known_keys import keys_at
 from linkwright.model.mechanism import Document
-from linkwright.model.unknown import near
+from linkwright.model.unknown import likeliest, near
 from linkwright.model.written import describe
 from linkwright.model.yaml_text import Path, Source
 
@@ -31,8 +32,9 @@ def findings_of(faults: Iterable[Any], source: Source) -> list[Finding]:
     return _without_followers([*found.values()])
 
 
-_FOLLOWING = {"joint.kind", "drive.kind", "drive.law", "drive.start", "drive.on", "load.empty", "spring.ends"} | {
-    "mass.missing", "measure.reduction", "spring.law", "spring.stray", "law.way"
+_FOLLOWING = {
+    "joint.kind", "joint.line", "joint.at", "drive.kind", "drive.law", "drive.start", "drive.on", "load.empty",
+    "spring.ends", "spring.law", "spring.stray", "mass.missing", "measure.reduction", "law.way",
 }  # fmt: skip
 """What else is wrong with an entry of which a key has another name: it follows from that."""
 
@@ -40,7 +42,8 @@ _FOLLOWING = {"joint.kind", "drive.kind", "drive.law", "drive.start", "drive.on"
 def _without_followers(findings: list[Finding]) -> list[Finding]:
     """Findings without those that follow from others: from an element which there isn't, from a key of another name."""
     elsewhere = {f.path[:2] for f in findings if f.code.startswith("element.")}
-    renamed = {(f.path[:-1], name) for f in findings if f.code == "file.unknown-key" for name in f.data["near"].likely}
+    keys = [f for f in findings if f.code in ("file.unknown-key", "file.kind")]
+    renamed = {(f.path[:-1], name) for f in keys for name in f.data["near"].likely}
     entries = {path for path, _ in renamed}
 
     def follows(f: Finding) -> bool:
@@ -78,13 +81,28 @@ def _finding(fault: Any, raw: Any) -> Finding:
     if named and (named[0] != "element.limits" or path[0] in ("joints", "cylinders")):  # limits are a study, too
         return Finding(named[0], path, {"name": named[1]})
     if (found := finding_of(fault, raw, Document)) is not None:
-        return found
+        return _with_section(found)
     wanted = _WANTED.get(kind, "other")
     data: dict[str, Any] = {"wanted": Term(wanted), "given": describe(fault["input"]), "hint": Term(f"{wanted}-as")}
     if kind == "literal_error":
         choice = str(context["expected"])
         data |= {"wanted": choice, "hint": near(str(fault["input"]), re.findall("'([^']*)'", choice), listed=True)}
-    return Finding("file.expected", path, data)
+    return _with_section(Finding("file.expected", path, data))
+
+
+def _with_section(found: Finding) -> Finding:
+    """A finding on what should be entries by name, with an example of the section."""
+    hint = found.data.get("hint")
+    if not isinstance(hint, Term) or hint.key != "mapping-as" or found.path[0] not in _SECTIONS:
+        return found
+    return replace(found, data={**found.data, "hint": Term(f"section-{found.path[0]}")})
+
+
+_SECTIONS = (
+    "units", "parameters", "links", "joints", "assembly", "drives", "loads", "measures", "require", "studies",
+    "exports",
+)  # fmt: skip
+"""The sections of which the catalogue has an example."""
 
 
 def finding_of(fault: Any, data: Any, owner: Any, place: Path = ()) -> Finding | None:
@@ -97,10 +115,13 @@ def finding_of(fault: Any, data: Any, owner: Any, place: Path = ()) -> Finding |
         context = dict(fault["ctx"])
         return Finding(context.pop("code"), (*place, *path), context)
     if kind == "missing":
-        known = ", ".join(keys_at(owner, path))
-        return Finding("file.missing", (*place, *path), {"name": str(fault["loc"][-1]), "known": known})
+        keys = ", ".join(keys_at(owner, path))
+        return Finding("file.missing", (*place, *path), {"name": str(fault["loc"][-1]), "known": keys})
     if kind == "extra_forbidden":
-        name = str(path[-1])
-        hint = near(name, keys_at(owner, path[:-1]))
+        name, known = str(path[-1]), keys_at(owner, path[:-1])
+        kind = fault["input"]
+        if name in SAYS_KIND and isinstance(kind, str) and likeliest(kind, known):
+            return Finding("file.kind", (*place, *path), {"name": name, "kind": kind[:60], "near": near(kind, known)})
+        hint = near(name, known)
         return Finding("file.unknown-key", (*place, *path), {"name": name[:60], "near": hint})
     return None

@@ -100,6 +100,14 @@ def parse_text(text: str) -> Node:
         raise fault(code, **data) from None
 
 
+def _reads(text: str) -> bool:
+    try:
+        parse(text)
+    except ExpressionError:
+        return False
+    return True
+
+
 def pair(wanted: str) -> Callable[[Any], Any]:
     """A validator of lists of two; ``wanted`` is the phrase that says what they hold."""
 
@@ -298,6 +306,10 @@ class Requirement(Written):
             high = Expression(text[2:])
         elif ".." in text:
             low, high = (Expression(part) for part in text.split("..", 1))
+        elif isinstance(raw, list | tuple) and len(raw) == 2:
+            raise unexpected("requirement", raw, Term("write", text=f"{raw[0]} .. {raw[1]}"))
+        elif _reads(text) and not any(re.fullmatch(pattern, text) for pattern in self.spellings):
+            raise unexpected("requirement", raw, Term("write-bound", text=text))
         else:
             raise self.unexpected("requirement", raw)
         self.put("low", low)

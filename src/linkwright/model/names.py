@@ -7,14 +7,14 @@ from dataclasses import replace
 
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, is_signal, nodes, signal_text
-from linkwright.model.findings import Finding
+from linkwright.model.findings import Finding, Term
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.places import Place, Scope
 from linkwright.model.respelled import respelled
 from linkwright.model.signals import Signals
 from linkwright.model.trees import children
 from linkwright.model.units import is_unit
-from linkwright.model.unknown import near
+from linkwright.model.unknown import likeliest, near, proposed
 from linkwright.tolerances import examples
 
 # What stands where it may not: the finding of each scope.
@@ -38,6 +38,10 @@ def _of_class(finding: Finding) -> Finding:
         return finding
     data = {"given": finding.data["name"], "known": ", ".join(examples())}
     return replace(finding, code="tolerance.unknown-class", data=data)
+
+
+VECTORS = {"force": 2, "com": 1, "pole": 2}
+"""Signals that are asked for as a call, with the fewest elements that they take."""
 
 
 class Names:
@@ -68,7 +72,7 @@ class Names:
         elif isinstance(node, Call):
             known = [*FUNCTIONS, *m.tables, *m.laws]
             if self._of_elements(node):
-                yield Finding("signal.unknown", path, {"name": signal_text(node)[:60]})
+                yield Finding("signal.unknown", path, {"name": signal_text(node)[:60], "hint": self._meant(node)})
             elif node.name not in known:
                 data = {"name": node.name, "near": near(node.name, known)}
                 yield Finding("expression.unknown-function", path, data)
@@ -77,6 +81,12 @@ class Names:
             if found := respelled(place.expression.text, known):
                 data = {"text": place.expression.text[:60], "reason": found[0], "hint": found[1]}
                 yield Finding("expression.respelled", path, data)
+            elif place.scope in (Scope.SIGNALS, Scope.LOAD) and node.text in self._elements():
+                kind, attributes = self.signals.attributes(node.text)
+                signals = ", ".join(f"{node.text}.{attribute}" for attribute in attributes)
+                yield Finding(
+                    "signal.element", path, {"name": node.text, "kind": Term(f"a-{kind}"), "signals": signals}
+                )
             elif is_unit(node.text):
                 yield Finding("expression.unit-alone", path, {"name": node.text})
             else:
@@ -85,10 +95,23 @@ class Names:
 
     def _of_elements(self, call: Call) -> bool:
         """Whether a call that is none of a known function names links, points ... as a signal does."""
-        m = self.mechanism
-        elements = {*m.links, *self.signals.homes, *m.joints, *m.drives, *m.springs} - m.parameters.keys()
+        m, elements = self.mechanism, self._elements()
         unknown = call.attribute is None and call.name not in {*FUNCTIONS, *m.tables, *m.laws}
         return unknown and bool(call.args) and all(isinstance(a, Name) and a.text in elements for a in call.args)
+
+    def _elements(self) -> set[str]:
+        """The names that signals begin with; a parameter of one of them is the parameter."""
+        m = self.mechanism
+        slides = {name for name, _ in m.prismatic_joints()}
+        return {*m.links, *self.signals.homes, *slides, *m.drives, *m.springs} - m.parameters.keys()
+
+    def _meant(self, call: Call) -> Term:
+        """What a call of elements may mean: a signal of the one, or the x and y of a vector of several."""
+        if len(call.args) >= VECTORS.get(call.name, len(call.args) + 1):
+            return proposed([f"{signal_text(call)}.{attribute}" for attribute in "xy"])
+        owner = signal_text(call.args[0]) if isinstance(call.args[0], Name | Call) else ""
+        likely = likeliest(call.name, [*self.signals.attributes(owner)[1]]) if len(call.args) == 1 else []
+        return proposed([f"{owner}.{attribute}" for attribute in likely]) if likely else Term("signal-forms")
 
     def misplaced(self, place: Place) -> Iterator[Finding]:
         """Known names that can't stand in this expression."""

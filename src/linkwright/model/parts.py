@@ -111,7 +111,7 @@ def _named(raw: Any) -> Any:
         return raw
     for name in raw:
         if not isinstance(name, str):
-            raise unexpected("name", name)
+            raise unexpected("points", name)
     return dict.fromkeys(raw, "sketch")
 
 

@@ -22,6 +22,24 @@ WIDE = {code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)} | {
 _SIGNS = str.maketrans({"÷": "/", "√": "sqrt", "π": "pi", "∙": "*", "•": "*", "–": "-"})
 _RAISED = str.maketrans("⁻¹²³", "-123")
 _LONGEST = 100
+_SIGNALS = [
+    "x",
+    "y",
+    "vx",
+    "vy",
+    "ax",
+    "ay",
+    "angle",
+    "omega",
+    "alpha",
+    "jerk",
+    "s",
+    "v",
+    "a",
+    "torque",
+    "force",
+    "power",
+]
 
 
 def respelled(text: str, known: Collection[str] = ()) -> tuple[Term, Term] | None:
@@ -62,12 +80,25 @@ def _wide(text: str, known: Collection[str]) -> str:
 
 
 def _signs(text: str, known: Collection[str]) -> str:
+    text = re.sub(r"\|([^|]+)\|", r"abs(\1)", text)
+    text = re.sub(r"(?<=[\d)])\s*[xX]\s*(?=[\d(])", "*", text)
     return re.sub("[⁻¹²³]+", lambda match: "^" + match.group().translate(_RAISED), text).translate(_SIGNS)
 
 
 def _stray(text: str, known: Collection[str]) -> str:
     """Without what programs and sentences put around an expression: = before it, a comment, a mark behind it."""
-    return re.sub(r"\s*(?://.*|#.*|[;,.])\s*$", "", re.sub(r"^\s*=+\s*", "", text))
+    plain = re.sub(r"\$|\{(?=\w+\})|(?<=\w)\}", "", text)
+    return re.sub(r"\s*(?://.*|#.*|[;,.])\s*$", "", re.sub(r"^\s*=+\s*", "", plain))
+
+
+def _sense(text: str, known: Collection[str]) -> str:
+    """A speed with the sense of rotation as its sign."""
+    return re.sub(r"^\s*(\d.*?)\s+(?i:clockwise|cw|顺时针)\s*$", r"-\1", text)
+
+
+def _dot(text: str, known: Collection[str]) -> str:
+    """A signal of an element whose name stands before it."""
+    return re.sub(rf"^\s*([^\W\d]\w*)\s+({'|'.join(_SIGNALS)})\s*$", r"\1.\2", text)
 
 
 def _comma(text: str, known: Collection[str]) -> str:
@@ -126,23 +157,19 @@ def _with_power(word: str) -> str | None:
 
 
 def _factor(text: str, known: Collection[str]) -> str:
-    """A * between what stands side by side."""
+    """A * behind numbers and brackets."""
     parts, at, before = [], 0, ("", "")
     for kind, value, start, end in tokens(text):
-        ends = before[0] in ("number", "word") or before[1] == ")"
-        begins = kind in ("number", "word") or value == "("
-        united = before[0] == "number" and kind == "word" and is_unit(value)
-        called = before[0] == "word" and value == "("
-        named = before[0] == kind == "word" and not is_unit(before[1])
-        gap = text[at:start]
-        parts += ["*" if ends and begins and not (united or called or named) else gap, text[start:end]]
+        of_number = before[0] == "number" and (value == "(" or (kind == "word" and not is_unit(value)))
+        of_bracket = before[1] == ")" and (value == "(" or kind in ("number", "word"))
+        parts += ["*" if of_number or of_bracket else text[at:start], text[start:end]]
         at, before = end, (kind, value)
     return "".join(parts) + text[at:]
 
 
 _RULES: dict[str, Callable[[str, Collection[str]], str]] = {
     "wide": _wide, "signs": _signs, "stray": _stray, "comma": _comma, "speed": _speed, "unit": _units,
-    "factor": _factor,
+    "factor": _factor, "dot": _dot, "sense": _sense,
 }  # fmt: skip
 """Ways to write, each with its rewriting; applied one after the other, the first that changes something is named."""
 

@@ -161,7 +161,7 @@ class Signals:
             return "com", (names[0],), POINT
         if node.name == "pole" and len(names) == 2:
             return "pole", self._two_links(names), POLE
-        raise DimensionError("signal.unknown", name=signal_text(node))
+        raise DimensionError("signal.unknown", name=signal_text(node), hint=Term("signal-forms"))
 
     def _of_contact(self, contact: Contact) -> dict[str, Dimension]:
         """What is known of a reaction: of a slide in a loop of slides the force alone."""

@@ -27,8 +27,8 @@ _WORDS = {
     "studies": "analysis analyses simulation simulations solver calculation 分析",
     "units": "单位",
     # Joints, drives, loads.
-    "revolute": "hinge pin pivot rotational rotary rotation turning R 转动副 铰链",
-    "prismatic": "slider slide sliding translational translation linear P 移动副 滑动副",
+    "revolute": "links bodies between hinge pin pivot rotational rotary rotation turning R 转动副 铰链",
+    "prismatic": "links bodies between slider slide sliding translational translation linear P 移动副 滑动副",
     "turns": "rotates rotate rotation revolute link body 转动",
     "slides": "moves translates translate prismatic 移动",
     "extends": "cylinder actuator pushes stroke 伸缩",
@@ -38,6 +38,10 @@ _WORDS = {
     "acceleration": "alpha 加速度",
     "on": "link body to parent relative_to",
     "at": "point location place",
+    "line": "axis direction along",
+    "from": "start begin first point1 low min minimum",
+    "to": "end last second point2 high max maximum",
+    "count": "steps number n points samples",
     "torque": "moment couple M T 力矩 扭矩",
     "force": "F load reaction 力",
     # Links, springs, parameters.
@@ -91,6 +95,7 @@ _WORDS = {
     "pi": "π 圆周率",
     "t": "time 时间",
     # Targets of exports.
+    "timestep": "step dt",
     "mjcf": "mujoco xml",
     "motor-expressions": "creo solidworks nx catia adams recurdyn",
     "process-simulate": "siemens tecnomatix csharp",
@@ -150,7 +155,8 @@ _UNIT_MEANT = {plain(other): unit for unit, others in _UNITS.items() for other i
 
 def unit_meant(word: str) -> str | None:
     """The unit that a word stands for elsewhere, if any: its name written out, in another language, or in capitals."""
-    return _UNIT_MEANT.get(plain(word)) or next((unit for unit in _CAPITALS if plain(word) == plain(unit)), None)
+    own = plain(word)
+    return _UNIT_MEANT.get(own) or next((unit for unit in _CAPITALS if own in (plain(unit), f"{plain(unit)}s")), None)
 
 
 _CAPITALS = ("mm", "cm", "kg", "deg", "rad", "rpm", "Hz", "kHz", "kN", "Nm", "MPa", "kPa", "bar", "min", "N", "s")

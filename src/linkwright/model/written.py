@@ -84,8 +84,16 @@ def check_name(name: Any) -> str:
     if name in RESERVED:
         raise fault("file.reserved-name", name=name)
     if len(name) > MAX_NAME or not NAME.fullmatch(name):
-        raise fault("file.bad-name", name=name[:MAX_NAME], limit=MAX_NAME)
+        raise fault("file.bad-name", name=name[:MAX_NAME], hint=_nearest_name(name))
     return name
+
+
+def _nearest_name(name: str) -> Term:
+    """How a name may be written that isn't one."""
+    plain = re.sub(r"[\W_]+", "_", name.replace("'", "1").replace('"', "2")).strip("_")
+    if "." in name or len(plain) > MAX_NAME or not NAME.fullmatch(plain):
+        return Term("name-form", limit=MAX_NAME)
+    return Term("write-name", text=plain)
 
 
 class FrozenDict(dict[str, Any]):

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import Call, ExpressionError, Name, parse
-from linkwright.model.findings import Finding, ModelError
+from linkwright.model.findings import Finding, ModelError, Term
 from linkwright.model.machine import needed
 from linkwright.model.output_files import write_aside
 from linkwright.model.respelled import syntax_fault
@@ -97,7 +97,7 @@ class Result:
         with _read(name):
             node = parse(name)
             if not isinstance(node, Name | Call):
-                raise DimensionError("signal.unknown", name=name)
+                raise DimensionError("signal.unknown", name=name, hint=Term("signal-forms"))
             _, _, attributes = signals.element(node)
         return {attribute: self[f"{name}.{attribute}"] for attribute in attributes}
 

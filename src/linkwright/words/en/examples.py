@@ -9,6 +9,7 @@ _EXAMPLES = {
     "name": "For example: crank, or crank_2.",
     "other": "docs/file-format.md shows an example of each entry.",
     "direction": "For example: [0, 1, 0].",
+    "points": "For example: {{A: [0, 0], B: [60, 0]}}.",
     "position": "For example: [120, 0], or 120 at 30 deg; decimals have a point.",
     "place": "For example: B, or [120, 0].",
     "line": "For example: G at 90 deg.",
@@ -35,4 +36,20 @@ _EXAMPLES = {
     "turns": "For example: 1 motor.",
     "gravity": "For example: earth, or [0, -9.81 m/s^2].",
 }
-EXAMPLE_TERMS = {f"{wanted}-as": text for wanted, text in _EXAMPLES.items()}
+_SECTIONS = {
+    "units": "For example: units: {{length: mm, angle: deg, mass: kg, time: s, force: N, torque: N*m}}.",
+    "parameters": "For example: parameters: {{AB: 155, BC: 395}}.",
+    "links": "For example: links: {{crank: {{points: {{A: [0, 0], B: [60, 0]}}}}}}.",
+    "joints": "For example: joints: {{guide: {{prismatic: [frame, slider], line: [F at 0 deg, C at 0 deg]}}}}. Pins follow "
+    "from points of the same name.",
+    "assembly": "For example: assembly: {{C: left of B-D}}.",
+    "drives": "For example: drives: {{motor: {{turns: crank, on: frame, speed: 60 rpm, start: 0 deg}}}}.",
+    "loads": "For example: loads: {{weight: {{on: rod, at: C, force: [0, -50 N]}}}}.",
+    "measures": "For example: measures: {{swing: {{span: rocker.angle}}}}.",
+    "require": "For example: require: {{swing: '>= 60 deg'}}.",
+    "studies": "For example: studies: {{cycle: {{turns: 1 motor}}}}.",
+    "exports": "For example: exports: {{mjcf: {{duration: 2 s}}}}.",
+}
+EXAMPLE_TERMS = {f"{wanted}-as": text for wanted, text in _EXAMPLES.items()} | {
+    f"section-{section}": text for section, text in _SECTIONS.items()
+}

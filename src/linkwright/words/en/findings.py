@@ -143,6 +143,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "'{name}' isn't a key that can stand here.",
         "{near} Otherwise remove it.",
     ),
+    "file.kind": (
+        "'{name}: {kind}': the kind of an entry is a key of its own.",
+        "{near}",
+    ),
     "file.expected": (
         "Wanted here: {wanted}. Given: {given}.",
         "{hint}",
@@ -153,7 +157,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "file.bad-name": (
         "'{name}' can't be a name.",
-        "Use letters of any script, digits and underscores (at most {limit}), and no digit first.",
+        "{hint}",
     ),
     "file.reserved-name": (
         "'{name}' means something already: t is the time, pi the number, start and end the ends of a run.",
@@ -365,8 +369,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "signal.unknown": (
         "'{name}' isn't a signal.",
-        "Write POINT.x, LINK.angle, JOINT.s, DRIVE.torque, force(LINK, LINK).x, com(LINK).x or pole(LINK, LINK).x; "
-        "see docs/file-format.md.",
+        "{hint}",
+    ),
+    "signal.element": (
+        "'{name}' is {kind}; one of its signals is wanted.",
+        "Write one of these: {signals}.",
     ),
     # Links, joints, drives, loads.
     "model.no-frame": (
@@ -2170,6 +2177,7 @@ _TERMS: dict[str, str] = {
     "two-links": "[LINK, LINK]",
     "two-points": "[POINT, POINT], one of each link",
     "two-lines": "[POINT at ANGLE, POINT at ANGLE], one on each link",
+    "points": "points by name",
     "turns": "a number of turns and the drive that makes them, such as '1 motor'",
     "numbers": "a list of numbers",
     "segments": "a list of segments",
@@ -2185,6 +2193,8 @@ _TERMS: dict[str, str] = {
     "frame-none": "Name the link that doesn't move 'frame', here and wherever it is used.",
     "file-name": "Check its name and folder; 'linkwright new' writes a file to start from.",
     "gallery-model": "'{name}' is a model of the gallery; 'linkwright new {name}' writes it to a file.",
+    "signal-forms": "Write POINT.x, LINK.angle, JOINT.s, DRIVE.torque, force(LINK, LINK).x, com(LINK).x or "
+    "pole(LINK, LINK).x; see docs/file-format.md.",
     "near-one": "Did you mean '{names}'?",
     "near-some": "Did you mean one of these: {names}?",
     "near-one-of": "Did you mean '{names}'? All of them: {known}.",
@@ -2295,10 +2305,12 @@ _TERMS: dict[str, str] = {
     # What is written otherwise than in a file, and what is meant.
     "respelled-wide": "it has full-width characters",
     "respelled-signs": "it has characters that expressions don't take",
-    "respelled-stray": "it has characters before or behind it that belong to no expression",
+    "respelled-stray": "it has characters that belong to no expression",
     "respelled-comma": "numbers have a decimal point, not a comma",
     "respelled-speed": "rotational speeds are written in rpm or r/s",
     "respelled-unit": "units are written by their short names",
+    "respelled-dot": "a point is missing between an element and its signal",
+    "respelled-sense": "the sense of rotation is the sign, counter-clockwise being positive",
     "respelled-factor": "a * is missing between factors",
     "respelled-tolerance": "a tolerance is written apart from the value, without a sign",
     "write-tolerance": "Write '{{value: {value}, tolerance: {text}}}'.",
@@ -2308,6 +2320,10 @@ _TERMS: dict[str, str] = {
     "yaml-indentation": "this line is indented, or begins with '-', unlike those above it",
     "yaml-bracket": "a bracket isn't closed, or a comma is missing",
     "yaml-quote": "a quote isn't closed",
+    "write-bound": "Write '>= {text}' or '<= {text}'.",
+    "write-name": "Use letters of any script, digits and underscores, for example {text}.",
+    "name-form": "Use letters of any script, digits and underscores (at most {limit}), and no digit first; a point of a link is "
+    "named without the link.",
     "write-bare": "Write {text}.",
     "write": "Write '{text}'.",
     "write-either": "Write '{text}', or '{other}' if the comma separates thousands.",
