@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 import linkwright as lw
-from linkwright.model.findings import Finding
+from linkwright.model.findings import Finding, Term
 from linkwright.studies.plans import PLANS
 from studies.models import refused, slider_crank
 
@@ -148,3 +148,10 @@ def test_every_finding_can_be_said() -> None:
             assert isinstance(finding, Finding)
             assert finding.what
             assert finding.mend
+
+
+def test_an_option_without_a_value() -> None:
+    """It is named in words, not in Python's."""
+    (finding,) = refused(swept(kernel=None, vary={"r": STEPS}))
+    assert (finding.code, finding.data["given"]) == ("study.choice", Term("nothing"))
+    assert "None" not in finding.what

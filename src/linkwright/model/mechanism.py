@@ -25,7 +25,7 @@ from linkwright.model.fields import (
 from linkwright.model.gravity import Gravity
 from linkwright.model.motions import MotionLaw
 from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter, Plane, Units, freeze
-from linkwright.model.written import FaultWithin, unexpected
+from linkwright.model.written import FaultWithin, describe, unexpected
 
 __all__ = [
     "FRAME",
@@ -178,7 +178,7 @@ def _options(raw: Any) -> Any:
 
 def _version(raw: Any) -> Any:
     if isinstance(raw, bool) or not isinstance(raw, int) or raw != VERSION:
-        raise fault("file.version", given=str(raw)[:40], known=VERSION)
+        raise fault("file.version", given=describe(raw), known=VERSION)
     return raw
 
 

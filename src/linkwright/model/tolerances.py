@@ -55,7 +55,7 @@ Limits = Annotated[
 
 
 def _distribution(raw: Any) -> str:
-    if raw not in DISTRIBUTIONS:
+    if not isinstance(raw, str) or raw not in DISTRIBUTIONS:
         raise fault("tolerance.distribution", given=str(raw)[:40], known=", ".join(DISTRIBUTIONS))
     return str(raw)
 

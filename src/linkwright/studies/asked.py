@@ -17,6 +17,7 @@ from linkwright.model.names import Names
 from linkwright.model.places import Place, Scope
 from linkwright.model.sampled import dependent
 from linkwright.model.unknown import near
+from linkwright.model.written import describe
 from linkwright.studies.cycle import TURNS, CycleOptions, beside, span
 from linkwright.studies.plans import Draws
 
@@ -26,8 +27,8 @@ def one_of(study: str, key: str, known: Sequence[str], code: str = "study.choice
 
     def check(raw: Any) -> str:
         if raw not in known:
-            given = str(raw)[:40]
-            raise fault(code, study=study, key=key, given=given, near=near(given, known, listed=True))
+            guess = near(str(raw)[:40], known, listed=True)
+            raise fault(code, study=study, key=key, given=describe(raw), near=guess)
         return str(raw)
 
     return Annotated[str, BeforeValidator(check), WithJsonSchema({"type": "string", "enum": [*known]})]

@@ -173,3 +173,9 @@ def test_the_library_writes_nothing_to_the_terminal(tmp_path: Path, capfd: pytes
     )
     logging.getLogger("ezdxf").warning("an oddity")
     assert capfd.readouterr().err == ""
+
+
+def test_what_ezdxf_says_names_no_handle_that_there_is_not(tmp_path: Path) -> None:
+    content = entity("SPLINE", (100, "AcDbOther"), (70, 8)).replace(b"5\n2F\n", b"")
+    told = finding(tmp_path, content).what
+    assert "SPLINE" in told and "None" not in told

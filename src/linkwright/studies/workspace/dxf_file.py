@@ -65,7 +65,7 @@ def read_curve(name: str, folder: Path | None, layer: str | None, path: Path_) -
 def _reason(error: Exception) -> Term | str:
     """Why ezdxf gives up, as far as it says so."""
     told = isinstance(error, (needed("ezdxf", "cad").DXFError, OSError, ValueError))
-    return _shown(str(error)) if told else Term("drawn-inconsistent")
+    return _shown(str(error).replace("(#None)", "")) if told else Term("drawn-inconsistent")
 
 
 def _shown(text: str) -> str:

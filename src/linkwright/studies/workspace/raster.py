@@ -95,8 +95,8 @@ def _held(at: Array, x: Array, y: Array) -> tuple[Rows, Rows, Array]:
         b = ((px - ax) * (cy - ay) - (py - ay) * (cx - ax)) / whole
         c = ((bx - ax) * (py - ay) - (by - ay) * (px - ax)) / whole
         inside = (b >= -1e-9) & (c >= -1e-9) & (b + c <= 1 + 1e-9)
-    shares = np.stack([1 - b - c, b, c], axis=1)
-    return (row * x.size + column)[inside], which[inside], shares[inside]
+    b, c = b[inside], c[inside]
+    return (row * x.size + column)[inside], which[inside], np.stack([1 - b - c, b, c], axis=1)
 
 
 def _nearer(sheet: Sheet, q: Array, places: Array, near: float, most: Array) -> tuple[Array, Array]:
