@@ -101,6 +101,7 @@ documents = st.fixed_dictionaries(
     },
     optional={
         "name": texts,
+        "source": texts,
         "note": texts | st.lists(texts, min_size=2, max_size=3).map("\n".join),
         "gravity": st.lists(expressions, min_size=2, max_size=2),
         "units": st.fixed_dictionaries(

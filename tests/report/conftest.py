@@ -129,6 +129,7 @@ def report(feeder: Feeder) -> ReportData:
     return {
         "title": "Packaging paper feeder",
         "subtitle": "Cycle of 1.5 s, 201 poses, crank at -40 rpm",
+        "source": "Source: Tang, Deng, Xin <2022>",
         "origin": "Model file model.yaml (SHA-256 0123456789ab), 2026-01-01T12:00:00+00:00, linkwright 0.1.0",
         "version": "0.1.0",
         "language": "en",

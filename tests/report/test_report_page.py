@@ -80,7 +80,7 @@ def test_payload_is_what_was_given(report: ReportData) -> None:
 
 def test_hostile_names_are_text_everywhere(report: ReportData) -> None:
     clean = [tag for tag, _ in Page(page(report)).tags]
-    for key in ("title", "subtitle", "origin", "version", "language", "model_text"):
+    for key in ("title", "subtitle", "source", "origin", "version", "language", "model_text"):
         report[key] = HOSTILE
     report["remarks"] = [HOSTILE]
     report["words"] = dict.fromkeys(REPORT, HOSTILE)
@@ -131,7 +131,7 @@ def test_empty_parts_leave_no_headings(report: ReportData) -> None:
 
 def test_every_word_comes_from_the_catalogue(report: ReportData) -> None:
     """With every word marked, no letter outside the marks is left but those of the data."""
-    report.update(title="1", subtitle="2", version="3", model_text="4", origin="5", plots=[], structure=[])
+    report.update(title="1", subtitle="2", source="6", version="3", model_text="4", origin="5", plots=[], structure=[])
     report.update(measures=[], certificate=[], notes=[], failures=[])
     report["words"] = dict.fromkeys(REPORT, "#")
     body = page(report).split("<body>")[1].split("<script")[0]

@@ -33,10 +33,11 @@ class Builder:
         torque: str | None = "N*m",
         pressure: str | None = None,
         note: str | None = None,
+        source: str | None = None,
     ) -> None:
         units = {"length": length, "angle": angle, "mass": mass, "time": time, "force": force, "torque": torque}
         self._data: dict[str, Any] = _given(
-            linkwright=VERSION, name=name, note=note, units=_given(**units, pressure=pressure)
+            linkwright=VERSION, name=name, note=note, source=source, units=_given(**units, pressure=pressure)
         )
         self._twice: list[Finding] = []
 

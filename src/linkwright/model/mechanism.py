@@ -78,6 +78,9 @@ class Mechanism(Frozen):
 
     name: Text = Field("mechanism", description="the mechanism's name, the title of its report")
     note: LongText | None = Field(None, description="free text")
+    source: LongText | None = Field(
+        None, description="the paper, book or drawing that the mechanism is taken from; its report names it"
+    )
     units: Units = Field(Units(), description="what numbers without a unit mean")
     gravity: Gravity | None = Field(
         None,

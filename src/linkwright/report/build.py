@@ -67,6 +67,7 @@ def report_data(
     data: ReportData = {
         "title": document.name,
         "subtitle": document.note or "",
+        "source": say("report.source", source=document.source) if document.source else "",
         "origin": origin_text(origin),
         "version": origin.version,
         "language": LANGUAGE,

@@ -261,11 +261,13 @@ class Failure(TypedDict):
 
 
 class ReportData(TypedDict):
-    """Everything on the page. ``origin``: model file, hash, date and version in a sentence; ``remarks``: what else is
-    to be said of the run beside its checks; ``words``: the texts of the catalogue, in ``language``."""
+    """Everything on the page. Sentences: ``source``, what the mechanism is taken from; ``origin``, model file, hash,
+    date and version. ``remarks``: what else is to be said of the run beside its checks; ``words``: the texts of the
+    catalogue, in ``language``."""
 
     title: str
     subtitle: str
+    source: str
     origin: str
     version: str
     language: str

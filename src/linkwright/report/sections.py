@@ -33,8 +33,9 @@ def header(data: ReportData) -> str:
         text = words["report.summary_checks"].format(ok=sum(checks), total=len(checks))
         badges.append(_mark(all(checks), text))
     subtitle = f'<p class="subtitle">{escape(data["subtitle"])}</p>' if data["subtitle"] else ""
+    source = f'<p class="source">{escape(data["source"])}</p>' if data["source"] else ""
     return (
-        f"<header><h1>{escape(data['title'])}</h1>{subtitle}"
+        f"<header><h1>{escape(data['title'])}</h1>{subtitle}{source}"
         f'<p class="origin">{escape(data["origin"])}</p>'
         f'<p class="summary">{" ".join(badges)}</p>{_contents(data)}</header>'
     )

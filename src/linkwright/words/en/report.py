@@ -16,6 +16,7 @@ REPORT: dict[str, str] = {
     "report.holds": "holds",
     "report.limits": "Limits",
     "report.link_names": "Link names",
+    "report.source": "Source: {source}",
     "report.origin": "Model file {file} (SHA-256 {sha256}), {date}, linkwright {version}",
     "report.origin.python": "Model made in Python (SHA-256 {sha256}), {date}, linkwright {version}",
     "report.made_with": "Made with linkwright {version}",
