@@ -80,6 +80,7 @@ def test_a_table_over_an_angle() -> None:
         ({"points": [[0, 0], [1, 1]]}, "rise(t)", "table.short", "tables.rise"),
         ({"points": [[0, 0], [1, 1], [1, 2], [3, 3]]}, "rise(t)", "table.order", "tables.rise"),
         ({"points": RISE, "period": 1}, "rise(t)", "table.period", "tables.rise"),
+        ({"points": RISE, "period": "1/0"}, "rise(t)", "value.not-finite", "tables.rise.period"),
         ({"points": RISE, "period": 1.5}, "rise(t)", "table.not-closed", "tables.rise"),
         ({"points": RISE}, "rise(t - 1 s)", "drive.outside-table", "drives.motor.position"),
         ({"file": "none.csv", "x": "a s", "y": "b deg"}, "rise(t)", "table.unreadable", "tables.rise.file"),
@@ -118,3 +119,13 @@ def test_a_table_that_nothing_uses_is_pure_unless_it_says_more() -> None:
     q = quantities(four_bar(tables={"a": {"points": [[0, 0], ["1 s", 2]]}}))
     assert not q.findings
     assert q.dimensions.of(argument("a")) == TIME
+
+
+def test_a_table_of_a_load_whose_period_has_no_value(tmp_path: Path) -> None:
+    """It is read before the values of the file are looked at."""
+    examples = Path(__file__).parents[2] / "examples"
+    text = (examples / "slider_crank_gas.yaml").read_text("utf-8").replace("period: 720", "period: 1/0")
+    (tmp_path / "model.yaml").write_text(text, "utf-8")
+    (tmp_path / "gas.csv").write_bytes((examples / "gas.csv").read_bytes())
+    found = [(finding.code, finding.element) for finding in lw.check(tmp_path / "model.yaml")]
+    assert ("value.not-finite", "tables.gas.period") in found
