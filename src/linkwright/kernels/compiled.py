@@ -209,8 +209,8 @@ def prepare(
         motions, unmade = motion_laws(quantities)
         laws, wrong = drive_laws(quantities, folder, motions)
         tables, unread = action_tables(quantities, folder)
-        wrong += cam_faults(quantities, motions)
-        findings += [*check_values(quantities), *unmade, *wrong, *(fault for fault in unread if fault not in wrong)]
+        wrong = [*check_values(quantities), *unmade, *wrong, *cam_faults(quantities, motions)]
+        findings += [*wrong, *(fault for fault in unread if fault not in wrong)]
     structure = decompose(spelled.mechanism) if not names else Structure(Topology(spelled.mechanism), ())
     if not findings and driven:
         findings = redundant(quantities, structure, values_at(laws, 0.0))

@@ -220,7 +220,7 @@ def read_table(quantities: Quantities, name: str, folder: Path | None) -> Stated
         raise ModelError([Finding("table.order", path, {"row": row})])
     period = quantities.value(table.period, argument) if table.period else None
     if table.period is not None and not np.isfinite(period or 0.0):
-        raise ModelError([Finding("value.not-finite", (*path, "period"), {"text": table.period.text})])
+        raise ModelError([Finding("value.not-finite", (*path, "period"), {"text": table.period.text[:60]})])
     if period is not None and period < points[-1, 0] - points[0, 0] - 1e-12 * abs(period):
         raise ModelError([Finding("table.period", path, {})])
     whole = period is not None and np.isclose(points[-1, 0] - points[0, 0], period, rtol=1e-12)
