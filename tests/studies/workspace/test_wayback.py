@@ -20,8 +20,9 @@ from linkwright.studies.workspace.mesh import Box, mesh
 from linkwright.studies.workspace.pasted import pasted
 from linkwright.studies.workspace.regions import Region
 from linkwright.studies.workspace.sheet import Sheet
+from linkwright.studies.workspace.tracks import Mover, Track
 from linkwright.studies.workspace.wanted import Wanted, from_csv, from_dxf, from_formula, through
-from linkwright.studies.workspace.wayback import Way, free, timed
+from linkwright.studies.workspace.wayback import Way, _turned, free, timed
 
 PAPER = Path(__file__).parents[3] / "examples" / "five_bar_workspace.yaml"
 MASS = 2.0
@@ -340,3 +341,10 @@ def test_corners_are_told() -> None:
     assert codes(way) == ["workspace.path-corner"]
     assert way.law is not None
     assert way.law.residual < 1e-13
+
+
+def test_a_solution_that_ends_where_it_begins() -> None:
+    """At the edge of a region, from where the path leads out of it: the motor gets nowhere."""
+    wanted = through(np.array([[0.03, 0.03], [0.036, 0.036]]), "linear")
+    track = Track(Mover(five().sheet), wanted, np.zeros(1), np.zeros((3, 2, 1)), "singular")
+    assert _turned(track, 0, 1.0) == 0.0

@@ -226,6 +226,8 @@ def _solved(track: Track, m: int, value: Array) -> tuple[Array, Array]:
 
 def _turned(track: Track, m: int, speed: float) -> float:
     """The u from which on the motor would have to turn back; 1 where it needn't."""
+    if track.u.size == 1:  # it ends where it begins
+        return 0.0
     inner = [np.linspace(*bridge, ACROSS) for bridge in track.bridges]
     places = np.unique(np.concatenate([track.u, *inner]))
     rate = np.sign(speed) * track.along(places)[1, m]
