@@ -221,3 +221,15 @@ def test_a_slide_as_master_has_stops_in_mm() -> None:
     assert done.done
     limits = done.summary["limits"]["guide"]
     assert (limits["low"], limits["high"]) == pytest.approx((-20, 0.25))
+
+
+def test_the_sheet_shows_the_link_that_the_master_moves() -> None:
+    """And where the master stands at the other end of the drive's range."""
+    own, other = (
+        lw.export(lw.load(EXAMPLES / "bonnet_hinge.yaml"), "process-simulate", **options).files["joint_functions.html"]
+        for options in ({}, {"master": "j5", "stops": [-90, 0]})
+    )
+    assert "Dashed: j2 at −70.000 deg." in own
+    assert "Dashed: j5 at −90.000 deg." in other
+    bodies = [re.findall(r'class="link here( driven)?"', page) for page in (own, other)]
+    assert [body.index(" driven") for body in bodies] == [2, 0]  # of front strut, panel, rear strut

@@ -106,9 +106,10 @@ def _linkage(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -
     for function in (functions.driving, *(f for f in functions.functions if not f.helper)):
         labels.setdefault(_anchor(compiled, function), []).append(function.name)
     title, ends = say("sheet.drawing.title"), (facts.zero, facts.zero + float(facts.value[facts.far]))
-    drawn = linkage(compiled, facts.drive, ends, labels, title)
+    drawn = linkage(compiled, facts.drive, ends, functions.driving.child, labels, title)
     links = "".join(f"<li>{i} {escape(name)}</li>" for i, name in enumerate(compiled.mechanism.links, start=1))
-    far = _value(max(functions.driving.limits, key=abs), functions.driving, facts)
+    there = functions.motion.of_drive(np.array([functions.zero + facts.value[facts.far]]))
+    far = _value(float(there[0]), functions.driving, facts)
     notes = [say("sheet.drawing.note", drive=functions.driving.name, far=far)]
     if compiled.plane is None:
         notes.append(say("sheet.axis.flat"))

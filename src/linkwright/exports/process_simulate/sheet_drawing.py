@@ -55,11 +55,16 @@ def places(compiled: Compiled, drive: str, names: Iterable[str], values: Sequenc
 
 
 def linkage(
-    compiled: Compiled, drive: str, ends: tuple[float, float], labels: Mapping[str, Sequence[str]], title: str
+    compiled: Compiled,
+    drive: str,
+    ends: tuple[float, float],
+    driven: str,
+    labels: Mapping[str, Sequence[str]],
+    title: str,
 ) -> str:
     """The linkage at the first of two values of the drive less that at the start (the zero pose), and dashed at the
-    second. ``labels``: the names to be written at each joint."""
-    bones, at, driven = skeleton(compiled), anchors(compiled), compiled.mechanism.prescribed(drive).link
+    second. ``driven`` is the link that the driving joint moves, ``labels`` the names to be written at each joint."""
+    bones, at = skeleton(compiled), anchors(compiled)
     names = [point for of in bones.values() for point in of]
     poses = places(compiled, drive, names, ends)
     room = _Room(np.array([place for pose in poses for place in pose.values()]))
