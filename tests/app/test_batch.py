@@ -91,6 +91,14 @@ def test_everything_wrong_is_told_at_once_and_nothing_is_written(tmp_path: Path)
     ]
 
 
+def test_a_wrong_model_file_is_told_once_with_its_own_line(tmp_path: Path) -> None:
+    (tmp_path / "own.yaml").write_text(gallery.text("hinge").replace("studies:", "studie:"), encoding="utf-8")
+    job = batch(tmp_path, "name,model,x1\na,own.yaml,60\nb,own.yaml,61\n")
+    ((code, line, element),) = told(job)
+    at = gallery.text("hinge").splitlines().index("studies:") + 1
+    assert (code, line, element.split(".")[:2]) == ("file.unknown-key", 2, ["own", f"yaml:{at}"])
+
+
 @pytest.mark.parametrize(
     ("text", "found"),
     [

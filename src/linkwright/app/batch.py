@@ -135,7 +135,9 @@ class Batch:
         """The model of the gallery, or beside the file, that a row names; what is wrong with it is told once."""
         if name not in self.bases:
             made = self.bases[name] = _base(name, self.folder)
-            self.findings += [replace(f, path=(name, *f.path), line=line) for f in made.findings]
+            for f in made.findings:
+                place = f"{name}:{f.line}" if f.line else name
+                self.findings.append(replace(f, path=(place, *f.path), line=line))
         return self.bases[name]
 
     def check_heads(self) -> None:

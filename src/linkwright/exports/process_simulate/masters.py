@@ -33,7 +33,7 @@ PATH = ("exports", "process-simulate", "master")
 KNOTS = 2000
 """Equal steps of the drive between which its value is looked for from the master's."""
 STILL = 1e-7
-"""A master that moves by less (rad or mm) says nothing of where the mechanism is."""
+"""A joint that moves by less (rad or mm) stands still."""
 STEEP = 1e-3
 """A joint is offered as master where its rate stays above this share of the largest."""
 

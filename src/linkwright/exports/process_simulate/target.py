@@ -9,6 +9,7 @@ from linkwright.exports.process_simulate.carriers import check_table, pasteable,
 from linkwright.exports.process_simulate.facts import facts
 from linkwright.exports.process_simulate.functions import PATH, JointFunction, JointFunctions, make
 from linkwright.exports.process_simulate.linkage import Refused
+from linkwright.exports.process_simulate.masters import STILL
 from linkwright.exports.process_simulate.options import ProcessSimulateOptions, check
 from linkwright.exports.process_simulate.sheet import sheet
 from linkwright.exports.registry import Exported, register
@@ -16,9 +17,6 @@ from linkwright.kernels import Compiled
 from linkwright.model.findings import Finding
 from linkwright.studies import Site
 from linkwright.words import say
-
-STILL = 1e-7
-"""A joint that moves by less (rad or mm) stands still."""
 
 
 @register
