@@ -106,7 +106,7 @@ def _structure(random_: random.Random, text: str) -> str:
     yaml.default_flow_style = False
     try:
         data = yaml.load(text)
-        _change(random_, data)
+        change(random_, data)
         stream = io.StringIO()
         yaml.dump(data, stream)
     except Exception:  # of the YAML reader, for text that isn't any
@@ -114,12 +114,13 @@ def _structure(random_: random.Random, text: str) -> str:
     return stream.getvalue()
 
 
-def _change(random_: random.Random, data: Any) -> None:
-    places = list(_places(data))
-    if not places:
+def change(random_: random.Random, data: Any) -> None:
+    """Change one entry of some data, in place."""
+    there = list(places(data))
+    if not there:
         return
-    (holder, key), (other, elsewhere) = random_.choice(places), random_.choice(places)
-    way = random_.randrange(6)
+    (holder, key), (other, elsewhere) = random_.choice(there), random_.choice(there)
+    way = random_.randrange(7)
     if way == 0:
         del holder[key]
     elif way == 1:
@@ -128,7 +129,9 @@ def _change(random_: random.Random, data: Any) -> None:
         holder[key], other[elsewhere] = copy.deepcopy(other[elsewhere]), copy.deepcopy(holder[key])
     elif way == 3:
         holder[key] = copy.deepcopy(other[elsewhere])
-    elif way == 4 and isinstance(holder, dict):
+    elif way == 4 and isinstance(holder[key], dict | list | str):
+        holder[key] = type(holder[key])()
+    elif way == 5 and isinstance(holder, dict):
         name = random_.choice([str(elsewhere), "frame", "t", "1a", "x y", "é", "a" * 70, "points"])
         holder[name] = holder.pop(key)
     elif isinstance(holder, dict):
@@ -137,9 +140,9 @@ def _change(random_: random.Random, data: Any) -> None:
         holder.append(copy.deepcopy(holder[key]))
 
 
-def _places(data: Any) -> Any:
+def places(data: Any) -> Any:
     """Every (list or mapping, index or key) in some data."""
     keys = list(data) if isinstance(data, dict) else range(len(data)) if isinstance(data, list) else ()
     for key in keys:
         yield data, key
-        yield from _places(data[key])
+        yield from places(data[key])

@@ -1,30 +1,71 @@
-"""Six hundred wrong model files of the gallery and the examples, and that the script finds what it looks for."""
+"""A share of the fuzzer's cases, all planted faults, and that the fuzzer's parts do what they say."""
 
 from __future__ import annotations
 
 import random
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
 
 import fuzz as script
+import fuzz_cases
+import fuzz_judge
 import mutations
 import pytest
+from fuzz_judge import Verdict, gaps, unsound
 from patience import limited
 
 from linkwright import gallery
-from linkwright.model.findings import Finding
+from linkwright.exports import TARGETS
+from linkwright.studies import STUDIES
+
+FUZZ = Path(script.__file__)
+posix = pytest.mark.skipif(sys.platform == "win32", reason="processes are forked, and limited as POSIX has it")
 
 
-@pytest.mark.parametrize("first", range(0, 600, 100))
-def test_a_hundred_files(first: int) -> None:
-    """Findings with codes, places and words, or a sound run; nothing is raised, nothing hangs."""
-    found = [script.tried(seed) for seed in range(first, first + 100)]
-    assert [(case.seed, case.faults) for case in found if case.faults] == []
-    assert sum(script.RUN in case.came for case in found) >= 3
-    assert len({code for case in found for code in case.came}) > 15
+def fuzz(*words: object) -> subprocess.CompletedProcess[str]:
+    """The script in a process of its own: it forks, which processes with threads shouldn't."""
+    command = [sys.executable, str(FUZZ), *map(str, words)]
+    return subprocess.run(command, capture_output=True, encoding="utf-8", timeout=900, check=False)
 
 
-def test_files_come_again_by_their_seed() -> None:
-    assert [script.file_of(seed) for seed in range(20)] == [script.file_of(seed) for seed in range(20)]
-    assert len({script.file_of(seed) for seed in range(100)}) > 95
+@posix
+@pytest.mark.parametrize("seed", [0, 200, 400])
+def test_a_share_of_the_cases(seed: int) -> None:
+    done = fuzz("--seed", seed, "--count", 200, "--jobs", 1)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "cases 200, failures 0" in done.stdout
+
+
+@posix
+def test_planted_faults_are_found() -> None:
+    """Else the fuzzer is weak."""
+    done = fuzz("--plants")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert len(done.stdout.splitlines()) == len(script.PLANTS) >= 5
+
+
+def test_cases_come_again_by_their_seed() -> None:
+    assert [fuzz_cases.case_of(seed) for seed in range(20)] == [fuzz_cases.case_of(seed) for seed in range(20)]
+    assert len({case.files[fuzz_cases.MODEL] for case in map(fuzz_cases.case_of, range(60))}) > 50
+
+
+@pytest.mark.parametrize("kind", fuzz_cases.KINDS)
+def test_every_class_gives_cases(kind: str) -> None:
+    """Which differ from each other, and whose command is one of the program's."""
+    cases = [fuzz_cases.case_of(seed, kind) for seed in range(5)]
+    assert {case.kind for case in cases} == {kind}
+    assert len({(case.words, *case.files.items()) for case in cases}) > 3
+
+
+def test_every_study_and_export_is_tried() -> None:
+    told = " ".join(
+        content.decode("utf-8", "replace") + " ".join(case.words)
+        for case in (fuzz_cases.case_of(seed, kind) for kind in ("options", "exports") for seed in range(100))
+        for content in case.files.values()
+    )
+    assert [name for name in (*STUDIES, *TARGETS) if name not in told] == []
 
 
 @pytest.mark.parametrize(
@@ -37,52 +78,81 @@ def test_each_change_changes(change: str) -> None:
     assert len(files - {text}) > 5
 
 
-def test_what_is_raised_is_a_fault(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(script, "examine", lambda raw, case: {}["no"])
-    (fault,) = script.tried(0).faults
-    assert fault.startswith("KeyError")
-
-
-def test_a_hang_is_a_fault(monkeypatch: pytest.MonkeyPatch) -> None:
-    def hang(raw: bytes, case: script.Case) -> None:
-        while True:
-            pass
-
-    monkeypatch.setattr(script, "examine", hang)
-    monkeypatch.setattr(script, "PATIENCE", 0.1)
-    (fault,) = script.tried(0).faults
-    assert fault.startswith("TimeoutError")
-
-
 def test_time_that_is_not_used_up() -> None:
     with limited(5):
         assert sum(range(10)) == 45
 
 
 @pytest.mark.parametrize(
-    ("finding", "gap"),
+    ("changed", "gap"),
     [
-        (Finding("file.nothing", line=1), "catalogue"),
-        (Finding("structure.loose", data={"links": "a", "freedom": 1, "hint": ""}), "neither line nor element"),
-        (Finding("file.expected", ("a",), {"wanted": None, "given": "nan"}), "says"),
+        ({"code": "file.nothing"}, "catalogue"),
+        ({"line": None, "element": ""}, "neither line nor element"),
+        ({"what": "Wanted here: None."}, "says"),
+        ({"mend": " "}, "says"),
     ],
 )
-def test_gaps(finding: Finding, gap: str) -> None:
-    assert any(gap in fault for fault in script.gaps(finding))
+def test_gaps(changed: dict[str, Any], gap: str) -> None:
+    sound = {"code": "structure.loose", "line": 3, "element": "a", "what": "It is 'None'.", "mend": "Mend it."}
+    assert list(gaps(sound)) == []
+    assert any(gap in fault for fault in gaps(sound | changed))
 
 
-def test_words_that_lack_their_data() -> None:
-    with pytest.raises(KeyError):
-        list(script.gaps(Finding("file.expected", ("a",), {"wanted": "x"})))
+@pytest.mark.parametrize(
+    ("name", "content", "fault"),
+    [
+        ("a.csv", b"x,y\n1,2\n3,\n", ""),
+        ("a.csv", b"x,y\n1,nan\n", "NaN"),
+        ("a.csv", b"x,y\n1\n", "whole"),
+        ("a.csv", b"x,y\n1,2", "whole"),
+        ("a.json", b'{"a": 1}', ""),
+        ("a.json", b'{"a": NaN}', "JSON"),
+        ("a.geojson", b'{"a"', "JSON"),
+        ("a.xml", b"<a></a>", ""),
+        ("a.svg", b"<a>", "XML"),
+        ("a.html", b"<html></html>\n", ""),
+        ("a.html", b"<html>", "early"),
+        ("a.dxf", b"0\nEOF\n", ""),
+        ("a.dxf", b"10\nnan\n0\nEOF\n", "whole"),
+        ("a.nc", b"G1 X1", ""),
+        ("a.nc", b"G1 Xnan", "aren't"),
+        ("a.txt", b"", "empty"),
+        (".a.csv.0f", b"x", "aside"),
+        (".linkwright.lock", b"", ""),
+    ],
+)
+def test_files_that_are_not_sound(name: str, content: bytes, fault: str) -> None:
+    found = list(unsound(name, content))
+    assert fault in found[0] if fault else found == []
 
 
-def test_the_script(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    monkeypatch.setattr("sys.argv", ["fuzz.py", "--count", "5", "--jobs", "1"])
-    assert script.main() == 0
-    assert "files 5" in capsys.readouterr().out
-    monkeypatch.setattr(script, "tried", lambda seed: script.Case(seed, ("x",), ["raised"]))
+def test_the_script(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    failing = [Verdict("text", 4, 2, ("file.yaml",), ["raised"]), Verdict("tree", 5, 0, ("nothing found",))]
+    monkeypatch.setattr(script, "judged", lambda tasks, jobs: iter(failing))
+    monkeypatch.setattr("sys.argv", ["fuzz.py", "--save", str(tmp_path / "counts.json")])
     assert script.main() == 1
-    assert "seed 4: raised" in capsys.readouterr().out
+    told = capsys.readouterr().out
+    assert "text 4: raised" in told and "cases 2, failures 1" in told
+    assert '"failed": {' in (tmp_path / "counts.json").read_text("utf-8")
     monkeypatch.setattr("sys.argv", ["fuzz.py", "--show", "3"])
     assert script.main() == 0
-    assert capsys.readouterr().out == script.file_of(3) + "\n"
+    assert fuzz_cases.case_of(3).files[fuzz_cases.MODEL].decode() in capsys.readouterr().out
+
+
+def test_fewer_lines_that_fail_alike(monkeypatch: pytest.MonkeyPatch) -> None:
+    def judged(case: fuzz_cases.Case) -> Verdict:
+        bad = b"bad" in case.files[fuzz_cases.MODEL]
+        return Verdict(case.kind, case.seed, faults=["KeyError: a"] if bad else [])
+
+    monkeypatch.setattr(script, "judge", judged)
+    text = "".join(f"line {i}\n" for i in range(20)) + "bad\n" + "more\n" * 9
+    case = fuzz_cases.Case("text", 0, {fuzz_cases.MODEL: text.encode()}, ())
+    assert script.smaller(case) == ["bad\n"]
+
+
+def test_the_judge_leaves_no_folder(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(fuzz_judge.tempfile, "tempdir", str(tmp_path))
+    here = Path.cwd()
+    case = fuzz_cases.Case("text", 1, {fuzz_cases.MODEL: b"linkwright: 1\n"}, ("check", "model.yaml", "--json"))
+    verdict = fuzz_judge.judge(case)
+    assert (verdict.code, verdict.faults, Path.cwd(), [*tmp_path.iterdir()]) == (2, [], here, [])

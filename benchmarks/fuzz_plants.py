@@ -1,0 +1,178 @@
+"""Faults planted in linkwright, each in a process of the fuzzer's: a fuzzer that doesn't find them is weak.
+
+Each function spoils the program in the process that calls it. ``PLANTS`` has for each the class of cases that should
+find it, and a word of the failure that it should be reported as.
+"""
+
+from __future__ import annotations
+
+import re
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Plant:
+    """A planted fault: what it is, how it is planted, the class of cases, and a word of the failure to be reported."""
+
+    about: str
+    plant: Callable[[], None]
+    kind: str
+    reported: str
+
+
+def empty_list() -> None:
+    """An IndexError for an empty list in a model file."""
+    from linkwright.app import job
+
+    read = job.read_document
+
+    def spoiled(raw: bytes) -> Any:
+        made = read(raw)
+        _first_of_lists(made[1].data)
+        return made
+
+    job.read_document = spoiled
+
+
+def _first_of_lists(data: Any) -> None:
+    inside = data.values() if isinstance(data, dict) else data if isinstance(data, list) else ()
+    if isinstance(data, list):
+        data[0]
+    for value in inside:
+        _first_of_lists(value)
+
+
+def hang_on_nan() -> None:
+    """An endless loop, which no signal ends, where a DXF drawing has a NaN."""
+    import signal
+
+    from linkwright.studies.workspace import path_options
+
+    read = path_options.from_dxf
+
+    def spoiled(file: str, size: float, folder: Path | None = None, *more: Any) -> Any:
+        if b"nan" in Path(folder or Path(), file).read_bytes():
+            signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGPROF})
+            while True:
+                pass
+        return read(file, size, folder, *more)
+
+    path_options.from_dxf = spoiled
+
+
+def nan_in_a_table() -> None:
+    """NaN written to a CSV file in place of a blank cell, or where a value is 0."""
+    from linkwright.report import csv_text
+
+    cell = csv_text.cell
+    _everywhere("cell", cell, lambda value: "nan" if value == 0 else cell(value))
+
+
+def half_written() -> None:
+    """A file written without its second half where it is long."""
+    from linkwright.model import output_files
+
+    write = output_files.write_aside
+
+    def spoiled(path: Path, content: str | bytes, *more: Any, **how: Any) -> None:
+        write(path, content[: len(content) // 2] if len(content) > 20_000 else content, *more, **how)
+
+    _everywhere("write_aside", write, spoiled)
+
+
+def outside_the_folder() -> None:
+    """A copy of the page written beside the results folder."""
+    from linkwright.model import output_files
+
+    write = output_files.write_aside
+
+    def spoiled(path: Path, content: str | bytes, *more: Any, **how: Any) -> None:
+        write(path, content, *more, **how)
+        if path.name == "report.html":
+            write(path.parent.parent / path.name, content)
+
+    _everywhere("write_aside", write, spoiled)
+
+
+def memory_by_a_number() -> None:
+    """Memory that grows with the largest number of a model file."""
+    from linkwright.app import job
+
+    read = job.read_document
+
+    def spoiled(raw: bytes) -> Any:
+        largest = max((float(word) for word in re.findall(rb"(?<![\w.])\d+(?:e\d+)?", raw)), default=0.0)
+        held = b"\1" * int(min(largest, 1.2e9)) if largest > 1e8 else b""
+        return *read(raw), *held[:0]
+
+    job.read_document = spoiled
+
+
+def other_answers() -> None:
+    """Figures that depend on what the process did before."""
+    from linkwright.report import csv_text
+
+    cell, asked = csv_text.cell, [0]
+
+    def spoiled(value: float | int) -> str:
+        asked[0] += 1
+        return cell(value * (1 + 1e-15 * asked[0]))
+
+    _everywhere("cell", cell, spoiled)
+
+
+def left_aside() -> None:
+    """A file made aside and not removed."""
+    from linkwright.model import output_files
+
+    write = output_files.write_aside
+
+    def spoiled(path: Path, content: str | bytes, *more: Any, **how: Any) -> None:
+        write(path, content, *more, **how)
+        Path(tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)[1])
+
+    _everywhere("write_aside", write, spoiled)
+
+
+def silent_refusal() -> None:
+    """A wrong file refused without a word."""
+    from linkwright.app import job
+
+    read = job.read_document
+
+    def spoiled(raw: bytes) -> Any:
+        made = read(raw)
+        if made[0] is None and len(raw) % 7 == 0:
+            del made[1].findings[:]
+        return made
+
+    job.read_document = spoiled
+
+
+def _everywhere(name: str, old: Any, new: Any) -> None:
+    """Put a function in the place of another, in all modules that have imported it."""
+    import sys
+
+    for module in [*sys.modules.values()]:
+        if getattr(module, "__name__", "").startswith("linkwright") and getattr(module, name, None) is old:
+            setattr(module, name, new)
+
+
+PLANTS: dict[str, Plant] = {
+    plant.__name__: Plant((plant.__doc__ or "").rstrip("."), plant, kind, reported)
+    for plant, kind, reported in (
+        (empty_list, "tree", "IndexError"),
+        (hang_on_nan, "drawings", "hangs"),
+        (nan_in_a_table, "samples", "NaN or infinity"),
+        (half_written, "samples", "no JSON"),
+        (outside_the_folder, "samples", "outside its folder"),
+        (left_aside, "exports", "left aside"),
+        (memory_by_a_number, "expressions", "memory"),
+        (other_answers, "samples", "differs the second time"),
+        (silent_refusal, "text", "accepts"),
+    )
+}

@@ -1,0 +1,99 @@
+"""The page docs/validation/robustness.md: ``python benchmarks/robustness.py [--counts FILE] [--plants FILE]``.
+
+The tables between its marks are made from docs/validation/robustness.json, which holds what was measured:
+
+    python benchmarks/fuzz.py --count 100000 --save counts.json
+    python benchmarks/fuzz.py --plants --save plants.json
+    python benchmarks/robustness.py --counts counts.json --plants plants.json
+
+Cases that failed are tried once more: those whose fault has been mended since are counted as such. Without options the
+tables are made anew from what is there.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+from fuzz_cases import KINDS
+from fuzz_plants import PLANTS
+from fuzz_processes import imported, judged
+
+PAGE = Path(__file__).resolve().parent.parent / "docs" / "validation" / "robustness.md"
+MEASURED = PAGE.with_suffix(".json")
+MARK = "<!-- {0} -->\n{1}<!-- end of {0} -->\n"
+
+
+def cases_table(counts: dict[str, Any]) -> str:
+    """The classes of cases: how many were tried, exit code 0 of them, failures."""
+    columns = [counts[name] for name in ("cases", "performed", "failed")]
+    lines = ["| class | what is tried | cases | exit code 0 | failures |", "|---|---|---|---|---|"]
+    for name, kind in KINDS.items():
+        numbers = " | ".join(str(column.get(name, 0)) for column in columns)
+        lines.append(f"| {name} | {kind.about} | {numbers} |")
+    lines.append(f"| all | | {' | '.join(f'**{sum(column.values())}**' for column in columns)} |")
+    return "\n".join(lines) + "\n"
+
+
+def limits_text(counts: dict[str, Any]) -> str:
+    """What came of the cases, in a sentence."""
+    slow, wide = counts["slowest"], counts["largest"]
+    return (
+        f"When they were first tried, {counts['mended']} of them failed; these faults have been mended, each with a\n"
+        f"test, and their cases tried again. {counts['codes']} different findings came of all cases. The slowest took\n"
+        f"{slow['seconds']:g} s of processor time ({slow['kind']}), the largest {wide['mebibytes']} MiB more than its\n"
+        f"process had ({wide['kind']}).\n"
+    )
+
+
+def plants_table(found: dict[str, int]) -> str:
+    """The planted faults, and after how many cases each is found."""
+    lines = ["| planted fault | class | found in case |", "|---|---|---|"]
+    lines += [f"| {plant.about} | {plant.kind} | {found.get(name) or 'not found'} |" for name, plant in PLANTS.items()]
+    return "\n".join(lines) + "\n"
+
+
+def tried_again(counts: dict[str, Any]) -> dict[str, Any]:
+    """The counts, with the cases that failed tried once more."""
+    left = [(v.seed, v.kind) for v in judged([(seed, kind) for seed, kind in counts["failures"]], 1) if v.faults]
+    failed = {kind: sum(kind == other for _, other in left) for kind in counts["cases"]}
+    mended = counts.get("mended", 0) + len(counts["failures"]) - len(left)
+    return {**counts, "failed": failed, "failures": left, "mended": mended}
+
+
+def page(text: str, measured: dict[str, Any]) -> str:
+    """The page's text with its tables made from what was measured."""
+    made = {
+        "cases": cases_table(measured["counts"]),
+        "limits": limits_text(measured["counts"]),
+        "plants": plants_table(measured["plants"]),
+    }
+    for name, table in made.items():
+        pattern = re.escape(MARK.format(name, "\0")).replace("\0", ".*?")
+        text, count = re.subn(pattern, MARK.format(name, table).replace("\\", "\\\\"), text, flags=re.DOTALL)
+        assert count == 1, f"the page has no place for {name}"
+    return text
+
+
+def main() -> None:
+    """Take what was measured, write the page."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--counts", type=Path, metavar="FILE", help="what fuzz.py --save wrote")
+    parser.add_argument("--plants", type=Path, metavar="FILE", help="what fuzz.py --plants --save wrote")
+    asked = parser.parse_args()
+    measured = json.loads(MEASURED.read_text(encoding="utf-8")) if MEASURED.exists() else {}
+    for name in ("counts", "plants"):
+        if (file := getattr(asked, name)) is not None:
+            measured[name] = json.loads(file.read_text(encoding="utf-8"))
+    if asked.counts:
+        imported()
+        measured["counts"] = tried_again(measured["counts"])
+    MEASURED.write_text(json.dumps(measured, indent=2) + "\n", encoding="utf-8")
+    PAGE.write_text(page(PAGE.read_text(encoding="utf-8"), measured), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

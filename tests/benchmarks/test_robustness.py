@@ -1,0 +1,27 @@
+"""The page on robustness is what its script makes of what was measured."""
+
+from __future__ import annotations
+
+import json
+
+import robustness
+from fuzz_cases import KINDS
+from fuzz_plants import PLANTS
+
+
+def test_the_page_is_made_by_the_script() -> None:
+    measured = json.loads(robustness.MEASURED.read_text("utf-8"))
+    text = robustness.PAGE.read_text("utf-8")
+    assert robustness.page(text, measured) == text
+
+
+def test_all_classes_were_tried_and_all_planted_faults_found() -> None:
+    measured = json.loads(robustness.MEASURED.read_text("utf-8"))
+    counts = measured["counts"]
+    assert {*counts["cases"]} == {*KINDS} and min(counts["cases"].values()) > 0
+    assert sum(counts["failed"].values()) == 0
+    assert {*measured["plants"]} == {*PLANTS} and min(measured["plants"].values()) > 0
+
+
+def test_a_fault_that_is_not_found_is_said() -> None:
+    assert "| not found |" in robustness.plants_table({})
