@@ -213,7 +213,7 @@ def smoke_model(path: Path) -> list[Outcome]:
     return [timed(path.relative_to(ROOT).as_posix(), item)]
 
 
-def sourced(path: Path) -> bool:
+def has_source(path: Path) -> bool:
     """Whether a model names its source: the founding cases, which wheel_cases.py runs from an installed wheel."""
     return "\nsource:" in path.read_text(encoding="utf-8")
 
@@ -298,7 +298,7 @@ def units(names: list[str]) -> list[Unit]:
     """What there is to run: a function and the file for it, those with one of the names in their path."""
     found: list[Unit] = [
         *((smoke_model, path) for path in sorted(ROOT.glob("examples/*.yaml"))),
-        *((smoke_gallery, path) for path in sorted(ROOT.glob("src/linkwright/gallery/*.yaml")) if not sourced(path)),
+        *((smoke_gallery, path) for path in sorted(ROOT.glob("src/linkwright/gallery/*.yaml")) if not has_source(path)),
         *((smoke_script, path) for path in sorted(ROOT.glob("examples/*.py"))),
         *((smoke_document, path) for path in [*ROOT.glob("README.md"), *sorted(ROOT.glob("docs/**/*.md"))]),
     ]

@@ -58,7 +58,7 @@ def call(words: list[str | Path], place: Path) -> str:
     return done.stdout
 
 
-def installed(folder: Path) -> Path:
+def install_wheel(folder: Path) -> Path:
     """An environment with the wheel in it; the folder of its commands."""
     alone = ["--no-build-isolation"] if importlib.util.find_spec("hatchling") else []
     pip = [sys.executable, "-m", "pip", "--disable-pip-version-check"]
@@ -76,20 +76,20 @@ def installed(folder: Path) -> Path:
     return commands
 
 
-def case(name: str, commands: Path, folder: Path) -> tuple[bool, str]:
+def run_case(name: str, commands: Path, folder: Path) -> tuple[bool, str]:
     """Starts and runs one case in an empty folder; whether that went well, and a line or more on it."""
     place, start = folder / name, time.perf_counter()
     place.mkdir()
     try:
         call([commands / "linkwright", "new", name], place)
         call([commands / "linkwright", "run", f"{name}.yaml"], place)
-        looked(place / f"{name}_linkwright", CASES[name])
+        check_results(place / f"{name}_linkwright", CASES[name])
     except (Failure, subprocess.TimeoutExpired) as problem:
         return False, f"FAIL {name}: {problem}"
     return True, f"ok   {time.perf_counter() - start:6.1f} s  {name}"
 
 
-def looked(results: Path, paper: str) -> None:
+def check_results(results: Path, paper: str) -> None:
     """Looks at the results. Raises :class:`Failure`."""
     summary = json.loads((results / "summary.json").read_text(encoding="utf-8"))
     if summary["findings"] or not summary["done"]:
@@ -107,11 +107,11 @@ def main(names: list[str]) -> int:
     with tempfile.TemporaryDirectory(prefix="linkwright-wheel-") as name, ThreadPoolExecutor(AT_ONCE) as pool:
         folder = Path(name)
         try:
-            commands = installed(folder)
+            commands = install_wheel(folder)
         except Failure as problem:
             print(f"FAIL {problem}")
             return 1
-        outcomes = list(pool.map(partial(case, commands=commands, folder=folder), names or CASES))
+        outcomes = list(pool.map(partial(run_case, commands=commands, folder=folder), names or CASES))
     print("\n".join(line for _, line in outcomes))
     return 0 if all(well for well, _ in outcomes) else 1
 

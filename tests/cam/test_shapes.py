@@ -135,7 +135,7 @@ def test_the_keyway_of_the_drawing_is_that_of_the_solid(angle: float, tmp_path: 
 
     ezdxf = pytest.importorskip("ezdxf")
     blank = Blank(12.0, bore=10.0, key_width=6.0, key_depth=2.8, key_angle=angle)
-    drawing = ezdxf.read(io.StringIO(dxf({"PROFILE": contour(DISC, 1e-6), "BORE": blank.keyed}, {})))
+    drawing = ezdxf.read(io.StringIO(dxf({"PROFILE": contour(DISC, 1e-6), "BORE": blank.keyed_bore}, {})))
     assert not drawing.audit().errors
     (line,) = drawing.modelspace().query('LWPOLYLINE[layer=="BORE"]')
     assert line.closed and not drawing.modelspace().query("CIRCLE")
@@ -152,7 +152,7 @@ def test_the_keyway_of_the_drawing_is_that_of_the_solid(angle: float, tmp_path: 
 
 
 def test_a_bore_without_a_keyway_stays_a_circle() -> None:
-    assert Blank(12.0, bore=10.0).keyed == [] and Blank(12.0, key_width=6.0).keyed == []
+    assert Blank(12.0, bore=10.0).keyed_bore == [] and Blank(12.0, key_width=6.0).keyed_bore == []
 
 
 def test_bore_and_keyway() -> None:

@@ -42,7 +42,7 @@ class Blank:
         return math.pi * self.bore**2 + self.key_width * reach - (half * corner + sector)
 
     @property
-    def keyed(self) -> list[Element]:
+    def keyed_bore(self) -> list[Element]:
         """Bore and keyway as one closed contour (mm), counter-clockwise about the centre; empty without a keyway."""
         if not self.bore or not self.key_width:
             return []
@@ -84,8 +84,8 @@ def solid(elements: Sequence[Element], blank: Blank, outer: Sequence[Element] = 
     if blank.hub and blank.height:
         made += b.Pos(0, 0, high) * b.extrude(b.Circle(blank.hub), amount=blank.height)
         high += blank.height
-    if blank.keyed:
-        made -= plate(blank.keyed, high)
+    if blank.keyed_bore:
+        made -= plate(blank.keyed_bore, high)
     elif blank.bore:
         made -= b.extrude(b.Circle(blank.bore), amount=high)
     return made

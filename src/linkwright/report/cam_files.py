@@ -74,9 +74,9 @@ def cam_dxf(outcome: CamOutcome) -> str | None:
         return None
     blank = outcome.stated.blank
     circles: dict[str, list[Circle]] = {}
-    keyed: dict[str, Sequence[Element]] = {}
-    if blank is not None and blank.keyed:
-        keyed["BORE"] = blank.keyed
+    bores: dict[str, Sequence[Element]] = {}
+    if blank is not None and blank.keyed_bore:
+        bores["BORE"] = blank.keyed_bore
     elif blank is not None and blank.bore:
         circles["BORE"] = [(0.0, 0.0, blank.bore)]
     if blank is not None and blank.hub:
@@ -89,7 +89,7 @@ def cam_dxf(outcome: CamOutcome) -> str | None:
         own = {"SECOND" if plate.second else "PROFILE": plate.contour} | ({"FLANK": plate.flank} if plate.flank else {})
         layers |= own
         curves |= zip(own, plate.splines, strict=False)
-    return dxf(layers | keyed, circles) if outcome.options.drawing == "arcs" else dxf(keyed, circles, curves)
+    return dxf(layers | bores, circles) if outcome.options.drawing == "arcs" else dxf(bores, circles, curves)
 
 
 def cam_step(outcome: CamOutcome, plate: Plate) -> bytes | None:
