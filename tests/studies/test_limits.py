@@ -589,7 +589,7 @@ def test_a_motion_that_stops_is_a_warning_here() -> None:
         ({"signals": ["B.x + rocker.angle"]}, "expression.units-mixed"),
         ({"signals": ["B.x +"]}, "expression.syntax"),
         ({"samples": 3}, "study.options"),
-        ({"sample": 300}, "study.options"),
+        ({"sample": 300}, "file.unknown-key"),
     ],
 )
 def test_wrong_options(options: dict[str, Any], code: str) -> None:

@@ -40,7 +40,7 @@ def _of_class(finding: Finding) -> Finding:
     return replace(finding, code="tolerance.unknown-class", data=data)
 
 
-VECTORS = {"force": 2, "com": 1, "pole": 2}
+_VECTORS = {"force": 2, "com": 1, "pole": 2}
 """Signals that are asked for as a call, with the fewest elements that they take."""
 
 
@@ -107,7 +107,7 @@ class Names:
 
     def _meant(self, call: Call) -> Term:
         """What a call of elements may mean: a signal of the one, or the x and y of a vector of several."""
-        if len(call.args) >= VECTORS.get(call.name, len(call.args) + 1):
+        if len(call.args) >= _VECTORS.get(call.name, len(call.args) + 1):
             return proposed([f"{signal_text(call)}.{attribute}" for attribute in "xy"])
         owner = signal_text(call.args[0]) if isinstance(call.args[0], Name | Call) else ""
         likely = likeliest(call.name, [*self.signals.attributes(owner)[1]]) if len(call.args) == 1 else []

@@ -22,24 +22,7 @@ WIDE = {code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)} | {
 _SIGNS = str.maketrans({"÷": "/", "√": "sqrt", "π": "pi", "∙": "*", "•": "*", "–": "-"})
 _RAISED = str.maketrans("⁻¹²³", "-123")
 _LONGEST = 100
-_SIGNALS = [
-    "x",
-    "y",
-    "vx",
-    "vy",
-    "ax",
-    "ay",
-    "angle",
-    "omega",
-    "alpha",
-    "jerk",
-    "s",
-    "v",
-    "a",
-    "torque",
-    "force",
-    "power",
-]
+_SIGNALS = "x|y|vx|vy|ax|ay|angle|omega|alpha|jerk|s|v|a|torque|force|power"
 
 
 def respelled(text: str, known: Collection[str] = ()) -> tuple[Term, Term] | None:
@@ -89,16 +72,6 @@ def _stray(text: str, known: Collection[str]) -> str:
     """Without what programs and sentences put around an expression: = before it, a comment, a mark behind it."""
     plain = re.sub(r"\$|\{(?=\w+\})|(?<=\w)\}", "", text)
     return re.sub(r"\s*(?://.*|#.*|[;,.])\s*$", "", re.sub(r"^\s*=+\s*", "", plain))
-
-
-def _sense(text: str, known: Collection[str]) -> str:
-    """A speed with the sense of rotation as its sign."""
-    return re.sub(r"^\s*(\d.*?)\s+(?i:clockwise|cw|顺时针)\s*$", r"-\1", text)
-
-
-def _dot(text: str, known: Collection[str]) -> str:
-    """A signal of an element whose name stands before it."""
-    return re.sub(rf"^\s*([^\W\d]\w*)\s+({'|'.join(_SIGNALS)})\s*$", r"\1.\2", text)
 
 
 def _comma(text: str, known: Collection[str]) -> str:
@@ -165,6 +138,16 @@ def _factor(text: str, known: Collection[str]) -> str:
         parts += ["*" if of_number or of_bracket else text[at:start], text[start:end]]
         at, before = end, (kind, value)
     return "".join(parts) + text[at:]
+
+
+def _dot(text: str, known: Collection[str]) -> str:
+    """A signal of an element whose name stands before it."""
+    return re.sub(rf"^\s*([^\W\d]\w*)\s+({_SIGNALS})\s*$", r"\1.\2", text)
+
+
+def _sense(text: str, known: Collection[str]) -> str:
+    """A speed with the sense of rotation as its sign."""
+    return re.sub(r"^\s*(\d.*?)\s+(?i:clockwise|cw|顺时针)\s*$", r"-\1", text)
 
 
 _RULES: dict[str, Callable[[str, Collection[str]], str]] = {

@@ -12,9 +12,9 @@ from collections.abc import Callable, Iterable
 from linkwright.model.findings import Finding, Term
 from linkwright.model.respelled import WIDE
 
-ROUNDS = 20
+ROUNDS = 6
 """How often a text is rewritten: YAML gives up at its first fault, and then only that line is known."""
-LONGEST = 100_000
+LONGEST = 50_000
 """Longer texts are read once."""
 AROUND = 24
 """So much of a line is shown around what is rewritten."""

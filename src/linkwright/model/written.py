@@ -217,7 +217,7 @@ class Written:
         """A fault: something else is wanted, with what is meant where it is in another spelling."""
         given = str(raw).strip() if isinstance(raw, str | int | float) and not isinstance(raw, bool) else ""
         for pattern, meant in self.spellings.items():
-            if match := re.fullmatch(pattern, given[:MAX_NAME]):
+            if len(given) <= MAX_NAME and (match := re.fullmatch(pattern, given)):
                 text = match.expand(meant)
                 return unexpected(wanted, raw, Term("write-bare" if text.startswith("[") else "write", text=text))
         return unexpected(wanted, raw)
