@@ -58,6 +58,8 @@ def test_the_index_links_to_every_file_and_nothing_else(tmp_path: Path) -> None:
     assert links == {path.name for path in (tmp_path / "out").iterdir()} - {"index.html", "linkwright-manifest.json"}
     assert "左铰链" in page
     assert "<script" not in page
+    heads = re.findall(r"<th>(.*?)</th>", page)
+    assert re.findall(r'data-head="(.*?)"', page)[: len(heads)] == heads  # what narrow screens show instead
 
 
 def test_units_in_the_heads_and_models_of_ones_own(tmp_path: Path) -> None:

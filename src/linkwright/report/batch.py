@@ -33,7 +33,7 @@ def batch_page(file: str, target: str, heads: Sequence[str], rows: Sequence[Batc
         say("batch.page.name"), say("batch.page.model"), *heads, say("batch.page.result"), say("batch.page.files"),
     ]  # fmt: skip
     head = "".join(f"<th>{escape(column)}</th>" for column in columns)
-    body = "".join(_row(row) for row in rows)
+    body = "".join(_row(row, columns) for row in rows)
     footer = say("batch.page.footer", version=linkwright.__version__, file=file, sha256=origin.short, date=origin.date)
     return f"""<!DOCTYPE html>
 <html lang="{LANGUAGE}">
@@ -58,19 +58,22 @@ def batch_page(file: str, target: str, heads: Sequence[str], rows: Sequence[Batc
 """
 
 
-def _row(row: BatchRow) -> str:
+def _row(row: BatchRow, columns: Sequence[str]) -> str:
+    """A row; each cell has its column's head besides, which narrow screens show instead of the line of heads."""
     names = [*row.exported.files]
     page = next((name for name in names if name.endswith(".html")), None)
     name = escape(row.name) if page is None else _link(row, page, row.name)
     told = [*row.exported.sentences, *(f"{warning.what} {warning.mend}" for warning in row.exported.warnings)]
+    links = "<br>".join(_link(row, file, file) for file in names)
     cells = [
-        f"<td>{name}</td>",
-        f"<td>{escape(row.model)}</td>",
-        *(f'<td class="figure">{escape(cell)}</td>' for cell in row.cells),
-        f"<td>{'<br>'.join(map(escape, told))}</td>",
-        f"<td>{'<br>'.join(_link(row, file, file) for file in names)}</td>",
+        name,
+        escape(row.model),
+        *(f'<span class="figure">{escape(cell)}</span>' for cell in row.cells),
+        "<br>".join(map(escape, told)),
+        links,
     ]
-    return f"<tr>{''.join(cells)}</tr>"
+    shown = (f'<td data-head="{escape(head)}">{cell}</td>' for head, cell in zip(columns, cells, strict=True))
+    return f"<tr>{''.join(shown)}</tr>"
 
 
 def _link(row: BatchRow, file: str, text: str) -> str:
