@@ -50,3 +50,12 @@ def test_it_writes_or_refuses(name: str, to: str) -> None:
     for text in (content for content in first.files.values() if isinstance(content, str)):
         assert not re.search(r"\b(nan|inf)\b", text, re.IGNORECASE)
     assert exported(EXAMPLES / f"{name}.yaml", to)[1] == first
+
+
+@pytest.mark.parametrize("to", TARGETS)
+def test_no_warnings_where_the_range_ends_at_dead_centres(tmp_path: Path, to: str) -> None:
+    """Rates are infinite where the joint functions' range ends; a RuntimeWarning of NumPy fails the test."""
+    text = (EXAMPLES / "sketched_six_bar.yaml").read_text(encoding="utf-8").replace("D: [130, 0]", "D: [143, 0]")
+    (tmp_path / "model.yaml").write_text(text.replace("60 rpm", "0.06 rpm"), encoding="utf-8")
+    examined, _ = exported(tmp_path / "model.yaml", to)
+    assert {finding.code for finding in examined.findings} <= {"motion.cannot-assemble"}

@@ -6,6 +6,9 @@ import time
 
 import pytest
 
+from linkwright.model import yaml_text
+from linkwright.model.document import read_document
+from linkwright.model.findings import Finding
 from linkwright.model.yaml_text import MAX_BYTES, read_text
 from model.given import changed, codes, findings
 
@@ -185,3 +188,17 @@ def test_a_bracket_that_is_never_closed_is_a_fault_of_the_expression() -> None:
 def test_faults_of_the_text_and_of_the_form_are_told_together() -> None:
     text = changed(("AB: 155", "AB: &x 155"), ("mass: 0.6", "mass: true"), ("DE: 500", "AB: 500"))
     assert sorted(codes(text)) == ["file.alias", "file.duplicate", "file.expected"]
+
+
+def test_long_lists_and_very_many_faults_are_read_in_linear_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a fault may mean is sought for some of them alone; brackets are counted once, and no farther than an
+    expression goes."""
+    calls: list[object] = []
+    monkeypatch.setattr("linkwright.model.faults._finding", lambda *given: calls.append(given) or Finding("a.b"))
+    read_document(b"linkwright: 1\n" + b"".join(b"key%d: 1\n" % i for i in range(700)))
+    assert len(calls) == 500
+    counted: list[str] = []
+    opened = yaml_text._opened
+    monkeypatch.setattr(yaml_text, "_opened", lambda text: counted.append(text) or opened(text))
+    read_text(b"a: [(1" + b",1" * 3000 + b"]")
+    assert len(counted) < 3 * 3000

@@ -117,9 +117,11 @@ def test_constant_speed_and_windows() -> None:
         late={"dwell": "motor.angle", "within": "36 deg", "window": "late"},
         quarter={"dwell": "2*B.y", "within": "50 mm", "window": "quarter", "unit": "ms"},
         still={"dwell": "C.y", "within": "1 um"},
+        constant={"dwell": 0.5, "within": "1 um"},
     )
     assert found["turn"].shown() == near(0.1)
     assert found["late"].shown() == near(0.02)
     assert found["quarter"].shown() == near(1000 * math.acos(0.5) / (2 * math.pi))
     assert found["quarter"].found[0].time == near(1 / 12)
     assert found["still"].shown() == near(1.0)
+    assert found["constant"].shown() == near(1.0)

@@ -22,6 +22,7 @@ from linkwright.kernels import examine
 from linkwright.model.csv_file import CsvFile, finite, read_csv
 from linkwright.model.document import read_document, replaced
 from linkwright.model.findings import Finding, ModelError
+from linkwright.model.input_files import read_at_most
 from linkwright.model.mechanism import Document
 from linkwright.model.origin import Origin, hashed
 from linkwright.model.plane import in_plane
@@ -228,7 +229,7 @@ def export_batch(
     failures = [failure for row in done for failure in row.exported.failures]
     warnings = [warning for row in done for warning in row.exported.warnings]
     models = {base.name: hashed(base.content) for base in batch.bases.values()}
-    origin, kind = Origin(path.name, hashed(path.read_bytes()), models), f"export {to}"
+    origin, kind = Origin(path.name, hashed(read_at_most(path)), models), f"export {to}"
     if failures or examined.exit_code:
         job = ExportJob(examined, to, Exported(failures=failures, warnings=warnings))
         job.outdated = outdate(folder, origin, kind)

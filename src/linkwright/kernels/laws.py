@@ -21,7 +21,7 @@ from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, nodes
 from linkwright.model.findings import Finding, ModelError
 from linkwright.model.mechanism import Table
-from linkwright.model.quantities import Quantities, column_unit
+from linkwright.model.quantities import LARGEST, Quantities, column_unit
 from linkwright.notation import MAX_ORDER, Jet
 
 ORDER = MAX_ORDER + 1
@@ -193,7 +193,7 @@ def constant_acceleration(start: float, speed: float, acceleration: float = 0.0)
 
 def _must_be_finite(drive: str, t: Array, jet: Jet) -> None:
     for k, row in enumerate(jet.d[:3]):
-        bad = ~np.isfinite(np.broadcast_to(np.asarray(row, dtype=float), t.shape))
+        bad = ~(np.abs(np.broadcast_to(np.asarray(row, dtype=float), t.shape)) < LARGEST)
         if bad.any():
             data = {"drive": drive, "time": float(t[bad][0]), "what": ("value", "speed", "acceleration")[k]}
             raise ModelError([Finding("drive.not-finite", ("drives", drive, "position"), data)])
@@ -205,7 +205,7 @@ def read_table(quantities: Quantities, name: str, folder: Path | None) -> Stated
     path, file = ("tables", name), None
     if table.points is not None:
         rows = [[quantities.value(value, None) for value in point] for point in table.points]
-        argument = quantities.dimensions.dimension(table.points[0][0].node)
+        argument = quantities.dimensions.dimension(table.points[0][0].node) if table.points else u.PURE
     else:
         file, rows, argument = _file_rows(table, name, folder)
     points = np.array(rows, dtype=float).reshape(-1, 2)
@@ -229,7 +229,10 @@ def read_table(quantities: Quantities, name: str, folder: Path | None) -> Stated
     if whole:
         points[-1, 1] = points[0, 1]
     values = stated_values(quantities, table)
-    return StatedTable(points[:, 0], points[:, 1], degree, period, values, quantities.parameters)
+    try:
+        return StatedTable(points[:, 0], points[:, 1], degree, period, values, quantities.parameters)
+    except np.linalg.LinAlgError:
+        raise ModelError([Finding("table.uneven", path, {})]) from None
 
 
 def _file_rows(table: Table, name: str, folder: Path | None) -> tuple[CsvFile, list[list[float]], u.Dimension]:

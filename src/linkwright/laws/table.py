@@ -30,7 +30,8 @@ class TableLaw:
     """An interpolant through points (x, y) with ascending x, exact with its derivatives.
 
     ``period`` closes it (the first y is repeated one period on); outside the range of an open table
-    :class:`OutsideTable` is raised. The spline has ``degree - 1`` continuous derivatives.
+    :class:`OutsideTable` is raised. The spline has ``degree - 1`` continuous derivatives. Raises LinAlgError where
+    points lie so close together that none goes through them.
     """
 
     x: Array
@@ -46,7 +47,10 @@ class TableLaw:
         if self.period is not None and not np.isclose(x[-1] - x[0], self.period, rtol=1e-12):
             x, y = np.append(x, x[0] + self.period), np.append(y, y[0])
         periodic = "periodic" if self.period is not None and self.degree > 1 else None
-        object.__setattr__(self, "_spline", make_interp_spline(x, y, k=self.degree, bc_type=periodic))
+        spline = make_interp_spline(x, y, k=self.degree, bc_type=periodic)
+        if not np.isfinite(spline.c).all():
+            raise np.linalg.LinAlgError
+        object.__setattr__(self, "_spline", spline)
 
     def __call__(self, x: Jet) -> Jet:
         """The value with its time derivatives, from those of the argument."""

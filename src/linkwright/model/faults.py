@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from itertools import islice
 from typing import Any
 
 from linkwright.model.absent import SAYS_KIND, absent
@@ -13,18 +14,22 @@ from linkwright.model.known_keys import keys_at
 from linkwright.model.mechanism import Document
 from linkwright.model.unknown import likeliest, near
 from linkwright.model.written import describe
-from linkwright.model.yaml_text import Path, Source
+from linkwright.model.yaml_text import MAX_FINDINGS, Path, Source
 
 _WANTED = {
     "dict_type": "mapping", "model_type": "mapping", "model_attributes_type": "mapping",
     "string_type": "text", "tuple_type": "list", "list_type": "list",
 }  # fmt: skip
 
+MOST = 10 * MAX_FINDINGS
+"""More faults than these aren't looked at: each is compared with all that it may mean."""
+
 
 def findings_of(faults: Iterable[Any], source: Source) -> list[Finding]:
-    """Pydantic's errors as findings with lines; what the reader of the text has named already is left out."""
+    """Pydantic's errors as findings with lines, of very many the first ones; what the reader of the text has named
+    already is left out."""
     found: dict[tuple[Any, ...], Finding] = {}
-    for fault in faults:
+    for fault in islice(faults, MOST):
         finding = _finding(fault, source.data)
         if not any(_nested(finding.path, bad) for bad in source.spoilt):
             line = source.line(finding.path)

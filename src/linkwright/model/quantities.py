@@ -51,9 +51,11 @@ class Quantities:
         self.open_uses: list[Place] = []
         self._own = {id(place.expression) for place in self.places}
         self._bound: dict[tuple[str, Dimension | None], Node] = {}
-        # Cells of tables are bound alike whoever asks: a bare 0 alone doesn't tell its dimension.
+        # Cells of tables and widths of bands are bound alike whoever asks: a bare 0 beside them tells no dimension.
         self._cells: dict[int, Wanted] = {
-            id(place.expression): place.wanted for place in self.places if place.path[0] == "tables"
+            id(place.expression): place.wanted
+            for place in self.places
+            if place.path[0] == "tables" or place.path[-1] == "within"
         }
         self.parameters: dict[str, float] = {}
         if not self.findings:

@@ -11,7 +11,7 @@ from typing import Any
 
 from linkwright.model.encodings import likely_encoding
 from linkwright.model.findings import Finding, Term
-from linkwright.model.written import NO_TEXT
+from linkwright.model.written import MAX_TEXT, NO_TEXT
 
 MAX_BYTES = 1_000_000
 MAX_DEPTH = 24
@@ -228,21 +228,25 @@ class _Builder:
     def rejoined(self, entries: list[_Entry], path: Path) -> list[_Entry]:
         """Put together again what YAML splits at the commas inside an expression's brackets, with a finding."""
         found: list[_Entry] = []
-        at = 0
+        at, spaced = 0, any(b.start > a.end + 1 for a, b in pairwise(entries))
         while at < len(entries):
-            entry, text, end = entries[at], entries[at].plain or "", at + 1
-            while _opens(text) and end < len(entries):
+            entry, end = entries[at], at + 1
+            parts = [entry.plain or ""]
+            opened, room = _opened(parts[0]), MAX_TEXT
+            while opened > 0 and room > 0 and end < len(entries):
                 part = entries[end].plain if not entry.key else entries[end].key
                 if part is None or (entry.key and entries[end].plain != ""):
                     break
-                text, end = f"{text}, {part}", end + 1
-            if (comma := _decimal(entries, at)) is not None:
+                parts.append(part)
+                opened, room, end = opened + _opened(part), room - len(part) - 1, end + 1
+            if (comma := _decimal(entries, at, spaced)) is not None:
                 text, after = f"{entry.plain},{comma}", entries[at + 1]
                 given = text.replace(",", ".")
                 self.note("file.decimal-comma", entry.line, (*path, entry.key or len(found)), text=text, meant=given)
                 entry.value, at = scalar(given), at + 2
                 entry.end = after.end
-            elif end > at + 1 and not _opens(text):
+            elif end > at + 1 and opened <= 0:
+                text = ", ".join(parts)
                 entry.value, at = text, end
                 self.note("file.comma", entry.line, (*path, entry.key or len(found)), text=text[:80])
             else:
@@ -251,16 +255,15 @@ class _Builder:
         return found
 
 
-def _decimal(entries: list[_Entry], at: int) -> str | None:
+def _decimal(entries: list[_Entry], at: int, spaced: bool) -> str | None:
     """What follows the comma of a number that YAML splits there: digits right behind it, of a list where other commas
-    have a space; in a mapping, a key without a value."""
+    are ``spaced``; in a mapping, a key without a value."""
     if at + 1 >= len(entries) or not _INT.fullmatch(entries[at].plain or ""):
         return None
     entry, after = entries[at], entries[at + 1]
     close = after.start == entry.end + 1
     if entry.key:
         return after.key if close and after.plain == "" and _DECIMALS.fullmatch(after.key) else None
-    spaced = any(b.start > a.end + 1 for a, b in pairwise(entries))
     return after.plain if close and spaced and _DECIMALS.fullmatch(after.plain or "") else None
 
 
@@ -279,5 +282,6 @@ def _is_plain(event: Any) -> bool:
     return type(event).__name__ == "ScalarEvent" and event.style not in ("'", '"', "|", ">")
 
 
-def _opens(text: str) -> bool:
-    return text.count("(") > text.count(")")
+def _opened(text: str) -> int:
+    """How many more brackets it opens than it closes."""
+    return text.count("(") - text.count(")")

@@ -132,7 +132,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Shorten it; give parts of a long expression as parameters.",
     ),
     "file.more": (
-        "There are {count} more findings.",
+        "There are {count} more findings at least.",
         "Mend the ones above first; many of the rest may follow from them.",
     ),
     "file.missing": (
@@ -636,7 +636,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Write between: cubic or between: quintic in the table.",
     ),
     "drive.not-finite": (
-        "The {what} of the drive {drive} has no finite value at t = {time:.6g} s.",
+        "The {what} of the drive {drive} has no finite value below 1e40 at t = {time:.6g} s.",
         "Check its position for a division by zero, a root of a negative number, or a root at zero.",
     ),
     "drive.outside-table": (
@@ -782,6 +782,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "table.order": (
         "The argument doesn't ascend at point {row}.",
         "Sort the points, and give each argument once.",
+    ),
+    "table.uneven": (
+        "Some points lie so close together, measured by the others, that no smooth curve goes through them.",
+        "Leave out what is closest, or write between: linear.",
     ),
     "table.period": (
         "The points span more than one period.",
