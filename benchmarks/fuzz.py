@@ -62,7 +62,7 @@ class Counts:
             "performed": dict(self.performed),
             "failed": dict(self.failed),
             "failures": self.failures,
-            "codes": len([code for code in self.codes if "." in code]),
+            "codes": sorted(code for code in self.codes if "." in code),
             "slowest": {"kind": self.slowest.kind, "seconds": round(self.slowest.seconds, 1)},
             "largest": {"kind": self.largest.kind, "mebibytes": round(self.largest.mebibytes)},
         }

@@ -26,6 +26,8 @@ from linkwright.studies import STUDIES
 
 EXAMPLES = Path(__file__).resolve().parent.parent / "examples"
 MODEL, OUT = "model.yaml", "out"
+BATCHED = "bonnet_hinge"
+"""The example whose mechanism the batch of examples/ has."""
 SAMPLES = 12
 CHORD = 1e-2
 """Options that make studies short, where the case isn't about them."""
@@ -106,6 +108,12 @@ def having(section: str, entry: str) -> tuple[str, ...]:
 def beside() -> dict[str, bytes]:
     """The tables that examples name."""
     return {path.name: path.read_bytes() for path in sorted(EXAMPLES.glob("*.csv"))}
+
+
+@functools.cache
+def with_tables() -> tuple[str, ...]:
+    """The models that name one."""
+    return tuple(name for name in texts() if any(table in json.dumps(_read(name), default=str) for table in beside()))
 
 
 def folder(model: str | Data, **more: bytes) -> dict[str, bytes]:
@@ -199,8 +207,7 @@ def options(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
 @register(100)
 def tables(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
     """content of CSV files: cells, separators, heads, encodings, bytes."""
-    name = random_.choice([name for name in texts() if any(table in texts()[name] for table in beside())])
-    data = brief(data_of(name))
+    data = brief(data_of(random_.choice(with_tables())))
     files = folder(data)
     (table,) = files.keys() - {MODEL}
     files[table] = _table(random_, files[table].decode())
@@ -216,6 +223,16 @@ def drawings(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
     del wanted["file"], wanted["between"]
     drawn = _drawing(random_)
     return folder(data, **{"path.dxf": drawn}), CHECK if random_.random() < 0.95 else performing("run")
+
+
+@register(10)
+def batches(random_: random.Random) -> tuple[dict[str, bytes], list[str]]:
+    """content of the CSV file of a batch of exports."""
+    rows = beside()["hinges.csv"].decode()
+    base = texts()[BATCHED].encode()
+    target = random_.choice(("process-simulate", "process-simulate", *TARGETS))
+    files = {"batch.csv": _table(random_, rows), MODEL: base, f"{BATCHED}.yaml": base}
+    return files, ["export", "batch.csv", "--to", target, "--out", OUT, "--json"]
 
 
 # Of studies that take long, and of exports.

@@ -24,14 +24,14 @@ import sys
 import tempfile
 import traceback
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
-from fuzz_cases import MODEL, OUT, Case
+from fuzz_cases import OUT, Case
 from patience import limited
 
 from linkwright.words import catalogue
@@ -81,7 +81,8 @@ def judge(case: Case) -> Verdict:
         verdict.faults.append(f"memory: {verdict.mebibytes:.0f} MiB")
     if not done.faults:
         verdict.came = tuple(_findings(done, case, verdict.faults))
-        verdict.faults += [fault for name, content in done.files.items() for fault in unsound(name, content)]
+        given = b" ".join(case.files.values())
+        verdict.faults += [fault for name, content in done.files.items() for fault in unsound(name, content, given)]
     if not verdict.faults and case.seed % TWICE == 0:
         verdict.faults += _differences(done, performed(case))
     return verdict
@@ -212,14 +213,15 @@ def _findings(done: Performed, case: Case, faults: list[str]) -> list[str]:
         faults.append("exit code 0 with an error")
     if told.get("ok") and not told.get("structure"):
         faults.append("accepts what it doesn't describe")
-    given = case.files[MODEL].decode("utf-8", "replace") + " ".join(case.words)
+    given = b"\n".join(case.files.values()).decode("utf-8", "replace") + " ".join(case.words)
     for item in found:
-        faults.extend(gaps(item, given))
+        faults.extend(gaps(item, given, [*case.files]))
     return [item["code"] for item in found] or ["nothing found"]
 
 
-def gaps(item: dict[str, Any], given: str = "") -> Iterator[str]:
-    """What a finding, as JSON has it, lacks; ``given`` is the file, whose words may be cited."""
+def gaps(item: dict[str, Any], given: str = "", files: Iterable[str] = ()) -> Iterator[str]:
+    """What a finding, as JSON has it, lacks; ``given`` is the input, whose words may be cited; one of ``files`` that it
+    names is a place."""
     code = item["code"]
     if f"{code}.what" not in catalogue() or f"{code}.mend" not in catalogue():
         yield f"{code} isn't in the catalogue"
@@ -228,7 +230,8 @@ def gaps(item: dict[str, Any], given: str = "") -> Iterator[str]:
         gap = GAP.search(text)
         if not (item[key] or "").strip() or (gap is not None and gap.group() not in given):
             yield f"{code} says: {item[key]!r:.200}"
-    if item["line"] is None and not item["element"] and not code.startswith(PLACELESS):
+    placed = item["line"] is not None or item["element"] or any(name in item["what"] for name in files)
+    if not placed and not code.startswith(PLACELESS):
         yield f"{code} has neither line nor element"
 
 
@@ -243,8 +246,8 @@ def _json(text: str) -> Any:
         return None
 
 
-def unsound(name: str, content: bytes) -> Iterator[str]:
-    """What is wrong with a written file."""
+def unsound(name: str, content: bytes, given: bytes = b"") -> Iterator[str]:
+    """What is wrong with a written file; ``given`` is the input, whose names may be nan and inf."""
     base, suffix = Path(name).name, Path(name).suffix
     if base.startswith(".") and base != ".linkwright.lock":
         yield f"{name} is left aside"
@@ -267,8 +270,10 @@ def unsound(name: str, content: bytes) -> Iterator[str]:
         yield f"{name} ends early"
     elif suffix == ".dxf" and (not content.rstrip().endswith(b"EOF") or re.search(rb"\n\s*-?(nan|inf)\b", content)):
         yield f"{name} isn't whole, or has numbers that aren't"
-    elif suffix in (".ngc", ".nc", ".mpf", ".txt", ".cs") and re.search(rb"[=\sXYZIJKF](nan|inf)\b", content):
-        yield f"{name} has numbers that aren't"
+    elif suffix in (".ngc", ".nc", ".mpf", ".txt", ".cs"):
+        found = re.search(rb"[=\sXYZIJKF](nan|inf)\b", content)
+        if found is not None and found.group(1) not in given:
+            yield f"{name} has numbers that aren't"
 
 
 def _unsound_table(name: str, text: str) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""The page docs/validation/robustness.md: ``python benchmarks/robustness.py [--counts FILE] [--plants FILE]``.
+"""The page docs/validation/robustness.md: ``python benchmarks/robustness.py [--counts FILE ...] [--plants FILE]``.
 
 The tables between its marks are made from docs/validation/robustness.json, which holds what was measured:
 
@@ -6,8 +6,8 @@ The tables between its marks are made from docs/validation/robustness.json, whic
     python benchmarks/fuzz.py --plants --save plants.json
     python benchmarks/robustness.py --counts counts.json --plants plants.json
 
-Cases that failed are tried once more: those whose fault has been mended since are counted as such. Without options the
-tables are made anew from what is there.
+Several files of counts, of other seeds or classes, are added up. Cases that failed are tried once more: those whose
+fault has been mended since are counted as such. Without options the tables are made anew from what is there.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from __future__ import annotations
 import argparse
 import json
 import re
+from collections import Counter
 from pathlib import Path
 from typing import Any
 
@@ -43,9 +44,9 @@ def limits_text(counts: dict[str, Any]) -> str:
     slow, wide = counts["slowest"], counts["largest"]
     return (
         f"When they were first tried, {counts['mended']} of them failed; these faults have been mended, each with a\n"
-        f"test, and their cases tried again. {counts['codes']} different findings came of all cases. The slowest took\n"
-        f"{slow['seconds']:g} s of processor time ({slow['kind']}), the largest {wide['mebibytes']} MiB more than its\n"
-        f"process had ({wide['kind']}).\n"
+        f"test, and their cases tried again. {len(counts['codes'])} different findings came of all cases.\n"
+        f"The slowest took {slow['seconds']:g} s of processor time ({slow['kind']}), the largest\n"
+        f"{wide['mebibytes']} MiB more than its process had ({wide['kind']}).\n"
     )
 
 
@@ -54,6 +55,24 @@ def plants_table(found: dict[str, int]) -> str:
     lines = ["| planted fault | class | found in case |", "|---|---|---|"]
     lines += [f"| {plant.about} | {plant.kind} | {found.get(name) or 'not found'} |" for name, plant in PLANTS.items()]
     return "\n".join(lines) + "\n"
+
+
+def read(file: Path) -> Any:
+    """What a file of JSON holds."""
+    return json.loads(file.read_text(encoding="utf-8"))
+
+
+def added(runs: list[dict[str, Any]]) -> dict[str, Any]:
+    """The counts of several runs as those of one."""
+    sums = {
+        name: dict(sum((Counter(run[name]) for run in runs), Counter())) for name in ("cases", "performed", "failed")
+    }
+    worst = {
+        name: max((run[name] for run in runs), key=lambda one, key=key: one[key])
+        for name, key in (("slowest", "seconds"), ("largest", "mebibytes"))
+    }
+    failures = [failure for run in runs for failure in run["failures"]]
+    return {**sums, **worst, "failures": failures, "codes": sorted({code for run in runs for code in run["codes"]})}
 
 
 def tried_again(counts: dict[str, Any]) -> dict[str, Any]:
@@ -81,16 +100,15 @@ def page(text: str, measured: dict[str, Any]) -> str:
 def main() -> None:
     """Take what was measured, write the page."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--counts", type=Path, metavar="FILE", help="what fuzz.py --save wrote")
+    parser.add_argument("--counts", type=Path, nargs="+", metavar="FILE", help="what fuzz.py --save wrote")
     parser.add_argument("--plants", type=Path, metavar="FILE", help="what fuzz.py --plants --save wrote")
     asked = parser.parse_args()
-    measured = json.loads(MEASURED.read_text(encoding="utf-8")) if MEASURED.exists() else {}
-    for name in ("counts", "plants"):
-        if (file := getattr(asked, name)) is not None:
-            measured[name] = json.loads(file.read_text(encoding="utf-8"))
+    measured = read(MEASURED) if MEASURED.exists() else {}
+    if asked.plants:
+        measured["plants"] = read(asked.plants)
     if asked.counts:
         imported()
-        measured["counts"] = tried_again(measured["counts"])
+        measured["counts"] = tried_again(added([read(file) for file in asked.counts]))
     MEASURED.write_text(json.dumps(measured, indent=2) + "\n", encoding="utf-8")
     PAGE.write_text(page(PAGE.read_text(encoding="utf-8"), measured), encoding="utf-8")
 

@@ -126,6 +126,10 @@ def test_files_that_are_not_sound(name: str, content: bytes, fault: str) -> None
     assert fault in found[0] if fault else found == []
 
 
+def test_names_of_the_input_are_no_numbers() -> None:
+    assert list(unsound("a.txt", b"# inf", b"name: inf")) == []
+
+
 def test_the_script(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     failing = [Verdict("text", 4, 2, ("file.yaml",), ["raised"]), Verdict("tree", 5, 0, ("nothing found",))]
     monkeypatch.setattr(script, "judged", lambda tasks, jobs: iter(failing))
