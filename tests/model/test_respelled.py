@@ -49,6 +49,9 @@ SPELLINGS = {
     "|C.vx|": "abs(C.vx)",
     "motor torque": "motor.torque",
     "0.4kgs": "0.4 kg",
+    "120 mmm": "120 mm",
+    "2rod": "2*rod",
+    "2arm": "2*arm",
     "60 rpm clockwise": "-60 rpm",
 }
 

@@ -12,7 +12,8 @@ from collections.abc import Callable, Collection
 from linkwright.model.findings import Term
 from linkwright.model.parser import ExpressionError, parse, tokens
 from linkwright.model.synonyms import unit_meant
-from linkwright.model.units import is_unit
+from linkwright.model.units import is_unit, unit_words
+from linkwright.model.unknown import alike
 from linkwright.model.written import Fault
 
 WIDE = {code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)} | {
@@ -22,6 +23,8 @@ WIDE = {code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)} | {
 _SIGNS = str.maketrans({"÷": "/", "√": "sqrt", "π": "pi", "∙": "*", "•": "*", "–": "-"})
 _RAISED = str.maketrans("⁻¹²³", "-123")
 _LONGEST = 100
+ALIKE_UNIT = 0.75
+"""How much of a word and a unit must agree: 'rod' and 'rad' are two words."""
 _SIGNALS = "x|y|vx|vy|ax|ay|angle|omega|alpha|jerk|s|v|a|torque|force|power"
 
 
@@ -112,7 +115,7 @@ def _units(text: str, known: Collection[str]) -> str:
     parts, at, may = [], 0, False
     for kind, value, start, end in tokens(text):
         foreign = kind == "word" and may and value not in known and not is_unit(value)
-        unit = unit_meant(value) or _with_power(value) if foreign else None
+        unit = unit_meant(value) or _with_power(value) or _misspelled(value) if foreign else None
         gap = text[at:start] or (" " if unit and text[start - 1 : start].isdigit() else "")
         parts += [gap, unit or text[start:end]]
         may = kind == "number" or (may and (unit is not None or is_unit(value) or value in ("*", "/", "^")))
@@ -127,6 +130,13 @@ def _with_power(word: str) -> str | None:
     """A unit and its power written as one word: s2."""
     unit, power = word[:-1], word[-1]
     return f"{unit}^{power}" if power in "23" and is_unit(unit) else None
+
+
+def _misspelled(word: str) -> str | None:
+    """A unit of which a word of letters is a misspelling."""
+    if len(word) < 3 or not word.isalpha():
+        return None
+    return next(iter(alike(word, [unit for unit in unit_words() if len(unit) > 1], ALIKE_UNIT)), None)
 
 
 def _factor(text: str, known: Collection[str]) -> str:

@@ -67,10 +67,11 @@ def _begins(name: str, other: str) -> bool:
     return len(short) > 2 and long.startswith(short)
 
 
-def alike(name: str, known: Sequence[str]) -> list[str]:
-    """The known names that are spelled much like one, the closest first; three at most."""
+def alike(name: str, known: Sequence[str], cutoff: float | None = None) -> list[str]:
+    """The known names that are spelled much like one, the closest first; three at most. ``cutoff`` is the share of both
+    that must agree."""
     own = plain(name)
-    cutoff = ALIKE_SHORT if 2 <= len(own) <= 3 else ALIKE
+    cutoff = cutoff or (ALIKE_SHORT if 2 <= len(own) <= 3 else ALIKE)
     words = [word for word in known if abs(len(word) - len(name)) <= 4][:200]
     ratios = {word: SequenceMatcher(None, own, plain(word)).ratio() for word in words}
     return sorted((word for word in ratios if ratios[word] >= cutoff), key=lambda word: -ratios[word])[:MOST]
