@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -43,11 +44,52 @@ try:
     main()
 except SystemExit:
     pass
-slow = ("numpy", "casadi", "scipy", "pint", "pydantic", "ruamel", "rich", "xarray", "matplotlib", "linkwright.model")
-print([name for name in slow if name in sys.modules], file=sys.stderr)
+slow = ("numpy", "casadi", "scipy", "pint", "pydantic", "ruamel", "rich", "xarray", "matplotlib")
+print([name for name in (*slow, "linkwright.model.mechanism") if name in sys.modules], file=sys.stderr)
 """
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, encoding="utf-8", timeout=60, check=True)
     assert result.stderr.splitlines()[-1] == "[]"
+
+
+# Nothing that a name holds reaches the terminal as anything but letters.
+
+ODD = "\x1b[31mred\x07\nerror: \u202e\x9b1m"
+UNSEEN = re.compile(r"[\x00-\x09\x0b-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069]")
+
+
+ASKED = {
+    "command": [ODD],
+    "file": ["check", ODD],
+    "option": ["check", f"--{ODD}"],
+    "number": ["bench", "x", "--poses", ODD],
+    "gallery": ["new", ODD],
+    "target": ["export", "{}", "--to", ODD],
+    "setting": ["export", "{}", "--to", "mjcf", "--set", ODD],
+    "folder": ["run", "{}", "--out", ODD],
+    "cluster": ["sweep", "{}", "--cluster", ODD],
+}
+
+
+@pytest.mark.parametrize("words", ASKED.values(), ids=ASKED)
+def test_arguments_are_quoted_as_letters(words: list[str], model: Path, tmp_path: Path) -> None:
+    result = run(*(word.format(model) for word in words), cwd=tmp_path)
+    assert result.returncode in (0, 2)
+    assert not UNSEEN.search(result.stdout + result.stderr)
+    assert "\nerror: " not in result.stdout + result.stderr
+
+
+@pytest.mark.skipif(os.name == "nt", reason="such names can't be")
+@pytest.mark.parametrize("name", [f"{ODD}.yaml".encode(), b"a\xff.yaml"])
+def test_files_of_any_name(name: bytes, model: Path, tmp_path: Path) -> None:
+    path = os.fsdecode(os.path.join(os.fsencode(tmp_path), name))  # noqa: PTH118
+    Path(path).write_text(SOUND, "utf-8")
+    result = run("run", path, "--csv-comments", cwd=tmp_path)
+    assert result.returncode == 0
+    assert not UNSEEN.search(result.stdout + result.stderr)
+    folder = Path(path).with_name(f"{Path(path).stem}_linkwright")
+    assert sorted(file.name for file in folder.iterdir()) == FILES
+    for file in folder.iterdir():
+        assert not UNSEEN.search(file.read_text("utf-8").split("<style>")[0].replace("\t", ""))
 
 
 def test_importing_the_package_loads_nothing_slow() -> None:

@@ -19,6 +19,7 @@ from linkwright.app.job import USUAL, Examined, Writing, read_file
 from linkwright.app.results_folder import outdate
 from linkwright.exports import TARGETS, Exported
 from linkwright.kernels import examine
+from linkwright.model import csv_text, escape
 from linkwright.model.csv_file import CsvFile, finite, read_csv
 from linkwright.model.document import read_document, replaced
 from linkwright.model.findings import Finding, ModelError
@@ -30,7 +31,6 @@ from linkwright.model.sampled import names_in
 from linkwright.model.sketch import with_sketch
 from linkwright.model.units import UnitError, unit
 from linkwright.model.unknown import near
-from linkwright.report import csv_text
 from linkwright.report.batch import BatchRow, batch_page
 from linkwright.words import say
 
@@ -229,7 +229,7 @@ def export_batch(
     failures = [failure for row in done for failure in row.exported.failures]
     warnings = [warning for row in done for warning in row.exported.warnings]
     models = {base.name: hashed(base.content) for base in batch.bases.values()}
-    origin, kind = Origin(path.name, hashed(read_at_most(path)), models), f"export {to}"
+    origin, kind = Origin(escape.line(path.name), hashed(read_at_most(path)), models), f"export {to}"
     if failures or examined.exit_code:
         job = ExportJob(examined, to, Exported(failures=failures, warnings=warnings))
         job.outdated = outdate(folder, origin, kind)

@@ -15,6 +15,7 @@ from linkwright.app.results_folder import ResultsFolder, outdate
 from linkwright.exports import Order, read_exports
 from linkwright.kernels import Compiled
 from linkwright.model.document import dump, located, read_document
+from linkwright.model.escape import json_text, line
 from linkwright.model.findings import Finding, ModelError, Term, raise_errors
 from linkwright.model.input_files import read_at_most, reason
 from linkwright.model.mechanism import Document
@@ -70,7 +71,7 @@ class Examined:
         if content is None:
             content = dump(self.document).encode() if self.document is not None else b""
         tables = table_hashes(self.document, self.folder) if self.document is not None else {}
-        return Origin(self.file.name if self.file is not None else None, hashed(content), tables)
+        return Origin(line(self.file.name) if self.file is not None else None, hashed(content), tables)
 
     def read_from(self, read: Examined) -> Examined:
         """The same, with the file that it was read from and the lines of its findings."""
@@ -358,7 +359,7 @@ def _write(job: Job, folder: ResultsFolder, how: Writing) -> None:
 
 def summary_text(data: dict[str, Any]) -> str:
     """The summary as JSON text."""
-    return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False)
+    return json_text(json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False))
 
 
 def check(model: str | Path | Document, folder: str | Path | None = None) -> list[Finding]:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from linkwright import __version__
-from linkwright.cli.streams import failed, interrupted, prepare, read_or_not
+from linkwright.cli.streams import failed, interrupted, misused, prepare, read_or_not
 from linkwright.cli.usage import Group
 from linkwright.words import say
 
@@ -381,8 +381,7 @@ def _performed() -> Any:
     except click.exceptions.Exit as done:
         return done.exit_code
     except click.ClickException as error:
-        error.show()
-        return 2
+        return misused(error)
     except KeyboardInterrupt as stop:
         return interrupted(stop)
     return 0

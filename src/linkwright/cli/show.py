@@ -13,10 +13,12 @@ import click
 from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
+from rich.text import Text
 
 from linkwright.app import Bench, Examined, ExportJob, Job, ModesJob
 from linkwright.blocks import Progress as Told
 from linkwright.cli.progress import Bar
+from linkwright.model.escape import json_text, line, visible
 from linkwright.model.findings import Finding
 from linkwright.model.units import TIME
 from linkwright.report.accuracy_page import sentences as accuracy_sentences
@@ -35,7 +37,12 @@ from linkwright.words import say
 
 
 class Stream(Console):
-    """A console that leaves it to the command what becomes of a pipe whose reader has left."""
+    """A console that shows control characters as their codes, and leaves it to the command what becomes of a pipe
+    whose reader has left."""
+
+    def render_str(self, text: str, **how: Any) -> Text:
+        """Any text that is printed."""
+        return super().render_str(visible(text), **how)
 
     def on_broken_pipe(self) -> None:
         """Raise the error on; Rich itself would end with exit code 1."""
@@ -56,7 +63,7 @@ def plain(text: str) -> None:
         text.encode(sys.stdout.encoding or "utf-8")
     except UnicodeEncodeError:
         text = json.dumps(json.loads(text), indent=2)
-    click.echo(text)
+    click.echo(json_text(text))
 
 
 @contextmanager
@@ -65,7 +72,7 @@ def working(file: Path, study: str, quiet: bool) -> Iterator[Told | None]:
     if quiet or not err.is_terminal:
         yield None
         return
-    text = say("cli.working", study=study, file=file)
+    text = line(say("cli.working", study=study, file=file))
     with ExitStack() as stack:
         status = stack.enter_context(err.status(escape(text)))
         bar = stack.enter_context(Bar(text))
@@ -84,12 +91,12 @@ def findings(examined: Examined, file: Path) -> None:
     if examined.findings:
         counts = {f"{s}s": sum(f.severity == s for f in examined.findings) for s in ("error", "warning", "note")}
         text = say("cli.findings.notes" if counts["notes"] else "cli.findings", file=file, **counts)
-        err.print(escape(text))
+        err.print(escape(line(text)))
 
 
 def finding(item: Finding, file: Path | None = None) -> None:
     """One finding: place, element, what, mend."""
-    place = f"{file}:{item.line}: " if file and item.line else f"{file}: " if file else ""
+    place = f"{line(str(file))}:{item.line}: " if file and item.line else f"{line(str(file))}: " if file else ""
     element = f"{item.element}: " if item.element else ""
     style = _STYLES[item.severity]
     err.print(f"{escape(place)}[{style}]{item.severity}[/] {escape(element + item.what)} [dim]\\[{item.code}][/]")
@@ -152,7 +159,7 @@ def _where(done: Job | ExportJob) -> None:
     if done.folder is not None:
         written(done.folder)
     if done.outdated is not None:
-        err.print(escape(say("cli.outdated", folder=done.outdated)))
+        err.print(escape(line(say("cli.outdated", folder=done.outdated))))
 
 
 def export(done: ExportJob, file: Path) -> None:
@@ -280,4 +287,4 @@ def refusals(findings: list[Finding]) -> None:
 
 def written(path: Path) -> None:
     """Where something was written."""
-    out.print(escape(say("cli.written", folder=path)))
+    out.print(escape(line(say("cli.written", folder=path))))

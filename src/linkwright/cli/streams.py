@@ -12,6 +12,7 @@ from pathlib import Path
 
 import click
 
+from linkwright.model.escape import line, visible
 from linkwright.words import say
 
 CANNOT = 2
@@ -49,15 +50,24 @@ def failed(error: OSError) -> int:
     else:
         text = say("cli.system-output" if error.errno in FULL else "cli.system", reason=reason)
     with suppress(OSError):
-        click.echo(text, err=True)
+        click.echo(line(text), err=True)
     _discard()
     return CANNOT
 
 
 def interrupted(stop: KeyboardInterrupt) -> int:
     """Tell in one line that the user stopped the program, and how to go on where a study can; gives the exit code."""
-    click.echo(getattr(stop, "what", None) or say("cli.interrupted"), err=True)
+    click.echo(line(getattr(stop, "what", None) or say("cli.interrupted")), err=True)
     return 130
+
+
+def misused(error: click.ClickException) -> int:
+    """Tell what is wrong with the arguments, which are quoted; gives the exit code."""
+    stream = io.StringIO()
+    error.message = line(error.message)  # type: ignore[misc]
+    error.show(stream)
+    click.echo(visible(stream.getvalue()), err=True, nl=False)
+    return CANNOT
 
 
 def _discard() -> None:

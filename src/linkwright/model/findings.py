@@ -10,11 +10,14 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from linkwright.model.escape import line
 from linkwright.words import catalogue
 
 
 def _say(key: str, data: Mapping[str, Any]) -> str:
-    return catalogue()[key].format_map(data)
+    """A text of the catalogue; what is quoted in it stands in one line."""
+    shown = {name: line(value) if isinstance(value, str) else value for name, value in data.items()}
+    return catalogue()[key].format_map(shown)
 
 
 class Term:
@@ -52,7 +55,7 @@ class Finding:
     @property
     def element(self) -> str:
         """The element concerned, as a dotted path."""
-        return ".".join(str(key) for key in self.path)
+        return line(".".join(str(key) for key in self.path))
 
     @property
     def what(self) -> str:

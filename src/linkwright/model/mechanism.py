@@ -10,6 +10,7 @@ from pydantic import AfterValidator, BeforeValidator, Field
 from linkwright.model.actions import REDUCTIONS, Load, Measure, Table, Window
 from linkwright.model.cams import Cam
 from linkwright.model.elements import Counterweight, Spring
+from linkwright.model.escape import line
 from linkwright.model.fields import (
     AssemblyRule,
     Frozen,
@@ -163,6 +164,11 @@ class Mechanism(Frozen):
             on, link = joint.links
             return entry.model_copy(update={"turns": None, "slides": link, "on_": on})
         return entry.model_copy(update={"turns": entry.output, "slides": None, "on_": FRAME})
+
+    @property
+    def title(self) -> str:
+        """The name as results and other tools get it: in one line."""
+        return line(self.name)
 
     def prismatic_joints(self) -> Iterator[tuple[str, Joint]]:
         """The prismatic joints by name."""

@@ -35,8 +35,8 @@ def hashed(content: bytes) -> str:
 
 @dataclass(frozen=True)
 class Origin:
-    """The model ``file`` by its name (``None`` for a document made in Python), the SHA-256 of its content in hex (of a
-    document the text that it would be saved as), those of the ``tables`` beside it by file name."""
+    """A model ``file``: its name in one line (``None`` for a document made in Python), the SHA-256 of its content in
+    hex (of a document the text that it would be saved as), those of the ``tables`` beside it by file name."""
 
     file: str | None
     sha256: str

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from html import escape
-
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.model.escape import markup
 from linkwright.model.units import TIME
 from linkwright.report.accuracy import WIDE, ranked
 from linkwright.report.charts import LEFT, LETTER, MOST_POSES, NARROW, TOP, Axes, named, shortened, thinned
@@ -82,7 +81,7 @@ def _contributions(curve: Curve, outcome: AccuracyOutcome) -> Chart:
         name = shortened(outcome.contributors.every[i].name, 10)
         shapes.append(axes.line(t, parts[i], f"line lw-c{k}"))
         shapes.append(f'<path class="line lw-c{k}" d="M{x:.0f} {TOP + 7:.0f}h10"/>')
-        shapes.append(f'<text x="{x + 13:.0f}" y="{TOP + 11:.0f}">{escape(name)}</text>')
+        shapes.append(f'<text x="{x + 13:.0f}" y="{TOP + 11:.0f}">{markup(name)}</text>')
         x += 20 + LETTER * len(name)
     return {"title": title, "drawing": axes.drawing(shapes, title)}
 

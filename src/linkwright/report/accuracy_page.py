@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from html import escape
 
 import numpy as np
 
+from linkwright.model.escape import markup
 from linkwright.report.accuracy_charts import curve_charts, figure_charts
 from linkwright.report.accuracy_design import design_sentences
 from linkwright.report.accuracy_tables import deviation, further, moment, overview, percent, review, review_text
@@ -47,21 +47,21 @@ def sentences(outcome: AccuracyOutcome) -> list[str]:
 
 def section(data: AccuracyData, title: str, table: Callable[[Grid], str]) -> str:
     """The report's section; ``table`` makes a table of HTML."""
-    head = "".join(f"<p>{escape(text)}</p>" for text in data["sentences"])
+    head = "".join(f"<p>{markup(text)}</p>" for text in data["sentences"])
     outputs = "".join(_output(output, table) for output in data["outputs"])
-    legend = f'<p class="note">{escape(say("accuracy.chart.legend"))}</p>' if outputs else ""
+    legend = f'<p class="note">{markup(say("accuracy.chart.legend"))}</p>' if outputs else ""
     tables = "".join(map(table, data["tables"]))
     return (
-        f'<section id="accuracy"><h2>{escape(title)}</h2>{head}{"".join(map(table, data["overview"]))}'
+        f'<section id="accuracy"><h2>{markup(title)}</h2>{head}{"".join(map(table, data["overview"]))}'
         f"{legend}{outputs}{tables}</section>"
     )
 
 
 def _output(output: OutputData, table: Callable[[Grid], str]) -> str:
-    notes = "".join(f'<p class="note">{escape(text)}</p>' for text in output["sentences"])
+    notes = "".join(f'<p class="note">{markup(text)}</p>' for text in output["sentences"])
     button = (
-        f'<button type="button" class="copy screen" data-copy="{escape(output["copied"])}" hidden>'
-        f"{escape(say('accuracy.copy'))}</button>"
+        f'<button type="button" class="copy screen" data-copy="{markup(output["copied"])}" hidden>'
+        f"{markup(say('accuracy.copy'))}</button>"
     )
     return f'{table(output["review"])}{button}{notes}<div class="plots">{figures(output["charts"])}</div>'
 

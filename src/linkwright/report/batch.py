@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from html import escape
 from importlib.resources import files
 from typing import Any
 from urllib.parse import quote
 
 import linkwright
+from linkwright.model.escape import markup
 from linkwright.model.origin import Origin
 from linkwright.report.page import POLICY
 from linkwright.words import LANGUAGE, say
@@ -32,7 +32,7 @@ def batch_page(file: str, target: str, heads: Sequence[str], rows: Sequence[Batc
     columns = [
         say("batch.page.name"), say("batch.page.model"), *heads, say("batch.page.result"), say("batch.page.files"),
     ]  # fmt: skip
-    head = "".join(f"<th>{escape(column)}</th>" for column in columns)
+    head = "".join(f"<th>{markup(column)}</th>" for column in columns)
     body = "".join(_row(row, columns) for row in rows)
     footer = say("batch.page.footer", version=linkwright.__version__, file=file, sha256=origin.short, date=origin.date)
     return f"""<!DOCTYPE html>
@@ -42,17 +42,17 @@ def batch_page(file: str, target: str, heads: Sequence[str], rows: Sequence[Batc
 <meta http-equiv="Content-Security-Policy" content="{POLICY}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
-<meta name="generator" content="linkwright {escape(linkwright.__version__)}">
+<meta name="generator" content="linkwright {markup(linkwright.__version__)}">
 <link rel="icon" href="data:,">
-<title>{escape(title)}</title>
+<title>{markup(title)}</title>
 <style>
 {style}
 </style>
 </head>
 <body>
-<header><h1>{escape(title)}</h1><p class="subtitle">{escape(say("batch.page.subtitle", count=len(rows)))}</p></header>
+<header><h1>{markup(title)}</h1><p class="subtitle">{markup(say("batch.page.subtitle", count=len(rows)))}</p></header>
 <main class="batch"><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></main>
-<footer>{escape(footer)}</footer>
+<footer>{markup(footer)}</footer>
 </body>
 </html>
 """
@@ -62,19 +62,19 @@ def _row(row: BatchRow, columns: Sequence[str]) -> str:
     """A row; each cell has its column's head besides, which narrow screens show instead of the line of heads."""
     names = [*row.exported.files]
     page = next((name for name in names if name.endswith(".html")), None)
-    name = escape(row.name) if page is None else _link(row, page, row.name)
+    name = markup(row.name) if page is None else _link(row, page, row.name)
     told = [*row.exported.sentences, *(f"{warning.what} {warning.mend}" for warning in row.exported.warnings)]
     links = "<br>".join(_link(row, file, file) for file in names)
     cells = [
         name,
-        escape(row.model),
-        *(f'<span class="figure">{escape(cell)}</span>' for cell in row.cells),
-        "<br>".join(map(escape, told)),
+        markup(row.model),
+        *(f'<span class="figure">{markup(cell)}</span>' for cell in row.cells),
+        "<br>".join(map(markup, told)),
         links,
     ]
-    shown = (f'<td data-head="{escape(head)}">{cell}</td>' for head, cell in zip(columns, cells, strict=True))
+    shown = (f'<td data-head="{markup(head)}">{cell}</td>' for head, cell in zip(columns, cells, strict=True))
     return f"<tr>{''.join(shown)}</tr>"
 
 
 def _link(row: BatchRow, file: str, text: str) -> str:
-    return f'<a href="{quote(f"{row.name}_{file}")}">{escape(text)}</a>'
+    return f'<a href="{quote(f"{row.name}_{file}")}">{markup(text)}</a>'

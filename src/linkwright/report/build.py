@@ -65,7 +65,7 @@ def report_data(
     findings = [*examined, *found(outcomes)]
     words = {key: text for key, text in catalogue().items() if key.startswith("report.")}
     data: ReportData = {
-        "title": document.name,
+        "title": document.title,
         "subtitle": document.note or "",
         "source": say("report.source", source=document.source) if document.source else "",
         "origin": origin_text(origin),

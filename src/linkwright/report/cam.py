@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from html import escape
 from typing import Any
 
 import numpy as np
 
 from linkwright.cam.checks import Check
 from linkwright.model import units as u
+from linkwright.model.escape import markup
 from linkwright.report.cam_charts import charts, of_disc
 from linkwright.report.cam_forces import force_charts, force_entry, force_sentences
 from linkwright.report.charts import figures as charts_html
@@ -130,9 +130,9 @@ def cam_page(outcome: CamOutcome) -> dict[str, CamData]:
 
 def section(data: CamData, title: str, tables: str) -> str:
     """The report's section."""
-    head = "".join(f"<p>{escape(text)}</p>" for text in data["sentences"])
+    head = "".join(f"<p>{markup(text)}</p>" for text in data["sentences"])
     drawn = f'<div class="plots">{charts_html(data["charts"])}</div>'
-    return f'<section id="cam"><h2>{escape(title)}</h2>{head}{drawn}{tables}</section>'
+    return f'<section id="cam"><h2>{markup(title)}</h2>{head}{drawn}{tables}</section>'
 
 
 def cam_sentences(outcome: CamOutcome) -> list[str]:

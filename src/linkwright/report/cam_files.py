@@ -19,9 +19,9 @@ from linkwright.formulas.motor import motor, unit_of
 from linkwright.formulas.pieces import TooManyError, Unfolding
 from linkwright.formulas.terms import T, number
 from linkwright.model import units as u
+from linkwright.model.csv_text import cell, head, written
 from linkwright.model.expressions import Binary, Call, Number
 from linkwright.report.cam_picture import still
-from linkwright.report.csv_text import cell, head, written
 from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.studies.cam.plate import Plate
 from linkwright.words import say

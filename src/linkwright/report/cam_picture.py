@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from html import escape
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +13,7 @@ from linkwright.cam.disc import Look
 from linkwright.cam.nc.swept import ROUGH
 from linkwright.cam.nc.track import chains, pieces
 from linkwright.model import units as u
+from linkwright.model.escape import markup
 from linkwright.report.charts import points, thinned
 from linkwright.report.plane import LEFT, TOP, Plane
 from linkwright.studies.cam.outcome import CamOutcome
@@ -221,11 +221,11 @@ def drawn(plane: Plane, shapes: str, legend: Sequence[tuple[str, str]], title: s
     top = plane.bottom + 44.0
     rows = "".join(
         f'<rect class="{kind}" x="{LEFT:.0f}" y="{top + 17 * i:.0f}" width="18" height="8"/>'
-        f'<text x="{LEFT + 26:.0f}" y="{top + 17 * i + 8:.0f}">{escape(text)}</text>'
+        f'<text x="{LEFT + 26:.0f}" y="{top + 17 * i + 8:.0f}">{markup(text)}</text>'
         for i, (kind, text) in enumerate(legend)
     )
     wide, high = plane.right + 12, top + 17 * len(legend)
     return (
-        f'<svg class="lw still cam" viewBox="0 0 {wide:.0f} {high:.0f}" role="img" aria-label="{escape(title)}">'
+        f'<svg class="lw still cam" viewBox="0 0 {wide:.0f} {high:.0f}" role="img" aria-label="{markup(title)}">'
         f"<style>{STYLE}</style>{plane.grid()}{shapes}{rows}</svg>"
     )

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from html import escape
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.model.escape import markup
 from linkwright.report.data import Chart
 from linkwright.studies.histograms import widened
 
@@ -88,9 +88,9 @@ class Axes:
             lines.append(f"M{LEFT:.0f} {y:.1f}H{WIDTH - RIGHT:.0f}")
             numbers.append(f'<text x="{LEFT - 6:.0f}" y="{y + 4:.1f}" text-anchor="end">{_shown(value)}</text>')
         middle = (LEFT + WIDTH - RIGHT) / 2
-        numbers.append(f'<text x="{middle:.0f}" y="{HEIGHT - 5:.0f}" text-anchor="middle">{escape(self.label)}</text>')
+        numbers.append(f'<text x="{middle:.0f}" y="{HEIGHT - 5:.0f}" text-anchor="middle">{markup(self.label)}</text>')
         return (
-            f'<svg class="lw still" viewBox="0 0 {WIDTH:.0f} {HEIGHT:.0f}" role="img" aria-label="{escape(title)}">'
+            f'<svg class="lw still" viewBox="0 0 {WIDTH:.0f} {HEIGHT:.0f}" role="img" aria-label="{markup(title)}">'
             f'<path class="grid" d="{"".join(lines)}"/>{"".join(shapes)}{"".join(numbers)}</svg>'
         )
 
@@ -99,13 +99,13 @@ class Axes:
         if self.names is None:
             return [(value, _shown(value), True) for value in ticks(*self.x, 6)]
         room = int((WIDTH - LEFT - RIGHT) / LETTER / max(len(self.names), 1))
-        return [(i + 0.5, escape(shortened(name, room)), False) for i, name in enumerate(self.names)]
+        return [(i + 0.5, markup(shortened(name, room)), False) for i, name in enumerate(self.names)]
 
 
 def figures(charts: Sequence[Chart]) -> str:
     """Charts as HTML."""
     return "".join(
-        f'<figure class="chart-still"><figcaption>{escape(chart["title"])}</figcaption>{chart["drawing"]}</figure>'
+        f'<figure class="chart-still"><figcaption>{markup(chart["title"])}</figcaption>{chart["drawing"]}</figure>'
         for chart in charts
     )
 

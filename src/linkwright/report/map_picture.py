@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from base64 import b64encode
 from collections.abc import Iterator, Sequence
-from html import escape
 from zlib import crc32
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.model.escape import markup
 from linkwright.report.charts import LETTER, points, ticks
 from linkwright.report.plane import LEFT, LINE, WIDTH, Plane, folded, framed
 from linkwright.report.png import png
@@ -169,7 +169,7 @@ def _scale(plane: Plane, levels: Sequence[float], name: str) -> tuple[str, float
     """The colours with the values between them, below the axes, and how much room they take."""
     top = plane.bottom + 56
     rows = [*folded(name, int((WIDTH - LEFT) / LETTER))]
-    made = "".join(f'<text x="{LEFT:.0f}" y="{top + LINE * i:.0f}">{escape(row)}</text>' for i, row in enumerate(rows))
+    made = "".join(f'<text x="{LEFT:.0f}" y="{top + LINE * i:.0f}">{markup(row)}</text>' for i, row in enumerate(rows))
     top += LINE * (len(rows) - 1) + 6
     wide = min((WIDTH - LEFT - 20) / (len(levels) + 1), 70.0)
     for k, (red, green, blue) in enumerate(colours(len(levels) + 1).tolist()):

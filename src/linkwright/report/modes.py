@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from html import escape
 from typing import TypedDict
 
 import numpy as np
@@ -12,6 +11,7 @@ import numpy as np
 from linkwright.graph.modes import Mode
 from linkwright.measures.paths import hull
 from linkwright.model import units as u
+from linkwright.model.escape import markup
 from linkwright.structure import FRAME
 from linkwright.studies import ModesOutcome
 from linkwright.words import say
@@ -196,14 +196,14 @@ def drawing(outcome: ModesOutcome, mode: Mode) -> str:
     links = mechanism.links
     for name, joint in mechanism.prismatic_joints():
         ends = listed([at(line.point) for line in joint.line or ()])
-        shapes.append(f'<polyline class="lw-centre" points="{ends}"><title>{escape(name)}</title></polyline>')
+        shapes.append(f'<polyline class="lw-centre" points="{ends}"><title>{markup(name)}</title></polyline>')
     for i, name in enumerate(name for name in links if name != FRAME):
         corners = listed([(z.real, z.imag) for z in hull(np.array([complex(*at(p)) for p in links[name].points]))])
-        title = f"<title>{escape(name)}</title>"
+        title = f"<title>{markup(name)}</title>"
         shapes.append(f'<polygon class="lw-body lw-c{i % 8}" points="{corners}">{title}</polygon>')
     for name in mode.places:
         (x, y), size = at(name), 4.5 if name in links[FRAME].points else 3
-        title = f"<title>{escape(name)}</title>"
+        title = f"<title>{markup(name)}</title>"
         shapes.append(f'<circle class="lw-pin" cx="{x:.1f}" cy="{y:.1f}" r="{size}">{title}</circle>')
     box = f"0 0 {WIDTH:.0f} {HEIGHT:.0f}"
     return f'<svg class="lw mode" viewBox="{box}" role="img">{"".join(shapes)}</svg>'
@@ -219,18 +219,18 @@ def mode_text(entry: ModeEntry) -> str:
 
 def section(data: ModesData, words: Mapping[str, str]) -> str:
     """The report's section on assembly modes."""
-    title = escape(words["report.modes"])
-    texts = "".join(f"<p>{escape(text)}</p>" for text in data["sentences"])
-    circuits = "".join(f"<li>{escape(circuit_text(entry, data))}</li>" for entry in data["circuits"])
+    title = markup(words["report.modes"])
+    texts = "".join(f"<p>{markup(text)}</p>" for text in data["sentences"])
+    circuits = "".join(f"<li>{markup(circuit_text(entry, data))}</li>" for entry in data["circuits"])
     cards = "".join(_card(entry, picture) for entry, picture in zip(data["modes"], data["drawings"], strict=True))
     listed = f"<ul>{circuits}</ul>" if circuits else ""
     return f'<section id="modes"><h2>{title}</h2>{texts}{listed}<div class="modes">{cards}</div></section>'
 
 
 def _card(entry: ModeEntry, picture: str) -> str:
-    lines = escape("\n".join(assembly_text(entry["assembly"])) or say("modes.untold"))
-    head = escape(say("modes.number", number=entry["number"]))
-    note = escape(mode_text(entry))
+    lines = markup("\n".join(assembly_text(entry["assembly"])) or say("modes.untold"))
+    head = markup(say("modes.number", number=entry["number"]))
+    note = markup(mode_text(entry))
     return f"<figure>{picture}<figcaption><b>{head}</b> {note}<pre>{lines}</pre></figcaption></figure>"
 
 

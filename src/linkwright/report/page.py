@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from html import escape
 from importlib.resources import files
 
+from linkwright.model.escape import markup
 from linkwright.report import sections
 from linkwright.report.data import ReportData
 from linkwright.report.payload import script_json
@@ -67,15 +67,15 @@ def page(data: ReportData) -> str:
         ]
     )
     return f"""<!DOCTYPE html>
-<html lang="{escape(data["language"])}">
+<html lang="{markup(data["language"])}">
 <head>
 <meta charset="utf-8">
 <meta http-equiv="Content-Security-Policy" content="{POLICY}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
-<meta name="generator" content="linkwright {escape(data["version"])}">
+<meta name="generator" content="linkwright {markup(data["version"])}">
 <link rel="icon" href="data:,">
-<title>{escape(data["title"])}</title>
+<title>{markup(data["title"])}</title>
 <style>
 {style}
 </style>

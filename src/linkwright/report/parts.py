@@ -211,7 +211,7 @@ def summary(document: Document, outcomes: Mapping[str, Any], findings: list[Find
     done = bool(outcomes) and all(outcome.done for outcome in outcomes.values())
     done = done and not any(finding.severity == "error" for finding in findings)
     data: dict[str, Any] = {"schema": SCHEMA, "linkwright": origin.version, **origin.as_dict()}
-    data |= {"name": document.name, "done": done}
+    data |= {"name": document.title, "done": done}
     for name, part in PARTS.items():
         if name in outcomes:
             entry = part.summary(outcomes[name])

@@ -1,10 +1,12 @@
-"""JSON for the page's scripts: short numbers, and nothing that could end the script element early."""
+"""JSON for the page's scripts, with short numbers."""
 
 from __future__ import annotations
 
 import json
 import math
 from collections.abc import Mapping, Sequence
+
+from linkwright.model.escape import script
 
 DIGITS = 7
 """Significant digits of a number in the page: finer than any screen or print resolves."""
@@ -25,6 +27,5 @@ def compact(value: object) -> object:
 
 
 def script_json(value: object) -> str:
-    """JSON text that is safe inside a script element: no ``<``, hence no ``</script`` and no ``<!--``."""
-    text = json.dumps(compact(value), ensure_ascii=False, allow_nan=False, separators=(",", ":"))
-    return text.replace("<", "\\u003c")
+    """JSON text that is safe inside a script element."""
+    return script(json.dumps(compact(value), ensure_ascii=False, allow_nan=False, separators=(",", ":")))

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from html import escape
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.model.escape import markup
 from linkwright.report.charts import LETTER, points, ticks
 from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.shapes import pieces
@@ -80,7 +80,7 @@ class Plane:
             numbers.append(f'<text x="{LEFT - 6:.0f}" y="{y + 4:.1f}" text-anchor="end">{_number(value)}</text>')
         label = f"x, y, {self.unit}" if self.unit else "x, y"
         middle = (LEFT + self.right) / 2
-        numbers.append(f'<text x="{middle:.0f}" y="{self.bottom + 30:.1f}" text-anchor="middle">{escape(label)}</text>')
+        numbers.append(f'<text x="{middle:.0f}" y="{self.bottom + 30:.1f}" text-anchor="middle">{markup(label)}</text>')
         return f'<path class="grid" d="{"".join(lines)}"/>{"".join(numbers)}'
 
 
@@ -104,11 +104,11 @@ def framed(
         box = "v8h-24z" if look.startswith("region") else ""
         told += f'<path class="{look}" d="M{LEFT - 30:.0f} {y - 8 + 4 * (not box):.0f}h24{box}"/>'
         for line in lines:
-            told += f'<text x="{LEFT:.0f}" y="{y:.0f}">{escape(line)}</text>'
+            told += f'<text x="{LEFT:.0f}" y="{y:.0f}">{markup(line)}</text>'
             y += LINE
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" class="lw still workspace" viewBox="0 0 {WIDTH:.0f} {y:.0f}" '
-        f'fill="currentColor" role="img" aria-label="{escape(title)}"><style>{STYLE}</style>'
+        f'fill="currentColor" role="img" aria-label="{markup(title)}"><style>{STYLE}</style>'
         f"{plane.grid()}{''.join(shapes)}{told}</svg>"
     )
 

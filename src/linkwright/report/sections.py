@@ -1,10 +1,10 @@
-"""The page's sections as HTML. Every text from outside passes through ``escape`` exactly once."""
+"""The page's sections as HTML. Every text from outside passes through ``markup`` exactly once."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from html import escape
 
+from linkwright.model.escape import markup
 from linkwright.model.units import printed
 from linkwright.report.accuracy_page import section as accuracy_section
 from linkwright.report.cam import section as cam_section
@@ -32,11 +32,11 @@ def header(data: ReportData) -> str:
     if checks:
         text = words["report.summary_checks"].format(ok=sum(checks), total=len(checks))
         badges.append(_mark(all(checks), text))
-    subtitle = f'<p class="subtitle">{escape(data["subtitle"])}</p>' if data["subtitle"] else ""
-    source = f'<p class="source">{escape(data["source"])}</p>' if data["source"] else ""
+    subtitle = f'<p class="subtitle">{markup(data["subtitle"])}</p>' if data["subtitle"] else ""
+    source = f'<p class="source">{markup(data["source"])}</p>' if data["source"] else ""
     return (
-        f"<header><h1>{escape(data['title'])}</h1>{subtitle}{source}"
-        f'<p class="origin">{escape(data["origin"])}</p>'
+        f"<header><h1>{markup(data['title'])}</h1>{subtitle}{source}"
+        f'<p class="origin">{markup(data["origin"])}</p>'
         f'<p class="summary">{" ".join(badges)}</p>{_contents(data)}</header>'
     )
 
@@ -50,8 +50,8 @@ def _contents(data: ReportData) -> str:
     parts += [(group, any(plot["group"] == group for plot in data["plots"])) for group in GROUPS]
     parts += [("modes", "modes" in data), ("structure", bool(data["structure"])), ("model", bool(data["model_text"]))]
     words = data["words"]
-    links = (f'<a href="#{name}">{escape(words[f"report.{name}"])}</a>' for name, here in parts if here)
-    return f'<nav aria-label="{escape(words["report.contents"])}">{"".join(links)}</nav>'
+    links = (f'<a href="#{name}">{markup(words[f"report.{name}"])}</a>' for name, here in parts if here)
+    return f'<nav aria-label="{markup(words["report.contents"])}">{"".join(links)}</nav>'
 
 
 def failures(data: ReportData) -> str:
@@ -70,14 +70,14 @@ def _findings(data: ReportData, name: str, found: Sequence[Failure], kind: str, 
         return ""
     words = data["words"]
     rows = "".join(
-        f"<li><p><code>{escape(f['code'])}</code> {_lines(f['what'])}</p>"
-        + (f"<p><b>{escape(words['report.mend'])}:</b> {_lines(f['mend'])}</p>" if f["mend"] else "")
+        f"<li><p><code>{markup(f['code'])}</code> {_lines(f['what'])}</p>"
+        + (f"<p><b>{markup(words['report.mend'])}:</b> {_lines(f['mend'])}</p>" if f["mend"] else "")
         + "</li>"
         for f in found
     )
     return (
         f'<section id="{name}" class="{kind}" aria-labelledby="{name}-title">'
-        f'<h2 id="{name}-title">{sign}{escape(words[f"report.{name}"])}</h2>'
+        f'<h2 id="{name}-title">{sign}{markup(words[f"report.{name}"])}</h2>'
         f"<ul>{rows}</ul></section>"
     )
 
@@ -86,11 +86,11 @@ def stage(data: ReportData) -> str:
     """Places for the animated drawing (screen) and the one with ghost poses (paper)."""
     words = data["words"]
     return (
-        f'<section id="mechanism"><h2>{escape(words["report.mechanism"])}</h2>'
+        f'<section id="mechanism"><h2>{markup(words["report.mechanism"])}</h2>'
         f'<div id="drawing" class="panel screen"></div>'
         f'<figure class="paper"><div id="still"></div>'
-        f"<figcaption>{escape(words['report.still'])}</figcaption></figure>"
-        f"<noscript><p>{escape(words['report.no_script'])}</p></noscript></section>"
+        f"<figcaption>{markup(words['report.still'])}</figcaption></figure>"
+        f"<noscript><p>{markup(words['report.no_script'])}</p></noscript></section>"
     )
 
 
@@ -105,30 +105,30 @@ def _measure(measure: Measure, data: ReportData) -> Sequence[str]:
     words = data["words"]
     unit = f'<span class="unit">{_unit(measure["unit"])}</span>'
     values = "".join(
-        f'<span class="line"><span class="end">{escape(entry["label"])}</span> '
-        f"<b>{escape(entry['text']) or _number(entry['value'])}</b> {unit}</span>"
+        f'<span class="line"><span class="end">{markup(entry["label"])}</span> '
+        f"<b>{markup(entry['text']) or _number(entry['value'])}</b> {unit}</span>"
         for entry in measure["values"]
     )
-    where = "".join(f'<span class="line">{escape(entry["at"])}</span>' for entry in measure["values"])
-    text = f'<span class="note">{escape(measure["text"])}</span>' if measure["text"] else ""
+    where = "".join(f'<span class="line">{markup(entry["at"])}</span>' for entry in measure["values"])
+    text = f'<span class="note">{markup(measure["text"])}</span>' if measure["text"] else ""
     judged = "–" if verdict is None else _mark(verdict, words["report.pass" if verdict else "report.fail"])
-    requirement = escape(measure["requirement"]) if measure["requirement"] else "–"
+    requirement = markup(measure["requirement"]) if measure["requirement"] else "–"
     for grade in dict.fromkeys(entry["grade"] for entry in measure["values"]):
-        text += f'<span class="note">{escape(grade)}</span>'
-    return (f"<b>{escape(measure['name'])}</b>{text}", values, where, requirement, judged)
+        text += f'<span class="note">{markup(grade)}</span>'
+    return (f"<b>{markup(measure['name'])}</b>{text}", values, where, requirement, judged)
 
 
 def certificate(data: ReportData) -> str:
     """What proves the figures, line by line."""
     rows = (_check(check, data) for check in data["certificate"])
-    after = "".join(f'<p class="note">{escape(remark)}</p>' for remark in data["remarks"])
+    after = "".join(f'<p class="note">{markup(remark)}</p>' for remark in data["remarks"])
     return _table(data, "certificate", ("check", "figure", "meaning", "verdict"), rows, after)
 
 
 def _check(check: Check, data: ReportData) -> Sequence[str]:
     word = data["words"]["report.holds" if check["ok"] else "report.violated"]
-    figure = f'<span class="figure">{escape(check["figure"])}</span>'
-    return (f"<b>{escape(check['name'])}</b>", figure, escape(check["sentence"]), _mark(check["ok"], word))
+    figure = f'<span class="figure">{markup(check["figure"])}</span>'
+    return (f"<b>{markup(check['name'])}</b>", figure, markup(check["sentence"]), _mark(check["ok"], word))
 
 
 def limits(data: ReportData) -> str:
@@ -144,21 +144,21 @@ def reactions(data: ReportData) -> str:
 def _grids(data: ReportData, name: str, grids: Iterable[Grid]) -> str:
     """A section of tables alone."""
     tables = "".join(map(_grid, grids))
-    title = escape(data["words"][f"report.{name}"]) if tables else ""
+    title = markup(data["words"][f"report.{name}"]) if tables else ""
     return tables and f'<section id="{name}"><h2>{title}</h2>{tables}</section>'
 
 
 def _grid(grid: Grid) -> str:
-    heads = "".join(f'<th scope="col">{escape(head)}</th>' for head in grid["heads"])
+    heads = "".join(f'<th scope="col">{markup(head)}</th>' for head in grid["heads"])
     rows = "".join(
         "<tr>"
         + "".join(
-            f'<td data-head="{escape(head)}">{_lines(cell)}</td>' for head, cell in zip(grid["heads"], row, strict=True)
+            f'<td data-head="{markup(head)}">{_lines(cell)}</td>' for head, cell in zip(grid["heads"], row, strict=True)
         )
         + "</tr>"
         for row in grid["rows"]
     )
-    title = f"<h3>{escape(grid['title'])}</h3>"
+    title = f"<h3>{markup(grid['title'])}</h3>"
     wide = " wide" if len(grid["heads"]) > WIDE else ""
     return f'{title}<table class="limits{wide}"><thead><tr>{heads}</tr></thead><tbody>{rows}</tbody></table>'
 
@@ -197,9 +197,9 @@ def structure(data: ReportData) -> str:
     if not data["structure"]:
         return ""
     rows = "".join(
-        f"<div><dt>{escape(fact['name'])}</dt><dd>{_lines(fact['sentence'])}</dd></div>" for fact in data["structure"]
+        f"<div><dt>{markup(fact['name'])}</dt><dd>{_lines(fact['sentence'])}</dd></div>" for fact in data["structure"]
     )
-    title = escape(data["words"]["report.structure"])
+    title = markup(data["words"]["report.structure"])
     return f'<section id="structure"><h2>{title}</h2><dl>{rows}</dl></section>'
 
 
@@ -211,15 +211,15 @@ def modes(data: ReportData) -> str:
 def plots(data: ReportData) -> str:
     """One figure per plot under its group's heading; the script fills them."""
     words = data["words"]
-    hint = f'<p class="hint screen">{escape(words["report.plots_hint"])}</p>'
+    hint = f'<p class="hint screen">{markup(words["report.plots_hint"])}</p>'
     out = ""
     for group in GROUPS:
         figures = "".join(_plot(i, plot) for i, plot in enumerate(data["plots"]) if plot["group"] == group)
         if figures:
-            title = f"<h2>{escape(words[f'report.{group}'])}</h2>"
+            title = f"<h2>{markup(words[f'report.{group}'])}</h2>"
             out += f'<section id="{group}">{title}{hint}<div class="plots">{figures}</div></section>'
             hint = ""
-    whole = escape(words["report.whole_time"])
+    whole = markup(words["report.whole_time"])
     return out and f'{out}<button type="button" id="whole" class="screen" hidden>{whole}</button>'
 
 
@@ -227,7 +227,7 @@ def _plot(index: int, plot: Plot) -> str:
     unit = f' <span class="unit">{_unit(plot["unit"])}</span>' if plot["unit"] else ""
     return (
         f'<figure class="plot" data-plot="{index}">'
-        f"<figcaption>{escape(plot['title'])}{unit}</figcaption>"
+        f"<figcaption>{markup(plot['title'])}{unit}</figcaption>"
         f'<div class="chart"></div><div class="legend lw"></div></figure>'
     )
 
@@ -238,20 +238,20 @@ def model(data: ReportData) -> str:
         return ""
     words = data["words"]
     return (
-        f'<section id="model"><h2>{escape(words["report.model"])}</h2>'
-        f"<details><summary>{escape(words['report.model_show'])}</summary>"
-        f"<pre>{escape(data['model_text'])}</pre></details></section>"
+        f'<section id="model"><h2>{markup(words["report.model"])}</h2>'
+        f"<details><summary>{markup(words['report.model_show'])}</summary>"
+        f"<pre>{markup(data['model_text'])}</pre></details></section>"
     )
 
 
 def footer(data: ReportData) -> str:
     """Which version made the page."""
     made = data["words"]["report.made_with"].format(version=data["version"])
-    return f"<footer>{escape(made)}</footer>"
+    return f"<footer>{markup(made)}</footer>"
 
 
 def _table(data: ReportData, name: str, heads: Sequence[str], rows: Iterable[Sequence[str]], after: str = "") -> str:
-    titles = [escape(data["words"][f"report.{head}"]) for head in heads]
+    titles = [markup(data["words"][f"report.{head}"]) for head in heads]
     body = "".join(
         "<tr>"
         + "".join(f'<td data-head="{title}">{cell}</td>' for title, cell in zip(titles, row, strict=True))
@@ -262,7 +262,7 @@ def _table(data: ReportData, name: str, heads: Sequence[str], rows: Iterable[Seq
         return ""
     head = "".join(f'<th scope="col">{title}</th>' for title in titles)
     return (
-        f'<section id="{name}"><h2>{escape(data["words"][f"report.{name}"])}</h2>'
+        f'<section id="{name}"><h2>{markup(data["words"][f"report.{name}"])}</h2>'
         f'<table class="{name}"><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>{after}</section>'
     )
 
@@ -270,7 +270,7 @@ def _table(data: ReportData, name: str, heads: Sequence[str], rows: Iterable[Seq
 def _mark(ok: bool, text: str) -> str:
     """A verdict that reads without colour: a sign and a word."""
     sign, kind = ("✓", "ok") if ok else ("✗", "bad")
-    return f'<span class="mark {kind}"><span aria-hidden="true">{sign}</span> {escape(text)}</span>'
+    return f'<span class="mark {kind}"><span aria-hidden="true">{sign}</span> {markup(text)}</span>'
 
 
 def _number(value: float | None) -> str:
@@ -278,8 +278,8 @@ def _number(value: float | None) -> str:
 
 
 def _unit(unit: str) -> str:
-    return escape(printed(unit))
+    return markup(printed(unit))
 
 
 def _lines(text: str) -> str:
-    return escape(text).replace("\n", "<br>")
+    return markup(text).replace("\n", "<br>")

@@ -4,9 +4,9 @@ scripts, all of them stand beside each other."""
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from html import escape
 from itertools import product
 
+from linkwright.model.escape import markup
 from linkwright.report.charts import figures
 from linkwright.report.data import Chart, Slider
 from linkwright.words import say
@@ -25,7 +25,7 @@ def stacks(charts: Sequence[Chart], sliders: Sequence[Slider]) -> str:
     for number, chart in enumerate(charts):  # of two pictures for the same values one is enough
         found.setdefault(chart.get("stack", str(number)), {}).setdefault(chart.get("step", ()), chart)
     bars = "".join(_slider(number, slider) for number, slider in enumerate(sliders))
-    label = escape(say("report.steps"))
+    label = markup(say("report.steps"))
     pictures = "".join(_stack(some, sliders) for some in found.values())
     return (
         f'<div class="stacks"><div class="sliders panel screen" role="group" aria-label="{label}" hidden>{bars}</div>'
@@ -35,16 +35,16 @@ def stacks(charts: Sequence[Chart], sliders: Sequence[Slider]) -> str:
 
 def _slider(number: int, slider: Slider) -> str:
     """A slider with its parameter's name, the value at which it stands, and marks."""
-    name, texts, start = escape(slider["name"]), slider["texts"], slider["start"]
+    name, texts, start = markup(slider["name"]), slider["texts"], slider["start"]
     last = len(texts) - 1
     own = f"step-{number}"
     ends = range(len(texts)) if len(texts) <= MARKS else (0, last)
-    marks = "".join(f'<span style="--at:{k / last:.4f}">{escape(_bare(texts[k], texts))}</span>' for k in ends)
-    data = " ".join(f'data-text-{k}="{escape(text)}"' for k, text in enumerate(texts))
+    marks = "".join(f'<span style="--at:{k / last:.4f}">{markup(_bare(texts[k], texts))}</span>' for k in ends)
+    data = " ".join(f'data-text-{k}="{markup(text)}"' for k, text in enumerate(texts))
     return (
-        f'<div class="slider"><label for="{own}">{name}</label><output for="{own}">{escape(texts[start])}</output>'
+        f'<div class="slider"><label for="{own}">{name}</label><output for="{own}">{markup(texts[start])}</output>'
         f'<div class="track"><input type="range" id="{own}" min="0" max="{last}" step="1" value="{start}" '
-        f'aria-valuetext="{escape(texts[start])}" {data}/>'
+        f'aria-valuetext="{markup(texts[start])}" {data}/>'
         f'<div class="marks" aria-hidden="true">{marks}</div></div></div>'
     )
 
@@ -64,5 +64,5 @@ def _stack(charts: Mapping[Sequence[int], Chart], sliders: Sequence[Slider]) -> 
         if step in charts:
             made += figures([charts[step]]).replace("<figure ", f"<figure {place} ", 1)
         else:
-            made += f'<p class="none" {place}>{escape(say("report.no_picture"))}</p>'
+            made += f'<p class="none" {place}>{markup(say("report.no_picture"))}</p>'
     return f'<div class="stack">{made}</div>'

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from html import escape
 from typing import Any
 
 import numpy as np
 
+from linkwright.model.escape import markup
 from linkwright.report.charts import figures
 from linkwright.report.data import Grid, SweepData, known
 from linkwright.report.sweep_charts import charts
@@ -139,9 +139,9 @@ def sweep_page(outcome: SweepOutcome) -> dict[str, SweepData]:
 def section(data: SweepData, title: str, tables: str) -> str:
     """The report's section on a sweep; ``tables`` is its tables as HTML."""
     drawn = figures(data["charts"])
-    note = f'<p class="note">{escape(say("sweep.chart.legend"))}</p>' if drawn else ""
+    note = f'<p class="note">{markup(say("sweep.chart.legend"))}</p>' if drawn else ""
     return (
-        f'<section id="sweep"><h2>{escape(title)}</h2><p>{escape(data["sentence"])}</p>{tables}'
+        f'<section id="sweep"><h2>{markup(title)}</h2><p>{markup(data["sentence"])}</p>{tables}'
         f'{note}<div class="plots">{drawn}</div></section>'
     )
 

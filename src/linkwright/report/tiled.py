@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from html import escape
 
+from linkwright.model.escape import markup
 from linkwright.report.charts import LETTER
 from linkwright.report.data import Chart
 from linkwright.report.plane import LEFT, LINE, WIDTH, folded
@@ -33,7 +33,7 @@ def tiled(charts: Iterable[Chart]) -> str:
             for chart, title in zip(row, titles, strict=True):
                 for i, line in enumerate(title, start=1):
                     place = f'x="{left + LEFT:.0f}" y="{top + LINE * i:.0f}"'
-                    made.append(f'<text class="title" {place}>{escape(line)}</text>')
+                    made.append(f'<text class="title" {place}>{markup(line)}</text>')
                 box = chart["drawing"].split('viewBox="0 0 ', 1)[1].split('"', 1)[0]
                 across, down = map(float, box.split())
                 place = f'<svg x="{left:.0f}" y="{top + head:.0f}" width="{across:.0f}" height="{down:.0f}" '

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from html import escape
 from zlib import crc32
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.model.escape import markup
 from linkwright.report.charts import LETTER, ticks
 from linkwright.report.colour_scale import colours
 from linkwright.report.plane import LEFT, LINE, WIDTH, Plane, folded, framed
@@ -112,7 +112,7 @@ def _group(plane: Plane, drawn: Sequence[ColouredLine], scale: Scale) -> str:
 def _paths(drawn: Sequence[ColouredLine], placed: Sequence[Sequence[Array]], scale: Scale, fine: float) -> str:
     hues = scale.colours(np.array([one.value for one in drawn]))
     return "".join(
-        f'<path stroke="{hue}" d="{_path(lines, fine)}"><title>{escape(one.text)}</title></path>'
+        f'<path stroke="{hue}" d="{_path(lines, fine)}"><title>{markup(one.text)}</title></path>'
         for one, lines, hue in zip(drawn, placed, hues, strict=True)
         if lines
     )
@@ -135,7 +135,7 @@ def _bar(plane: Plane, scale: Scale, own: str) -> tuple[str, float]:
     """The scale below the axes, and how much room it takes."""
     top = plane.bottom + 56
     rows = [*folded(scale.name, int((WIDTH - LEFT) / LETTER))]
-    made = "".join(f'<text x="{LEFT:.0f}" y="{top + LINE * i:.0f}">{escape(row)}</text>' for i, row in enumerate(rows))
+    made = "".join(f'<text x="{LEFT:.0f}" y="{top + LINE * i:.0f}">{markup(row)}</text>' for i, row in enumerate(rows))
     top += LINE * (len(rows) - 1) + 8
     left, wide = LEFT, min(WIDTH - LEFT - 30, 420.0)
     name = f"s{crc32(own.encode()):x}"

@@ -125,11 +125,11 @@ def workspace_page(outcome: WorkspaceOutcome) -> dict[str, WorkspaceData]:
 
 def section(data: WorkspaceData, title: str, tables: str) -> str:
     """The report's section."""
-    from html import escape
+    from linkwright.model.escape import markup
 
-    head = "".join(f"<p>{escape(text)}</p>" for text in data["sentences"])
+    head = "".join(f"<p>{markup(text)}</p>" for text in data["sentences"])
     charts = stacks(data["charts"], data["sliders"])
-    return f'<section id="workspace"><h2>{escape(title)}</h2>{head}{charts}{tables}</section>'
+    return f'<section id="workspace"><h2>{markup(title)}</h2>{head}{charts}{tables}</section>'
 
 
 def workspace_sentences(outcome: WorkspaceOutcome) -> list[str]:

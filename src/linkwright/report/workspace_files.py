@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.model import units as u
+from linkwright.model.csv_text import cell, head, written
+from linkwright.model.escape import json_text, layer_name
 from linkwright.model.machine import needed
-from linkwright.report.csv_text import cell, head, written
 from linkwright.report.tiled import tiled
 from linkwright.report.workspace_parts import written as parts
 from linkwright.report.workspace_picture import pictures
@@ -45,7 +46,8 @@ def geojson(outcome: WorkspaceOutcome) -> str | None:
         told = {"point": outcome.point, "unit": unit}
         features += [_feature(shape, {**told, **own}, size) for shape, own in part.shapes(outcome)]
     note = say("workspace.note", unit=unit)
-    return json.dumps({"type": "FeatureCollection", "note": note, "features": features}, ensure_ascii=False) + "\n"
+    collection = {"type": "FeatureCollection", "note": note, "features": features}
+    return json_text(json.dumps(collection, ensure_ascii=False)) + "\n"
 
 
 def _feature(shape: Any, properties: dict[str, Any], size: float) -> dict[str, Any]:
@@ -173,8 +175,8 @@ def _polyline(space: Any, corners: Array, layer: str, close: bool = False) -> No
 
 
 def _layer(drawing: Any, text: str, number: int) -> str:
-    """A layer by a name that DXF takes."""
-    name = "".join("-" if letter in '<>/\\":;?*|=`,' else letter for letter in " ".join(text.split()))[:200]
+    """A layer's name in the drawing."""
+    name = layer_name(text)
     if name not in drawing.layers:
         drawing.layers.add(name, color=1 + (number - 1) % 6)
     return name

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.model import units as u
+from linkwright.model.csv_text import cell, head, written
 from linkwright.report.charts import named
-from linkwright.report.csv_text import cell, head, written
 from linkwright.report.data import Chart, Grid
 from linkwright.report.map_picture import levels_of, map_picture
 from linkwright.report.plane import Plane, framed_box, lines, outline

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from linkwright.model import units as u
+from linkwright.model.csv_text import cell, head, written
+from linkwright.model.escape import line
 from linkwright.model.yaml_write import write_text
-from linkwright.report.csv_text import cell, head, written
 from linkwright.studies.workspace.followed import Attempt, Followed
 from linkwright.studies.workspace.outcome import WorkspaceOutcome, shown, values_text
 from linkwright.studies.workspace.pasted import pasted
@@ -88,5 +89,5 @@ def _entries(part: Followed, one: Attempt, law: ServoLaw) -> str:
     time, unit = f"{law.t[-1]:.9g}", " / ".join(dict.fromkeys(units))
     about.append(say("paths.pasted.off", off=f"{made.off:.2g}", unit=unit, time=time))
     about.append(say("paths.pasted.period", time=time) if law.period else "")
-    comment = "\n".join(f"# {line}" for text in about if text for line in textwrap.wrap(text, 110))
+    comment = "\n".join(f"# {row}" for text in about if text for row in textwrap.wrap(line(text), 110))
     return f"{comment}\n{write_text({key: entries for key, entries in sections.items() if entries})}"

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from html import escape
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.model import units as u
+from linkwright.model.escape import markup
 from linkwright.report.charts import LEFT, LETTER, MOST_CHARTS, MOST_POSES, TOP, Axes, named, shortened, thinned
 from linkwright.report.data import Chart, Grid
 from linkwright.report.overlay import Overlay
@@ -138,6 +138,6 @@ def _chart(part: Followed, t: Array, title: str, lines: Sequence[tuple[str, Arra
         text = shortened(name, 16)
         shapes.append(axes.line(t / second, row, f"line lw-c{k}"))
         shapes.append(f'<path class="line lw-c{k}" d="M{x:.0f} {TOP + 7:.0f}h10"/>')
-        shapes.append(f'<text x="{x + 13:.0f}" y="{TOP + 11:.0f}">{escape(text)}</text>')
+        shapes.append(f'<text x="{x + 13:.0f}" y="{TOP + 11:.0f}">{markup(text)}</text>')
         x += 20 + LETTER * len(text)
     return {"title": title, "drawing": axes.drawing(shapes, title)}

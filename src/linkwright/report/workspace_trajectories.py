@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
 from linkwright.model import units as u
+from linkwright.model.csv_text import cell, head, written
 from linkwright.report.charts import named
-from linkwright.report.csv_text import cell, head, written
 from linkwright.report.data import Chart, Grid
 from linkwright.report.plane import Bounds, Plane, framed_box, lines, outline
 from linkwright.report.tiled import tiled

@@ -49,7 +49,7 @@ def described(compiled: Compiled, findings: Sequence[Finding]) -> dict[str, str]
 
     return {
         "Conventions": "CF-1.11",
-        "title": compiled.mechanism.name,
+        "title": compiled.mechanism.title,
         "source": f"linkwright {linkwright.__version__}",
         "findings": "\n".join(f"{f.code}: {f.what}" for f in findings) or "none",
     }

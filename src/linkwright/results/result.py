@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property
-from math import isfinite
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.model.csv_text import cell, head, written
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import Call, ExpressionError, Name, parse
 from linkwright.model.findings import Finding, ModelError, Term
@@ -110,18 +108,13 @@ class Result:
 
         ``more`` names further signals (those of poles) or expressions.
         """
-        stream = io.StringIO()
-        writer = csv.writer(stream, lineterminator="\n")
         time_unit, second = self.run.compiled.quantities.unit_of(Dimension(time=1))
-        columns, header = [self.t / second], [f"t [{time_unit}]"]
+        columns, header = [self.t / second], [head("t", time_unit)]
         for name in (*self.names, *more):
             values, unit = self.shown(name)
             columns.append(values)
-            header.append(f"{name} [{unit}]" if unit else name)
-        writer.writerow(header)
-        for row in np.stack(columns, axis=1).tolist():
-            writer.writerow([repr(value) if isfinite(value) else "" for value in row])
-        text = stream.getvalue()
+            header.append(head(name, unit))
+        text = written(header, ([*map(cell, row)] for row in np.stack(columns, axis=1).tolist()))
         if path is not None:
             write_aside(Path(path), text)
         return text
@@ -145,7 +138,7 @@ class Result:
         for name in (*self.names, *more):
             values, unit = self.si(name)
             variables[name] = ("time", values, {"units": unit})
-        attributes = {"title": self.run.compiled.mechanism.name, "source": "linkwright"}
+        attributes = {"title": self.run.compiled.mechanism.title, "source": "linkwright"}
         return xarray.Dataset(variables, {"time": ("time", self.t, {"units": "s"})}, attributes)
 
 

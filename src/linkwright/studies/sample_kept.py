@@ -112,6 +112,6 @@ def _stored(task: SampleTask, work: SampleWork, out: Path, fresh: bool) -> Store
     path = out / store(task.options.study)
     anew = fresh or not path.with_name(f"{path.name}.checkpoint").exists()
     time = Variable("t", ("pose",), "s", coordinate=True)
-    attributes = {"title": task.compiled.mechanism.name, "source": "linkwright", "plan": task.plan.name}
+    attributes = {"title": task.compiled.mechanism.title, "source": "linkwright", "plan": task.plan.name}
     variables = [time, *task.of_samples(), *task.of_signals()]
     return Stored(path, work.content, task.cut, variables, {"t": task.run.t}, attributes, anew, work.versions)

@@ -8,6 +8,7 @@ from typing import ClassVar
 from linkwright.cam.nc.job import Job, Pass
 from linkwright.cam.nc.leads import beyond
 from linkwright.cam.nc.path import Element
+from linkwright.model.escape import nc
 from linkwright.notation.registry import Registry
 
 RATIO = (0.25, 4.0)
@@ -26,7 +27,7 @@ class Post:
 
     def comment(self, text: str) -> str:
         """A remark."""
-        return f"({text.replace('(', '[').replace(')', ']')})"
+        return f"({nc(text)})"
 
     def head(self, job: Job) -> list[str]:
         """What comes before the first motion."""
@@ -133,7 +134,7 @@ class Siemens(Post):
     longest = 512
 
     def comment(self, text: str) -> str:
-        return f"; {text}"
+        return f"; {nc(text)}"
 
     def head(self, job: Job) -> list[str]:
         return [

@@ -18,9 +18,9 @@ from linkwright.exports.numbers import positive
 from linkwright.exports.registry import Exported, register
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
+from linkwright.model.csv_text import cell, head, written
 from linkwright.model.fields import Expression, Frozen
 from linkwright.model.findings import Finding
-from linkwright.report.csv_text import cell, head, written
 from linkwright.studies import Site
 from linkwright.words import say
 

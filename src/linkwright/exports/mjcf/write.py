@@ -67,7 +67,7 @@ class Writer:
 
     def text(self, timestep: float) -> str:
         """The whole file, with a time step (s) for MuJoCo."""
-        root = ET.Element("mujoco", model=self.compiled.mechanism.name)
+        root = ET.Element("mujoco", model=self.compiled.mechanism.title)
         root.append(ET.Comment(" " + say("mjcf.comment").replace("--", "-") + " "))
         ET.SubElement(root, "compiler", angle="radian", autolimits="true")
         gravity = self.geometry.gravity()

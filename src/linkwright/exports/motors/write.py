@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from linkwright.formulas.motor import Motor, unit_of
 from linkwright.formulas.terms import number
 from linkwright.kernels import Compiled
-from linkwright.report.csv_text import cell, head, written
+from linkwright.model.csv_text import cell, head, written
 from linkwright.words import say
 
 Array = NDArray[np.float64]
@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 def sheet(compiled: Compiled, motors: Mapping[str, Motor], dialect: str, stop: float) -> str:
     """All motors, by their drives, to be read: each line a domain and its expression."""
-    name = compiled.mechanism.name
+    name = compiled.mechanism.title
     lines = [say("motors.title", name=name), say("motors.time", stop=number(stop)), say(f"motors.dialect.{dialect}")]
     for of, made in motors.items():
         drive = compiled.mechanism.prescribed(of)
@@ -29,8 +29,12 @@ def sheet(compiled: Compiled, motors: Mapping[str, Motor], dialect: str, stop: f
 
 
 def expressions(motors: Mapping[str, Motor]) -> str:
-    """All pieces as a table."""
-    rows = ([drive, m.unit, r.start, r.stop, r.text] for drive, m in motors.items() for r in m.rows)
+    """All pieces as a table; a blank keeps a spreadsheet from computing what begins with a sign."""
+    rows = (
+        [drive, m.unit, r.start, r.stop, " " * (r.text[0] in "+-") + r.text]
+        for drive, m in motors.items()
+        for r in m.rows
+    )
     return written(["drive", "unit", head("from", "s"), head("to", "s"), "expression"], rows)
 
 

@@ -7,7 +7,8 @@ import math
 import numpy as np
 
 from linkwright.exports.process_simulate.functions import JointFunction, JointFunctions
-from linkwright.report.csv_text import written
+from linkwright.model.csv_text import written
+from linkwright.model.escape import csharp, line
 from linkwright.words import say
 
 ROWS = 24
@@ -17,7 +18,7 @@ ROWS = 24
 def pasteable(made: JointFunctions, title: str) -> str:
     """Each joint with its function in a line of its own."""
     lines = [
-        say("functions.head", title=title, dialect=made.dialect),
+        line(say("functions.head", title=title, dialect=made.dialect)),
         say("functions.units"),
         say("functions.proof", error=f"{made.max_error:.1e}", decimals=made.decimals),
         *([say("functions.master", master=made.driving.name, drive=made.motion.drive)] * made.motion.turned_round),
@@ -25,11 +26,11 @@ def pasteable(made: JointFunctions, title: str) -> str:
         *([say("functions.fitted")] if made.fitted else []),
         *([say("functions.compared")] if any(">=" in function.text for function in made.functions) else []),
         "",
-        f"# {describe(made.driving)}",
+        f"# {line(describe(made.driving))}",
         "",
     ]
     for function in made.functions:
-        lines += [f"# {describe(function)}", function.text, ""]
+        lines += [f"# {line(describe(function))}", function.text, ""]
     return "\n".join(lines)
 
 
@@ -53,15 +54,15 @@ def _limits(function: JointFunction) -> str:
 def snippet(made: JointFunctions, title: str) -> str:
     """The functions set by the tool's API, as C#."""
     lines = [
-        f"// {say('functions.head', title=title, dialect=made.dialect).removeprefix('# ')}",
-        f"// {say('functions.snippet')}",
+        f"// {line(say('functions.head', title=title, dialect=made.dialect).removeprefix('# '))}",
+        f"// {line(say('functions.snippet'))}",
         "static void SetJointFunctions(System.Collections.Generic.IDictionary<string, TxJoint> joints)",
         "{",
     ]
     for function in made.functions:
         lines += [
-            f"    // {describe(function)}",
-            f'    joints["{function.name}"].KinematicsFunction = "{function.text}";',
+            f"    // {line(describe(function))}",
+            f'    joints["{csharp(function.name)}"].KinematicsFunction = "{csharp(function.text)}";',
         ]
     return "\n".join([*lines, "}", ""])
 

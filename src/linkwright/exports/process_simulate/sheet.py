@@ -4,7 +4,6 @@ what the linkage does over its driving range."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from html import escape
 from importlib.resources import files
 
 import numpy as np
@@ -15,6 +14,7 @@ from linkwright.exports.process_simulate.facts import HingeFacts
 from linkwright.exports.process_simulate.functions import JointFunction, JointFunctions
 from linkwright.exports.process_simulate.sheet_drawing import anchors, linkage, places
 from linkwright.kernels import Compiled
+from linkwright.model.escape import markup
 from linkwright.report.charts import Axes, figures, points
 from linkwright.report.data import Chart
 from linkwright.report.page import POLICY
@@ -47,7 +47,7 @@ for (const button of document.querySelectorAll("button.copy")) {
 
 def sheet(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> str:
     """The whole sheet as the text of an HTML file (UTF-8)."""
-    title = say("sheet.title", name=compiled.mechanism.name)
+    title = say("sheet.title", name=compiled.mechanism.title)
     subtitle = say(
         "sheet.subtitle",
         dialect=functions.dialect,
@@ -65,22 +65,22 @@ def sheet(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> s
 <meta http-equiv="Content-Security-Policy" content="{POLICY}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
-<meta name="generator" content="linkwright {escape(linkwright.__version__)}">
+<meta name="generator" content="linkwright {markup(linkwright.__version__)}">
 <link rel="icon" href="data:,">
-<title>{escape(title)}</title>
+<title>{markup(title)}</title>
 <style>
 {style}
 </style>
 </head>
 <body class="sheet">
-<header><h1>{escape(title)}</h1><p class="subtitle">{escape(subtitle)}</p></header>
+<header><h1>{markup(title)}</h1><p class="subtitle">{markup(subtitle)}</p></header>
 <main>
 <section id="linkage"><div class="two">{_linkage(compiled, functions, facts)}{_plane(compiled, facts)}</div></section>
-<section id="joints"><h2>{escape(say("sheet.functions"))}</h2>{_table(compiled, functions, facts)}</section>
-<section id="facts"><h2>{escape(say("sheet.facts"))}</h2>{_facts(compiled, facts)}
+<section id="joints"><h2>{markup(say("sheet.functions"))}</h2>{_table(compiled, functions, facts)}</section>
+<section id="facts"><h2>{markup(say("sheet.facts"))}</h2>{_facts(compiled, facts)}
 <div class="three">{figures(_charts(facts))}</div></section>
 </main>
-<footer>{escape(say("sheet.footer", version=linkwright.__version__))}</footer>
+<footer>{markup(say("sheet.footer", version=linkwright.__version__))}</footer>
 <script>{SCRIPT}</script>
 </body>
 </html>
@@ -107,7 +107,7 @@ def _linkage(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -
         labels.setdefault(_anchor(compiled, function), []).append(function.name)
     title, ends = say("sheet.drawing.title"), (facts.zero, facts.zero + float(facts.value[facts.far]))
     drawn = linkage(compiled, facts.drive, ends, functions.driving.child, labels, title)
-    links = "".join(f"<li>{i} {escape(name)}</li>" for i, name in enumerate(compiled.mechanism.links, start=1))
+    links = "".join(f"<li>{i} {markup(name)}</li>" for i, name in enumerate(compiled.mechanism.links, start=1))
     there = functions.motion.of_drive(np.array([functions.zero + facts.value[facts.far]]))
     far = _value(float(there[0]), functions.driving, facts)
     notes = [say("sheet.drawing.note", drive=functions.driving.name, far=far)]
@@ -115,8 +115,8 @@ def _linkage(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -
         notes.append(say("sheet.axis.flat"))
     else:
         notes.append(say("sheet.axis", normal=", ".join(_shown(part) for part in compiled.plane.normal)))
-    note = f'<p class="note">{escape(" ".join(notes))}</p>'
-    return f"<figure><figcaption>{escape(say('sheet.drawing'))}</figcaption>{drawn}<ol>{links}</ol>{note}</figure>"
+    note = f'<p class="note">{markup(" ".join(notes))}</p>'
+    return f"<figure><figcaption>{markup(say('sheet.drawing'))}</figcaption>{drawn}<ol>{links}</ol>{note}</figure>"
 
 
 def _anchor(compiled: Compiled, function: JointFunction) -> str:
@@ -135,7 +135,7 @@ def _table(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> 
     heads = [say(f"sheet.column.{head}", unit=unit) for head in ("joint", "links", "place", "limits", "error")]
     rows = []
     for joint in joints:
-        name, where = f'<td class="name-cell">{escape(joint.name)}', ""
+        name, where = f'<td class="name-cell">{markup(joint.name)}', ""
         if joint.helper:
             links = say("sheet.helper")
         else:
@@ -144,25 +144,25 @@ def _table(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> 
             where = _note("sheet.mirrored") if joint.mirrored else where
             links = f"{joint.parent} / {joint.child}"
             if joint.name != joint.joint:
-                name += f'<span class="note">{escape(say("sheet.model", joint=joint.joint))}</span>'
+                name += f'<span class="note">{markup(say("sheet.model", joint=joint.joint))}</span>'
         off = _error(joint.error, _UNITS[joint.kind]) if joint.text and not joint.helper else "–"
         cells = [
             f"{name}</td>",
-            f"<td>{escape(links)}{_note('sheet.flipped') if joint.sign < 0 else ''}</td>",
+            f"<td>{markup(links)}{_note('sheet.flipped') if joint.sign < 0 else ''}</td>",
             f'<td class="figure">{where}</td>',
             f'<td class="figure">{_limits(joint, facts)}</td>',
             f'<td class="figure">{off}</td>',
         ]
         text = (
-            f'<div class="paste"><code>{escape(joint.text)}</code><button class="copy" type="button" hidden '
-            f'data-done="{escape(say("sheet.copied"))}">{escape(say("sheet.copy"))}</button></div>'
+            f'<div class="paste"><code>{markup(joint.text)}</code><button class="copy" type="button" hidden '
+            f'data-done="{markup(say("sheet.copied"))}">{markup(say("sheet.copy"))}</button></div>'
             if joint.text
             else _note("sheet.driving")
         )
         rows.append(
             f'<tr class="first">{"".join(cells)}</tr><tr class="text"><td colspan="{len(heads)}">{text}</td></tr>'
         )
-    head = "".join(f"<th>{escape(text)}</th>" for text in heads)
+    head = "".join(f"<th>{markup(text)}</th>" for text in heads)
     return f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(rows)}</tbody></table>"
 
 
@@ -179,7 +179,7 @@ def _value(value: float, joint: JointFunction, facts: HingeFacts) -> str:
 
 
 def _note(key: str) -> str:
-    return f'<span class="note">{escape(say(key))}</span>'
+    return f'<span class="note">{markup(say(key))}</span>'
 
 
 def _facts(compiled: Compiled, facts: HingeFacts) -> str:
@@ -209,7 +209,7 @@ def _facts(compiled: Compiled, facts: HingeFacts) -> str:
         x0, y0, x1, y1 = (_shown(edge) for edge in told["swept"]["bounds"])
         data = {"area": f"{told['swept']['area']:.6g}", "unit": told["swept"]["unit"]}
         rows.append((say("sheet.swept"), say("sheet.swept.text", x0=x0, x1=x1, y0=y0, y1=y1, **data)))
-    cells = "".join(f"<div><dt>{escape(name)}</dt><dd>{escape(text)}</dd></div>" for name, text in rows)
+    cells = "".join(f"<div><dt>{markup(name)}</dt><dd>{markup(text)}</dd></div>" for name, text in rows)
     return f'<dl class="facts">{cells}</dl>'
 
 
@@ -285,6 +285,6 @@ def _plane(compiled: Compiled, facts: HingeFacts) -> str:
     title = say(f"sheet.chart.{'pole' if facts.swept is None else 'swept'}", link=facts.panel)
     picture = (
         f'<svg class="lw still swept" viewBox="0 0 {plane.right + 12:.0f} {plane.bottom + 36:.0f}" role="img" '
-        f'aria-label="{escape(title)}">{plane.grid()}{"".join(shapes)}</svg>'
+        f'aria-label="{markup(title)}">{plane.grid()}{"".join(shapes)}</svg>'
     )
-    return f"<figure><figcaption>{escape(title)}</figcaption>{picture}</figure>"
+    return f"<figure><figcaption>{markup(title)}</figcaption>{picture}</figure>"

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from html import escape
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.kernels import Compiled
+from linkwright.model.escape import markup
 from linkwright.report.charts import points
 from linkwright.structure import FRAME
 from linkwright.studies.sweep import sweeping
@@ -98,7 +98,7 @@ def linkage(
             shapes.append(placing.label(", ".join(labels[joint]), place))
     return (
         f'<svg class="linkage" viewBox="0 0 {room.width:.0f} {room.height:.0f}" role="img" '
-        f'aria-label="{escape(title)}">{"".join(shapes)}</svg>'
+        f'aria-label="{markup(title)}">{"".join(shapes)}</svg>'
     )
 
 
@@ -191,7 +191,7 @@ class _Placing:
         )
         self.taken.append((np.array([x, y]), half))
         return (
-            f'<g class="number"><title>{escape(link)}</title><circle cx="{x:.1f}" cy="{y:.1f}" r="{RADIUS:.0f}"/>'
+            f'<g class="number"><title>{markup(link)}</title><circle cx="{x:.1f}" cy="{y:.1f}" r="{RADIUS:.0f}"/>'
             f'<text x="{x:.1f}" y="{y + 4:.1f}" text-anchor="middle">{number}</text></g>'
         )
 
@@ -207,7 +207,7 @@ class _Placing:
         leader = f'<path d="M{at[0]:.1f} {at[1]:.1f}L{edge[0]:.1f} {edge[1]:.1f}"/>' if way > AWAY[0] else ""
         return (
             f'<g class="name">{leader}<rect x="{left:.1f}" y="{top:.1f}" width="{w:.1f}" height="{h:.1f}" rx="3"/>'
-            f'<text x="{x:.1f}" y="{y + 4.5:.1f}" text-anchor="middle">{escape(text)}</text></g>'
+            f'<text x="{x:.1f}" y="{y + 4.5:.1f}" text-anchor="middle">{markup(text)}</text></g>'
         )
 
     def cost(self, place: Array, half: Array, way: float) -> float:

@@ -37,7 +37,7 @@ class ProcessSimulate:
             made = make(compiled, options.wish(compiled))
         except Refused as refused:
             return Exported(failures=[refused.finding])
-        title, told = compiled.mechanism.name, facts(compiled, options.sheet, *made.range, made.zero)
+        title, told = compiled.mechanism.title, facts(compiled, options.sheet, *made.range, made.zero)
         files = {
             "joint_functions.txt": pasteable(made, title),
             "joint_functions.cs": snippet(made, title),

@@ -7,6 +7,8 @@ import io
 from collections.abc import Iterable
 from math import isfinite
 
+from linkwright.model import escape
+
 
 def head(name: str, unit: str) -> str:
     """A column's head: its name and unit."""
@@ -19,9 +21,9 @@ def cell(value: float | int) -> str:
 
 
 def written(header: list[str], rows: Iterable[list[str]]) -> str:
-    """The whole table."""
+    """The whole table; no cell but a number begins as a formula does."""
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(header)
-    writer.writerows(rows)
+    writer.writerow(map(escape.cell, header))
+    writer.writerows(map(escape.cell, row) for row in rows)
     return stream.getvalue()
