@@ -6,8 +6,8 @@ The tables between its marks are made from docs/validation/robustness.json, whic
     python benchmarks/fuzz.py --plants --save plants.json
     python benchmarks/robustness.py --counts counts.json --plants plants.json
 
-Several files of counts, of other seeds or classes, are added up. Cases that failed are tried once more: those whose
-fault has been mended since are counted as such. Without options the tables are made anew from what is there.
+Several files of counts, of other seeds or classes, are added up. Without options the tables are made anew from what is
+there.
 """
 
 from __future__ import annotations
@@ -21,7 +21,6 @@ from typing import Any
 
 from fuzz_cases import KINDS
 from fuzz_plants import PLANTS
-from fuzz_processes import imported, judged
 
 PAGE = Path(__file__).resolve().parent.parent / "docs" / "validation" / "robustness.md"
 MEASURED = PAGE.with_suffix(".json")
@@ -43,10 +42,8 @@ def limits_text(counts: dict[str, Any]) -> str:
     """What came of the cases, in a sentence."""
     slow, wide = counts["slowest"], counts["largest"]
     return (
-        f"When they were first tried, {counts['mended']} of them failed; these faults have been mended, each with a\n"
-        f"test, and their cases tried again. {len(counts['codes'])} different findings came of all cases.\n"
-        f"The slowest took {slow['seconds']:g} s of processor time ({slow['kind']}), the largest\n"
-        f"{wide['mebibytes']} MiB more than its process had ({wide['kind']}).\n"
+        f"{len(counts['codes'])} different findings came of them. The slowest took {slow['seconds']:g} s of processor\n"
+        f"time ({slow['kind']}), the largest {wide['mebibytes']} MiB more than its process had ({wide['kind']}).\n"
     )
 
 
@@ -75,14 +72,6 @@ def added(runs: list[dict[str, Any]]) -> dict[str, Any]:
     return {**sums, **worst, "failures": failures, "codes": sorted({code for run in runs for code in run["codes"]})}
 
 
-def tried_again(counts: dict[str, Any]) -> dict[str, Any]:
-    """The counts, with the cases that failed tried once more."""
-    left = [(v.seed, v.kind) for v in judged([(seed, kind) for seed, kind in counts["failures"]], 1) if v.faults]
-    failed = {kind: sum(kind == other for _, other in left) for kind in counts["cases"]}
-    mended = counts.get("mended", 0) + len(counts["failures"]) - len(left)
-    return {**counts, "failed": failed, "failures": left, "mended": mended}
-
-
 def page(text: str, measured: dict[str, Any]) -> str:
     """The page's text with its tables made from what was measured."""
     made = {
@@ -107,8 +96,7 @@ def main() -> None:
     if asked.plants:
         measured["plants"] = read(asked.plants)
     if asked.counts:
-        imported()
-        measured["counts"] = tried_again(added([read(file) for file in asked.counts]))
+        measured["counts"] = added([read(file) for file in asked.counts])
     MEASURED.write_text(json.dumps(measured, indent=2) + "\n", encoding="utf-8")
     PAGE.write_text(page(PAGE.read_text(encoding="utf-8"), measured), encoding="utf-8")
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 
-import pytest
 import robustness
 from fuzz import Counts
 from fuzz_cases import KINDS
@@ -30,7 +29,7 @@ def test_a_fault_that_is_not_found_is_said() -> None:
     assert "| not found |" in robustness.plants_table({})
 
 
-def test_runs_are_added_up_and_failures_tried_again(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_runs_are_added_up() -> None:
     first, second = Counts(), Counts()
     first.add(Verdict("text", 1, 2, ("file.yaml",), ["raised"], 3.0, 1.0))
     second.add(Verdict("text", 2, 0, ("nothing found",), [], 1.0, 7.0))
@@ -38,8 +37,4 @@ def test_runs_are_added_up_and_failures_tried_again(monkeypatch: pytest.MonkeyPa
     both = robustness.added([first.as_dict(), second.as_dict()])
     assert (both["cases"], both["codes"]) == ({"text": 2, "tree": 1}, ["file.expected", "file.yaml"])
     assert (both["slowest"]["seconds"], both["largest"]["mebibytes"]) == (3.0, 7)
-    monkeypatch.setattr(
-        robustness, "judged", lambda tasks, jobs: [Verdict("text", 1), Verdict("tree", 3, faults=["x"])]
-    )
-    again = robustness.tried_again(both)
-    assert (again["failed"], again["failures"], again["mended"]) == ({"text": 0, "tree": 1}, [(3, "tree")], 1)
+    assert both["failures"] == [(1, "text"), (3, "tree")]
