@@ -87,7 +87,9 @@ def data_of(content: bytes) -> dict[str, Any]:
 
 def titled(data: dict[str, Any], text: str) -> Document:
     """A model with a text wherever there may be one."""
-    document = parse_document(data | {"name": text, "note": text})
+    given = {name: at if isinstance(at, dict) else {"value": at} for name, at in (data.get("parameters") or {}).items()}
+    parameters = {name: {**at, "note": text} for name, at in given.items()}
+    document = parse_document(data | {"name": text, "note": text, "source": text, "parameters": parameters})
     assert document is not None
     return document
 
@@ -166,8 +168,8 @@ def compare(harmless: dict[str, bytes], hostile: dict[str, bytes]) -> None:
             same_lines(name, harmless[name].decode(), text)
 
 
-CHANGING = re.compile(r"[0-9a-f]{12,}|\{[0-9A-F-]{36}\}|\d+\.\d{6,}|(?<=\"size\": )\d+")
-"""Hashes and sizes of files; dates and identifiers of drawings."""
+CHANGING = re.compile(r"[0-9a-f]{12,}|\{[0-9A-F-]{36}\}|\d+\.\d{6,}|(?<=\"size\": )\d+|(?<=\"line\": )\d+")
+"""Hashes, sizes and lines of files; dates and identifiers of drawings."""
 
 
 def same_lines(name: str, harmless: str, hostile: str) -> None:
