@@ -132,7 +132,6 @@ def report(feeder: Feeder) -> ReportData:
         "source": "Source: Tang, Deng, Xin <2022>",
         "origin": "Model file model.yaml (SHA-256 0123456789ab), 2026-01-01T12:00:00+00:00, linkwright 0.1.0",
         "version": "0.1.0",
-        "language": "en",
         "words": dict(REPORT),
         "time": {"values": feeder.t.tolist(), "unit": "s", "label": "time"},
         "scene": scene_of(feeder),

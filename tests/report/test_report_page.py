@@ -80,7 +80,7 @@ def test_payload_is_what_was_given(report: ReportData) -> None:
 
 def test_hostile_names_are_text_everywhere(report: ReportData) -> None:
     clean = [tag for tag, _ in Page(page(report)).tags]
-    for key in ("title", "subtitle", "source", "origin", "version", "language", "model_text"):
+    for key in ("title", "subtitle", "source", "origin", "version", "model_text"):
         report[key] = HOSTILE
     report["remarks"] = [HOSTILE]
     report["words"] = dict.fromkeys(REPORT, HOSTILE)

@@ -10,6 +10,7 @@ from pydantic import BeforeValidator, WithJsonSchema
 
 from linkwright.model.expressions import ExpressionError, Node, Number, parse
 from linkwright.model.findings import Term
+from linkwright.model.parser import reads
 from linkwright.model.respelled import syntax_fault
 from linkwright.model.written import (
     Frozen,
@@ -98,14 +99,6 @@ def parse_text(text: str) -> Node:
     except ExpressionError as error:
         code, data = syntax_fault(text, error.reason)
         raise fault(code, **data) from None
-
-
-def _reads(text: str) -> bool:
-    try:
-        parse(text)
-    except ExpressionError:
-        return False
-    return True
 
 
 def pair(wanted: str) -> Callable[[Any], Any]:
@@ -308,7 +301,7 @@ class Requirement(Written):
             low, high = (Expression(part) for part in text.split("..", 1))
         elif isinstance(raw, list | tuple) and len(raw) == 2:
             raise unexpected("requirement", raw, Term("write", text=f"{raw[0]} .. {raw[1]}"))
-        elif _reads(text) and not any(re.fullmatch(pattern, text) for pattern in self.spellings):
+        elif reads(text) and not any(re.fullmatch(pattern, text) for pattern in self.spellings):
             raise unexpected("requirement", raw, Term("write-bound", text=text))
         else:
             raise self.unexpected("requirement", raw)

@@ -62,6 +62,15 @@ def parse(text: str) -> Node:
     return node
 
 
+def reads(text: str) -> bool:
+    """Whether a text is an expression."""
+    try:
+        parse(text)
+    except ExpressionError:
+        return False
+    return True
+
+
 @dataclass
 class _Parser:
     text: str

@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Collection
 
 from linkwright.model.findings import Term
-from linkwright.model.parser import ExpressionError, parse, tokens
+from linkwright.model.parser import reads, tokens
 from linkwright.model.synonyms import unit_meant
 from linkwright.model.units import is_unit, unit_words
 from linkwright.model.unknown import alike
@@ -33,7 +33,7 @@ def respelled(text: str, known: Collection[str] = ()) -> tuple[Term, Term] | Non
     names that mean what they say."""
     if len(text) > _LONGEST:
         return None
-    if (limits := _LIMITS.fullmatch(text.strip())) and _reads(limits[1] or "0") and _reads(limits[2]):
+    if (limits := _LIMITS.fullmatch(text.strip())) and reads(limits[1] or "0") and reads(limits[2]):
         value, tolerance = limits.groups()
         hint = Term("write-tolerance", value=value, text=tolerance) if value else Term("write", text=tolerance)
         return Term("respelled-tolerance"), hint
@@ -41,7 +41,7 @@ def respelled(text: str, known: Collection[str] = ()) -> tuple[Term, Term] | Non
     for reason, rule in _RULES.items():
         if (changed := rule(meant, known)) != meant:
             why, meant = why or reason, changed
-    if why is None or not _reads(meant):
+    if why is None or not reads(meant):
         return None
     if thousands := _THOUSANDS.fullmatch(text.strip()):
         return Term("respelled-comma"), Term("write-either", text=meant, other="".join(thousands.groups()))
@@ -165,14 +165,6 @@ _RULES: dict[str, Callable[[str, Collection[str]], str]] = {
     "factor": _factor, "dot": _dot, "sense": _sense,
 }  # fmt: skip
 """Ways to write, each with its rewriting; applied one after the other, the first that changes something is named."""
-
-
-def _reads(text: str) -> bool:
-    try:
-        parse(text)
-    except ExpressionError:
-        return False
-    return True
 
 
 def syntax_fault(text: str, reason: Term, known: Collection[str] = ()) -> Fault:

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from importlib.resources import files
 from typing import Any
 from urllib.parse import quote
 
 import linkwright
 from linkwright.model.escape import markup
 from linkwright.model.origin import Origin
-from linkwright.report.page import POLICY
-from linkwright.words import LANGUAGE, say
+from linkwright.report.html_file import html_file
+from linkwright.words import say
 
 
 @dataclass(frozen=True)
@@ -28,34 +27,17 @@ class BatchRow:
 def batch_page(file: str, target: str, heads: Sequence[str], rows: Sequence[BatchRow], origin: Origin) -> str:
     """The page as the text of an HTML file (UTF-8); it links to files named ``NAME_FILE`` beside it."""
     title = say("batch.page.title", file=file, target=target)
-    style = files("linkwright.report").joinpath("assets", "report.css").read_text("utf-8")
     columns = [
         say("batch.page.name"), say("batch.page.model"), *heads, say("batch.page.result"), say("batch.page.files"),
     ]  # fmt: skip
     head = "".join(f"<th>{markup(column)}</th>" for column in columns)
     body = "".join(_row(row, columns) for row in rows)
     footer = say("batch.page.footer", version=linkwright.__version__, file=file, sha256=origin.short, date=origin.date)
-    return f"""<!DOCTYPE html>
-<html lang="{LANGUAGE}">
-<head>
-<meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="{POLICY}">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="color-scheme" content="light dark">
-<meta name="generator" content="linkwright {markup(linkwright.__version__)}">
-<link rel="icon" href="data:,">
-<title>{markup(title)}</title>
-<style>
-{style}
-</style>
-</head>
-<body>
-<header><h1>{markup(title)}</h1><p class="subtitle">{markup(say("batch.page.subtitle", count=len(rows)))}</p></header>
+    subtitle = say("batch.page.subtitle", count=len(rows))
+    page = f"""<header><h1>{markup(title)}</h1><p class="subtitle">{markup(subtitle)}</p></header>
 <main class="batch"><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></main>
-<footer>{markup(footer)}</footer>
-</body>
-</html>
-"""
+<footer>{markup(footer)}</footer>"""
+    return html_file(title, page)
 
 
 def _row(row: BatchRow, columns: Sequence[str]) -> str:

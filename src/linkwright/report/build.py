@@ -36,7 +36,7 @@ from linkwright.report.parts import PARTS, drawn, found
 from linkwright.results import Result
 from linkwright.structure import FRAME
 from linkwright.studies.sweep import Sweep
-from linkwright.words import LANGUAGE, catalogue, say
+from linkwright.words import catalogue, say
 
 Array = NDArray[np.float64]
 
@@ -70,7 +70,6 @@ def report_data(
         "source": say("report.source", source=document.source) if document.source else "",
         "origin": origin_text(origin),
         "version": origin.version,
-        "language": LANGUAGE,
         "words": words,
         "time": axis(result),
         "scene": scene(result),

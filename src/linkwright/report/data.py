@@ -270,7 +270,6 @@ class ReportData(TypedDict):
     source: str
     origin: str
     version: str
-    language: str
     words: Mapping[str, str]
     time: Time
     scene: Scene

@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 import re
-from importlib.resources import files
 
-from linkwright.model.escape import markup
 from linkwright.report import sections
 from linkwright.report.data import ReportData
+from linkwright.report.html_file import asset, html_file
 from linkwright.report.payload import script_json
-
-# The browser itself is told to load nothing, so that the file stays self-contained whatever is put into it.
-POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:"
 
 SCRIPT_WORDS = (
     "report.areas",
@@ -32,7 +28,6 @@ SCRIPT_WORDS = (
 
 def page(data: ReportData) -> str:
     """The whole report as the text of an HTML file (UTF-8)."""
-    style = f"{_asset('uplot.min.css')}\n{_asset('report.css')}"
     payload = script_json(
         {
             "words": {key: data["words"][key] for key in SCRIPT_WORDS},
@@ -66,44 +61,22 @@ def page(data: ReportData) -> str:
             sections.footer(data),
         ]
     )
-    return f"""<!DOCTYPE html>
-<html lang="{markup(data["language"])}">
-<head>
-<meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="{POLICY}">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="color-scheme" content="light dark">
-<meta name="generator" content="linkwright {markup(data["version"])}">
-<link rel="icon" href="data:,">
-<title>{markup(data["title"])}</title>
-<style>
-{style}
-</style>
-</head>
-<body>
-{body}
-<script type="application/json" id="data">{payload}</script>
+    scripts = f"""<script type="application/json" id="data">{payload}</script>
 <script>
 /*! uPlot
-{_asset("LICENSE.uplot.txt").strip()}
+{asset("LICENSE.uplot.txt").strip()}
 */
-{_asset("uplot.iife.min.js")}
+{asset("uplot.iife.min.js")}
 </script>
 <script type="module">
 const mechanism = (() => {{
-{_inlined(_asset("mechanism.js"))}
+{_inlined(asset("mechanism.js"))}
 return {{ render, still }};
 }})();
-{_asset("report.js")}
-{_asset("stacks.js")}
-</script>
-</body>
-</html>
-"""
-
-
-def _asset(name: str) -> str:
-    return files(__package__).joinpath("assets", name).read_text("utf-8")
+{asset("report.js")}
+{asset("stacks.js")}
+</script>"""
+    return html_file(data["title"], f"{body}\n{scripts}", before=f"{asset('uplot.min.css')}\n")
 
 
 def _inlined(module: str) -> str:

@@ -17,9 +17,9 @@ from linkwright.kernels import Compiled
 from linkwright.model.escape import markup
 from linkwright.report.charts import Axes, figures, points
 from linkwright.report.data import Chart
-from linkwright.report.page import POLICY
+from linkwright.report.html_file import html_file
 from linkwright.report.plane import Plane
-from linkwright.words import LANGUAGE, say
+from linkwright.words import say
 
 Array = NDArray[np.float64]
 
@@ -56,24 +56,7 @@ def sheet(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> s
         range=_limits(functions.driving, facts),
         error=_error(functions.max_error, " / ".join(dict.fromkeys(_UNITS[f.kind] for f in functions.functions))),
     )
-    style = files("linkwright.report").joinpath("assets", "report.css").read_text("utf-8")
-    style += files(__package__).joinpath("sheet.css").read_text("utf-8")
-    return f"""<!DOCTYPE html>
-<html lang="{LANGUAGE}">
-<head>
-<meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="{POLICY}">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="color-scheme" content="light dark">
-<meta name="generator" content="linkwright {markup(linkwright.__version__)}">
-<link rel="icon" href="data:,">
-<title>{markup(title)}</title>
-<style>
-{style}
-</style>
-</head>
-<body class="sheet">
-<header><h1>{markup(title)}</h1><p class="subtitle">{markup(subtitle)}</p></header>
+    body = f"""<header><h1>{markup(title)}</h1><p class="subtitle">{markup(subtitle)}</p></header>
 <main>
 <section id="linkage"><div class="two">{_linkage(compiled, functions, facts)}{_plane(compiled, facts)}</div></section>
 <section id="joints"><h2>{markup(say("sheet.functions"))}</h2>{_table(compiled, functions, facts)}</section>
@@ -81,10 +64,9 @@ def sheet(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> s
 <div class="three">{figures(_charts(facts))}</div></section>
 </main>
 <footer>{markup(say("sheet.footer", version=linkwright.__version__))}</footer>
-<script>{SCRIPT}</script>
-</body>
-</html>
-"""
+<script>{SCRIPT}</script>"""
+    style = files(__package__).joinpath("sheet.css").read_text("utf-8")
+    return html_file(title, body, style=style, kind="sheet")
 
 
 def _shown(value: float) -> str:
