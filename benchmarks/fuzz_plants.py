@@ -66,7 +66,7 @@ def hang_on_nan() -> None:
 
 def nan_in_a_table() -> None:
     """NaN written to a CSV file in place of a blank cell, or where a value is 0."""
-    from linkwright.report import csv_text
+    from linkwright.model import csv_text
 
     cell = csv_text.cell
     _everywhere("cell", cell, lambda value: "nan" if value == 0 else cell(value))
@@ -114,7 +114,7 @@ def memory_by_a_number() -> None:
 
 def other_answers() -> None:
     """Figures that depend on what the process did before."""
-    from linkwright.report import csv_text
+    from linkwright.model import csv_text
 
     cell, asked = csv_text.cell, [0]
 

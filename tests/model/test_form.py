@@ -59,7 +59,7 @@ def test_a_misspelled_key_of_a_cam_is_told_the_known_ones() -> None:
         ("links", {"frame": {"points": {"x" * 61: [0, 0]}}}, "file.bad-name", f"links.frame.points.{'x' * 61}"),
         ("links", {"t": {"points": {}}}, "file.reserved-name", "links.t"),
         ("links", {"1st": {"points": {}}}, "file.bad-name", "links.1st"),
-        ("links", {"a\n": {"points": {}}}, "file.bad-name", "links.a\n"),
+        ("links", {"a\n": {"points": {}}}, "file.bad-name", "links.a"),
         ("links", [], "file.expected", "links"),
         ("links", None, "file.expected", "links"),
         ("links", {f"l{i}": {"points": {}} for i in range(300)}, "file.too-many", "links"),

@@ -139,6 +139,9 @@ def test_between_samples_the_drawing_stays_closed(show: Any, report: ReportData,
 
 def test_slider_ties_every_visible_plot(show: Any, report: ReportData) -> None:
     view = show(report)
+    for plot in (0, 1):  # drawn once they are in view
+        view.page.locator("figure.plot").nth(plot).scroll_into_view_if_needed()
+        view.settle()
     view.slider.fill("60")
     view.settle()
     for plot in (0, 1):

@@ -75,4 +75,4 @@ def nc(text: str) -> str:
 
 def layer_name(text: str) -> str:
     """The name of a layer of a DXF drawing."""
-    return _NO_LAYER.sub("-", line(text))[:LAYER]
+    return " ".join(_NO_LAYER.sub("-", line(text)).split())[:LAYER]
