@@ -75,7 +75,7 @@ def test_units_in_the_heads_and_models_of_ones_own(tmp_path: Path) -> None:
 def test_everything_wrong_is_told_at_once_and_nothing_is_written(tmp_path: Path) -> None:
     job = batch(
         tmp_path,
-        "name,model,x1 [mm],x2\ngood,,60,\n../bad,,60,\nGOOD,,61,\nletters,,six,\nnone,nothing.yaml,,\nlong,,1,2,3\n"
+        "name,model,x1 [mm],x2\ngood,,60,\n../bad,,60,\nGOOD,,6l,\nletters,,six,\nnone,nothing.yaml,,\nlong,,1,2,3\n"
         "foreign,slider-crank,3,\nfar,,600,1000\ntall,,1e99,\n",
     )
     assert job.exit_code == 2
@@ -84,6 +84,7 @@ def test_everything_wrong_is_told_at_once_and_nothing_is_written(tmp_path: Path)
     assert told(job) == [
         ("batch.name", 3, "name"),
         ("batch.name-twice", 4, "GOOD.name"),
+        ("table.not-number", 4, "GOOD.x1 [mm]"),
         ("table.not-number", 5, "letters.x1 [mm]"),
         ("batch.model", 6, "nothing.yaml"),
         ("batch.cells", 7, "long"),

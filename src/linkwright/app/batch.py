@@ -111,7 +111,7 @@ class Batch:
         return found
 
     def rows(self) -> Iterator[tuple[int, str, str, list[str]]]:
-        """Line, name, model and cells of the rows that are well-formed."""
+        """Line, name, model and cells of the rows; what is wrong with their form is noted."""
         if NAME not in self.table.heads:
             self.note("batch.no-name", (), 1, known=", ".join(self.table.heads)[:100])
             return
@@ -122,15 +122,14 @@ class Batch:
             self.note("batch.empty", (), 1, file=self.table.name)
         for line, cells in self.table.rows:
             cells = [cell.strip() for cell in cells] + [""] * (len(self.table.heads) - len(cells))
-            name, count = cells[at], len(self.findings)
+            name = cells[at]
             if any(cells[len(self.table.heads) :]):
                 self.note("batch.cells", (name[:60],), line, count=len(cells), heads=len(self.table.heads))
             if not _FILE_NAME.fullmatch(name):
                 self.note("batch.name", (NAME,), line, name=name[:60])
             elif (first := names.setdefault(name.casefold(), line)) != line:
                 self.note("batch.name-twice", (name, NAME), line, name=name, first=first)
-            if len(self.findings) == count:
-                yield line, name, next((cells[place] for place in based), "") or BASE, cells
+            yield line, name, next((cells[place] for place in based), "") or BASE, cells
 
     def base(self, name: str, line: int) -> Base:
         """The model of the gallery, or beside the file, that a row names; what is wrong with it is told once."""
