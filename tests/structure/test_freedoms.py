@@ -103,6 +103,21 @@ def test_alike_points_are_told_as_a_pin_that_may_be_meant() -> None:
     assert finding.data["point"] == f"{finding.data['other']}x"
 
 
+def test_a_name_with_another_letter_is_told_where_one_pin_is_lacking() -> None:
+    """Half of C4 and CX is enough where two freedoms are left over, as a pin takes; not where more are."""
+    data = model("chain", "sound")
+    data["sketch"]["CX"] = data["sketch"]["C4"]
+    rocker = next(link for link in list(data["links"])[::-1] if "C4" in data["links"][link]["points"])
+    points = data["links"][rocker]["points"]
+    points[points.index("C4")] = "CX"
+    (finding,) = decompose(Document.model_validate(data)).findings
+    assert finding.code == "structure.unpinned"
+    assert {finding.data["point"], finding.data["other"]} == {"C4", "CX"}
+    data["links"] |= {"z": {"points": ["Z0", "Z1"]}}
+    data["sketch"] |= {"Z0": [0, 0], "Z1": [9, 9]}
+    assert "structure.unpinned" not in {finding.code for finding in decompose(Document.model_validate(data)).findings}
+
+
 def test_the_links_that_one_hangs_on_come_with_it() -> None:
     document = Document.model_validate(model("chain", "sound", 8))
     together = Freedoms(Topology(document), ["frame", "crank"], {}).together

@@ -11,8 +11,10 @@ from linkwright.model.unknown import alike
 from linkwright.structure.freedoms import Freedoms
 from linkwright.structure.placed import Placed
 from linkwright.structure.steps import Step
-from linkwright.structure.topology import Topology
+from linkwright.structure.topology import Connection, Topology
 
+HARDLY = 0.5
+"""The share of two names that agree, where what is left over speaks for one pin: C0 and CX."""
 MANY = 12
 """The most loose links that are all named; of more, those at which the free motions begin."""
 
@@ -31,9 +33,12 @@ def unsolved(placed: Placed) -> Iterator[Finding]:
         yield Finding("structure.overconstrained", ("links", links[0]), {"links": ", ".join(links), "excess": excess})
     crowded = {link for links, _ in full for link in links}
     unpinned: set[object] = set()
-    for part in placed.parts(placed.left):
-        if free := freedoms.loose(part):
-            finding = _loose(placed, freedoms, part, free)
+    parts = [(part, freedoms.loose(part)) for part in placed.parts(placed.left)]
+    # Where so many freedoms are left as one pin takes, that one is looked for by less of its spelling.
+    one_pin = sum(sum(free.values()) for _, free in parts) == Connection.ROWS["R"] and not full
+    for part, free in parts:
+        if free:
+            finding = _loose(placed, freedoms, part, free, HARDLY if one_pin else None)
             pair = frozenset((finding.data.get("point"), finding.data.get("other"))) - {None}
             if pair not in unpinned:  # the two parts that a misspelled pin leaves are one mistake
                 yield finding
@@ -42,11 +47,11 @@ def unsolved(placed: Placed) -> Iterator[Finding]:
             yield Finding("structure.loop-of-slides", ("links", part[0]), {"links": ", ".join(part)})
 
 
-def _loose(placed: Placed, freedoms: Freedoms, part: list[str], free: dict[str, int]) -> Finding:
+def _loose(placed: Placed, freedoms: Freedoms, part: list[str], free: dict[str, int], cutoff: float | None) -> Finding:
     """What a connected part of the links lacks: a pin, by the spelling of its points, or a drive."""
     links = part if len(part) <= MANY else list(free)
     data: dict[str, object] = {"links": ", ".join(links[:MANY]), "freedom": sum(free.values())}
-    for (link, point), (on, other) in _alike(placed.topology, part):
+    for (link, point), (on, other) in _alike(placed.topology, part, cutoff):
         if freedoms.could_join(link, on):
             data |= {"point": point, "link": link, "other": other, "on": on}
             code = "structure.unpinned-joint" if other in placed.topology.pins else "structure.unpinned"
@@ -57,9 +62,11 @@ def _loose(placed: Placed, freedoms: Freedoms, part: list[str], free: dict[str, 
     return Finding("structure.loose-many", ("links", links[0]), {**data, "count": len(part)})
 
 
-def _alike(topology: Topology, part: list[str]) -> Iterator[tuple[tuple[str, str], tuple[str, str]]]:
-    """Points on one link each and of no joint, with like names, the first on a link of the part; then such a point
-    and the pin of others whose name differs in letters."""
+def _alike(
+    topology: Topology, part: list[str], cutoff: float | None
+) -> Iterator[tuple[tuple[str, str], tuple[str, str]]]:
+    """Points on one link each and of no joint, with like names (in the share ``cutoff``), the first on a link of the
+    part; then such a point and the pin of others whose name differs in letters."""
     used = {member for pin in topology.pins.values() for member in pin.members}
     used |= {
         (link, line.point)
@@ -70,7 +77,7 @@ def _alike(topology: Topology, part: list[str]) -> Iterator[tuple[tuple[str, str
     for link, point in alone:
         others = {other: on for on, other in alone if on != link}
         if link in part:
-            yield from (((link, point), (others[other], other)) for other in alike(point, [*others]))
+            yield from (((link, point), (others[other], other)) for other in alike(point, [*others], cutoff))
     for link, point in alone:
         if link in part:
             pins = [name for name in topology.pins if _digits(name) == _digits(point)]
