@@ -7,10 +7,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 import linkwright as lw
 from linkwright.measures import Measurer, enclose, misfit
 from linkwright.measures.grades import Kind
+from linkwright.measures.places import _to_nearest
 from linkwright.measures.probe import Peak, Probe
 from linkwright.measures.rules import Reducer
 from studies.models import TURN, UNITS, cycle_of, four_bar, job_of, measured, slider_crank, value
@@ -255,3 +258,16 @@ def test_a_proof_refutes_what_is_planted(monkeypatch: pytest.MonkeyPatch) -> Non
 def test_python_has_grades() -> None:
     job = lw.run(lw.Document.model_validate(slider_crank(measures={"m": {"max": "B.x"}}, studies={"cycle": TURN})))
     assert job.summary["measures"]["m"]["grade"] == {"kind": "enclosed"}
+
+
+@given(st.lists(st.floats(-9, 9), max_size=9), st.lists(st.floats(-9, 9), min_size=1, max_size=9))
+def test_the_distance_to_the_nearest_place(places: list[float], times: list[float]) -> None:
+    """As comparing all with all gives it, without the memory that this takes where there are very many."""
+    found = _to_nearest(np.array(times), np.array(places))
+    apart = np.abs(np.subtract.outer(times, places))
+    assert np.array_equal(found, apart.min(axis=1, initial=np.inf))
+
+
+def test_millions_of_turns_take_bounded_memory() -> None:
+    many = np.linspace(0.0, 1.0, 80_000)
+    assert _to_nearest(many, many).max() == 0.0

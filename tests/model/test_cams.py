@@ -169,6 +169,14 @@ def test_refusals_of_other_followers() -> None:
     assert codes(joints__shaft=None)[0] == ("cam.no-shaft", "cams.rider")
 
 
+def test_a_guide_on_a_point_that_is_not_there() -> None:
+    """That is told; no follower is laid on such a guide."""
+    data = deepcopy(pair("sliding", "roller"))
+    (guide,) = [joint for joint in data["joints"].values() if "line" in joint]
+    guide["line"] = ["Nowhere at 90 deg", guide["line"][1]]
+    assert [finding.code for finding in found(data)] == ["name.unknown-point"]
+
+
 def test_how_far_an_arm_misses() -> None:
     (finding,) = found(
         pair("swinging", "roller") | {"cams": {"rider": {**pair("swinging", "roller")["cams"]["rider"], "base": 0.2}}}

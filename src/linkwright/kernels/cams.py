@@ -103,15 +103,17 @@ class Noting(dict[str, float]):
         return super().__getitem__(name)
 
 
-def cam_faults(quantities: Quantities, motions: Mapping[str, StatedMotion]) -> Iterator[Finding]:
+def cam_faults(quantities: Quantities, motions: Mapping[str, StatedMotion], named: bool = True) -> Iterator[Finding]:
     """Followers that can't stand on the base circle, faces askew, laws that don't go over a turn, second contacts that
-    can't be placed."""
+    can't be placed. Unless all elements are ``named`` rightly there is no geometry: of laws alone then."""
     geometry = Geometry(quantities, quantities.parameters)
     for name, drive in followings(quantities).items():
         path: tuple[str, ...] = ("cams", name)
         motion = motions.get(drive.cam.law)
         if motion is not None:
             yield from (finding for finding, _ in not_whole(quantities, drive.cam.law, motion, (*path, "law")))
+        if not named:
+            continue
         with np.errstate(all="ignore"):
             found = [*_askew(geometry, path, drive)]
             found += _reach(quantities, path, drive, seat(geometry, drive))

@@ -207,9 +207,9 @@ def prepare(
     tables: dict[str, StatedTable] = {}
     if not quantities.findings:
         motions, unmade = motion_laws(quantities)
-        laws, wrong = drive_laws(quantities, folder, motions)
+        laws, wrong = drive_laws(quantities, folder, motions, named=not names)
         tables, unread = action_tables(quantities, folder)
-        wrong = [*check_values(quantities), *unmade, *wrong, *cam_faults(quantities, motions)]
+        wrong = [*check_values(quantities), *unmade, *wrong, *cam_faults(quantities, motions, named=not names)]
         findings += [*wrong, *(fault for fault in unread if fault not in wrong)]
     structure = decompose(spelled.mechanism) if not names else Structure(Topology(spelled.mechanism), ())
     if not findings and driven:

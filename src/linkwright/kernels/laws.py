@@ -29,13 +29,17 @@ MAX_ROWS = 100_000
 
 
 def drive_laws(
-    quantities: Quantities, folder: Path | None, motions: Mapping[str, StatedMotion]
+    quantities: Quantities, folder: Path | None, motions: Mapping[str, StatedMotion], named: bool = True
 ) -> tuple[dict[str, Law], list[Finding]]:
-    """The law of each drive (value and rates, SI) over times (s), and what is wrong with them."""
+    """The law of each drive (value and rates, SI) over times (s), and what is wrong with them. Unless all elements are
+    ``named`` rightly there is no geometry that a cam's follower could be laid on: those are left out."""
     reader = _Reader(quantities, folder, motions)
     laws: dict[str, Law] = {}
     for name, drive in quantities.mechanism.drives.items():
-        law = reader.follower(name, laws) if isinstance(drive, Following) else reader.law(name)
+        following = isinstance(drive, Following)
+        if following and not named:
+            continue
+        law = reader.follower(name, laws) if following else reader.law(name)
         if law is not None:
             laws[name] = law
     return laws, reader.findings

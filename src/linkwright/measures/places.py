@@ -142,7 +142,7 @@ class Places:
             near = least[size < LOW * np.median(known)]
             if isinstance(row, Feature):
                 apart = 2 * ASIDE[0] * (run.stop - run.start)
-                alone = (np.abs(least[:, None] - crossed[i]) > apart).all(axis=1)
+                alone = _to_nearest(least, crossed[i]) > apart
                 touched = least[(size <= TOUCH * known.max()) & alone]
                 self._zeros[row] = np.union1d(crossed[i], touched)
                 self._cuts.append(self._zeros[row] if row.kind.hard else crossed[i])
@@ -247,3 +247,10 @@ def _acting(run: Run) -> Iterator[Node]:
         functions = {*run.compiled.mechanism.tables, *run.compiled.mechanism.laws}
         if calls & functions <= known and not any(n == Name("sketch") for n in nodes(tree)):
             yield tree
+
+
+def _to_nearest(times: Array, places: Array) -> Array:
+    """The distance of each time to the nearest of some places; infinite where there are none."""
+    known = np.concatenate([[-np.inf], np.sort(places), [np.inf]])
+    after = np.searchsorted(known, times)
+    return np.asarray(np.minimum(known[after] - times, times - known[after - 1]))
