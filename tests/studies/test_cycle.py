@@ -320,3 +320,11 @@ def test_a_run_whose_proof_fails_is_not_done(miss: float, monkeypatch: pytest.Mo
     assert (failure.code, failure.element) == ("motion.unproven", "studies.cycle")
     assert speakable(failure)
     assert "closure of the joints" in failure.what
+
+
+def test_what_fails_turn_by_turn_is_told_of_the_first_turns() -> None:
+    """Thousands of turns of a crank that can't turn: not thousands of findings, each with two ends to be found."""
+    job = job_of(four_bar(a=65, d=150, studies={"cycle": {"turns": "20000 motor", "samples": 12}}))
+    assert job.cycle is not None
+    found = codes(job.cycle.failures)
+    assert found == ["motion.cannot-assemble"] * 50 + ["motion.more-gaps"]

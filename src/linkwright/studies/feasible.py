@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -22,6 +23,8 @@ Array = NDArray[np.float64]
 
 TOUCH = 1e-13
 """A reach within this of zero only touches: a singular pose, and the radicand's round-off decides its sign."""
+MANY = 50
+"""The most intervals of a group in which it can't be assembled that are told one by one."""
 NEAR = 1e-3
 """A reach that turns below this passes a change point closely (the links come within 3 deg of being in line)."""
 SINGULAR = 1e-7
@@ -37,10 +40,13 @@ def unassembled(run: Run) -> list[Finding]:
         if group.modes < 2:
             continue
         ends = [end for gap in taken for end in gap]
-        for start, stop, worst in gaps(run, f"reach:{group.label}", ends):
+        found = gaps(run, f"reach:{group.label}", ends)
+        for start, stop, worst in islice(found, MANY):
             if not any(a <= start and stop <= b for a, b in taken):
                 taken.append((start, stop))
                 findings.append(_cannot_assemble(run, group, start, stop, worst))
+        if next(found, None) is not None:  # the motion comes back to it turn by turn
+            findings.append(Finding("motion.more-gaps", ("links", group.links[0]), {"count": MANY}))
     return findings
 
 
@@ -89,20 +95,18 @@ def row_of(run: Run, row: str, more: Sequence[float] = ()) -> tuple[Array, Array
     return t, run.compiled.evaluate([row], t)[0]
 
 
-def gaps(run: Run, row: str, ends: Sequence[float]) -> list[tuple[float, float, float]]:
-    """Intervals in which a reach is negative, with the time of its least value.
+def gaps(run: Run, row: str, ends: Sequence[float]) -> Iterator[tuple[float, float, float]]:
+    """Intervals in which a reach is negative, with the time of its least value; each is looked at as it is asked for.
 
     ``ends`` are those of the gaps of earlier groups, where this one's reach may stop while it is negative.
     """
     t, reach = row_of(run, row, ends)
     bad = reach < -TOUCH
     edges = np.flatnonzero(np.diff(np.concatenate([[False], bad, [False]]).astype(int)))
-    gaps = []
     for first, after in edges.reshape(-1, 2):
         start = _edge(run, row, t[first], t[first - 1]) if first else run.start
         stop = _edge(run, row, t[after - 1], t[after]) if after < t.size else run.stop
-        gaps.append((start, stop, float(t[first + int(np.argmin(reach[first:after]))])))
-    return gaps
+        yield start, stop, float(t[first + int(np.argmin(reach[first:after]))])
 
 
 def _edge(run: Run, row: str, bad: float, good: float, limit: float = 0.0, sign: int = 1) -> float:

@@ -993,6 +993,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The range of {drive} is wider than {limit} {unit}.",
         "Give a smaller range.",
     ),
+    "motion.more-gaps": (
+        "That is so in more stretches of the motion; the first {count} are told.",
+        "Mend the first: the others are mostly the same, turn by turn.",
+    ),
     "study.long-motion": (
         "{drive} goes {way} {unit} in the motion of the cycle: dead centres and extremes of a motion are looked for where "
         "a drive goes {limit} {unit} at most. Those of each drive alone are complete.",
