@@ -13,16 +13,16 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from linkwright import gallery
-from linkwright.app.exports import ExportJob, examined_for, export_of, settings_of, written_into
+from linkwright import escape, gallery
+from linkwright.app.exports import ExportJob, examined_for, export_of, settings_of, unknown_target, write_export
 from linkwright.app.job import USUAL, Examined, Writing, read_file
 from linkwright.app.results_folder import outdate
 from linkwright.exports import TARGETS, Exported
 from linkwright.kernels import examine
-from linkwright.model import csv_text, escape
+from linkwright.model import csv_text
 from linkwright.model.csv_file import CsvFile, finite, read_csv
 from linkwright.model.document import read_document, replaced
-from linkwright.model.findings import Finding, ModelError
+from linkwright.model.findings import Finding, ModelError, capped
 from linkwright.model.input_files import read_at_most
 from linkwright.model.mechanism import Document
 from linkwright.model.origin import Origin, hashed
@@ -216,15 +216,13 @@ def export_batch(
     try:
         options = {**(given or {}), **settings_of(settings)}
         if to not in TARGETS:
-            raise ModelError([Finding("export.unknown", (), {"name": to, "near": near(to, TARGETS, listed=True)})])
+            raise ModelError([unknown_target(to)])
         batch = Batch(_table(path), path.parent)
         done = list(_performed(batch, to, options))
     except ModelError as error:
         return ExportJob(Examined(findings=[*error.findings], file=path), to)
-    more = len(batch.findings) - TOLD
     findings = sorted(batch.findings, key=lambda finding: finding.line or 0)
-    findings[TOLD:] = [Finding("file.more", data={"count": more})] if more > 0 else []
-    examined = Examined(findings=findings, file=path)
+    examined = Examined(findings=capped(findings, TOLD), file=path)
     failures = [failure for row in done for failure in row.exported.failures]
     warnings = [warning for row in done for warning in row.exported.warnings]
     models = {base.name: hashed(base.content) for base in batch.bases.values()}
@@ -238,7 +236,8 @@ def export_batch(
     files[INDEX] = batch_page(path.name, to, heads, done, origin)
     summary = {"rows": {row.name: {"model": row.model, **row.exported.summary} for row in done}}
     sentences = [say("batch.row", name=row.name, text=text) for row in done for text in row.exported.sentences]
-    return written_into(ExportJob(examined, to, Exported(files, summary, sentences, [], warnings)), origin, folder, how)
+    job = ExportJob(examined, to, Exported(files, summary, sentences, [], warnings))
+    return write_export(examined, to, lambda: job, origin, folder, how)
 
 
 def _table(path: Path) -> CsvFile:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -118,43 +118,39 @@ def export_into(examined: Examined, to: str, folder: Path, how: Writing = USUAL)
         if examined.content is not None or examined.document is not None:
             job.outdated = outdate(folder, examined.origin, kind)
         return job
+    return write_export(examined, to, lambda: export_of(examined, to), examined.origin, folder, how)
+
+
+def write_export(
+    examined: Examined, to: str, make: Callable[[], ExportJob], origin: Origin, folder: Path, how: Writing = USUAL
+) -> ExportJob:
+    """Write the files of an export, which is made once the folder is taken, as :func:`export_into` does."""
     job = ExportJob(examined, to)
     try:
-        with ResultsFolder(folder, examined.origin, kind, force=how.force, comments=how.comments) as place:
-            job = export_of(examined, to)
-            _write(job, place)
+        with ResultsFolder(folder, origin, f"export {to}", force=how.force, comments=how.comments) as place:
+            job = make()
+            if job.exported is not None and job.exported.files:
+                place.begin(job.exported.files)
+                for name, content in job.exported.files.items():
+                    place.write(name, content)
+                place.done()
+                job.folder = folder
         job.outdated = place.outdated
     except ModelError as error:
         examined.findings += error.findings
     return job
 
 
-def written_into(job: ExportJob, origin: Origin, folder: Path, how: Writing = USUAL) -> ExportJob:
-    """Write what was exported to a folder, as :func:`export_into` does."""
-    try:
-        with ResultsFolder(folder, origin, f"export {job.to}", force=how.force, comments=how.comments) as place:
-            _write(job, place)
-        job.outdated = place.outdated
-    except ModelError as error:
-        job.examined.findings += error.findings
-    return job
-
-
-def _write(job: ExportJob, place: ResultsFolder) -> None:
-    if job.exported is not None and job.exported.files:
-        place.begin(job.exported.files)
-        for name, content in job.exported.files.items():
-            place.write(name, content)
-        place.done()
-        job.folder = place.path
-
-
 def examined_for(document: Document, folder: Path | None, to: str, given: Mapping[str, Any]) -> Examined:
     """A document compiled for one export, with options in place of its own."""
     if to not in TARGETS:
-        data = {"name": to, "near": near(to, TARGETS, listed=True)}
-        return Examined(document, findings=[Finding("export.unknown", (), data)])
+        return Examined(document, findings=[unknown_target(to)])
     return examine_one(document, folder, to, given, section="exports")
+
+
+def unknown_target(to: str) -> Finding:
+    """The finding where no target has a name."""
+    return Finding("export.unknown", (), {"name": to, "near": near(to, TARGETS, listed=True)})
 
 
 def no_target() -> Finding:

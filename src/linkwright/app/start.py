@@ -7,6 +7,7 @@ from pathlib import Path
 
 from linkwright import gallery
 from linkwright.model.findings import Finding
+from linkwright.model.input_files import reason
 from linkwright.model.output_files import write_aside
 from linkwright.model.unknown import near
 
@@ -18,15 +19,19 @@ def new_table(name: str, file: Path, force: bool = False) -> list[Finding]:
 
     text, findings = template(name, file.parent)
     if [finding.code for finding in findings] == ["batch.model"]:
-        return [Finding("gallery.unknown", data={"name": name, "near": near(name, gallery.names())})]
+        return [_unknown(name)]
     return [finding for finding in findings if finding.severity == "error"] or _write(file, text, force)
 
 
 def new(name: str, file: Path, force: bool = False) -> list[Finding]:
     """Write a model of the gallery to a file; what stands against it, where something does."""
     if name not in gallery.names():
-        return [Finding("gallery.unknown", data={"name": name, "near": near(name, gallery.names())})]
+        return [_unknown(name)]
     return _write(file, gallery.text(name), force)
+
+
+def _unknown(name: str) -> Finding:
+    return Finding("gallery.unknown", data={"name": name, "near": near(name, gallery.names())})
 
 
 def _write(file: Path, text: str, force: bool) -> list[Finding]:
@@ -35,5 +40,5 @@ def _write(file: Path, text: str, force: bool) -> list[Finding]:
     try:
         write_aside(file, text)
     except OSError as error:
-        return [Finding("file.unwritable", data={"file": str(file), "reason": error.strerror or str(error)})]
+        return [Finding("file.unwritable", data={"file": str(file), "reason": reason(error)})]
     return []

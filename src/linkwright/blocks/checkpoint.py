@@ -17,7 +17,7 @@ import numpy as np
 import linkwright
 from linkwright.blocks.work import Arrays
 from linkwright.model.findings import Finding, ModelError
-from linkwright.model.input_files import read_at_most
+from linkwright.model.input_files import read_at_most, reason
 from linkwright.model.output_files import refuse_link, write_aside
 
 FORMAT = 2
@@ -67,7 +67,7 @@ class Checkpoint:
         try:
             content = read_at_most(self.path)
         except OSError as error:
-            data = {"file": str(self.path), "reason": error.strerror or str(error)}
+            data = {"file": str(self.path), "reason": reason(error)}
             raise ModelError([Finding("file.unreadable", (), data)]) from None
         head, _, body = content.partition(b"\n")
         found = _HEAD.fullmatch(head)
@@ -115,5 +115,5 @@ class Checkpoint:
 def unsaved(path: Path, error: OSError) -> ModelError:
     """What to say where something can't be written."""
     full = error.errno in (errno.ENOSPC, errno.EDQUOT)
-    data = {"file": str(path), "reason": error.strerror or str(error)}
+    data = {"file": str(path), "reason": reason(error)}
     return ModelError([Finding("blocks.no-space" if full else "blocks.unwritable", (), data)])

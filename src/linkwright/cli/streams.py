@@ -12,7 +12,7 @@ from pathlib import Path
 
 import click
 
-from linkwright.model.escape import line, visible
+from linkwright.escape import line, visible
 from linkwright.words import say
 
 CANNOT = 2

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
 
-from linkwright.model.findings import Finding, ModelError
+from linkwright.model.findings import Finding, ModelError, capped
 from linkwright.model.input_files import read_beside
 from linkwright.model.quantities import LARGEST
 from linkwright.model.written import NO_TEXT
@@ -52,10 +52,8 @@ class CsvFile:
                     data = {"row": line, "name": self.heads[column][:60], "given": cell[:40]}
                     findings.append(Finding("table.not-number", self.path, data))
             made.append(numbers)
-        if more := len(findings) - MAX_TOLD:
-            findings[MAX_TOLD:] = [Finding("file.more", self.path, {"count": more})] if more > 0 else []
         if findings:
-            raise ModelError(findings)
+            raise ModelError(capped(findings, MAX_TOLD, self.path))
         return made
 
 

@@ -7,7 +7,7 @@ import io
 from collections.abc import Iterable
 from math import isfinite
 
-from linkwright.model import escape
+from linkwright import escape
 
 
 def head(name: str, unit: str) -> str:

@@ -11,7 +11,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from linkwright.model.faults import findings_of
-from linkwright.model.findings import Finding, ModelError, Term
+from linkwright.model.findings import Finding, ModelError, Term, capped
 from linkwright.model.input_files import read_at_most
 from linkwright.model.mechanism import VERSION, Document
 from linkwright.model.output_files import write_aside
@@ -28,7 +28,7 @@ def read_document(raw: bytes) -> tuple[Document | None, Source]:
     document, source = _read(raw)
     if source.findings and source.text is not None:
         source.findings = read_respelled(source.text, source.findings, lambda text: _read(text.encode())[1].findings)
-    source.findings = _limited(sorted(source.findings, key=lambda finding: finding.line or 0))
+    source.findings = capped(sorted(source.findings, key=lambda finding: finding.line or 0), MAX_FINDINGS)
     return (None if source.findings else document), source
 
 
@@ -52,14 +52,9 @@ def parse_document(data: dict[str, Any], source: Source | None = None) -> Docume
     except ValidationError as error:
         found = findings_of(error.errors(include_url=False), source or Source(data))
         if source is None:
-            raise ModelError(_limited(found)) from None
+            raise ModelError(capped(found, MAX_FINDINGS)) from None
         source.findings += found
         return None
-
-
-def _limited(findings: list[Finding]) -> list[Finding]:
-    more = len(findings) - MAX_FINDINGS
-    return findings if more <= 0 else [*findings[:MAX_FINDINGS], Finding("file.more", data={"count": more})]
 
 
 def located(findings: Iterable[Finding], source: Source) -> list[Finding]:

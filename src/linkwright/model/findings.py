@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from linkwright.model.escape import line
+from linkwright.escape import line
 from linkwright.words import catalogue
 
 
@@ -97,6 +97,12 @@ class ModelError(Exception):
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (ModelError, (self.findings,))
+
+
+def capped(findings: list[Finding], most: int, path: tuple[str | int, ...] = ()) -> list[Finding]:
+    """The first findings, ``most`` of them, and one on how many there are besides, at ``path``."""
+    more = len(findings) - most
+    return findings if more <= 0 else [*findings[:most], Finding("file.more", path, {"count": more})]
 
 
 def raise_errors(findings: Iterable[Finding]) -> None:

@@ -7,10 +7,10 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, BeforeValidator, Field
 
+from linkwright.escape import line
 from linkwright.model.actions import REDUCTIONS, Load, Measure, Table, Window
 from linkwright.model.cams import Cam
 from linkwright.model.elements import Counterweight, Spring
-from linkwright.model.escape import line
 from linkwright.model.fields import (
     AssemblyRule,
     Frozen,

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from linkwright.model.findings import Finding, ModelError
+from linkwright.model.input_files import reason
 
 
 @contextmanager
@@ -16,6 +17,6 @@ def temporary_folder() -> Iterator[Path]:
     try:
         made = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
     except OSError as error:
-        raise ModelError([Finding("file.no-temporary", data={"reason": error.strerror or str(error)})]) from None
+        raise ModelError([Finding("file.no-temporary", data={"reason": reason(error)})]) from None
     with made as name:
         yield Path(name)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model.escape import markup
+from linkwright.escape import markup
 from linkwright.model.units import TIME
 from linkwright.report.accuracy import WIDE, ranked
 from linkwright.report.charts import LEFT, LETTER, MOST_POSES, NARROW, TOP, Axes, named, shortened, thinned

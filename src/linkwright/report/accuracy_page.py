@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 
 import numpy as np
 
-from linkwright.model.escape import markup
+from linkwright.escape import markup
 from linkwright.report.accuracy_charts import curve_charts, figure_charts
 from linkwright.report.accuracy_design import design_sentences
 from linkwright.report.accuracy_tables import deviation, further, moment, overview, percent, review, review_text

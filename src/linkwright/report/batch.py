@@ -8,7 +8,7 @@ from typing import Any
 from urllib.parse import quote
 
 import linkwright
-from linkwright.model.escape import markup
+from linkwright.escape import markup
 from linkwright.model.origin import Origin
 from linkwright.report.html_file import html_file
 from linkwright.words import say

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from linkwright.cam.checks import Check
+from linkwright.escape import markup
 from linkwright.model import units as u
-from linkwright.model.escape import markup
 from linkwright.report.cam_charts import charts, of_disc
 from linkwright.report.cam_forces import force_charts, force_entry, force_sentences
 from linkwright.report.charts import figures as charts_html

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model.escape import markup
+from linkwright.escape import markup
 from linkwright.report.data import Chart
 from linkwright.studies.histograms import widened
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from importlib.resources import files
 
 import linkwright
-from linkwright.model.escape import markup
+from linkwright.escape import markup
 from linkwright.words import LANGUAGE
 
 # The browser itself is told to load nothing, so that the file stays self-contained whatever is put into it.

@@ -8,10 +8,10 @@ from typing import TypedDict
 
 import numpy as np
 
+from linkwright.escape import markup
 from linkwright.graph.modes import Mode
 from linkwright.measures.paths import hull
 from linkwright.model import units as u
-from linkwright.model.escape import markup
 from linkwright.structure import FRAME
 from linkwright.studies import ModesOutcome
 from linkwright.words import say

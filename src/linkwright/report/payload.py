@@ -6,7 +6,7 @@ import json
 import math
 from collections.abc import Mapping, Sequence
 
-from linkwright.model.escape import script
+from linkwright.escape import script
 
 DIGITS = 7
 """Significant digits of a number in the page: finer than any screen or print resolves."""

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model.escape import markup
+from linkwright.escape import markup
 from linkwright.report.charts import LETTER, points, ticks
 from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.shapes import pieces

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from itertools import product
 
-from linkwright.model.escape import markup
+from linkwright.escape import markup
 from linkwright.report.charts import figures
 from linkwright.report.data import Chart, Slider
 from linkwright.words import say

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from linkwright.model.escape import markup
+from linkwright.escape import markup
 from linkwright.report.charts import figures
 from linkwright.report.data import Grid, SweepData, known
 from linkwright.report.sweep_charts import charts

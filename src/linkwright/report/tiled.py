@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from linkwright.model.escape import markup
+from linkwright.escape import markup
 from linkwright.report.charts import LETTER
 from linkwright.report.data import Chart
 from linkwright.report.plane import LEFT, LINE, WIDTH, folded

@@ -10,7 +10,7 @@ from zlib import crc32
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model.escape import markup
+from linkwright.escape import markup
 from linkwright.report.charts import LETTER, ticks
 from linkwright.report.colour_scale import colours
 from linkwright.report.plane import LEFT, LINE, WIDTH, Plane, folded, framed

@@ -125,7 +125,7 @@ def workspace_page(outcome: WorkspaceOutcome) -> dict[str, WorkspaceData]:
 
 def section(data: WorkspaceData, title: str, tables: str) -> str:
     """The report's section."""
-    from linkwright.model.escape import markup
+    from linkwright.escape import markup
 
     head = "".join(f"<p>{markup(text)}</p>" for text in data["sentences"])
     charts = stacks(data["charts"], data["sliders"])

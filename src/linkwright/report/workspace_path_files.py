@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.escape import line
 from linkwright.model import units as u
 from linkwright.model.csv_text import cell, head, written
-from linkwright.model.escape import line
 from linkwright.model.yaml_write import write_text
 from linkwright.studies.workspace.followed import Attempt, Followed
 from linkwright.studies.workspace.outcome import WorkspaceOutcome, shown, values_text

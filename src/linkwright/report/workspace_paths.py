@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.escape import markup
 from linkwright.model import units as u
-from linkwright.model.escape import markup
 from linkwright.report.charts import LEFT, LETTER, MOST_CHARTS, MOST_POSES, TOP, Axes, named, shortened, thinned
 from linkwright.report.data import Chart, Grid
 from linkwright.report.overlay import Overlay

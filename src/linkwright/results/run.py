@@ -45,12 +45,11 @@ class Run:
     @cached_property
     def grid(self) -> int:
         """Steps for searches: the samples, and more where a drive turns far, moves and rests, or a load swings."""
-        t = np.linspace(self.start, self.stop, LOOK + 1)
+        t = self._looks
         steps = [self.steps]
-        for name in self.compiled.mechanism.drives:
-            rate = np.abs(np.broadcast_to(self.compiled.laws[name](t).d[1], t.shape))
+        for name, rate in self._drive_rates.items():
             if self.compiled.mechanism.prescribed(name).turns:
-                steps.append(min(int(float(np.mean(rate)) * (self.stop - self.start) / MAX_TURN) + 1, MAX_GRID))
+                steps.append(min(int(self.travel(name) / MAX_TURN) + 1, MAX_GRID))
             # The shortest move or rest is to be seen at some ten points. Where a drive only turns back is no rest.
             moves = rate > 1e-9 * rate.max()
             moves[:-1] |= moves[1:]
@@ -64,6 +63,20 @@ class Run:
             signs = np.sign(self.compiled.rates(rows, t)[1])
             steps.append(min(4 * int((signs[:, 1:] != signs[:, :-1]).sum(axis=1).max()), LOOK // 2))
         return max(steps)
+
+    @property
+    def _looks(self) -> Array:
+        return np.linspace(self.start, self.stop, LOOK + 1)
+
+    @cached_property
+    def _drive_rates(self) -> dict[str, Array]:
+        """The magnitude of each drive's speed at times all over the run (rad/s, m/s)."""
+        t, laws = self._looks, self.compiled.laws
+        return {name: np.abs(np.broadcast_to(laws[name](t).d[1], t.shape)) for name in self.compiled.mechanism.drives}
+
+    def travel(self, drive: str) -> float:
+        """How far a drive travels over the run, to and fro (rad or m)."""
+        return float(np.mean(self._drive_rates[drive])) * (self.stop - self.start)
 
     @cached_property
     def t(self) -> Array:

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated
 
-import numpy as np
 from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
 from linkwright.kernels import Compiled
@@ -36,8 +35,6 @@ from linkwright.studies.sweep import Sweep
 
 WIDEST = {True: 200 * math.pi, False: 1000.0}
 """The widest range of a drive that is looked at: a hundred turns, or so many times the mechanism's size."""
-TIMES = 1001
-"""How often over a motion the speeds of drives are looked at for the way that they go."""
 DRAWN = 720
 """The most steps of a sweep that is drawn."""
 
@@ -177,11 +174,10 @@ def _follow(outcome: LimitsOutcome, cycle: CycleOptions, signals: Signals) -> No
 def _too_far(run: Run) -> Iterator[Finding]:
     """The drives that go so far over a motion that what it passes can't all be looked for."""
     for name in run.compiled.graph.motors:
-        speeds = run.compiled.laws[name](np.linspace(run.start, run.stop, TIMES)).d[1]
-        way, widest = float(np.abs(speeds).mean()) * (run.stop - run.start), _widest(run.compiled, name)
-        if way > widest:
+        travel, widest = run.travel(name), _widest(run.compiled, name)
+        if travel > widest:
             unit, size = run.compiled.quantities.drive_unit(name)
-            data = {"drive": name, "way": f"{way / size:.4g}", "limit": f"{widest / size:.4g}", "unit": unit}
+            data = {"drive": name, "travel": f"{travel / size:.4g}", "limit": f"{widest / size:.4g}", "unit": unit}
             yield Finding("study.long-motion", ("studies", "cycle"), data)
 
 

@@ -8,7 +8,7 @@ from typing import ClassVar
 from linkwright.cam.nc.job import Job, Pass
 from linkwright.cam.nc.leads import beyond
 from linkwright.cam.nc.path import Element
-from linkwright.model.escape import nc
+from linkwright.escape import nc
 from linkwright.notation.registry import Registry
 
 RATIO = (0.25, 4.0)

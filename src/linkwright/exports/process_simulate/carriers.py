@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 
+from linkwright.escape import csharp, line
 from linkwright.exports.process_simulate.functions import JointFunction, JointFunctions
 from linkwright.model.csv_text import written
-from linkwright.model.escape import csharp, line
 from linkwright.words import say
 
 ROWS = 24

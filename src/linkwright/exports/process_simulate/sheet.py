@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 import linkwright
+from linkwright.escape import markup
 from linkwright.exports.process_simulate.facts import HingeFacts
 from linkwright.exports.process_simulate.functions import JointFunction, JointFunctions
 from linkwright.exports.process_simulate.sheet_drawing import anchors, linkage, places
 from linkwright.kernels import Compiled
-from linkwright.model.escape import markup
 from linkwright.report.charts import Axes, figures, points
 from linkwright.report.data import Chart
 from linkwright.report.html_file import html_file

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.escape import markup
 from linkwright.kernels import Compiled
-from linkwright.model.escape import markup
 from linkwright.report.charts import points
 from linkwright.structure import FRAME
 from linkwright.studies.sweep import sweeping

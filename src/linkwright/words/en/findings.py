@@ -132,8 +132,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Shorten it; give parts of a long expression as parameters.",
     ),
     "file.more": (
-        "There are {count} more findings at least.",
-        "Mend the ones above first; many of the rest may follow from them.",
+        "At least {count} more problems were found.",
+        "Correct those above first; many of the others may result from them.",
     ),
     "file.missing": (
         "'{name}' is missing here.",
@@ -994,12 +994,12 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Give a smaller range.",
     ),
     "motion.more-gaps": (
-        "That is so in more stretches of the motion; the first {count} are told.",
-        "Mend the first: the others are mostly the same, turn by turn.",
+        "More intervals of the motion fail; the first {count} are listed.",
+        "Correct the first one: the others usually repeat it turn by turn.",
     ),
     "study.long-motion": (
-        "{drive} goes {way} {unit} in the motion of the cycle: dead centres and extremes of a motion are looked for where "
-        "a drive goes {limit} {unit} at most. Those of each drive alone are complete.",
+        "{drive} travels {travel} {unit} in the motion of the cycle: dead centres and extremes of a motion are searched "
+        "for up to a travel of {limit} {unit}. Those of each drive alone are complete.",
         "Give studies.cycle fewer turns or a shorter duration.",
     ),
     # Of the workspace: wanted paths, required places.
