@@ -30,6 +30,7 @@ BATCHED = "bonnet_hinge"
 """The example whose mechanism the batch of examples/ has."""
 SAMPLES = 12
 CHORD = 1e-2
+VALUES = 2
 """Options that make studies short, where the case isn't about them."""
 Data = dict[str, Any]
 
@@ -132,7 +133,7 @@ CHECK = ["check", MODEL, "--json"]
 
 
 def brief(data: Data) -> Data:
-    """The same model with few samples and coarse curves."""
+    """The same model with few samples and regions, and coarse curves."""
     studies = data.get("studies")
     if isinstance(studies, dict):
         for name in ("cycle", "sweep", "accuracy"):
@@ -140,6 +141,8 @@ def brief(data: Data) -> Data:
                 entry["samples"] = SAMPLES
         if isinstance(entry := studies.get("workspace"), dict):
             entry["chord"] = CHORD
+            for name, values in entry.get("for", {}).items():
+                entry["for"][name] = values[:VALUES]
     return data
 
 

@@ -19,6 +19,8 @@ CLOSE = 1e-14
 UNSETTLED = 1e-9
 """A mean of which more than this share, over the mean magnitude, still changed has not converged."""
 MOST_PANELS = 1 << 16
+TOGETHER = 1 << 12
+"""So many panels are evaluated at once, which bounds the memory."""
 BESIDE = 1e-6
 """How much of a stretch beside a place with a limit but without a germ is taken to have that limit."""
 
@@ -81,9 +83,13 @@ def mean(
 
     def integrals(lows: Array, highs: Array) -> Array:
         """Of the power and of its magnitude on each panel: (2, panels)."""
-        t, weight = panel_points(lows, highs, points)
-        height = values(t) ** power * weight
-        return np.asarray(np.array([height, np.abs(height)]).reshape(2, lows.size, points).sum(axis=2))
+        parts = []
+        for start in range(0, lows.size, TOGETHER):
+            some = slice(start, start + TOGETHER)
+            t, weight = panel_points(lows[some], highs[some], points)
+            height = values(t) ** power * weight
+            parts.append(np.array([height, np.abs(height)]).reshape(2, -1, points).sum(axis=2))
+        return np.concatenate(parts, axis=1)
 
     every = edges(max(16, int(first * factor)))
     lows, highs = (np.concatenate([part[cut] for part in every]) for cut in (slice(None, -1), slice(1, None)))

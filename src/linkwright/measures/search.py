@@ -28,6 +28,9 @@ GAIN = 1e-15
 """A rate counts where over the width around it it makes more than this share of the value there ..."""
 USUAL = 0.9
 """... or of the magnitude below which this share of the values lies."""
+MANY = 1 << 12
+"""Of a row whose turning points have not settled on the finest grid no more than so many are located: the highest and
+the lowest."""
 SETTLED = 1e-12
 """Extremes that change by less than this share of the range have stood still."""
 INSIDE = np.array([0.05, 0.25, 0.5, 0.75, 0.95])
@@ -90,6 +93,8 @@ def turning(rates: Rates, pieces: Pieces, steps: int, still: Array | float = 0.0
         if all(standing) or steps >= most:
             break
         steps *= 2
+    levels = [[b if s else _outermost(rates, row, b) for row, (b, s) in enumerate(zip(level, standing, strict=True))]
+              for level in levels]
     times = roots(lambda at: rates(at)[1], levels[-1])
     if not all(standing):
         before = roots(lambda at: rates(at)[1], levels[0])
@@ -137,6 +142,14 @@ def _turns(t: Array, values: Array, slopes: Array, number: Rows, still: Array | 
         change = np.flatnonzero((sign[:-1] != sign[1:]) & (piece[:-1] == piece[1:]))
         found.append(np.stack([at[change], at[change + 1]], axis=1))
     return found
+
+
+def _outermost(rates: Rates, row: int, brackets: Array) -> Array:
+    """The :data:`MANY` brackets in which a row is highest and lowest; all of them where they are fewer."""
+    if len(brackets) <= MANY:
+        return brackets
+    order = np.argsort(rates(brackets.mean(axis=1))[0][row])
+    return brackets[np.sort(np.concatenate([order[: MANY // 2], order[-MANY // 2 :]]))]
 
 
 def _same(rates: Rates, row: int, before: Array, now: Array) -> bool:

@@ -166,6 +166,7 @@ def test_modal_words() -> None:
     [
         (Disc(SwingingRoller(0.02, 0.030, 0.085, 0.090), heat_seal, 1, HEAT_SEAL), {}, "fanuc", "nc.undercut"),
         (Disc(TranslatingRoller(0.03, 0.01), harmonic(0.008, 0.015)), {"cutter": 80.0}, "fanuc", "nc.concave"),
+        (DISC, {"cutter": 1e-9}, "fanuc", "nc.small-cutter"),
         (DISC, {"compensation": True, "lead": 10.0}, "grbl", "nc.no-compensation"),
         (DISC, {"compensation": True}, "fanuc", "nc.short-lead"),
         (DISC, {"decimals": 6}, "fanuc", "nc.decimals"),

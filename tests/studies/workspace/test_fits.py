@@ -101,3 +101,15 @@ def test_by_how_much_rectangles_fit_or_miss() -> None:
     assert anywhere is not None
     assert anywhere.fits
     assert anywhere.scale == pytest.approx(1 / (2 / 4 + 1 / 3), rel=1e-3)
+
+
+def test_a_disc_that_hardly_misses_takes_few_places(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Cells deep within a region are left out at once: by the outside distance alone there were over a million."""
+    tried = []
+    points = shapely.points
+    monkeypatch.setattr(shapely, "points", lambda at: tried.append(len(at)) or points(at))
+    fit = circle_fits(shapely.Point(0.0, 0.0).buffer(1.0, quad_segs=64), 1.0005, (0.0, 0.0))
+    assert fit is not None
+    assert not fit.fits
+    assert fit.margin == pytest.approx(-(1.0005 - np.cos(np.pi / 256)), rel=2e-3)
+    assert sum(tried) < 200_000

@@ -14,6 +14,8 @@ from linkwright.cam.nc.job import Job, path
 from linkwright.cam.nc.posts import Post
 from linkwright.cam.nc.reader import Fault
 
+SMALLEST = 10
+"""A cutter's radius is no smaller than so many of the last digits of the coordinates."""
 STILL = 1e-9
 """A follower that moves less than this (m or rad per rad) dwells."""
 
@@ -25,6 +27,10 @@ def faults(disc: Disc, job: Job, post: Post) -> Iterator[Fault]:
     if roller * sharpest.value >= 1:
         data = {"theta": f"{math.degrees(sharpest.theta):.4g}", "radius": f"{1e3 / sharpest.value:.4g}"}
         yield Fault("nc.undercut", 0, data | {"roller": f"{1e3 * roller:.4g}"})
+        return
+    smallest = SMALLEST * 10.0**-job.decimals
+    if job.cutter < smallest:
+        yield Fault("nc.small-cutter", 0, {"cutter": f"{job.cutter:.4g}", "smallest": f"{smallest:.4g}"})
         return
     hollow = extremes(disc, curvature(-roller))[0]
     if hollow.value < 0 and -1e3 / hollow.value <= job.cutter * (1 + 1e-9):

@@ -208,6 +208,7 @@ def _farthest(shape: Any, over: Callable[[Array], Array], size: float, disc: boo
     off the unit circle of a ``disc``, to which their places would be drawn."""
     import shapely
 
+    boundary = shape.boundary
     shapely.prepare(shape)
     half = 0.25
     axis = np.arange(-1 + half, 1, 2 * half)
@@ -219,7 +220,9 @@ def _farthest(shape: Any, over: Callable[[Array], Array], size: float, disc: boo
     while half > PRECISION / 4:
         if disc:
             at = at[:, np.hypot(*at) <= 1.0 + np.sqrt(2) * half]
-        far = shapely.distance(shape, shapely.points(over(at).T))
+        points = shapely.points(over(at).T)
+        # How far outside a place lies; inside, less than nothing, so that cells deep in the region are left out soon.
+        far = shapely.distance(boundary, points) * np.where(shapely.covers(shape, points), -1.0, 1.0)
         best = max(best, float(far.max()))
         at = at[:, far + np.sqrt(2) * half * size > best + PRECISION * size]
         if not at.shape[1]:

@@ -162,6 +162,10 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "The profile is hollow at {theta} deg with a radius of {radius} mm; a cutter of {cutter} mm doesn't get in.",
         "Take a smaller cutter, or a larger base circle.",
     ),
+    "nc.small-cutter": (
+        "The cutter's radius of {cutter} mm is too small; with these decimals the smallest is {smallest} mm.",
+        "Check the unit of the cutter's radius, or give more decimals.",
+    ),
     "nc.wide-cutter": (
         "A cutter with a radius of {cutter} mm doesn't fit into the groove of a roller of {roller} mm.",
         "Take a cutter no larger than the roller.",
