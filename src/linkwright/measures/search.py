@@ -93,8 +93,10 @@ def turning(rates: Rates, pieces: Pieces, steps: int, still: Array | float = 0.0
         if all(standing) or steps >= most:
             break
         steps *= 2
-    levels = [[b if s else _outermost(rates, row, b) for row, (b, s) in enumerate(zip(level, standing, strict=True))]
-              for level in levels]
+    levels = [
+        [b if s else _outermost(rates, row, b) for row, (b, s) in enumerate(zip(level, standing, strict=True))]
+        for level in levels
+    ]
     times = roots(lambda at: rates(at)[1], levels[-1])
     if not all(standing):
         before = roots(lambda at: rates(at)[1], levels[0])
@@ -149,7 +151,7 @@ def _outermost(rates: Rates, row: int, brackets: Array) -> Array:
     if len(brackets) <= MANY:
         return brackets
     order = np.argsort(rates(brackets.mean(axis=1))[0][row])
-    return brackets[np.sort(np.concatenate([order[: MANY // 2], order[-MANY // 2 :]]))]
+    return np.asarray(brackets[np.sort(np.concatenate([order[: MANY // 2], order[-MANY // 2 :]]))])
 
 
 def _same(rates: Rates, row: int, before: Array, now: Array) -> bool:
