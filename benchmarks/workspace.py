@@ -14,9 +14,9 @@ from pathlib import Path
 from figures import parser, tell
 
 import linkwright as lw
+from linkwright._machine import processors
 from linkwright.app import examine_alone
 from linkwright.blocks import Threads
-from linkwright.model.machine import processors
 from linkwright.studies import Site
 from linkwright.studies.workspace.parts import SECTIONS
 from linkwright.studies.workspace.quality import Task, quality

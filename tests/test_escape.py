@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 
 from linkwright import escape
 from linkwright.cam.nc.posts import POSTS
+from linkwright.findings import Finding, ModelError
 from linkwright.model.csv_text import written
-from linkwright.model.findings import Finding, ModelError
 
 UNSEEN = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff\ufffe\uffff]")
 ANY = st.text(st.characters(exclude_categories=()), max_size=30)

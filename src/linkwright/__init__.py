@@ -12,27 +12,28 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from linkwright._version import __version__ as __version__
+
 if TYPE_CHECKING:
     from linkwright.app import Job, accuracy, check, export, modes, plate_cam, run, sweep, workspace
+    from linkwright.findings import Finding, ModelError
     from linkwright.kernels import Compiled
     from linkwright.kernels import compile_mechanism as compile
     from linkwright.model.builder import Builder
     from linkwright.model.document import dump, load, save
-    from linkwright.model.findings import Finding, ModelError
     from linkwright.model.mechanism import Document, Mechanism
     from linkwright.results import Certificate, Result, Run
 
-__version__ = "0.1.0"
 
 _PLACES = {
     "Builder": ("linkwright.model.builder", "Builder"),
     "Certificate": ("linkwright.results", "Certificate"),
     "Compiled": ("linkwright.kernels", "Compiled"),
     "Document": ("linkwright.model.mechanism", "Document"),
-    "Finding": ("linkwright.model.findings", "Finding"),
+    "Finding": ("linkwright.findings", "Finding"),
     "Job": ("linkwright.app", "Job"),
     "Mechanism": ("linkwright.model.mechanism", "Mechanism"),
-    "ModelError": ("linkwright.model.findings", "ModelError"),
+    "ModelError": ("linkwright.findings", "ModelError"),
     "Result": ("linkwright.results", "Result"),
     "Run": ("linkwright.results", "Run"),
     "accuracy": ("linkwright.app", "accuracy"),

@@ -462,7 +462,7 @@ def test_a_sweep_that_another_version_has_begun_is_refused(
     pytest.importorskip("zarr")
     out = tmp_path / "out"
     with monkeypatch.context() as patch:
-        patch.setattr("linkwright.__version__", "0.0.9")
+        patch.setattr("linkwright._version.__version__", "0.0.9")
         stopped(sweep, out, monkeypatch)
     refused = call("sweep", sweep, "--out", out)
     assert refused.exit_code == 2

@@ -133,7 +133,7 @@ def test_a_damaged_part_is_found_again_with_a_note(file: Path, tmp_path: Path) -
 
 def test_regions_of_another_version_are_refused(file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with monkeypatch.context() as patch:
-        patch.setattr("linkwright.__version__", "0.0.9")
+        patch.setattr("linkwright._version.__version__", "0.0.9")
         interrupted(file, tmp_path / "out")
     result = call("workspace", file, "--out", tmp_path / "out")
     assert (result.exit_code, "begun with linkwright 0.0.9" in result.stderr) == (2, True)

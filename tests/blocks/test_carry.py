@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from blocks.works import CUT, REDUCTIONS, Noise, bits, folding, values
+from linkwright._machine import processors
 from linkwright.blocks import Cluster, Cut, Folding, Threads, Together, carry
 from linkwright.blocks.carry import suited
 from linkwright.blocks.runners import RUNNERS, Runner, opened, register
-from linkwright.model.findings import Finding, ModelError
-from linkwright.model.machine import processors
+from linkwright.findings import Finding, ModelError
 
 WORK = Noise()
 

@@ -12,7 +12,7 @@ import pytest
 from blocks.works import Noise, bits, folding
 from linkwright.blocks import Checkpoint, Together, carry
 from linkwright.blocks import checkpoint as module
-from linkwright.model.findings import ModelError
+from linkwright.findings import ModelError
 
 ARRAYS = {"0.m.mean": np.array([[1.0, np.nan]]), "1.h.slots": np.arange(6).reshape(1, 3, 2)}
 
@@ -51,7 +51,7 @@ def test_the_state_of_another_work(saved: Path) -> None:
 
 def test_the_state_of_another_version(saved: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Of linkwright, of what the study names, of the file's own format; sound states all of them."""
-    monkeypatch.setattr("linkwright.__version__", "9.9")
+    monkeypatch.setattr("linkwright._version.__version__", "9.9")
     assert code(saved) == "blocks.other-version"
     Checkpoint(saved, "key", versions={"kernel": "abacus 1"}).write(7, ARRAYS)
     for versions in ({}, {"kernel": "abacus 2"}, {"kernel": "abacus 1", "numpy": "1"}):

@@ -18,7 +18,7 @@ import linkwright
 from blocks.works import CUT, Noise, files, storing, values
 from linkwright.blocks import UNIT, Cluster, Cut, Threads, carry
 from linkwright.blocks.store import Stored, Variable, stored_name
-from linkwright.model.findings import ModelError
+from linkwright.findings import ModelError
 
 zarr = pytest.importorskip("zarr")
 WORK = Noise()

@@ -99,7 +99,7 @@ def test_json(file: Path) -> None:
 
 @pytest.mark.parametrize(("option", "extra"), [("--dxf", "cad"), ("--png", "png")])
 def test_dxf_and_png_need_their_packages(file: Path, monkeypatch: pytest.MonkeyPatch, option: str, extra: str) -> None:
-    monkeypatch.setattr("linkwright.model.machine.import_module", _missing)
+    monkeypatch.setattr("linkwright._machine.import_module", _missing)
     result = call("workspace", file, option)
     assert result.exit_code == 2
     assert "file.needs-package" in result.stderr and f"linkwright[{extra}]" in result.stderr

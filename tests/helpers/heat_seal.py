@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from linkwright.app.job import Job, examine_document, perform
+from linkwright.findings import Finding
 from linkwright.model.document import load, parse_document, plain
-from linkwright.model.findings import Finding
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "heat_seal_cam.yaml"
 NC = {"post": "grbl", "cutter": 8, "depth": 12, "tolerance": "2e-3 deg", "feed": "400 mm/min", "speed": "6000 rpm"}

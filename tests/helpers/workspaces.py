@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from linkwright.app.job import Job, examine_document, perform
+from linkwright.findings import Finding
 from linkwright.model.document import parse_document
-from linkwright.model.findings import Finding
 
 UNITS = {"length": "mm", "angle": "deg", "time": "s"}
 

@@ -6,12 +6,12 @@ import pytest
 
 from helpers.compiled import compiled_from
 from helpers.examples import feeder
+from linkwright.findings import ModelError
 from linkwright.graph.program import Program
 from linkwright.kernels import KERNELS
 from linkwright.kernels.choice import choose
 from linkwright.kernels.numba_kernel import NumbaKernel
 from linkwright.kernels.numpy_blocks import NumpyKernel
-from linkwright.model.findings import ModelError
 
 
 @pytest.fixture(scope="module")

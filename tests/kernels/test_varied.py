@@ -14,13 +14,13 @@ import pytest
 from numpy.typing import NDArray
 
 from helpers.examples import four_bar
+from linkwright.findings import ModelError
 from linkwright.kernels import KERNELS, Compiled, compile_mechanism, paths, pursuit, varied
 from linkwright.kernels.passages import Passage, Passages
 from linkwright.kernels.paths import Paths
 from linkwright.kernels.pursuit import Pursued, Pursuit
 from linkwright.kernels.varied import Varied
 from linkwright.model.document import load, parse_document, plain, replaced
-from linkwright.model.findings import ModelError
 from linkwright.model.mechanism import Document
 
 Array = NDArray[np.float64]

@@ -13,12 +13,12 @@ from helpers.compiled import compiled_from
 from helpers.differences import OFFSETS, WEIGHTS
 from linkwright.cam.followers import NoFollower
 from linkwright.cam.pairs import disc
+from linkwright.findings import ModelError
 from linkwright.kernels import Compiled
 from linkwright.kernels.cut import cut
 from linkwright.kernels.tangents import Tangents
 from linkwright.kernels.varied import Varied
 from linkwright.laws import LAWS, MotionError
-from linkwright.model.findings import ModelError
 
 H, W = {"h": "20 deg"}, {"h": "20 deg", "w": "100 deg"}
 BACK = {"rise": "-h", "over": "360-w", "match": "acceleration"}

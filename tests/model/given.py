@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from linkwright.findings import Finding
 from linkwright.kernels import examine
 from linkwright.model.document import located, read_document
-from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.model.quantities import Quantities
 

@@ -9,9 +9,9 @@ import pytest
 
 import linkwright as lw
 from helpers.examples import slider_crank
+from linkwright.findings import ModelError
 from linkwright.model.absent import CODES
 from linkwright.model.document import parse_document
-from linkwright.model.findings import ModelError
 from linkwright.words import catalogue
 
 

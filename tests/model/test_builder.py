@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import linkwright as lw
+from linkwright.findings import ModelError
 from linkwright.model.builder import Builder
 from linkwright.model.document import dump, load, read_document
-from linkwright.model.findings import ModelError
 from model.given import DATA
 
 

@@ -10,11 +10,11 @@ import pytest
 
 from helpers.cams import pair
 from helpers.compiled import compiled_from
+from linkwright.findings import Finding, ModelError
 from linkwright.kernels import examine
 from linkwright.model.builder import Builder
 from linkwright.model.cams import Following
 from linkwright.model.document import dump, parse_document, read_document
-from linkwright.model.findings import Finding, ModelError
 from linkwright.model.mechanism import Document
 from linkwright.model.spelled import spell_out
 from linkwright.report.facts import facts

@@ -6,9 +6,9 @@ from typing import Any
 
 import pytest
 
+from linkwright.findings import Finding
 from linkwright.kernels import examine
 from linkwright.model.check import check_names
-from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.model.pins import pins
 from linkwright.model.signals import Signals

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 import linkwright as lw
+from linkwright.findings import Finding
 from linkwright.model.csv_file import read_csv
-from linkwright.model.findings import Finding
 
 PLACE = ("tables", "a", "file")
 

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from linkwright.findings import Finding
 from linkwright.model import units as u
-from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.model.quantities import Quantities
 from model.given import DATA, four_bar, quantities

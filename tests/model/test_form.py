@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 from pydantic import ValidationError
 
+from linkwright.findings import Finding, ModelError
 from linkwright.model.document import parse_document
-from linkwright.model.findings import Finding, ModelError
 from linkwright.model.mechanism import Document, Link
 from model.given import FEEDER, changed, findings, four_bar
 

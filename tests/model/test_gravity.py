@@ -11,9 +11,9 @@ import pytest
 import linkwright as lw
 from helpers.compiled import compiled_from
 from helpers.examples import feeder, four_bar
+from linkwright.findings import Finding, ModelError
 from linkwright.kernels import examine
 from linkwright.model.document import dump, parse_document
-from linkwright.model.findings import Finding, ModelError
 from linkwright.model.mechanism import Document
 
 G = 9.80665

@@ -10,9 +10,9 @@ from typing import Any
 import pytest
 from pydantic import ValidationError
 
+from linkwright.findings import Finding, ModelError, Term, raise_errors
 from linkwright.model.document import load
 from linkwright.model.fields import AssemblyRule, Expression, Position
-from linkwright.model.findings import Finding, ModelError, Term, raise_errors
 from linkwright.model.mechanism import Document
 from linkwright.model.written import FrozenDict
 from model.given import DATA, four_bar

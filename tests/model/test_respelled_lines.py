@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from linkwright.findings import Finding
 from linkwright.model.document import read_document
-from linkwright.model.findings import Finding
 from linkwright.model.respelled_lines import LONGEST, ROUNDS, read_respelled
 from model.given import FEEDER, findings
 from model.given import changed as changed_in

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from linkwright.model.findings import ModelError
+from linkwright.findings import ModelError
 from linkwright.model.temporary import temporary_folder
 
 

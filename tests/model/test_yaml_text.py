@@ -6,9 +6,9 @@ import time
 
 import pytest
 
+from linkwright.findings import Finding
 from linkwright.model import yaml_text
 from linkwright.model.document import read_document
-from linkwright.model.findings import Finding
 from linkwright.model.yaml_text import MAX_BYTES, read_text
 from model.given import changed, codes, findings
 

@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from helpers.examples import UNITS, four_bar, slider_crank
+from linkwright.findings import Finding
 from linkwright.kernels import examine
-from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.structure import Group, decompose
 

@@ -10,7 +10,7 @@ import pytest
 
 import linkwright as lw
 from helpers.cams import pair
-from linkwright.model.findings import Term
+from linkwright.findings import Term
 
 AWAY, ARM, PITCH = 60.0, 50.0, 28.0
 START = math.degrees(math.acos((AWAY**2 + ARM**2 - PITCH**2) / (2 * AWAY * ARM)))

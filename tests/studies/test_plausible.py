@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from helpers.examples import four_bar
-from linkwright.model.findings import Finding
+from linkwright.findings import Finding
 from studies.models import job_of
 
 SWING = {"motor": {"turns": "crank", "on": "frame", "position": "1.5 + 0.5*sin(6.283185307179586*t/(1 s))"}}

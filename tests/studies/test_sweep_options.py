@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 import linkwright as lw
-from linkwright.model.findings import Finding, Term
+from linkwright.findings import Finding, Term
 from linkwright.studies.plans import PLANS
 from studies.models import refused, slider_crank
 

@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 
 import linkwright as lw
+from linkwright.findings import Finding
 from linkwright.model.document import parse_document, read_document
-from linkwright.model.findings import Finding
 from studies.models import job_of, slider_crank
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "geneva.yaml"

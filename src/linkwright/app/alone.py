@@ -11,8 +11,8 @@ from typing import Any
 from linkwright.app.job import Examined, Writing, carry_out, examine_document, read_file, read_model
 from linkwright.blocks import RUNNERS, Runner
 from linkwright.exports import TARGETS
+from linkwright.findings import Finding, Term, raise_errors
 from linkwright.model.document import parse_document, plain
-from linkwright.model.findings import Finding, Term, raise_errors
 from linkwright.model.mechanism import Document
 from linkwright.studies import STUDIES, Site
 

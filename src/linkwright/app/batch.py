@@ -18,11 +18,11 @@ from linkwright.app.exports import ExportJob, examined_for, export_of, settings_
 from linkwright.app.job import USUAL, Examined, Writing, read_file
 from linkwright.app.results_folder import outdate
 from linkwright.exports import TARGETS, Exported
+from linkwright.findings import Finding, ModelError, capped
 from linkwright.kernels import examine
 from linkwright.model import csv_text
 from linkwright.model.csv_file import CsvFile, finite, read_csv
 from linkwright.model.document import read_document, replaced
-from linkwright.model.findings import Finding, ModelError, capped
 from linkwright.model.input_files import read_at_most
 from linkwright.model.mechanism import Document
 from linkwright.model.origin import Origin, hashed

@@ -13,13 +13,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright._machine import processors
 from linkwright.app.job import Examined
+from linkwright.findings import Finding, ModelError, Term, raise_errors
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.spread import pool, spread, stretches
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import ExpressionError
-from linkwright.model.findings import Finding, ModelError, Term, raise_errors
-from linkwright.model.machine import processors
 from linkwright.model.signals import Signal
 from linkwright.model.temporary import temporary_folder
 from linkwright.model.unknown import near

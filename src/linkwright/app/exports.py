@@ -11,7 +11,7 @@ from linkwright.app.alone import examine_one
 from linkwright.app.job import USUAL, Examined, Writing, read_file, read_model
 from linkwright.app.results_folder import ResultsFolder, outdate
 from linkwright.exports import TARGETS, Exported
-from linkwright.model.findings import Finding, ModelError, raise_errors
+from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.model.mechanism import Document
 from linkwright.model.origin import Origin
 from linkwright.model.unknown import near

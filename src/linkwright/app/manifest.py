@@ -9,8 +9,8 @@ from typing import Annotated, Literal
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
 
-import linkwright
-from linkwright.model.findings import ModelError
+from linkwright import _version
+from linkwright.findings import ModelError
 from linkwright.model.input_files import MAX_BYTES, read_at_most
 from linkwright.model.origin import Origin, hashed
 from linkwright.model.output_files import refuse_link, write_aside
@@ -89,7 +89,7 @@ class Part(_Strict):
     """
 
     state: State
-    linkwright: str = linkwright.__version__
+    linkwright: str = _version.__version__
     date: str
     process: int | None = None
     host: str | None = None

@@ -22,7 +22,7 @@ from types import TracebackType
 from linkwright.app.manifest import NAME, OUTDATED, Entry, Manifest, Model, Part, State, read_manifest
 from linkwright.blocks.checkpoint import unsaved
 from linkwright.blocks.lock import Lock
-from linkwright.model.findings import Finding, ModelError
+from linkwright.findings import Finding, ModelError
 from linkwright.model.origin import Origin
 from linkwright.model.output_files import make_folder, write_aside
 from linkwright.words import say

@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 
 from linkwright import gallery
-from linkwright.model.findings import Finding
+from linkwright.findings import Finding
 from linkwright.model.input_files import reason
 from linkwright.model.output_files import write_aside
 from linkwright.model.unknown import near

@@ -13,7 +13,7 @@ from typing import Any, Protocol
 from linkwright import interrupts
 from linkwright.blocks.runners import Runner, Threads, opened
 from linkwright.blocks.work import Sink, Task, Work
-from linkwright.model.findings import Finding, ModelError
+from linkwright.findings import Finding, ModelError
 
 EVERY = 5.0
 """Seconds between two saves."""

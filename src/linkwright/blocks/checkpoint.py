@@ -14,9 +14,9 @@ from pathlib import Path
 
 import numpy as np
 
-import linkwright
+from linkwright import _version
 from linkwright.blocks.work import Arrays
-from linkwright.model.findings import Finding, ModelError
+from linkwright.findings import Finding, ModelError
 from linkwright.model.input_files import read_at_most, reason
 from linkwright.model.output_files import refuse_link, write_aside
 
@@ -51,12 +51,12 @@ class Checkpoint:
     @property
     def all_versions(self) -> dict[str, str]:
         """The versions, with that of linkwright."""
-        return {"linkwright": linkwright.__version__, **self.versions}
+        return {"linkwright": _version.__version__, **self.versions}
 
     def read(self) -> Saved | None:
         """What the file holds; ``None`` where there is none yet.
 
-        Raises :class:`~linkwright.model.findings.ModelError` for a damaged file, for that of another work or of other
+        Raises :class:`~linkwright.findings.ModelError` for a damaged file, for that of another work or of other
         versions, and for a link.
         """
         if self.anew:
@@ -99,7 +99,7 @@ class Checkpoint:
     def write(self, following: int, arrays: Arrays) -> None:
         """Replace the file: ``following`` is the next atom.
 
-        Raises :class:`~linkwright.model.findings.ModelError` where it can't; the old file then stands.
+        Raises :class:`~linkwright.findings.ModelError` where it can't; the old file then stands.
         """
         stream = io.BytesIO()
         own = {"key": self.key, "next": following, "versions": json.dumps(self.all_versions)}

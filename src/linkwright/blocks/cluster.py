@@ -17,10 +17,10 @@ from threading import Event
 from typing import Any
 from uuid import uuid4
 
+from linkwright._machine import needed
 from linkwright.blocks.runners import AHEAD, LOOK, Results, blocks, opened, register
 from linkwright.blocks.work import Arrays, Task, Work
-from linkwright.model.findings import Finding, ModelError
-from linkwright.model.machine import needed
+from linkwright.findings import Finding, ModelError
 
 PATIENCE = 10.0
 """Seconds in which a scheduler must answer."""

@@ -10,7 +10,7 @@ from typing import Any, TypeVar, cast
 
 import numpy as np
 
-from linkwright.model.machine import needed
+from linkwright._machine import needed
 
 numba = needed("numba", "fast")
 STRIP = 1 << 13

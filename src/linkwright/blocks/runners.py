@@ -8,8 +8,8 @@ from concurrent.futures import Future, ThreadPoolExecutor, wait
 from threading import Event, Lock
 from typing import Protocol
 
+from linkwright._machine import processors
 from linkwright.blocks.work import Arrays, Task, Work
-from linkwright.model.machine import processors
 from linkwright.notation.registry import Registry
 
 AHEAD = 2
@@ -39,7 +39,7 @@ class Runner(Protocol):
         """Each atom with its result, in order, handed out ``block`` at a time.
 
         Once ``stop()`` holds, nothing more is handed out; what is under way may still come. Closing the iterator
-        lets go of the rest. Raises :class:`~linkwright.model.findings.ModelError` where the runner itself fails.
+        lets go of the rest. Raises :class:`~linkwright.findings.ModelError` where the runner itself fails.
         """
 
     def close(self) -> None:

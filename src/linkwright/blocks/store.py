@@ -21,11 +21,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from linkwright._machine import needed
 from linkwright.blocks.checkpoint import Checkpoint, unsaved
 from linkwright.blocks.lock import Lock, shared
 from linkwright.blocks.work import UNIT, Arrays, Cut
-from linkwright.model.findings import Finding, ModelError
-from linkwright.model.machine import needed
+from linkwright.findings import Finding, ModelError
 from linkwright.model.output_files import refuse_links_in
 
 WHOLE = {"array.write_empty_chunks": True}
@@ -52,7 +52,7 @@ class Stored:
     An atom gives float64 arrays (samples, poses), or (samples,) where the variable has no ``pose``; those over poses
     alone stand in ``fixed`` and are written at the start, as may others be. Where the store is there already, it is
     gone on with, if its checkpoint has the same ``key`` and ``versions``; ``anew`` begins it again and writes over it.
-    NaN stands where nothing is written yet. Raises :class:`~linkwright.model.findings.ModelError` also for links in a
+    NaN stands where nothing is written yet. Raises :class:`~linkwright.findings.ModelError` also for links in a
     store and for one that another process fills.
     """
 

@@ -6,9 +6,9 @@ import io
 import math
 from collections.abc import Mapping, Sequence
 
+from linkwright._machine import needed
 from linkwright.cam.nc.path import Element
 from linkwright.cam.splines import Spline
-from linkwright.model.machine import needed
 
 Circle = tuple[float, float, float]
 """x, y, radius (mm)."""

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from linkwright._machine import needed
 from linkwright.cam.nc.path import Element
-from linkwright.model.machine import needed
 from linkwright.model.temporary import temporary_folder
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from linkwright import __version__
+from linkwright._version import __version__
 from linkwright.cli.streams import failed, interrupted, misused, prepare, read_or_not
 from linkwright.cli.usage import Group
 from linkwright.words import say
@@ -235,8 +235,8 @@ def workspace(
 ) -> None:
     """Perform the workspace study alone, or resume an interrupted one."""
     from linkwright import app
-    from linkwright.model.findings import ModelError
-    from linkwright.model.machine import needed
+    from linkwright._machine import needed
+    from linkwright.findings import ModelError
 
     examined = app.examine_alone(file, "workspace")
     for asked, package, extra in ((dxf, "ezdxf", "cad"), (png, "resvg_py", "png")):

@@ -19,7 +19,7 @@ from linkwright.app import Bench, Examined, ExportJob, Job, ModesJob
 from linkwright.blocks import Progress as Told
 from linkwright.cli.progress import Bar
 from linkwright.escape import json_text, line, visible
-from linkwright.model.findings import Finding
+from linkwright.findings import Finding
 from linkwright.model.units import TIME
 from linkwright.report.accuracy_page import sentences as accuracy_sentences
 from linkwright.report.accuracy_tables import further, overview

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from linkwright.exports.numbers import positive
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.fields import Expression
-from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.results import Run
 from linkwright.studies.cycle import CycleOptions, span

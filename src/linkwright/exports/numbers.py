@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression
-from linkwright.model.findings import Finding
 from linkwright.model.units import Dimension
 
 

@@ -8,8 +8,8 @@ from typing import Any, ClassVar, Protocol
 
 from pydantic import BaseModel
 
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model.findings import Finding
 from linkwright.notation.registry import Registry
 from linkwright.studies import Site
 from linkwright.studies.sections import read_section

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.findings import Finding
 from linkwright.graph.clusters import assemble_cluster
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, Unknowns, solve_motion
@@ -17,7 +18,6 @@ from linkwright.graph.wedges import Parallel
 from linkwright.groups import Dyad, OuterPin
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import AssemblyRule
-from linkwright.model.findings import Finding
 from linkwright.model.pins import Pin
 from linkwright.model.quantities import Quantities
 from linkwright.model.sketch import Drawn, drawn_rules

@@ -16,11 +16,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding
 from linkwright.graph.assembly import assemble
 from linkwright.graph.circuits import Tracer
 from linkwright.graph.constraints import Constraints
 from linkwright.graph.geometry import Geometry, extent
-from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.quantities import Quantities
 from linkwright.model.units import LENGTH

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.findings import Finding
 from linkwright.graph.cams import Seat, followings, seat, sense, slant, whole
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.seconds import other_side, second_seat
@@ -19,7 +20,6 @@ from linkwright.laws import Motion
 from linkwright.laws.numbers import first
 from linkwright.model import units as u
 from linkwright.model.cams import Following
-from linkwright.model.findings import Finding
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet
 

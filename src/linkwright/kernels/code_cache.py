@@ -23,7 +23,7 @@ from importlib.abc import ExecutionLoader
 from pathlib import Path
 from types import ModuleType
 
-from linkwright.model.findings import ModelError
+from linkwright.findings import ModelError
 from linkwright.model.temporary import temporary_folder
 
 MOST = 400

@@ -12,6 +12,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding, raise_errors
 from linkwright.graph.assembly import Assembly, assemble
 from linkwright.graph.graph import Graph
 from linkwright.graph.redundant import redundant
@@ -26,7 +27,6 @@ from linkwright.kernels.starts import moved_starts
 from linkwright.kernels.supply import Supply
 from linkwright.kernels.tables import StatedTable
 from linkwright.model.check import check_names, check_values
-from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.places import Place
 from linkwright.model.plane import LinkagePlane

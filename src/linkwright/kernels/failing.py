@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding
 from linkwright.graph.assembly import shortfall_at, shortfall_data
 from linkwright.graph.graph import Graph
-from linkwright.model.findings import Finding
 from linkwright.structure import Cluster, Group, Structure
 
 if TYPE_CHECKING:

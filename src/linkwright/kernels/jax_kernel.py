@@ -12,10 +12,10 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright._machine import needed
 from linkwright.graph.program import Program
 from linkwright.kernels.jax_trace import outputs
 from linkwright.kernels.registry import register
-from linkwright.model.machine import needed
 
 Array = NDArray[np.float64]
 

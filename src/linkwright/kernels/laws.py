@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.findings import Finding, ModelError
 from linkwright.kernels.cams import follower_law
 from linkwright.kernels.law import Array, Law, Parameters
 from linkwright.kernels.motion_faults import jump
@@ -19,7 +20,6 @@ from linkwright.model.cams import Following
 from linkwright.model.csv_file import CsvFile, read_csv
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, nodes
-from linkwright.model.findings import Finding, ModelError
 from linkwright.model.mechanism import Table
 from linkwright.model.quantities import LARGEST, Quantities, column_unit
 from linkwright.notation import MAX_ORDER, Jet

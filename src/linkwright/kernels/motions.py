@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.findings import Finding, Term
 from linkwright.kernels.law import Parameters
 from linkwright.laws import (
     LAWS,
@@ -35,7 +36,6 @@ from linkwright.laws.numbers import first, off, plain
 from linkwright.model import motions as stated
 from linkwright.model.expressions import Binary, Call, Name, Negative, Node, Number, evaluate
 from linkwright.model.fields import Expression
-from linkwright.model.findings import Finding, Term
 from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import names_in
 from linkwright.model.units import PURE, Dimension

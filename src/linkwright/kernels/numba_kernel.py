@@ -12,11 +12,11 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright._machine import needed
 from linkwright.graph.program import Program
 from linkwright.kernels import code_cache
 from linkwright.kernels.numba_source import Source
 from linkwright.kernels.registry import flattened, register
-from linkwright.model.machine import needed
 
 Array = NDArray[np.float64]
 

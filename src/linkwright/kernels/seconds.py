@@ -8,12 +8,12 @@ from math import isnan, pi
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.seconds import rest, room, second_seat
 from linkwright.laws import Motion
 from linkwright.model import units as u
 from linkwright.model.cams import Following
-from linkwright.model.findings import Finding
 
 SAMPLES = 3600
 """Places of half a turn at which sums of two lifts are looked at, besides the law's joins."""

@@ -8,8 +8,8 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright._machine import processors
 from linkwright.kernels.registry import Kernel
-from linkwright.model.machine import processors
 
 Array = NDArray[np.float64]
 

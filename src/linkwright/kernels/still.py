@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding
 from linkwright.graph.assembly import Assembly
 from linkwright.graph.constraints import Constraints
 from linkwright.graph.standing import standing
@@ -17,7 +18,6 @@ from linkwright.graph.still import StillGraph
 from linkwright.kernels.compiled import Compiled, prepare
 from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.supply import Supply
-from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.places import Place
 from linkwright.structure import FRAME, Structure

@@ -13,6 +13,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding, raise_errors
 from linkwright.graph.cams import followings
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.failing import Failures, causes
@@ -23,7 +24,6 @@ from linkwright.kernels.supply import Supply
 from linkwright.kernels.tables import fixed_parts, table_faults
 from linkwright.kernels.turning import turns_of
 from linkwright.model.check import check_values
-from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import Sampled, dependent, names_in
 from linkwright.model.unknown import near

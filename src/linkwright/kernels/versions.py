@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from importlib.metadata import version
 
-import linkwright
+from linkwright import _version
 from linkwright.kernels.registry import KERNELS
 
 LIBRARIES = ("casadi", "numpy", "scipy")
@@ -16,4 +16,4 @@ def versions(kernel: str, *libraries: str) -> dict[str, str]:
     them; the processor isn't among them, on which the last bits may depend too."""
     emitted = [kernel, *(f"{package} {version(package)}" for package in KERNELS[kernel].packages)]
     found = {name: version(name) for name in (*LIBRARIES, *libraries)}
-    return {"linkwright": linkwright.__version__, "kernel": " ".join(emitted), **found}
+    return {"linkwright": _version.__version__, "kernel": " ".join(emitted), **found}

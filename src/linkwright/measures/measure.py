@@ -9,12 +9,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding
 from linkwright.measures.found import Found, MeasureResult, Unmeasured
 from linkwright.measures.grades import SAMPLED, Grade, Kind
 from linkwright.measures.probe import Probe, Search, inner
 from linkwright.measures.rules import RULES, Reducer
 from linkwright.model.expressions import Node, parse
-from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Measure
 from linkwright.model.places import FIGURES, figure, measured
 from linkwright.model.quantities import Quantities

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any, Self
 
+from linkwright.findings import Finding, ModelError
 from linkwright.model.document import parse_document
-from linkwright.model.findings import Finding, ModelError
 from linkwright.model.mechanism import VERSION, Document
 
 Point = Any

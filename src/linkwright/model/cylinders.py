@@ -10,8 +10,8 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import Any
 
+from linkwright.findings import Finding, Term
 from linkwright.model.fields import Expression
-from linkwright.model.findings import Finding, Term
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.parts import CylinderPart, Drive, Joint, Link
 from linkwright.model.pins import homes

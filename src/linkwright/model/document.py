@@ -10,8 +10,8 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from linkwright.findings import Finding, ModelError, Term, capped
 from linkwright.model.faults import findings_of
-from linkwright.model.findings import Finding, ModelError, Term, capped
 from linkwright.model.input_files import read_at_most
 from linkwright.model.mechanism import VERSION, Document
 from linkwright.model.output_files import write_aside

@@ -8,8 +8,8 @@ from dataclasses import replace
 from itertools import islice
 from typing import Any
 
+from linkwright.findings import Finding, Term
 from linkwright.model.absent import SAYS_KIND, absent
-from linkwright.model.findings import Finding, Term
 from linkwright.model.known_keys import keys_at
 from linkwright.model.mechanism import Document
 from linkwright.model.unknown import likeliest, near

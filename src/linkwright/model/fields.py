@@ -8,8 +8,8 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, WithJsonSchema
 
+from linkwright.findings import Term
 from linkwright.model.expressions import ExpressionError, Node, Number, parse
-from linkwright.model.findings import Term
 from linkwright.model.parser import reads
 from linkwright.model.respelled import syntax_fault
 from linkwright.model.written import (

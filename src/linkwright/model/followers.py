@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from linkwright.findings import Finding, Term
 from linkwright.model.cams import Following
 from linkwright.model.fields import AssemblyRule, FrozenDict
-from linkwright.model.findings import Finding, Term
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.pins import Pin, pins
 from linkwright.model.unknown import near, unknown

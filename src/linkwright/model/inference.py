@@ -6,10 +6,10 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from graphlib import CycleError, TopologicalSorter
 
+from linkwright.findings import Finding
 from linkwright.model.actions import column_unit
 from linkwright.model.dimensions import DimensionError, Dimensions, argument, value
 from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, Number, nodes, text_of
-from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.names import Names
 from linkwright.model.places import Path, Place, Scope, figure, places

@@ -10,7 +10,7 @@ import os
 import stat
 from pathlib import Path
 
-from linkwright.model.findings import Finding, ModelError, Term
+from linkwright.findings import Finding, ModelError, Term
 
 MAX_BYTES = 20_000_000
 """The most that is read of a file that a model names."""

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from linkwright.findings import Finding, Term
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, is_signal, nodes, signal_text
-from linkwright.model.findings import Finding, Term
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.places import Place, Scope
 from linkwright.model.respelled import respelled

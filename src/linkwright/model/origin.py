@@ -11,8 +11,8 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-import linkwright
-from linkwright.model.findings import ModelError
+from linkwright import _version
+from linkwright.findings import ModelError
 from linkwright.model.input_files import read_beside
 from linkwright.model.mechanism import Mechanism
 
@@ -42,7 +42,7 @@ class Origin:
     sha256: str
     tables: Mapping[str, str] = field(default_factory=dict)
     date: str = field(default_factory=now)
-    version: str = linkwright.__version__
+    version: str = _version.__version__
 
     @property
     def short(self) -> str:

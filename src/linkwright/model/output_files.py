@@ -11,7 +11,7 @@ import secrets
 import stat
 from pathlib import Path
 
-from linkwright.model.findings import Finding, ModelError
+from linkwright.findings import Finding, ModelError
 
 NO_LINK = getattr(os, "O_NOFOLLOW", 0)
 """Lets the system itself refuse to open a link."""

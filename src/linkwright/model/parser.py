@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
 
-from linkwright.model.findings import Term
+from linkwright.findings import Term
 from linkwright.model.trees import Binary, Call, Name, Negative, Node, Number, height
 from linkwright.model.units import is_unit
 

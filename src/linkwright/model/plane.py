@@ -15,10 +15,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding
 from linkwright.model import units as u
 from linkwright.model.expressions import Name, nodes
 from linkwright.model.fields import Expression, Place, Position
-from linkwright.model.findings import Finding
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.parts import Link, Parameter
 from linkwright.model.pins import pins

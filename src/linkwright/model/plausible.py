@@ -10,10 +10,10 @@ from collections.abc import Iterator, Mapping
 from itertools import combinations
 from typing import TypeVar
 
+from linkwright.findings import Finding
 from linkwright.model import units as u
 from linkwright.model.expressions import Name, Number, nodes
 from linkwright.model.fields import Expression, Position
-from linkwright.model.findings import Finding
 from linkwright.model.gravity import EARTH
 from linkwright.model.places import position_parts
 from linkwright.model.quantities import Quantities

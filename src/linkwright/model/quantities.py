@@ -8,12 +8,12 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.findings import Finding, Term
 from linkwright.model import units as u
 from linkwright.model.actions import column_unit
 from linkwright.model.dimensions import DimensionError, Dimensions, Wanted
 from linkwright.model.expressions import ExpressionError, Node, evaluate
 from linkwright.model.fields import Expression, FrozenDict
-from linkwright.model.findings import Finding, Term
 from linkwright.model.inference import Inference
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.names import Names

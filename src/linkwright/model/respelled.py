@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection
 
-from linkwright.model.findings import Term
+from linkwright.findings import Term
 from linkwright.model.parser import reads, tokens
 from linkwright.model.synonyms import unit_meant
 from linkwright.model.units import is_unit, unit_words

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 
-from linkwright.model.findings import Finding, Term
+from linkwright.findings import Finding, Term
 from linkwright.model.respelled import WIDE
 
 ROUNDS = 6

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from linkwright.findings import Term
 from linkwright.model import units as u
 from linkwright.model.cams import Following
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import Call, Name, signal_text
-from linkwright.model.findings import Term
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.pins import homes, pins
 from linkwright.model.slides import in_loops

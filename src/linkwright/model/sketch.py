@@ -11,9 +11,9 @@ import re
 from collections.abc import Callable, Iterator
 from itertools import chain
 
+from linkwright.findings import Finding
 from linkwright.model.cylinders import links_of, shared_pins
 from linkwright.model.fields import AssemblyRule, Expression, Position
-from linkwright.model.findings import Finding
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter
 from linkwright.model.pins import homes

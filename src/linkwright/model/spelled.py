@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
+from linkwright.findings import Finding
 from linkwright.model.cylinders import cylinder_faults, cylinder_home, with_cylinders
-from linkwright.model.findings import Finding
 from linkwright.model.followers import cam_faults, cam_home, with_cams
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.plane import LinkagePlane, in_plane

@@ -8,8 +8,8 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Discriminator, Field, Tag, WithJsonSchema
 
+from linkwright.findings import Finding
 from linkwright.model.fields import Expression, Frozen, Two, Written, pair
-from linkwright.model.findings import Finding
 from linkwright.model.written import Fault, fault
 from linkwright.tolerances import DISTRIBUTIONS, ToleranceClass, examples, tolerance_class
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from difflib import SequenceMatcher
 from typing import Any
 
-from linkwright.model.findings import Finding, Term
+from linkwright.findings import Finding, Term
 from linkwright.model.synonyms import meant, plain
 
 MOST = 3

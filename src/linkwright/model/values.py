@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.findings import Finding, Term
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression
-from linkwright.model.findings import Finding, Term
 from linkwright.model.places import Place, Scope, crossed, figure, position_parts, spring_dimensions
 from linkwright.model.quantities import LARGEST, Quantities
 from linkwright.model.slides import closing, pairs_of

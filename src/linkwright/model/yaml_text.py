@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
 
+from linkwright.findings import Finding, Term
 from linkwright.model.encodings import likely_encoding
-from linkwright.model.findings import Finding, Term
 from linkwright.model.written import MAX_TEXT, NO_TEXT
 
 MAX_BYTES = 1_000_000

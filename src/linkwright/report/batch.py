@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 from urllib.parse import quote
 
-import linkwright
+from linkwright import _version
 from linkwright.escape import markup
 from linkwright.model.origin import Origin
 from linkwright.report.html_file import html_file
@@ -32,7 +32,7 @@ def batch_page(file: str, target: str, heads: Sequence[str], rows: Sequence[Batc
     ]  # fmt: skip
     head = "".join(f"<th>{markup(column)}</th>" for column in columns)
     body = "".join(_row(row, columns) for row in rows)
-    footer = say("batch.page.footer", version=linkwright.__version__, file=file, sha256=origin.short, date=origin.date)
+    footer = say("batch.page.footer", version=_version.__version__, file=file, sha256=origin.short, date=origin.date)
     subtitle = say("batch.page.subtitle", count=len(rows))
     page = f"""<header><h1>{markup(title)}</h1><p class="subtitle">{markup(subtitle)}</p></header>
 <main class="batch"><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></main>

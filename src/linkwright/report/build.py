@@ -8,8 +8,8 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding
 from linkwright.model.document import dump
-from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.model.origin import Origin, hashed
 from linkwright.model.pins import spring_ends

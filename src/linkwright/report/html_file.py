@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from importlib.resources import files
 
-import linkwright
+from linkwright import _version
 from linkwright.escape import markup
 from linkwright.words import LANGUAGE
 
@@ -23,7 +23,7 @@ def html_file(title: str, body: str, *, style: str = "", before: str = "", kind:
 <meta http-equiv="Content-Security-Policy" content="{POLICY}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
-<meta name="generator" content="linkwright {markup(linkwright.__version__)}">
+<meta name="generator" content="linkwright {markup(_version.__version__)}">
 <link rel="icon" href="data:,">
 <title>{markup(title)}</title>
 <style>

@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from linkwright._machine import needed
+from linkwright.findings import Finding
 from linkwright.measures import Grade, MeasureResult
-from linkwright.model.findings import Finding
-from linkwright.model.machine import needed
 from linkwright.model.mechanism import Document
 from linkwright.model.origin import Origin
 from linkwright.model.units import TIME

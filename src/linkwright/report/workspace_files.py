@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright._machine import needed
 from linkwright.escape import json_text, layer_name
 from linkwright.model import units as u
 from linkwright.model.csv_text import cell, head, written
-from linkwright.model.machine import needed
 from linkwright.report.tiled import tiled
 from linkwright.report.workspace_parts import written as parts
 from linkwright.report.workspace_picture import pictures

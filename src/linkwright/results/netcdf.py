@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
+    from linkwright.findings import Finding
     from linkwright.kernels import Compiled
-    from linkwright.model.findings import Finding
     from linkwright.results.result import Result
 
 _UNFIT = re.compile(r"""[^A-Za-z0-9_.@+\- !"#$%&\\()*,:;<=>?\[\]^`{|}~']""")
@@ -45,12 +45,12 @@ def variable_name(name: str) -> str:
 
 def described(compiled: Compiled, findings: Sequence[Finding]) -> dict[str, str]:
     """Title, source and findings."""
-    import linkwright
+    from linkwright import _version
 
     return {
         "Conventions": "CF-1.11",
         "title": compiled.mechanism.title,
-        "source": f"linkwright {linkwright.__version__}",
+        "source": f"linkwright {_version.__version__}",
         "findings": "\n".join(f"{f.code}: {f.what}" for f in findings) or "none",
     }
 

@@ -12,11 +12,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright._machine import needed
+from linkwright.findings import Finding, ModelError, Term
 from linkwright.model.csv_text import cell, head, written
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import Call, ExpressionError, Name, parse
-from linkwright.model.findings import Finding, ModelError, Term
-from linkwright.model.machine import needed
 from linkwright.model.output_files import write_aside
 from linkwright.model.respelled import syntax_fault
 from linkwright.model.units import PURE, Dimension

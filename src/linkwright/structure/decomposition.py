@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from linkwright.findings import Finding
 from linkwright.groups import REGISTRY
-from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Mechanism
 from linkwright.structure.placed import Placed
 from linkwright.structure.refusals import apart, redundant, unsolved

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from linkwright.model.findings import Finding
+from linkwright.findings import Finding
 from linkwright.model.mechanism import FRAME
 from linkwright.model.unknown import alike
 from linkwright.structure.freedoms import Freedoms

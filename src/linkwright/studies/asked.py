@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
 from pydantic import BeforeValidator, Field, PrivateAttr, ValidationInfo, WithJsonSchema, model_validator
 
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import Call, Name, is_signal, nodes
 from linkwright.model.fields import Expression, Frozen, fault
-from linkwright.model.findings import Finding
 from linkwright.model.names import Names
 from linkwright.model.places import Place, Scope
 from linkwright.model.sampled import dependent

@@ -9,11 +9,11 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import BeforeValidator, Field, ValidationError, ValidationInfo, model_validator
 
+from linkwright.findings import Finding, ModelError, Term
 from linkwright.kernels import Compiled
 from linkwright.measures import Measurer, MeasureResult, enclose, misfit
 from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen, fault
-from linkwright.model.findings import Finding, ModelError, Term
 from linkwright.model.unknown import unknown
 from linkwright.model.written import unexpected
 from linkwright.results import Result, Run, certify

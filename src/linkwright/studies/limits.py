@@ -9,6 +9,7 @@ from typing import Annotated
 
 from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
 from linkwright.model import units as u
@@ -16,7 +17,6 @@ from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import Call, Name, is_signal, nodes, parse, signal_text
 from linkwright.model.fields import Expression, Frozen, FrozenDict
 from linkwright.model.fields import Name as NameField
-from linkwright.model.findings import Finding
 from linkwright.model.names import Names
 from linkwright.model.parts import Interval, freeze
 from linkwright.model.places import Place, Scope

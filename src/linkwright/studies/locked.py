@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding, Term
 from linkwright.graph.cams import followings
 from linkwright.kernels import Compiled
-from linkwright.model.findings import Finding, Term
 from linkwright.results import Run
 from linkwright.studies.feasible import SINGULAR, drive_value, row_of
 

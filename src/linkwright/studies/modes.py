@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from pydantic import Field
 
+from linkwright.findings import Finding, ModelError
 from linkwright.graph.cams import followings
 from linkwright.graph.constraints import Ride
 from linkwright.graph.geometry import ZERO
@@ -19,7 +20,6 @@ from linkwright.kernels.laws import values_at
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Frozen, Name
-from linkwright.model.findings import Finding, ModelError
 from linkwright.model.quantities import Quantities
 from linkwright.studies.registry import register
 from linkwright.studies.site import NOWHERE, Site

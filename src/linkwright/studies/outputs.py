@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model.findings import Finding
+from linkwright.findings import Finding
 from linkwright.results import Run
 from linkwright.results.stationary import crossings, stationary
 from linkwright.studies.feasible import SINGULAR, drive_value

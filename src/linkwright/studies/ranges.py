@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
 from linkwright.model import units as u
 from linkwright.model.cylinders import links_of
-from linkwright.model.findings import Finding
 from linkwright.results import Run
 from linkwright.results.stationary import crossings
 from linkwright.structure import Cluster, Group

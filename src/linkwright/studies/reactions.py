@@ -13,12 +13,12 @@ from dataclasses import dataclass, field
 import numpy as np
 from pydantic import Field
 
+from linkwright.findings import Finding
 from linkwright.graph.statics import Statics
 from linkwright.kernels import Compiled, Still, examine_still
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Frozen
-from linkwright.model.findings import Finding
 from linkwright.model.quantities import LARGEST
 from linkwright.model.signals import Contact
 from linkwright.model.units import Dimension

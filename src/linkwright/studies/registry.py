@@ -9,8 +9,8 @@ from typing import Any, ClassVar, Protocol, runtime_checkable
 
 from pydantic import BaseModel
 
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.places import Place
 from linkwright.notation.registry import Registry

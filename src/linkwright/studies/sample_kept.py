@@ -12,7 +12,7 @@ from linkwright.blocks import Checkpoint, Cut, Folding, Reduction, Sink, Togethe
 from linkwright.blocks.checkpoint import unsaved
 from linkwright.blocks.store import Stored, Variable
 from linkwright.blocks.work import Arrays
-from linkwright.model.findings import Finding, ModelError
+from linkwright.findings import Finding, ModelError
 from linkwright.studies.sample_sink import Samples
 from linkwright.studies.sample_work import SampleTask, SampleWork
 from linkwright.studies.site import Site

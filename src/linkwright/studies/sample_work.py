@@ -17,13 +17,13 @@ from numpy.typing import NDArray
 from linkwright.blocks import Cut, Fourth, Histogram, Moments, Reduction, Tallies
 from linkwright.blocks.store import Variable
 from linkwright.blocks.work import Arrays
+from linkwright.findings import raise_errors
 from linkwright.kernels import Compiled, examine
 from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.varied import Varied
 from linkwright.kernels.versions import versions
 from linkwright.model.document import plain
 from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, parse
-from linkwright.model.findings import raise_errors
 from linkwright.model.mechanism import Document
 from linkwright.model.places import Place
 from linkwright.model.temporary import temporary_folder

@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from linkwright.blocks import UNIT, Carried, Threads, carry
 from linkwright.blocks.runners import opened
+from linkwright.findings import Finding, ModelError
 from linkwright.kernels import KERNELS
 from linkwright.kernels.choice import Choice, choose
 from linkwright.measures import bound
-from linkwright.model.findings import Finding, ModelError
 from linkwright.model.origin import table_files
 from linkwright.results import Run
 from linkwright.studies.asked import Sampling

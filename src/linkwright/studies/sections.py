@@ -7,8 +7,8 @@ from typing import Any, ClassVar, Protocol, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
+from linkwright.findings import Finding, Term
 from linkwright.model.faults import finding_of, written
-from linkwright.model.findings import Finding, Term
 from linkwright.model.unknown import near
 from linkwright.model.written import describe
 

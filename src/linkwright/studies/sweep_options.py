@@ -12,12 +12,12 @@ from pydantic import (
     Field,
 )
 
+from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.varied import Varied
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Name as NameField
-from linkwright.model.findings import Finding, ModelError
 from linkwright.model.parts import freeze
 from linkwright.model.quantities import LARGEST
 from linkwright.model.unknown import near

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.blocks.work import Arrays
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.expressions import parse
-from linkwright.model.findings import Finding
 from linkwright.model.units import Dimension
 from linkwright.results import Run
 from linkwright.studies.figures import Column

@@ -10,9 +10,9 @@ from dataclasses import replace
 import numpy as np
 
 from linkwright.blocks.work import Arrays
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.kernels.choice import Choice
-from linkwright.model.findings import Finding
 from linkwright.results import Run
 from linkwright.studies.cycle import span
 from linkwright.studies.registry import register

@@ -20,8 +20,8 @@ from linkwright.exports.process_simulate.dialects import DIALECTS
 from linkwright.exports.process_simulate.functions import Wish, make
 from linkwright.exports.process_simulate.joints import joints_of
 from linkwright.exports.process_simulate.linkage import Refused
+from linkwright.findings import ModelError
 from linkwright.model.document import parse_document
-from linkwright.model.findings import ModelError
 
 from .test_functions import example, own_error
 

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 import linkwright as lw
-from linkwright.model.findings import ModelError
+from linkwright.findings import ModelError
 
 FOUR_BAR: dict[str, Any] = {
     "linkwright": 1,

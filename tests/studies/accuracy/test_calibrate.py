@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 import linkwright as lw
-from linkwright.model.findings import ModelError
+from linkwright.findings import ModelError
 from linkwright.results import Run
 from linkwright.studies.accuracy.calibrate import calibrate
 from linkwright.studies.accuracy.calibrated import Calibration

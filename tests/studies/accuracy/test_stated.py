@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from helpers.compiled import compiled_from
+from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
-from linkwright.model.findings import Finding, ModelError
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.stated import check_contributors, contributors, skipped

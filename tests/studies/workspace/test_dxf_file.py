@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import linkwright as lw
-from linkwright.model.findings import Finding
+from linkwright.findings import Finding
 from linkwright.studies.workspace.dxf_file import MAX_DEGREE, read_curve
 
 ezdxf = pytest.importorskip("ezdxf")

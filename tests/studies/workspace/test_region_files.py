@@ -14,8 +14,8 @@ import linkwright as lw
 from helpers.workspaces import arm, five_bar, four_bar
 from linkwright.blocks import Threads, checkpoint
 from linkwright.blocks.packing import pack
+from linkwright.findings import ModelError
 from linkwright.model.document import parse_document
-from linkwright.model.findings import ModelError
 from linkwright.studies.site import Site
 from linkwright.studies.stopped import Stopped
 from linkwright.studies.workspace import study

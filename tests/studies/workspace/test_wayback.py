@@ -13,9 +13,9 @@ import pytest
 import shapely
 
 from helpers.compiled import compiled_from
+from linkwright.findings import ModelError
 from linkwright.kernels import Compiled, compile_mechanism
 from linkwright.model.document import load
-from linkwright.model.findings import ModelError
 from linkwright.studies.workspace.mesh import Box, mesh
 from linkwright.studies.workspace.pasted import pasted
 from linkwright.studies.workspace.regions import Region

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from linkwright.findings import Finding
 from linkwright.graph.geometry import extent
 from linkwright.kernels import Compiled
-from linkwright.model.findings import Finding
 
 NO_SIZE = 1e-2
 """The radius of gyration of what has no moment of inertia, over the mechanism's size."""

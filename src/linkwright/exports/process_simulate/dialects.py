@@ -16,7 +16,7 @@ import numpy as np
 from linkwright.exports.process_simulate.linkage import Linkage, Refused
 from linkwright.exports.process_simulate.trees import Array, Tree, add, call, divide, multiply, negated, number
 from linkwright.exports.process_simulate.vectors import Angle, Vector, cosine, sine
-from linkwright.model.findings import Finding
+from linkwright.findings import Finding
 from linkwright.notation.registry import Registry
 
 CLEAR = 0.05

@@ -12,12 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.kernels.law import Law
 from linkwright.kernels.laws import uniform, values_at
 from linkwright.model import units as u
 from linkwright.model.fields import Frozen, Name
-from linkwright.model.findings import Finding, Term
 from linkwright.model.pins import homes
 from linkwright.model.unknown import near, unknown
 from linkwright.report.data import known

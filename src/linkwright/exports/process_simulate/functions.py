@@ -24,10 +24,10 @@ from linkwright.exports.process_simulate.reach import reach
 from linkwright.exports.process_simulate.splitting import least, split
 from linkwright.exports.process_simulate.trees import Array, Tree, evaluate, multiply, number
 from linkwright.exports.process_simulate.trees import joint as joint_value
+from linkwright.findings import Finding
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
-from linkwright.model.findings import Finding
 from linkwright.structure import Cluster
 
 DESIGNED, PROVEN = 720, 2000

@@ -10,8 +10,8 @@ import numpy as np
 from linkwright.exports.process_simulate.joints import ToolJoint
 from linkwright.exports.process_simulate.trees import Array, Tree, add, evaluate, joint, multiply, number
 from linkwright.exports.process_simulate.vectors import Angle, Arm, Vector
+from linkwright.findings import Finding
 from linkwright.graph.geometry import Geometry
-from linkwright.model.findings import Finding
 from linkwright.notation import Pair
 from linkwright.structure import FRAME, Connection, Group, Structure, Wedge
 

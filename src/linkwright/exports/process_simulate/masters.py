@@ -18,13 +18,13 @@ from linkwright.exports.process_simulate.linkage import Refused
 from linkwright.exports.process_simulate.motion import Motion
 from linkwright.exports.process_simulate.reach import SHORTER, Reach, offered
 from linkwright.exports.process_simulate.trees import Array
+from linkwright.findings import Finding
 from linkwright.graph.cams import followings
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion as Pose
 from linkwright.graph.motion import solve_motion, solve_step
 from linkwright.groups import Dyad
 from linkwright.kernels import Compiled
-from linkwright.model.findings import Finding
 from linkwright.notation import Body, Jet, Pair, Scalar
 from linkwright.results.stationary import bracketed, crossings
 from linkwright.structure import Group, Structure, decompose

@@ -13,12 +13,12 @@ from linkwright.exports.process_simulate.facts import Facts, check_facts
 from linkwright.exports.process_simulate.functions import MOST, PATH, Wish
 from linkwright.exports.process_simulate.joints import ToolJoint, driving, joints_of, named
 from linkwright.exports.process_simulate.mirror import Mirror
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Frozen, FrozenDict
 from linkwright.model.fields import Name as NameField
-from linkwright.model.findings import Finding
 from linkwright.model.parts import Interval, freeze
 from linkwright.model.quantities import LARGEST
 from linkwright.model.unknown import unknown

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
-from linkwright.model.findings import Finding
 from linkwright.studies.extremes import touches
 from linkwright.studies.ranges import Range, ranges
 

@@ -9,7 +9,7 @@ from importlib.resources import files
 import numpy as np
 from numpy.typing import NDArray
 
-import linkwright
+from linkwright import _version
 from linkwright.escape import markup
 from linkwright.exports.process_simulate.facts import HingeFacts
 from linkwright.exports.process_simulate.functions import JointFunction, JointFunctions
@@ -63,7 +63,7 @@ def sheet(compiled: Compiled, functions: JointFunctions, facts: HingeFacts) -> s
 <section id="facts"><h2>{markup(say("sheet.facts"))}</h2>{_facts(compiled, facts)}
 <div class="three">{figures(_charts(facts))}</div></section>
 </main>
-<footer>{markup(say("sheet.footer", version=linkwright.__version__))}</footer>
+<footer>{markup(say("sheet.footer", version=_version.__version__))}</footer>
 <script>{SCRIPT}</script>"""
     style = files(__package__).joinpath("sheet.css").read_text("utf-8")
     return html_file(title, body, style=style, kind="sheet")

@@ -13,8 +13,8 @@ from linkwright.exports.process_simulate.masters import STILL
 from linkwright.exports.process_simulate.options import ProcessSimulateOptions, check
 from linkwright.exports.process_simulate.sheet import sheet
 from linkwright.exports.registry import Exported, register
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model.findings import Finding
 from linkwright.studies import Site
 from linkwright.words import say
 

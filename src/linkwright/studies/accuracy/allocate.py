@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from linkwright.findings import Finding
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Frozen
-from linkwright.model.findings import Finding
 from linkwright.model.parts import freeze
 from linkwright.model.quantities import LARGEST, Quantities
 from linkwright.model.unknown import near

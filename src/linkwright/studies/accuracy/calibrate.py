@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.kernels import Compiled
 from linkwright.kernels.tangents import Tangents
 from linkwright.kernels.varied import Varied
 from linkwright.model import units as u
 from linkwright.model.actions import FileBeside
 from linkwright.model.fields import Expression, Frozen, Text
-from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.parts import freeze
 from linkwright.model.unknown import near
 from linkwright.model.written import Fault, FrozenDict

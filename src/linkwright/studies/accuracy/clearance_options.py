@@ -7,12 +7,12 @@ from collections.abc import Iterator, Mapping
 
 from pydantic import Field
 
+from linkwright.findings import Finding
 from linkwright.graph.cams import followings
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Name
-from linkwright.model.findings import Finding
 from linkwright.model.pins import Pin
 from linkwright.model.places import Path
 from linkwright.model.quantities import LARGEST

@@ -16,7 +16,7 @@ from math import asin, pi, sin, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model.findings import Finding
+from linkwright.findings import Finding
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 
 Array = NDArray[np.float64]

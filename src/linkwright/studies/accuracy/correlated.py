@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model.findings import Finding
+from linkwright.findings import Finding
 from linkwright.model.unknown import near
 from linkwright.studies.accuracy.stated_options import Correlation
 

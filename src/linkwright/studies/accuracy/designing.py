@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model.findings import Finding
 from linkwright.results import Run
 from linkwright.studies.accuracy.allocate import Output, allocated, problem
 from linkwright.studies.accuracy.calibrate import calibrate, check_calibrate

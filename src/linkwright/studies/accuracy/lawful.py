@@ -7,13 +7,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.kernels.motion_faults import asking
 from linkwright.kernels.motions import Reader
 from linkwright.kernels.tables import open_ends
 from linkwright.laws import MotionError
 from linkwright.laws.motion import jumping
-from linkwright.model.findings import Finding
 from linkwright.notation.duals import Dual, slope_of
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 

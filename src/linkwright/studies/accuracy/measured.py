@@ -11,13 +11,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.csv_file import finite, read_csv
 from linkwright.model.dimensions import DimensionError, declared_scale
 from linkwright.model.expressions import Node
 from linkwright.model.fields import Expression
-from linkwright.model.findings import Finding, ModelError
 from linkwright.model.quantities import LARGEST
 from linkwright.model.units import Dimension, UnitError, unit
 from linkwright.model.unknown import near

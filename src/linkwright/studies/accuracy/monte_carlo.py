@@ -12,8 +12,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding
 from linkwright.kernels.choice import Choice
-from linkwright.model.findings import Finding
 from linkwright.results import Run
 from linkwright.studies.accuracy import intervals
 from linkwright.studies.accuracy.contributors import Contributors

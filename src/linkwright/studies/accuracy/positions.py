@@ -6,12 +6,12 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.actions import Measure
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression
-from linkwright.model.findings import Finding
 from linkwright.model.mechanism import Document
 from linkwright.model.unknown import unknown
 from linkwright.model.written import FrozenDict

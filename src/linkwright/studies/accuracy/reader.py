@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression
-from linkwright.model.findings import Finding
 from linkwright.model.quantities import LARGEST
 from linkwright.model.tolerances import Spread, stated
 from linkwright.model.units import Dimension

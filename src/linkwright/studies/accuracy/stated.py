@@ -6,9 +6,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from linkwright.findings import Finding, raise_errors
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
-from linkwright.model.findings import Finding, raise_errors
 from linkwright.model.unknown import near
 from linkwright.studies.accuracy.chained import derivatives
 from linkwright.studies.accuracy.contributors import Contributor, Contributors

@@ -13,8 +13,8 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding
 from linkwright.kernels.varied import Varied
-from linkwright.model.findings import Finding
 from linkwright.results import Run
 from linkwright.studies.accuracy.climbs import Box, Evaluate
 from linkwright.studies.accuracy.contributors import Contributors

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 from linkwright.cam.checks import Check
 from linkwright.cam.contact import NoContact
+from linkwright.findings import Finding, Term
 from linkwright.model import units as u
-from linkwright.model.findings import Finding, Term
 from linkwright.studies.cam.force_numbers import AT, known
 from linkwright.studies.cam.forces import pressed
 

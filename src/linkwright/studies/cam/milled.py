@@ -15,7 +15,7 @@ from linkwright.cam.nc.posts import POSTS, Post
 from linkwright.cam.nc.proof import Proof, prove
 from linkwright.cam.nc.reader import Fault, Move, read
 from linkwright.cam.pairs import Frame
-from linkwright.model.findings import Finding
+from linkwright.findings import Finding
 from linkwright.studies.cam.options import PATH
 
 AT = (*PATH, "nc")

@@ -17,7 +17,7 @@ from linkwright.cam.extremes import Extreme, extremes
 from linkwright.cam.nc.path import Element
 from linkwright.cam.pairs import Frame
 from linkwright.cam.splines import Spline
-from linkwright.model.findings import Term
+from linkwright.findings import Term
 from linkwright.notation import Jet
 from linkwright.studies.cam.figures import SECOND
 from linkwright.studies.cam.milled import Milled

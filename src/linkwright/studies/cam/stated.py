@@ -14,11 +14,11 @@ from linkwright.cam.nc.before import faults
 from linkwright.cam.nc.job import Job
 from linkwright.cam.nc.posts import POSTS
 from linkwright.cam.solid import Blank
+from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression
-from linkwright.model.findings import Finding, Term
 from linkwright.model.quantities import LARGEST
 from linkwright.model.unknown import unknown
 from linkwright.studies.cam.figures import FIGURES, OF_FACE, OF_ROLLER, SECOND, Range, closed_by, every

@@ -14,6 +14,7 @@ from linkwright.cam.contact import rows
 from linkwright.cam.disc import TURN, Disc, Look, inside
 from linkwright.cam.extremes import STEPS, extremes
 from linkwright.cam.loads import Load, by_both
+from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import read_table
 from linkwright.laws import TableLaw
@@ -21,7 +22,6 @@ from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError, argument
 from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, evaluate, nodes
 from linkwright.model.fields import Expression, FrozenDict
-from linkwright.model.findings import Finding, ModelError
 from linkwright.model.names import Names
 from linkwright.model.places import Place, Scope
 from linkwright.model.quantities import LARGEST

@@ -14,10 +14,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright._machine import needed
+from linkwright.findings import Finding, ModelError, Term
 from linkwright.model.csv_file import MAX_TOLD, finite
-from linkwright.model.findings import Finding, ModelError, Term
 from linkwright.model.input_files import read_beside
-from linkwright.model.machine import needed
 from linkwright.model.quantities import LARGEST
 from linkwright.model.written import NO_TEXT
 

@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
-from linkwright.model.findings import Finding, ModelError, raise_errors
 from linkwright.model.units import Dimension
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, shown
 from linkwright.studies.workspace.path_options import WantedPath, rate_of, wanted

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright._machine import processors
 from linkwright.kernels.spread import pool
-from linkwright.model.machine import processors
 from linkwright.model.quantities import Quantities
 from linkwright.model.units import Dimension
 from linkwright.results.stationary import bracketed

@@ -7,10 +7,10 @@ from typing import Annotated, Any, ClassVar
 
 from pydantic import Field
 
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Frozen, FrozenDict, Text
-from linkwright.model.findings import Finding
 from linkwright.model.parts import freeze
 from linkwright.model.quantities import LARGEST
 from linkwright.model.units import Dimension

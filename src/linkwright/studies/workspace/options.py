@@ -9,12 +9,12 @@ from typing import Annotated
 
 from pydantic import Field
 
+from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Frozen, FrozenDict
 from linkwright.model.fields import Name as NameField
-from linkwright.model.findings import Finding, ModelError
 from linkwright.model.followers import no_cams
 from linkwright.model.parts import Interval, freeze
 from linkwright.model.quantities import LARGEST

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model.findings import Finding
 from linkwright.results import Result, Run
 from linkwright.studies.workspace.mesh import RIM, Box
 from linkwright.studies.workspace.regions import Region

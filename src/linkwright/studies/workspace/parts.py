@@ -6,8 +6,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, Protocol
 
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model.findings import Finding
 from linkwright.studies.site import Site
 
 if TYPE_CHECKING:

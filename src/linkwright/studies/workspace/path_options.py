@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ConfigDict, Field, RootModel
 
+from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.laws import DEGREES
 from linkwright.model import units as u
@@ -18,7 +19,6 @@ from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import ExpressionError, evaluate
 from linkwright.model.fields import Expression, Frozen, Text
 from linkwright.model.fields import Name as NameField
-from linkwright.model.findings import Finding, ModelError
 from linkwright.model.parts import Vector, freeze
 from linkwright.model.quantities import LARGEST
 from linkwright.model.unknown import unknown

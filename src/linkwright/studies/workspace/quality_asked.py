@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from pydantic import BeforeValidator, Discriminator, Field, Tag
 
+from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.fields import Expression, FrozenDict, Two, pair
 from linkwright.model.fields import Name as NameField
-from linkwright.model.findings import Finding, Term
 from linkwright.model.parts import freeze
 from linkwright.model.units import Dimension
 from linkwright.model.unknown import unknown

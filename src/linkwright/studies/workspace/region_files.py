@@ -21,8 +21,8 @@ from numpy.typing import NDArray
 from linkwright.blocks import Checkpoint
 from linkwright.blocks.checkpoint import unsaved
 from linkwright.blocks.packing import UnpackError, pack, unpack
+from linkwright.findings import Finding, ModelError
 from linkwright.kernels.versions import versions
-from linkwright.model.findings import Finding, ModelError
 from linkwright.model.origin import table_hashes
 from linkwright.model.output_files import make_folder
 from linkwright.studies.site import Site

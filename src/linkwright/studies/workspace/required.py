@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ConfigDict, Field, RootModel
 
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen
 from linkwright.model.fields import Name as NameField
-from linkwright.model.findings import Finding
 from linkwright.model.parts import Vector, freeze
 from linkwright.model.written import Fault
 from linkwright.studies.asked import one_of

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.blocks import Threads
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
-from linkwright.model.findings import Finding
 from linkwright.studies.registry import register
 from linkwright.studies.site import NOWHERE, Site
 from linkwright.studies.stopped import Stopped

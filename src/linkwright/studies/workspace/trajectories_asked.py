@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Frozen
 from linkwright.model.fields import Name as NameField
-from linkwright.model.findings import Finding
 from linkwright.model.unknown import unknown
 from linkwright.model.written import Fault
 from linkwright.studies.site import Site

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.varied import Varied
-from linkwright.model.findings import Finding
 from linkwright.studies.workspace.mesh import SMALL, Box, found_pits
 from linkwright.studies.workspace.sheet import Sheet
 from linkwright.studies.workspace.signs import combinations

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.findings import Finding, ModelError
 from linkwright.laws import DEGREES
 from linkwright.model import units as u
 from linkwright.model.csv_file import read_csv
@@ -30,7 +31,6 @@ from linkwright.model.expressions import (
     nodes,
     parse,
 )
-from linkwright.model.findings import Finding, ModelError
 from linkwright.model.quantities import Quantities
 from linkwright.model.units import UnitError, unit
 from linkwright.notation import Jet

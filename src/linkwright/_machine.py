@@ -6,11 +6,11 @@ import os
 from importlib import import_module
 from typing import Any
 
-from linkwright.model.findings import Finding, ModelError
+from linkwright.findings import Finding, ModelError
 
 
 def needed(package: str, extra: str) -> Any:
-    """The package. Raises :class:`~linkwright.model.findings.ModelError`, with the extra that brings it, for none, and
+    """The package. Raises :class:`~linkwright.findings.ModelError`, with the extra that brings it, for none, and
     for one that can't be loaded."""
     try:
         return import_module(package)
