@@ -15,6 +15,7 @@ from __future__ import annotations
 import argparse
 import contextlib
 import json
+import os
 import shlex
 import sys
 import time
@@ -23,6 +24,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
+
+# Cases share the cores: threads of linear algebra that wait for one would count as a case's processor time.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from fuzz_cases import KINDS, MODEL, Case, case_of, lines_of
 from fuzz_judge import Verdict, judge
