@@ -12,7 +12,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from helpers.differences import derivative
-from linkwright.groups import REGISTRY, Dyad, InnerLine, InnerPin, OuterLine, OuterPin
+from linkwright.elements import InnerLine, InnerPin, OuterLine, OuterPin
+from linkwright.groups import REGISTRY, Dyad
 from linkwright.groups.dyad import register
 from linkwright.notation import Body, Jet, Pair, Vec, Wrench
 

@@ -130,7 +130,7 @@ def test_steps_place_every_link_once_on_known_links(plain: Plain) -> None:
         known |= set(step.links)
         used.update(c.joint for c in step.joints)
         if isinstance(step, Group):
-            letters = (step.outer[0].letter, step.inner.letter, step.outer[1].letter)
+            letters = (step.outer[0].kind.letter, step.inner.kind.letter, step.outer[1].kind.letter)
             assert "".join(letters) == step.signature
     assert known == set(plain.links)
     assert used == Counter({n: len(m) - 1 for n, m in plain.pins.items()} | dict.fromkeys(plain.slides, 1))

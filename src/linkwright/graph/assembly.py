@@ -10,12 +10,13 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.elements import OuterPin
 from linkwright.findings import Finding
 from linkwright.graph.clusters import assemble_cluster
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, Unknowns, solve_motion
 from linkwright.graph.wedges import Parallel
-from linkwright.groups import Dyad, OuterPin
+from linkwright.groups import Dyad
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import AssemblyRule
 from linkwright.model.pins import Pin
@@ -231,8 +232,8 @@ class _Assembler:
         """The pin that joins the two known links of the group to each other: the fourth pin of a four-bar."""
         a, b = group.bases
         for c in self.structure.topology.connections:
-            if c.letter == "R" and {c.a, c.b} == {a, b}:
-                pin = self.structure.topology.pins[c.joint]
+            pin = self.structure.topology.pins.get(c.joint)
+            if pin is not None and {c.a, c.b} == {a, b}:
                 return self.motion.bodies[a].point(self.geometry.point(a, pin.point(a))).now
         return None
 

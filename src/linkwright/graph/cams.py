@@ -18,13 +18,14 @@ from dataclasses import dataclass
 from math import atan2, pi
 from typing import TYPE_CHECKING
 
-from linkwright.graph.geometry import Geometry, unit_vector
+from linkwright.graph.geometry import Geometry
 from linkwright.model import units as u
 from linkwright.model.cams import Following
 from linkwright.model.expressions import Binary, Call, Name, Node, Number
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Pair, Scalar, Wrench
 from linkwright.notation.jets import call
+from linkwright.notation.planar import unit_vector
 
 if TYPE_CHECKING:
     from linkwright.graph.motion import Motion

@@ -15,9 +15,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from linkwright.graph.geometry import unit_vector
+from linkwright.elements import STILL, Inner, Twist
 from linkwright.graph.placing import driven_body, inner_joint, outer_joint
-from linkwright.groups.joints import Inner, OuterLine, OuterPin, Twist
 from linkwright.groups.linear import Factor
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
 from linkwright.notation.jets import call
@@ -25,8 +24,6 @@ from linkwright.structure import Cluster, Connection, Edge
 
 if TYPE_CHECKING:
     from linkwright.graph.motion import Motion, Unknowns
-
-STILL = Twist(0.0, Pair(0.0, 0.0), Pair(0.0, 0.0))
 
 
 @dataclass(frozen=True)
@@ -43,7 +40,7 @@ class SolvedCluster:
     rates: list[list[Scalar]]
     fields: list[dict[str, Twist]]
     twists: dict[str, Twist]
-    closures: list[tuple[Connection, Inner]]
+    closures: Closures
 
     def determinant(self) -> Scalar:
         """The determinant over the product of its columns' lengths: 0 singular, 1 best (Hadamard)."""
@@ -53,22 +50,23 @@ class SolvedCluster:
             product = product * call("sqrt", sum((entry * entry for entry in column), 0.0))
         return self.factor.determinant() / product
 
-    def balance(self, wrenches: dict[str, Wrench], bodies: dict[str, Body]) -> list[Wrench]:
-        """The wrench on the first link of each closure that keeps all links in equilibrium."""
+    def balance(self, wrenches: dict[str, Wrench], bodies: dict[str, Body]) -> list[list[Wrench]]:
+        """The wrenches on the links of each closure that keep all links in equilibrium."""
         works = [
             sum((field[link].work(wrench) for link, wrench in wrenches.items() if link in field), 0.0)
             for field in self.fields
         ]
-        multipliers = [-m for m in self.factor.solve(works, transposed=True)]
-        return [
-            inner.action(bodies[c.a], bodies[c.b], (multipliers[2 * i], multipliers[2 * i + 1]))
-            for i, (c, inner) in enumerate(self.closures)
-        ]
+        left = [-m for m in self.factor.solve(works, transposed=True)]
+        found = []
+        for c, inner in self.closures:
+            found.append(inner.actions([bodies[link] for link in c.links], left[: c.rows]))
+            left = left[c.rows :]
+        return found
 
 
 def solve_cluster(motion: Motion, step: Cluster, drives: dict[str, Jet], unknowns: Unknowns) -> None:
     """Place a cluster's links at its coordinates with all rates."""
-    closures = [(c, inner_joint(motion, c, (c.a, c.b))) for c in step.closures]
+    closures = [(c, inner_joint(motion, c, c.links)) for c in step.closures]
     starts = dict(zip(step.free, unknowns(step), strict=True))
     rates: dict[Edge, list[Scalar]] = {edge: [] for edge in step.free}
 
@@ -82,12 +80,12 @@ def solve_cluster(motion: Motion, step: Cluster, drives: dict[str, Jet], unknown
 
     place([])
     fields, twists = _fields(motion, step)
-    gaps = [gap.d[0] for c, inner in closures for gap in inner.gap(motion.bodies[c.a], motion.bodies[c.b])]
+    gaps = [gap.d[0] for gap in _gaps(motion, closures)]
     slopes = _slopes(motion, closures, fields)
     factor = Factor(slopes)
     for k in range(1, motion.order + 1):
         place([0.0])
-        rest = [gap.d[k] for c, inner in closures for gap in inner.gap(motion.bodies[c.a], motion.bodies[c.b])]
+        rest = [gap.d[k] for gap in _gaps(motion, closures)]
         for edge, q in zip(step.free, factor.solve(rest), strict=True):
             rates[edge].append(-q)
     place([])
@@ -96,12 +94,16 @@ def solve_cluster(motion: Motion, step: Cluster, drives: dict[str, Jet], unknown
     )
 
 
+Closures = list[tuple[Connection, Inner]]
+
+
+def _gaps(motion: Motion, closures: Closures) -> list[Jet]:
+    """What the equations of closures miss, with all rates of the bodies."""
+    return [gap for c, inner in closures for gap in inner.gap(*(motion.bodies[link] for link in c.links))]
+
+
 def _free(motion: Motion, edge: Edge, start: Scalar, rates: Jet) -> Body:
-    outer = outer_joint(motion, edge.joint, edge.link)
-    if isinstance(outer, OuterPin):
-        body = outer.place(unit_vector(start), rates)
-        return Body(body.anchor, body.local, body.axis, body.turn, start)
-    return outer.place(start, rates)
+    return outer_joint(motion, edge.joint, edge.link).at(start, rates)
 
 
 def _fields(motion: Motion, step: Cluster) -> tuple[list[dict[str, Twist]], dict[str, Twist]]:
@@ -116,7 +118,7 @@ def _fields(motion: Motion, step: Cluster) -> tuple[list[dict[str, Twist]], dict
         field: dict[str, Twist] = {}
         for edge in step.edges:
             base, anchor = field.get(edge.base, STILL), motion.bodies[edge.link].anchor.now
-            turn = 0.0 if edge.joint.letter == "R" and edge.drive is None else base.turn
+            turn = 0.0 if edge.joint.kind.angular and edge.drive is None else base.turn
             along = base.velocity(anchor)
             if edge is own:
                 freedom = twists[edge.link]
@@ -128,22 +130,18 @@ def _fields(motion: Motion, step: Cluster) -> tuple[list[dict[str, Twist]], dict
     return fields, twists
 
 
-NONE = ((0.0, 0.0), (0.0, 0.0))
-"""The slopes of a closure whose links a coordinate doesn't move."""
-
-
-def _slopes(
-    motion: Motion, closures: list[tuple[Connection, Inner]], fields: list[dict[str, Twist]]
-) -> list[list[Scalar]]:
+def _slopes(motion: Motion, closures: Closures, fields: list[dict[str, Twist]]) -> list[list[Scalar]]:
+    """The slope of each closure's equations to each coordinate; zero where this moves none of its links."""
     rows: list[list[Scalar]] = []
     for c, inner in closures:
-        pairs = [
-            inner.slopes(motion.bodies[c.a], motion.bodies[c.b], field.get(c.a, STILL), field.get(c.b, STILL))
-            if c.a in field or c.b in field
-            else NONE
+        bodies = [motion.bodies[link] for link in c.links]
+        columns = [
+            inner.rates(bodies, [field.get(link, STILL) for link in c.links])
+            if any(link in field for link in c.links)
+            else [0.0] * c.rows
             for field in fields
         ]
-        rows += [[pair[row][0] + pair[row][1] for pair in pairs] for row in (0, 1)]
+        rows += [list(row) for row in zip(*columns, strict=True)]
     return rows
 
 
@@ -218,8 +216,9 @@ def _starts(motion: Motion, step: Cluster, sketch: dict[str, Pair], drives: dict
             motion.bodies[edge.link] = driven_body(motion, edge, drives[edge.drive])[1]
             continue
         told = _told(motion, step, edge, sketch, drives)
-        turning = edge.joint.letter == "R"
-        around = [k * math.pi / 4 for k in range(8)] if turning else [k * reach / 2 for k in (0, 1, -1, 2, -2)]
+        around = [k * math.pi / 4 for k in range(8)]
+        if not edge.joint.kind.angular:
+            around = [k * reach / 2 for k in (0, 1, -1, 2, -2)]
         options.append([told] if told is not None else around)
         motion.bodies[edge.link] = _free(motion, edge, options[-1][0], Jet(()))
     motion.order = still
@@ -244,14 +243,7 @@ def _told(motion: Motion, step: Cluster, edge: Edge, sketch: dict[str, Pair], dr
         for name in links[link].points
         if name in sketch
     ]
-    if isinstance(outer, OuterPin):
-        arms = [(here.minus(outer.base.now), goal.minus(outer.base.now)) for here, goal in places]
-        sine = sum(float(here.cross(goal)) for here, goal in arms)
-        cosine = sum(float(here.dot(goal)) for here, goal in arms)
-        return math.atan2(sine, cosine) if math.hypot(sine, cosine) > 1e-12 else None
-    assert isinstance(outer, OuterLine)
-    travels = [float(outer.direction.now.dot(goal.minus(here))) for here, goal in places]
-    return sum(travels) / len(travels) if travels else None
+    return outer.nearest(places)
 
 
 def _away(motion: Motion, step: Cluster, sketch: dict[str, Pair]) -> float:

@@ -13,10 +13,10 @@ from functools import reduce
 
 import casadi as ca
 
+from linkwright.elements import Twist
 from linkwright.graph.geometry import ZERO
 from linkwright.graph.motion import Motion
 from linkwright.graph.placing import outer_joint
-from linkwright.groups.joints import Twist
 from linkwright.groups.linear import Factor
 from linkwright.notation import Body, Pair, Scalar, Wrench
 from linkwright.notation.jets import is_zero
@@ -166,8 +166,8 @@ class _Solver:
     def cluster(self, step: Cluster) -> None:
         solved, bodies = self.motion.clusters[step], self.motion.bodies
         actions = solved.balance({link: self.wrenches[link] for link in step.links}, bodies)
-        for connection, action in zip(step.closures, actions, strict=True):
-            for link, own in ((connection.a, action), (connection.b, action.opposite)):
+        for connection, wrenches in zip(step.closures, actions, strict=True):
+            for link, own in zip(connection.links, wrenches, strict=True):
                 self.react(connection.joint, link, own.opposite)
                 self.wrenches[link] = self.wrenches[link].plus(own)
         for edge in reversed(step.edges):
@@ -186,21 +186,12 @@ class _Solver:
         self.wrenches[base] = self.wrenches[base].plus(total)
 
     def react(self, joint: str, link: str, wrench: Wrench) -> None:
-        about = self.reference(joint, link)
+        geometry, bodies = self.motion.geometry, self.motion.bodies
+        about = self.motion.structure.topology.kind_of(joint).reference(geometry, joint, link, bodies)
         key = (joint, link)
         known = self.forces.reactions.get(key)
         moved = wrench.at(about)
         self.forces.reactions[key] = moved if known is None else known.plus(moved)
-
-    def reference(self, joint: str, link: str) -> Pair:
-        """The point about which a joint's moment is stated: the pin, or the second link's point of the line."""
-        motion = self.motion
-        pin = motion.structure.topology.pins.get(joint)
-        if pin is not None:
-            return motion.bodies[link].point(motion.point(link, pin.point(link))).now
-        second = motion.geometry.mechanism.joints[joint].links[1]
-        point, _ = motion.geometry.line(joint, second)
-        return motion.bodies[second].point(point).now
 
 
 def own_wrench(motion: Motion, link: str, body: Body) -> Wrench:

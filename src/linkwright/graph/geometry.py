@@ -11,7 +11,7 @@ from linkwright.model.expressions import evaluate
 from linkwright.model.fields import Expression, LineOn, Position
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Pair, Scalar
-from linkwright.notation.jets import call
+from linkwright.notation.planar import unit_vector
 from linkwright.structure import Topology
 
 ZERO = Pair(0.0, 0.0)
@@ -69,6 +69,14 @@ class Geometry:
         """The place (m, in the link's frame) that is put on a pin: its point there, and a play."""
         at, plays = self.point(link, point), self.plays
         return Pair(*(q + plays.get(f"{pin}/{link}/{axis}", 0.0) for axis, q in zip("xy", at, strict=True)))
+
+    def pinned_place(self, pin: str, link: str) -> Pair:
+        """The place (m, in the link's frame) of one of a pin's links that is put on it, its play included."""
+        return self.pivot(pin, link, self.quantities.signals.pins[pin].point(link))
+
+    def pin_point(self, pin: str, link: str) -> Pair:
+        """A link's point on a pin (m, in its frame)."""
+        return self.point(link, self.quantities.signals.pins[pin].point(link))
 
     def pinned(self, link: str, point: str) -> Pair:
         """The place (m, in the link's frame) of a link that is put on the pin of one of its points."""
@@ -154,15 +162,6 @@ def together(parts: list[tuple[Scalar, Pair, Scalar]]) -> tuple[Scalar, Pair, Sc
     centre = Pair(sum(m * c.x for m, c, _ in parts) / mass, sum(m * c.y for m, c, _ in parts) / mass)
     arms = [c.minus(centre) for _, c, _ in parts]
     return mass, centre, sum(i + m * arm.dot(arm) for (m, _, i), arm in zip(parts, arms, strict=True))
-
-
-def unit_vector(angle: Scalar) -> Pair:
-    """(cos, sin) of an angle (rad), exact at multiples of a right angle."""
-    if isinstance(angle, int | float):
-        quarters = angle / (math.pi / 2)
-        if abs(quarters - round(quarters)) < 1e-15 * max(1.0, abs(quarters)):
-            return (Pair(1.0, 0.0), Pair(0.0, 1.0), Pair(-1.0, 0.0), Pair(0.0, -1.0))[round(quarters) % 4]
-    return Pair(call("cos", angle), call("sin", angle))
 
 
 def _rod(points: list[Pair], _: Scalar) -> tuple[Pair, Scalar]:

@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from linkwright.elements import InnerLine, InnerPin, OuterLine, OuterPin
 from linkwright.graph.motion import Motion
 from linkwright.graph.placing import driven_body, inner_joint, outer_joint
-from linkwright.groups import InnerLine, OuterLine, OuterPin
 from linkwright.notation import Body, Jet, Pair, Scalar
 from linkwright.notation.jets import call, is_zero
 from linkwright.structure import Cluster, Connection
@@ -49,7 +49,7 @@ class Leg:
     @property
     def kind(self) -> str:
         """The letters of the two joints, from the known link inwards."""
-        return self.outer.letter + self.inner.letter
+        return self.outer.kind.letter + self.inner.kind.letter
 
 
 @dataclass(frozen=True)
@@ -111,6 +111,7 @@ class Equation:
         outer = outer_joint(motion, leg.outer, leg.links[0])
         assert isinstance(outer, OuterPin | OuterLine)
         inner = inner_joint(motion, leg.inner, (leg.links[1], leg.on))
+        assert isinstance(inner, InnerPin | InnerLine)
         self.base = outer.base.now
         self.foot = part.point(leg.links[0], outer.foot)
         self.tip, self.on = part.point(leg.links[1], inner.first), platform.point(leg.on, inner.second)

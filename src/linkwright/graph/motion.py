@@ -6,13 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
 
+from linkwright.elements import InnerLine, InnerPin, Twist
 from linkwright.graph.clusters import SolvedCluster, solve_cluster
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.placing import carried, driven_body, inner_joint, outer_joint
 from linkwright.graph.wedges import SolvedWedge, solve_wedge
-from linkwright.groups import REGISTRY, Dyad, InnerLine, Solved
+from linkwright.groups import REGISTRY, Dyad, Solved
 from linkwright.groups.dyad import determinant_of
-from linkwright.groups.joints import Twist
 from linkwright.model.mechanism import Drive
 from linkwright.notation import Body, Jet, Pair, Scalar
 from linkwright.structure import FRAME, Cluster, Driven, Group, Step, Structure, Wedge
@@ -100,13 +100,20 @@ def known_determinant(motion: Motion, group: Group) -> Scalar:
     meeting = group.meeting
     a, b = (motion.bodies[link] for link in meeting)
     twists = (joint.twist(motion.bodies[end]) for joint, end in zip((first, second), group.ends, strict=True))
-    return determinant_of(inner_joint(motion, group.inner, meeting).slopes(a, b, *twists))
+    return determinant_of(_lower_pair(motion, group, meeting).slopes(a, b, *twists))
+
+
+def _lower_pair(motion: Motion, group: Group, meeting: tuple[str, str]) -> InnerPin | InnerLine:
+    """The joint in which the two links of a dyad meet."""
+    joint = inner_joint(motion, group.inner, meeting)
+    assert isinstance(joint, InnerPin | InnerLine)  # what the dyad's signature says
+    return joint
 
 
 def _group(motion: Motion, step: Group, drives: dict[str, Jet], branch: Branch) -> None:
     first, second = (outer_joint(motion, c, link) for c, link in zip(step.outer, step.ends, strict=True))
     meeting = step.meeting
-    joint = inner_joint(motion, step.inner, meeting)
+    joint = _lower_pair(motion, step, meeting)
     sides = list(zip(step.ends, step.chains, strict=True))
     carry_a, carry_b = (partial(carried, motion, end, chain, drives) for end, chain in sides)
     frozen = joint.seen_from(carry_a(Body.fixed(0)), carry_b(Body.fixed(0))) if any(step.chains) else joint
@@ -114,7 +121,7 @@ def _group(motion: Motion, step: Group, drives: dict[str, Jet], branch: Branch) 
     solved = dyad.solve(branch(step, dyad), motion.order)
     motion.dyads[step] = dyad, solved
     a, b = solved.first, solved.second
-    if isinstance(joint, InnerLine):
+    if step.inner.kind.parallel:
         a, b = _same_angle(motion, step, meeting, a, b), _same_angle(motion, step, meeting[::-1], b, a)
     motion.bodies[meeting[0]], motion.bodies[meeting[1]] = a, b
 

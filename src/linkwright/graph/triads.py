@@ -25,7 +25,6 @@ from linkwright.graph.geometry import ZERO
 from linkwright.graph.legs import EQUATIONS, Circle, Fixed, Linear, Row, Triad, length
 from linkwright.graph.motion import Motion
 from linkwright.graph.placing import outer_joint
-from linkwright.groups import OuterLine, OuterPin
 from linkwright.notation import Body, Pair, Scalar
 from linkwright.structure import Cluster
 
@@ -229,13 +228,5 @@ def place_links(motion: Motion, system: System, platform: Body) -> None:
 
 def read_coordinates(motion: Motion, cluster: Cluster) -> list[float]:
     """The cluster's coordinates at the poses that its links have in ``motion``."""
-    found = []
-    for edge in cluster.free:
-        body, joint = motion.bodies[edge.link], outer_joint(motion, edge.joint, edge.link)
-        if isinstance(joint, OuterPin):
-            found.append(math.atan2(float(body.axis.y.d[0]), float(body.axis.x.d[0])))
-        else:
-            assert isinstance(joint, OuterLine)
-            away = body.point(joint.foot).now.minus(joint.base.now)
-            found.append(float(away.dot(joint.direction.now)))
-    return found
+    bodies = motion.bodies
+    return [outer_joint(motion, edge.joint, edge.link).coordinate(bodies[edge.link]) for edge in cluster.free]

@@ -9,8 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from linkwright.elements import InnerLine, OuterLine, Twist
 from linkwright.graph.placing import carried, inner_joint, outer_joint
-from linkwright.groups.joints import InnerLine, OuterLine, Twist
 from linkwright.notation import Jet, Pair, Scalar, Wrench
 from linkwright.structure import Wedge
 

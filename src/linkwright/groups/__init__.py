@@ -2,6 +2,5 @@
 
 from linkwright.groups import prp, rpp, rpr, rrp, rrr  # noqa: F401  (each registers itself)
 from linkwright.groups.dyad import REGISTRY, Dyad, Solved
-from linkwright.groups.joints import InnerLine, InnerPin, OuterLine, OuterPin
 
-__all__ = ["REGISTRY", "Dyad", "InnerLine", "InnerPin", "OuterLine", "OuterPin", "Solved"]
+__all__ = ["REGISTRY", "Dyad", "Solved"]

@@ -13,12 +13,15 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import ClassVar
 
-from linkwright.groups.joints import Inner, Outer, OuterLine, OuterPin, Slopes, Twist
+from linkwright.elements import InnerLine, InnerPin, Outer, OuterLine, OuterPin, Twist
+from linkwright.elements.pin import Slopes
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
 from linkwright.notation.jets import call
 from linkwright.notation.registry import Registry
 
 Coordinate = Scalar | Pair
+LowerPair = InnerPin | InnerLine
+"""The joints in which the two links of a dyad can meet."""
 Carry = Callable[[Body], Body]
 
 SLACK = 1e-12
@@ -77,15 +80,15 @@ class Dyad(ABC):
     rules: ClassVar[tuple[tuple[str, ...], ...]] = ()
     first: Outer
     second: Outer
-    inner: Inner
+    inner: LowerPair
 
     def __init__(
         self,
         first: Outer,
-        inner: Inner,
+        inner: LowerPair,
         second: Outer,
         carry: tuple[Carry, Carry] = (_itself, _itself),
-        frozen: Inner | None = None,
+        frozen: LowerPair | None = None,
     ) -> None:
         self.first, self.joint, self.second, self.carry = first, inner, second, carry
         self.inner = frozen or inner

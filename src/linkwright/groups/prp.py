@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from linkwright.elements import InnerPin, OuterLine
 from linkwright.groups.dyad import Dyad, Root, line, register
-from linkwright.groups.joints import InnerPin, OuterLine
 from linkwright.notation import Body, Pair, Scalar
 
 

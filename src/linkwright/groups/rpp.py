@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from linkwright.elements import InnerLine
 from linkwright.groups.dyad import Dyad, Root, line, pin, register
-from linkwright.groups.joints import InnerLine
 from linkwright.notation import Body, Pair, Scalar
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from linkwright.elements import InnerLine
 from linkwright.groups.dyad import SLACK, Dyad, Root, length, pin, register, root_of
-from linkwright.groups.joints import InnerLine
 from linkwright.notation import Body, Pair, Scalar
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from linkwright.elements import InnerPin
 from linkwright.groups.dyad import SLACK, Dyad, Root, length, pin, pointing, register, root_of
-from linkwright.groups.joints import InnerPin
 from linkwright.notation import Body, Pair, Scalar
 
 

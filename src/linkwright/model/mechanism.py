@@ -174,6 +174,10 @@ class Mechanism(Frozen):
         """The prismatic joints by name."""
         return ((name, joint) for name, joint in self.joints.items() if joint.prismatic)
 
+    def joints_but_pins(self) -> Iterator[tuple[str, Joint]]:
+        """The joints that only the file's ``joints`` state, by name: all but the revolute ones, which are pins."""
+        return ((name, joint) for name, joint in self.joints.items() if not joint.revolute)
+
     def has_mass(self, link: str) -> bool:
         """Whether a link has mass, its own or a counterweight's."""
         return self.links[link].mass is not None or any(weight.on == link for weight in self.counterweights.values())

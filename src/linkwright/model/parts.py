@@ -186,7 +186,12 @@ class Joint(Frozen):
             yield "joint.travel", {}
 
     @property
-    def links(self) -> tuple[str, str]:
+    def kind(self) -> str:
+        """The name of its kind: the key that names its links."""
+        return "prismatic" if self.prismatic else "revolute"
+
+    @property
+    def links(self) -> tuple[str, ...]:
         """The two links joined."""
         pair = self.prismatic or self.revolute
         assert pair is not None

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from linkwright.notation.jets import Jet, Scalar, is_zero, leibniz
+from linkwright.notation.jets import Jet, Scalar, call, is_zero, leibniz
 
 
 class Pair(NamedTuple):
@@ -116,6 +117,15 @@ class Body:
     def direction(self, local: Pair) -> Vec:
         """The unit vector of a direction fixed in the link."""
         return self.axis.carry(local)
+
+
+def unit_vector(angle: Scalar) -> Pair:
+    """(cos, sin) of an angle (rad), exact at multiples of a right angle."""
+    if isinstance(angle, int | float):
+        quarters = angle / (math.pi / 2)
+        if abs(quarters - round(quarters)) < 1e-15 * max(1.0, abs(quarters)):
+            return (Pair(1.0, 0.0), Pair(0.0, 1.0), Pair(-1.0, 0.0), Pair(0.0, -1.0))[round(quarters) % 4]
+    return Pair(call("cos", angle), call("sin", angle))
 
 
 def turning_axis(start: Pair, turn: Jet) -> Vec:

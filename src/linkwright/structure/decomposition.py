@@ -15,7 +15,7 @@ from linkwright.model.mechanism import Mechanism
 from linkwright.structure.placed import Placed
 from linkwright.structure.refusals import apart, redundant, unsolved
 from linkwright.structure.steps import Chain, Cluster, Driven, Edge, Group, Step, Structure, Wedge
-from linkwright.structure.topology import FREEDOMS, Connection, Topology
+from linkwright.structure.topology import FREEDOMS, PIN, Connection, Topology
 
 
 @dataclass
@@ -80,8 +80,10 @@ class _Search(Placed):
         single = {link: next(iter(outer.values())) for link, outer in outers.items() if len(outer) == 1}
         for a in single:
             for inner in self.topology.at(a):
+                if not inner.kind.places or not self.free(inner) or inner.joint in pinned:
+                    continue
                 b = inner.other(a)
-                if b not in single or b in held[a] or inner.joint in pinned or not self.free(inner):
+                if b not in single or b in held[a]:
                     continue
                 sides = [(*single[link], self.chain(single[link][0], link)) for link in (a, b)]
                 if group := _dyad(sides[0], inner, sides[1]):
@@ -92,7 +94,7 @@ class _Search(Placed):
         """Solve one link on two slides of known links, that are joined by slides alone on the other side too."""
         for body in self.held_bodies():
             outer = [(at, c) for at in body for c in self.outers(at)]
-            if len(outer) != 2 or any(c.letter == "R" for _, c in outer):
+            if len(outer) != 2 or not all(c.kind.parallel for _, c in outer):
                 continue
             (first, a), (second, b) = outer
             chain = self.chain(first, second)
@@ -128,11 +130,15 @@ class _Search(Placed):
         self.together = self.together if self.together is not None else self.freedoms().together
         rank = {link: i for i, link in enumerate(self.left)}
         parts = {tuple(sorted(of & rank.keys(), key=rank.__getitem__)) for link, of in self.together.items()}
-        several = [part for part in parts if len(part) > 1]
-        for part in sorted(several, key=lambda part: (len(part), [rank[link] for link in part])):
+        solved = [part for part in parts if len(part) > 1 or any(map(self.on_higher_pairs, part))]
+        for part in sorted(solved, key=lambda part: (len(part), [rank[link] for link in part])):
             if not self.freedom(part) and (cluster := self.tree(part)) is not None:
                 return self.place(cluster)
         return False
+
+    def on_higher_pairs(self, link: str) -> bool:
+        """Whether a link has joints by which no link is placed, so that a group of this link alone takes Newton."""
+        return not all(c.kind.places for c in self.topology.at(link))
 
     def tree(self, part: tuple[str, ...]) -> Cluster | None:
         """A placing order of the links, drives inside first; ``None`` where the links don't hang together."""
@@ -141,7 +147,9 @@ class _Search(Placed):
         driven = {joint: name for name, joint in self.joints.items()}
         todo = dict.fromkeys(part)
         while todo:
-            options = [(c, link) for link in todo for c in self.topology.at(link) if c.other(link) in placed]
+            options = [
+                (c, link) for link in todo for c in self.topology.at(link) if c.kind.places and c.other(link) in placed
+            ]
             if not options:
                 return None
             # A driven joint places its link for good; else outer joints keep the chains short.
@@ -171,11 +179,11 @@ class _Search(Placed):
                 joined = [p for p in parts if edge.link in p or edge.base in p]
                 parts = [p for p in parts if p not in joined] + [set().union(*joined)]
             heads = [next(link for link in pin.links if link in p) for p in parts]
-            found += [Connection(pin.name, "R", heads[0], head) for head in heads[1:]]
+            found += [Connection(pin.name, PIN, heads[0], head) for head in heads[1:]]
         used = {edge.joint for edge in edges}
         inside = part | self.known.keys()
-        for c in self.topology.connections:
-            if c.letter == "P" and c not in used and inside.issuperset((c.a, c.b)) and not part.isdisjoint((c.a, c.b)):
+        for c in self.topology.but_pins:
+            if c not in used and inside.issuperset(c.links) and not part.isdisjoint(c.links):
                 found.append(c)
         return found
 
@@ -188,7 +196,7 @@ _Side = tuple[str, Connection, Chain]
 
 def _dyad(a: _Side, inner: Connection, b: _Side) -> Group | None:
     for first, second in ((a, b), (b, a)):
-        signature = first[1].letter + inner.letter + second[1].letter
+        signature = first[1].kind.letter + inner.kind.letter + second[1].kind.letter
         if signature in REGISTRY:
             return Group(signature, (first[0], second[0]), (first[1], second[1]), inner, (first[2], second[2]))
     return None

@@ -14,7 +14,7 @@ from functools import cached_property
 
 from linkwright.model.slides import closing
 from linkwright.structure.orientation import BODY, Orientation
-from linkwright.structure.topology import Connection, Topology
+from linkwright.structure.topology import PIN, Connection, Topology
 
 Node = tuple[str, str]
 """``links`` or ``joints`` (pins of more than two links), and the name."""
@@ -26,10 +26,9 @@ PLACE = 2
 
 @dataclass(frozen=True)
 class Tie:
-    """Rows between two nodes, of a joint or a drive."""
+    """Rows between different nodes, of a joint or a drive; of one node alone they say nothing."""
 
-    a: Node
-    b: Node
+    ends: tuple[Node, ...]
     rows: int
 
 
@@ -40,21 +39,21 @@ class Freedoms:
     def __init__(self, topology: Topology, known: Iterable[str], drives: Mapping[str, Connection]) -> None:
         self._topology, self._known = topology, frozenset(known)
         self._rank = {link: i for i, link in enumerate(topology.moving) if link not in self._known}
-        joints = [*self._pins(), *self._slides()]
-        driven = [Tie(self._node(c.a), self._node(c.b), 1) for c in drives.values()]
-        self._ties = [tie for tie in (*joints, *driven) if tie.a != tie.b]
+        joints = [*self._pins(), *self._but_pins()]
+        driven = [Tie(tuple(dict.fromkeys(map(self._node, c.links))), 1) for c in drives.values()]
+        self._ties = [tie for tie in (*joints, *driven) if len(tie.ends) > 1]
         self._at: dict[Node, list[Tie]] = {node: [] for node in (GROUND, *(("links", link) for link in self._rank))}
         for tie in self._ties:
-            self._at.setdefault(tie.a, []).append(tie)
-            self._at.setdefault(tie.b, []).append(tie)
+            for end in tie.ends:
+                self._at.setdefault(end, []).append(tie)
         outwards = self._outwards()
         self._far = {node: i for i, node in enumerate(outwards)}
         self._laid = Orientation({node: self._size(node) for node in outwards})
         self._excess: list[set[Node]] = []  # of each row too many, the rigid set that it lies in
-        joints.sort(key=lambda tie: max(self._far[tie.a], self._far[tie.b]))
+        joints.sort(key=lambda tie: max(map(self._far.__getitem__, tie.ends)))
         for tie in (*joints, *driven):
-            if tie.a != tie.b:
-                self._excess += filter(None, (self._laid.lay(tie.a, tie.b) for _ in range(tie.rows)))
+            if len(tie.ends) > 1:
+                self._excess += filter(None, (self._laid.lay(*tie.ends) for _ in range(tie.rows)))
         self._laid.gather((GROUND,), BODY)
         self._laid.settle(node for node in outwards if node[0] == "links")
 
@@ -65,23 +64,23 @@ class Freedoms:
         return GROUND if link in self._known else ("links", link)
 
     def _pins(self) -> Iterator[Tie]:
-        rows = Connection.ROWS["R"]
+        rows = PIN.rows
         for pin in self._topology.pins.values():
             ends = list(dict.fromkeys(map(self._node, pin.links)))
             if GROUND in ends:
-                yield from (Tie(end, GROUND, rows) for end in ends if end != GROUND)
+                yield from (Tie((end, GROUND), rows) for end in ends if end != GROUND)
             elif len(ends) == 2:
-                yield Tie(ends[0], ends[1], rows)
+                yield Tie((ends[0], ends[1]), rows)
             else:
-                yield from (Tie(end, ("joints", pin.name), rows) for end in ends)
+                yield from (Tie((end, ("joints", pin.name)), rows) for end in ends)
 
-    def _slides(self) -> Iterator[Tie]:
-        """The slides; one that closes a loop of slides has a row less, since its direction is held by the others."""
+    def _but_pins(self) -> Iterator[Tie]:
+        """The joints but pins; a slide that closes a loop of slides has a row less: the others hold its direction."""
         pairs = sorted(self._topology.slide_pairs.items(), key=lambda entry: not entry[1] <= self._known)
         looped = {*closing(pairs)} if self._topology.closing_slides else set()
-        for c in self._topology.connections:
-            if c.letter == "P":
-                yield Tie(self._node(c.a), self._node(c.b), c.rows - (c.joint in looped))
+        for c in self._topology.but_pins:
+            ends = tuple(dict.fromkeys(map(self._node, c.links)))
+            yield Tie(ends, c.rows - (c.joint in looped))
 
     def _outwards(self) -> list[Node]:
         """The nodes, each after one on its way from the ground: so rows too many show as far out as may be, and
@@ -91,7 +90,7 @@ class Freedoms:
             front = {} if start in found else {start: None}
             while front:
                 found |= front
-                ends = (end for node in front for tie in self._at[node] for end in (tie.a, tie.b))
+                ends = (end for node in front for tie in self._at[node] for end in tie.ends)
                 front = {end: None for end in ends if end not in found}
         return list(found)
 
@@ -120,9 +119,9 @@ class Freedoms:
         """What is left of a set with rows too many without all nodes that it can do without, the farthest tried first;
         and how many rows are too many there."""
         few = set(rigid)
-        excess = sum(tie.rows for tie in self._ties if {tie.a, tie.b} <= few) + BODY - sum(map(self._size, few))
+        excess = sum(tie.rows for tie in self._ties if few.issuperset(tie.ends)) + BODY - sum(map(self._size, few))
         for node in sorted(rigid, key=self._far.__getitem__, reverse=True):
-            rows = sum(tie.rows for tie in self._at[node] if {tie.a, tie.b} <= few)
+            rows = sum(tie.rows for tie in self._at[node] if few.issuperset(tie.ends))
             if (without := excess - rows + self._size(node)) > 0:
                 few, excess = few - {node}, without
         return few, excess
@@ -133,4 +132,4 @@ class Freedoms:
 
     def could_join(self, a: str, b: str) -> bool:
         """Whether a pin between two links would take two freedoms that are left over."""
-        return self._laid.gather((self._node(a), self._node(b)), BODY + Connection.ROWS["R"])
+        return self._laid.gather((self._node(a), self._node(b)), BODY + PIN.rows)

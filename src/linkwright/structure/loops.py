@@ -22,7 +22,7 @@ class Loop:
     @property
     def letters(self) -> str:
         """The joints' letters in order."""
-        return "".join(joint.letter for joint in self.joints)
+        return "".join(joint.kind.letter for joint in self.joints)
 
     def turned(self, by: int) -> Loop:
         """The same loop begun ``by`` links later."""

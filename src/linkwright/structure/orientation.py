@@ -1,17 +1,20 @@
 """Which freedoms the rows of a mechanism take: an orientation of rows towards nodes, found by a pebble game.
 
-A node has so many freedoms (pebbles), a row ties two nodes and takes one freedom of either. A set of nodes that hangs
-on nothing keeps the three motions of a rigid body, so its rows are independent in general as long as no part of it has
-more of them than freedoms less three: a matroid, in which a row is tested by four pebbles gathered at its ends. It
-counts only: of special dimensions it knows nothing.
+A node has so many freedoms (pebbles), a row ties two nodes or more and takes one freedom of one of them. A set of nodes
+that hangs on nothing keeps the three motions of a rigid body, so its rows are independent in general as long as no part
+of it has more of them than freedoms less three: a matroid, in which a row is tested by four pebbles gathered at its
+ends. It counts only: of special dimensions it knows nothing.
 
 Sources: D. J. Jacobs, B. Hendrickson, An algorithm for two-dimensional rigidity percolation: the pebble game, J.
-Comput. Phys. 137 (1997); A. Lee, I. Streinu, Pebble game algorithms and sparse graphs, Discrete Math. 308 (2008).
+Comput. Phys. 137 (1997); A. Lee, I. Streinu, Pebble game algorithms and sparse graphs, Discrete Math. 308 (2008); of
+rows with more than two ends: I. Streinu, L. Theran, Sparse hypergraphs and pebble game algorithms, European J.
+Combin. 30 (2009).
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Hashable, Iterable, Mapping
+from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping
+from itertools import chain
 from typing import Generic, TypeVar
 
 Node = TypeVar("Node", bound=Hashable)
@@ -23,22 +26,26 @@ BODY = 3
 class Orientation(Generic[Node]):
     """Nodes with their freedoms, and the rows laid on them so far; each accepted row is held by one of its ends.
 
-    The arcs of a node lead to the other ends of the rows that it holds: to what it hangs on. A row costs a few walks
-    over all arcs.
+    ``rows`` are those that each node holds, each by its other ends, to which the node's arcs lead: what it hangs on. A
+    row costs a few walks over all arcs.
     """
 
     def __init__(self, freedoms: Mapping[Node, int]) -> None:
         self.free = dict(freedoms)
-        self.arcs: dict[Node, list[Node]] = {node: [] for node in freedoms}
+        self.rows: dict[Node, list[tuple[Node, ...]]] = {node: [] for node in freedoms}
 
-    def lay(self, a: Node, b: Node) -> set[Node]:
-        """Lay a row between two nodes. Gives nothing where it is independent of those before; else the smallest set of
-        nodes that these hold rigid with both ends in it, and the row isn't laid."""
-        if not self.gather((a, b), BODY + 1):
-            return self.reached([a, b])
-        holder, other = (a, b) if self.free[a] else (b, a)
+    def arcs(self, node: Node) -> Iterator[Node]:
+        """What a node hangs on: the other ends of the rows that it holds."""
+        return chain.from_iterable(self.rows[node])
+
+    def lay(self, *ends: Node) -> set[Node]:
+        """Lay a row between nodes. Gives nothing where it is independent of those before; else the smallest set of
+        nodes that these hold rigid with all ends in it, and the row isn't laid."""
+        if not self.gather(ends, BODY + 1):
+            return self.reached(ends)
+        holder = next(end for end in ends if self.free[end])
         self.free[holder] -= 1
-        self.arcs[holder].append(other)
+        self.rows[holder].append(tuple(end for end in ends if end != holder))
         return set()
 
     def gather(self, ends: Collection[Node], most: int) -> bool:
@@ -60,7 +67,7 @@ class Orientation(Generic[Node]):
         todo = [node]
         while todo:
             at = todo.pop()
-            for end in self.arcs[at]:
+            for end in self.arcs(at):
                 if end in before:
                     continue
                 before[end] = at
@@ -74,9 +81,10 @@ class Orientation(Generic[Node]):
         return False
 
     def _turn(self, holder: Node, other: Node) -> Node:
-        """Hand a row over to its other end."""
-        self.arcs[holder].remove(other)
-        self.arcs[other].append(holder)
+        """Hand a row over to another of its ends."""
+        row = next(row for row in self.rows[holder] if other in row)
+        self.rows[holder].remove(row)
+        self.rows[other].append(tuple(end for end in (holder, *row) if end != other))
         return holder
 
     def reached(self, nodes: Iterable[Node]) -> set[Node]:
@@ -84,16 +92,16 @@ class Orientation(Generic[Node]):
         found = set(nodes)
         todo = list(found)
         while todo:
-            fresh = [end for end in self.arcs[todo.pop()] if end not in found]
+            fresh = [end for end in self.arcs(todo.pop()) if end not in found]
             found.update(fresh)
             todo += fresh
         return found
 
     def hanging(self, nodes: Iterable[Node]) -> set[Node]:
         """All that hangs on some nodes, they themselves included."""
-        holders: dict[Node, list[Node]] = {node: [] for node in self.arcs}
-        for holder, ends in self.arcs.items():
-            for end in ends:
+        holders: dict[Node, list[Node]] = {node: [] for node in self.rows}
+        for holder in self.rows:
+            for end in self.arcs(holder):
                 holders[end].append(holder)
         found = set(nodes)
         todo = list(found)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from linkwright.model.mechanism import FRAME, Drive
 from linkwright.model.slides import closing
 from linkwright.structure.freedoms import Freedoms
-from linkwright.structure.topology import FREEDOMS, Connection, Topology
+from linkwright.structure.topology import FREEDOMS, PIN, Connection, Topology
 
 
 @dataclass
@@ -35,7 +35,8 @@ class Placed:
 
     def outers(self, link: str) -> list[Connection]:
         """The joints by which an unknown link hangs on known ones; a pin counts once, through its first known link."""
-        hung = [c for c in self.topology.at(link) if c.other(link) in self.known and self.free(c)]
+        at = [c for c in self.topology.at(link) if c.kind.places]
+        hung = [c for c in at if c.other(link) in self.known and self.free(c)]
         found: dict[str, Connection] = {}
         for c in sorted(hung, key=lambda c: self.known[c.other(link)]):
             found.setdefault(c.joint, c)
@@ -52,14 +53,14 @@ class Placed:
         inside = own | self.known.keys()
 
         def within(c: Connection) -> bool:
-            return inside.issuperset((c.a, c.b)) and not own.isdisjoint((c.a, c.b))
+            return inside.issuperset(c.links) and not own.isdisjoint(c.links)
 
-        rows = sum(c.rows for c in self.topology.connections if c.letter == "P" and within(c))
+        rows = sum(c.rows for c in self.topology.but_pins if within(c))
         for pin in self.topology.pins.values():
             held = len(own.intersection(pin.links))
             if held and self.known.keys().isdisjoint(pin.links):
                 held -= 1
-            rows += Connection.ROWS["R"] * held
+            rows += PIN.rows * held
         rows += sum(map(within, self.joints.values()))
         return FREEDOMS * len(own) - rows + self.closing_slides(inside)
 
@@ -79,7 +80,7 @@ class Placed:
             part = {*front}
             while front:
                 link = front.pop()
-                fresh = {c.other(link) for c in self.topology.at(link)} & todo.keys() - part
+                fresh = {other for c in self.topology.at(link) for other in c.links} & todo.keys() - part
                 part |= fresh
                 front += fresh
             for link in part:

@@ -11,7 +11,7 @@ from linkwright.model.unknown import alike
 from linkwright.structure.freedoms import Freedoms
 from linkwright.structure.placed import Placed
 from linkwright.structure.steps import Step
-from linkwright.structure.topology import Connection, Topology
+from linkwright.structure.topology import PIN, Topology
 
 HARDLY = 0.5
 """The share of two names that agree, where what is left over speaks for one pin: C0 and CX."""
@@ -35,7 +35,7 @@ def unsolved(placed: Placed) -> Iterator[Finding]:
     unpinned: set[object] = set()
     parts = [(part, freedoms.loose(part)) for part in placed.parts(placed.left)]
     # Where so many freedoms are left as one pin takes, that one is looked for by less of its spelling.
-    one_pin = sum(sum(free.values()) for _, free in parts) == Connection.ROWS["R"] and not full
+    one_pin = sum(sum(free.values()) for _, free in parts) == PIN.rows and not full
     for part, free in parts:
         if free:
             finding = _loose(placed, freedoms, part, free, HARDLY if one_pin else None)
@@ -92,8 +92,7 @@ def _drive_hint(placed: Placed, part: list[str]) -> str:
     """A drive line that would hold a loose part, where one of its links hangs on a known one."""
     for link in part:
         for c in placed.outers(link):
-            verb = "turns" if c.letter == "R" else "slides"
-            return f"{{{verb}: {link}, on: {c.other(link)}, ...}}"
+            return f"{{{c.kind.drive}: {link}, on: {c.other(link)}, ...}}"
     return ""
 
 
@@ -101,9 +100,10 @@ def redundant(topology: Topology, steps: Sequence[Step]) -> Iterator[Finding]:
     """Joints between links that other joints have placed already."""
     used = Counter(c.joint for step in steps for c in step.joints)
     links = {name: pin.links for name, pin in topology.pins.items()}
-    links |= {name: joint.links for name, joint in topology.mechanism.prismatic_joints()}
+    needed = {name: len(joined) - 1 for name, joined in links.items()}
+    links |= {c.joint: c.links for c in topology.but_pins}
     for name, joined in links.items():
-        if used[name] < len(joined) - 1:
+        if used[name] < needed.get(name, 1):
             yield Finding("structure.redundant", ("joints", name), {"joint": name, "links": ", ".join(joined)})
 
 

@@ -189,8 +189,8 @@ class Cluster:
     @property
     def signature(self) -> str:
         """The letters of the joints by which its links are placed (in brackets where driven), then of the closures."""
-        placed = "".join(e.joint.letter if e.drive is None else f"({e.joint.letter})" for e in self.edges)
-        return f"{placed}-{''.join(c.letter for c in self.closures)}"
+        placed = "".join(e.joint.kind.letter if e.drive is None else f"({e.joint.kind.letter})" for e in self.edges)
+        return f"{placed}-{''.join(c.kind.letter for c in self.closures)}"
 
     @property
     def drives(self) -> tuple[str, ...]:
@@ -205,7 +205,7 @@ class Cluster:
     @property
     def turning(self) -> tuple[bool, ...]:
         """Which of the unknown coordinates are angles; the others are travels."""
-        return tuple(edge.joint.letter == "R" for edge in self.free)
+        return tuple(bool(edge.joint.kind.angular) for edge in self.free)
 
     def units(self, size: float) -> list[float]:
         """What the coordinates count in: 1 rad, or the mechanism's size (m)."""

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
-from typing import ClassVar
 
+from linkwright.elements import JointKind, kind
 from linkwright.model.mechanism import FRAME, Drive, Mechanism
 from linkwright.model.pins import Pin, pins
 from linkwright.model.slides import closing, pairs_of
@@ -15,25 +14,32 @@ FREEDOMS = 3
 """Those of a link."""
 
 
+PIN = kind("revolute")
+"""The joint that points of one name make."""
+
+
 @dataclass(frozen=True)
 class Connection:
-    """One joint as it ties two links: a pin (letter R) or a line (letter P)."""
-
-    ROWS: ClassVar[dict[str, int]] = {"R": 2, "P": 2}
-    """The constraints that a joint states, by its letter."""
+    """One joint as it ties links: two, or of some kinds ``more``."""
 
     joint: str
-    letter: str
+    kind: JointKind
     a: str
     b: str
+    more: tuple[str, ...] = ()
 
     @property
     def rows(self) -> int:
         """The constraints that it states."""
-        return self.ROWS[self.letter]
+        return self.kind.rows
+
+    @property
+    def links(self) -> tuple[str, ...]:
+        """All its links."""
+        return (self.a, self.b, *self.more)
 
     def other(self, link: str) -> str:
-        """The link at the other end."""
+        """The link at the other end of a joint of two."""
         return self.b if link == self.a else self.a
 
 
@@ -59,16 +65,25 @@ class Topology:
         found = []
         for pin in self.pins.values():
             for i, a in enumerate(pin.links):
-                found += [Connection(pin.name, "R", a, b) for b in pin.links[i + 1 :]]
-        found += [Connection(name, "P", *joint.links) for name, joint in self.mechanism.prismatic_joints()]
-        return tuple(found)
+                found += [Connection(pin.name, PIN, a, b) for b in pin.links[i + 1 :]]
+        return (*found, *self.but_pins)
+
+    @cached_property
+    def but_pins(self) -> tuple[Connection, ...]:
+        """The joints that aren't pins."""
+        joints = self.mechanism.joints_but_pins()
+        return tuple(Connection(name, kind(j.kind), j.links[0], j.links[1], tuple(j.links[2:])) for name, j in joints)
+
+    def kind_of(self, joint: str) -> JointKind:
+        """The kind of a joint by name."""
+        return PIN if joint in self.pins else kind(self.mechanism.joints[joint].kind)
 
     @cached_property
     def _at(self) -> dict[str, list[Connection]]:
         found: dict[str, list[Connection]] = {link: [] for link in self.mechanism.links}
         for c in self.connections:
-            found[c.a].append(c)
-            found[c.b].append(c)
+            for link in c.links:
+                found[link].append(c)
         return found
 
     def at(self, link: str) -> list[Connection]:
@@ -76,21 +91,20 @@ class Topology:
         return self._at[link]
 
     @cached_property
-    def letters(self) -> Counter[str]:
-        """How many joints there are of each letter; a pin of k links counts k - 1."""
-        pinned = sum(len(pin.links) - 1 for pin in self.pins.values())
-        return Counter(R=pinned, P=sum(1 for _ in self.mechanism.prismatic_joints()))
+    def pinned(self) -> int:
+        """The pins, each between two links: one of k links counts k - 1."""
+        return sum(len(pin.links) - 1 for pin in self.pins.values())
 
     @property
     def joint_count(self) -> int:
-        """The joints, each between two links: a pin of k links counts k - 1."""
-        return self.letters.total()
+        """The joints; a pin of k links counts k - 1."""
+        return self.pinned + len(self.but_pins)
 
     @property
     def gruebler(self) -> int:
         """Mobility by Gruebler's count: three freedoms of each moving link, less the constraints of all joints; one
         more for each slide that closes a loop of slides alone, since its direction is held by the others already."""
-        rows = sum(Connection.ROWS[letter] * count for letter, count in self.letters.items())
+        rows = PIN.rows * self.pinned + sum(c.rows for c in self.but_pins)
         return FREEDOMS * len(self.moving) - rows + len(self.closing_slides)
 
     @cached_property
@@ -119,5 +133,5 @@ class Topology:
         return self._between(self.mechanism.drives[drive])
 
     def _between(self, drive: Drive) -> list[Connection]:
-        letter = "R" if drive.turns else "P"
-        return [c for c in self.connections if c.letter == letter and {c.a, c.b} == {drive.link, drive.on}]
+        turns, links = drive.turns is not None, {drive.link, drive.on}
+        return [c for c in self.connections if c.kind.angular is turns and {*c.links} == links]

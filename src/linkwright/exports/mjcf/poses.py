@@ -34,7 +34,7 @@ def motors(compiled: Compiled, tree: Tree) -> list[Motor]:
         hold = tree.of(c.joint, c.a, c.b)
         assert hold is not None
         # A slide's coordinate is its travel, from the first link's point to the second's.
-        ahead = hold.child == drive.link if hold.letter == "R" else c.b == drive.link
+        ahead = hold.child == drive.link if hold.turns else c.b == drive.link
         found.append(Motor(name, hold, 1 if ahead else -1))
     return found
 
@@ -58,7 +58,7 @@ def coordinates(run: Run, holds: Sequence[Hold], driven: Sequence[Motor], t: Arr
 
 def _parts(hold: Hold, driven: Sequence[Motor]) -> Mapping[str, int]:
     """The signals whose sum is a joint's coordinate, each with its sign."""
-    if hold.letter == "P":
+    if not hold.turns:
         return {f"{hold.joint}.s": 1}
     motor = next((m for m in driven if m.hold == hold), None)
     if motor is not None:

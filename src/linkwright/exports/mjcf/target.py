@@ -74,7 +74,7 @@ class Mjcf:
         poses = dict(zip(moving, rows, strict=True))
         masses, warnings = written_masses(compiled, _tiny_mass(compiled, options)[0])
         slides = zip(tree.holds, q, strict=True)
-        travels = {hold.joint: (float(row.min()), float(row.max())) for hold, row in slides if hold.letter == "P"}
+        travels = {hold.joint: (float(row.min()), float(row.max())) for hold, row in slides if not hold.turns}
         start = Start(q[:, 0], v[:, 0], controls[:, 0], {link: row[:, 0] for link, row in poses.items()}, travels)
         text = Writer(compiled, tree, driven, masses, start).text(_timestep(compiled, options)[0])
         error = missed(text, {hold.name: row for hold, row in zip(tree.holds, q, strict=True)}, poses)
@@ -116,6 +116,6 @@ def _left_out(compiled: Compiled) -> list[Finding]:
 
 def _table(holds: Sequence[Hold], driven: Sequence[Motor], t: Array, q: Array, controls: Array) -> str:
     """The joints' coordinates and the actuators' controls over the motion."""
-    heads = [head("t", "s"), *(head(hold.name, "rad" if hold.letter == "R" else "m") for hold in holds)]
-    heads += [head(f"ctrl {m.drive}", "rad" if m.hold.letter == "R" else "m") for m in driven]
+    heads = [head("t", "s"), *(head(hold.name, "rad" if hold.turns else "m") for hold in holds)]
+    heads += [head(f"ctrl {m.drive}", "rad" if m.hold.turns else "m") for m in driven]
     return written(heads, ([cell(float(value)) for value in row] for row in np.vstack([t, q, controls]).T))

@@ -17,7 +17,7 @@ class Hold:
 
     name: str
     joint: str
-    letter: str
+    turns: bool
     parent: str
     child: str
 
@@ -58,7 +58,7 @@ def needed(topology: Topology) -> list[Connection]:
     They close no loop: loops of slides alone aren't exported, and with its drives held another one would be
     overconstrained, which the structure refuses.
     """
-    slides = [c for c in topology.connections if c.letter == "P"]
+    slides = [c for c in topology.connections if not c.kind.angular]
     acting = [topology.acting(drive)[0] for drive in topology.mechanism.drives]
     return list(dict.fromkeys([*slides, *acting]))
 
@@ -94,7 +94,7 @@ def _cuts(topology: Topology, chosen: list[Connection]) -> Iterable[tuple[Connec
     """The pins that the tree leaves open; on a pin of many links no more than it takes."""
     for pin in topology.pins.values():
         sets = _Sets()
-        here = [c for c in topology.connections if c.letter == "R" and c.joint == pin.name]
+        here = [c for c in topology.connections if c.joint == pin.name]
         for c in [*(c for c in here if c in chosen), *(c for c in here if c not in chosen)]:
             if sets.join(c.a, c.b) and c not in chosen:
                 yield c, c.a
@@ -106,4 +106,4 @@ def _named(joints: Iterable[tuple[Connection, str]]) -> Iterable[Hold]:
         child = c.other(parent)
         name = c.joint if c.joint not in taken else f"{c.joint}:{child}"  # no name of a file holds a colon
         taken.add(name)
-        yield Hold(name, c.joint, c.letter, parent, child)
+        yield Hold(name, c.joint, bool(c.kind.angular), parent, child)

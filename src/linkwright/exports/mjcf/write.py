@@ -117,7 +117,7 @@ class Writer:
         given = {"name": hold.name, "ref": _text(ref)}
         if any(motor.hold == hold for motor in self.driven):
             given["armature"] = _text(ROTOR * self._whole(hold))
-        if hold.letter == "R":
+        if hold.turns:
             pin = self.compiled.structure.topology.pins[hold.joint]
             at = self.geometry.point(hold.child, pin.point(hold.child))
             return ET.Element("joint", given, pos=_text(at.x, at.y, 0), axis="0 0 1")
@@ -172,7 +172,7 @@ class Writer:
     def _whole(self, hold: Hold) -> float:
         """The mass of all links, or their moment of inertia at the mechanism's full size, as a joint could feel it."""
         mass = sum(mass.mass for mass in self.masses.values())
-        return mass * self.size**2 if hold.letter == "R" else mass
+        return mass * self.size**2 if hold.turns else mass
 
 
 def body_name(link: str) -> str:

@@ -36,7 +36,7 @@ class Side:
 
     def place(self) -> None:
         """Put its links on the base; the end's angle is open where a pin holds it."""
-        if self.outer.letter == "R":
+        if self.outer.kind.angular:
             self.links.angles[self.end] = Angle(0.0, ((OWN, 1),))
         self.links.sit(self.outer, self.base, self.end)
         self.hold()

@@ -67,10 +67,10 @@ def _place(links: Linkage, cluster: Cluster) -> None:
         links.sit(edge.joint, edge.base, edge.link)
         for found in links.joints:
             known = found.kind == "T" and found.child == edge.link and found.parent in links.angles
-            if edge.joint.letter == "R" and known:
+            if edge.joint.kind.angular and known:
                 links.angles[edge.link] = links.angles[found.parent].plus(links.offset(found))
                 break
             known = found.kind == "T" and found.parent == edge.link and found.child in links.angles
-            if edge.joint.letter == "R" and known:
+            if edge.joint.kind.angular and known:
                 links.angles[edge.link] = links.angles[found.child].plus(links.offset(found), -1)
                 break

@@ -61,7 +61,7 @@ def driving(structure: Structure, drive: str) -> tuple[str, str, str]:
         edges = [step] if isinstance(step, Driven) else []
         joints = [edge.joint for edge in edges] if edges else step.joints
         for joint in joints:
-            if {joint.a, joint.b} == {moved.link, moved.on} and joint.letter == ("R" if moved.turns else "P"):
+            if {*joint.links} == {moved.link, moved.on} and joint.kind.angular is (moved.turns is not None):
                 return joint.joint, moved.link, moved.on
     raise KeyError(drive)
 

@@ -167,7 +167,7 @@ class Linkage:
 
     def sit(self, connection: Connection, base: str, link: str) -> None:
         """Put a link on a base by a joint; of a slide, its angle follows."""
-        if connection.letter == "R":
+        if connection.kind.angular:
             self.seats[link] = Seat(base, self.pin(connection, base), self.pin(connection, link))
             return
         (spot, heading), (foot, own) = self.line(connection, base), self.line(connection, link)
@@ -177,7 +177,7 @@ class Linkage:
     def held(self, connection: Connection, base: str, link: str) -> None:
         """Put a link on a base by the driving joint."""
         self.sit(connection, base, link)
-        if connection.letter == "R":
+        if connection.kind.angular:
             found, sign = self.between(connection.joint, base, link)
             assert found is not None
             self.angles[link] = self.angles[base].plus(self.offset(found), round(sign))

@@ -201,4 +201,4 @@ def _in_guide(compiled: Compiled, name: str, entry: Clearance, clearance: float)
     foot, length = joint.line[1].point, compiled.quantities.value(entry.length, LENGTH)
     heading = Geometry(compiled.quantities, compiled.quantities.parameters).line(name, joint.links[0])[1]
     direction = float(heading.x), float(heading.y)
-    return InGuide(name, joint.links, clearance, length, entry.centre or foot, foot, direction)
+    return InGuide(name, (joint.links[0], joint.links[1]), clearance, length, entry.centre or foot, foot, direction)

@@ -1,0 +1,185 @@
+"""What a kind of joint is: the contract that structure, motion, forces, proofs and exports ask.
+
+A *kind* is one registered object. On the links of a mechanism it gives an :class:`Inner` joint: the closure that its
+links have to meet, ``rows`` equations; and where it can place a link, an :class:`Outer` joint: the link's motion from
+one coordinate. Both are generic over the scalar (numbers, arrays, symbols) and speak jets, so that the same lines give
+position, velocity, acceleration and jerk, and by duality the equilibrium. Nobody asks a kind for its name or letter.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar, Protocol
+
+from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
+from linkwright.notation.registry import Registry
+
+
+@dataclass(frozen=True)
+class Twist:
+    """The motion that a unit rate of a freedom gives a link: turning ``turn`` (1 or 0) about ``about``, while that
+    place moves ``along`` (m per unit rate)."""
+
+    turn: float
+    about: Pair
+    along: Pair
+
+    def velocity(self, point: Pair) -> Pair:
+        """Velocity of the link's point now at ``point`` (m per unit rate)."""
+        if not self.turn:
+            return self.along
+        turned = point.minus(self.about).perp
+        return Pair(self.along.x + turned.x, self.along.y + turned.y)
+
+    def work(self, wrench: Wrench) -> Scalar:
+        """Power of a wrench on this unit rate: the generalised force."""
+        pushed = self.along.dot(wrench.force)
+        return pushed + wrench.at(self.about).moment if self.turn else pushed
+
+
+STILL = Twist(0.0, Pair(0.0, 0.0), Pair(0.0, 0.0))
+"""The motion of a link that a freedom doesn't move."""
+
+
+class Outer(Protocol):
+    """An outer joint: places its link from a coordinate, and gives the freedom that it leaves."""
+
+    def place(self, start: Any, rates: Jet) -> Body:
+        """The link's motion from its coordinate, as dyads have it, and the rates (q', q'', ...)."""
+
+    def at(self, start: Scalar, rates: Jet) -> Body:
+        """The same from the coordinate as one number or symbol (rad or m)."""
+
+    def driven(self, base: Body, law: Jet) -> Body:
+        """The link where a drive prescribes its coordinate relative to the ``base`` link by a law (rad or m)."""
+
+    def twist(self, body: Body) -> Twist:
+        """The freedom of the placed link."""
+
+    def coordinate(self, body: Body) -> float:
+        """The coordinate of a placed link on plain numbers (rad or m)."""
+
+    def nearest(self, places: Sequence[tuple[Pair, Pair]]) -> float | None:
+        """The coordinate (rad or m) that brings places of the link, as they lie at 0, nearest to others; ``None``
+        where they don't decide."""
+
+
+class Inner(ABC):
+    """A joint as closure between its links, in a fixed order.
+
+    A kind states the :meth:`gap`; slopes and actions follow from it. The multiplier of an equation (N, of an angle
+    N m) stands for a wrench on each link: the multiplier times the slope of the equation to the link's displacement.
+    """
+
+    @abstractmethod
+    def gap(self, *bodies: Body) -> tuple[Jet, ...]:
+        """What each equation misses: lengths (m) or angles (rad), with as many rates as the bodies have."""
+
+    def rates(self, bodies: Sequence[Body], twists: Sequence[Twist]) -> list[Scalar]:
+        """The slope of each equation to a freedom that moves the links by ``twists``."""
+        moving = (_moving(body, twist) for body, twist in zip(bodies, twists, strict=True))
+        return [gap.d[1] for gap in self.gap(*moving)]
+
+    def actions(self, bodies: Sequence[Body], multipliers: Sequence[Scalar]) -> list[Wrench]:
+        """The wrench on each link that the multipliers stand for, about its anchor."""
+        found = []
+        for i, body in enumerate(bodies):
+            about = body.anchor.now
+            units = [Twist(0.0, about, Pair(1.0, 0.0)), Twist(0.0, about, Pair(0.0, 1.0))]
+            units.append(Twist(1.0, about, Pair(0.0, 0.0)))
+            x, y, moment = (
+                sum((m * s for m, s in zip(multipliers, self.rates(bodies, alone), strict=True)), 0.0)
+                for alone in ([unit if k == i else STILL for k in range(len(bodies))] for unit in units)
+            )
+            found.append(Wrench(Pair(x, y), moment, about))
+        return found
+
+
+def _moving(body: Body, twist: Twist) -> Body:
+    """A body in its present pose with the velocity of a twist."""
+    at, axis = body.anchor.now, body.axis.now
+    speed, turn = twist.velocity(at), twist.turn
+    turning = Vec(Jet([axis.x, -turn * axis.y]), Jet([axis.y, turn * axis.x]))
+    return Body(Vec(Jet([at.x, speed.x]), Jet([at.y, speed.y])), body.local, turning, Jet([turn]), body.angle)
+
+
+class JointGeometry(Protocol):
+    """The dimensions that a kind asks for, of a mechanism at some parameters; lengths in m, in the links' frames."""
+
+    @property
+    def mechanism(self) -> Any:
+        """The model: ``mechanism.joints[NAME]`` is the joint's entry in the file."""
+
+    def number(self, expression: Any, dimension: Any) -> Scalar:
+        """The value of an expression of the entry, in SI."""
+
+    def point(self, link: str, name: str) -> Pair:
+        """A named point of a link."""
+
+    def pinned_place(self, pin: str, link: str) -> Pair:
+        """The place of a link that is put on a pin, its clearance included."""
+
+    def pin_point(self, pin: str, link: str) -> Pair:
+        """The link's point on a pin, without clearance."""
+
+    def line(self, joint: str, link: str) -> tuple[Pair, Pair]:
+        """Point and heading of a prismatic joint's line on one of its links."""
+
+    def seat(self, joint: str, link: str) -> tuple[Pair, Pair, Scalar]:
+        """The same with the clearance included, and the heading's angle (rad)."""
+
+
+class JointKind(ABC):
+    """A kind of joint; stateless. ``bodies`` are those of the links, by name."""
+
+    name: ClassVar[str]
+    """As files have it."""
+    letter: ClassVar[str]
+    """As signatures of groups spell it: R, P."""
+    rows: ClassVar[int]
+    """The constraints that it states; two links keep 3 - rows relative freedoms."""
+    shared: ClassVar[bool] = False
+    """Whether any number of links meet in one: of k links it counts k - 1 times."""
+    parallel: ClassVar[bool] = False
+    """Whether it keeps the directions of its links to each other."""
+    angular: ClassVar[bool | None] = None
+    """Whether the coordinate by which it places a link is an angle (else a length); ``None`` where it places none."""
+    drive: ClassVar[str] = ""
+    """The key of drives that act in it."""
+
+    @property
+    def places(self) -> bool:
+        """Whether it can place a link on a known one."""
+        return self.angular is not None
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return kind, (self.name,)
+
+    def outer(self, geometry: JointGeometry, joint: str, link: str, base: str, body: Body) -> Outer:
+        """The joint by which a link hangs on the known ``base``, which lies as ``body`` says."""
+        raise NotImplementedError
+
+    @abstractmethod
+    def inner(self, geometry: JointGeometry, joint: str, links: Sequence[str]) -> Inner:
+        """The joint as closure between links, in this order."""
+
+    @abstractmethod
+    def reference(self, geometry: JointGeometry, joint: str, link: str, bodies: Mapping[str, Body]) -> Pair:
+        """The place (m) about which the moment of a link's reaction is stated."""
+
+
+KINDS: Registry[JointKind] = Registry()
+"""The kinds of joints by name."""
+
+
+def register(cls: type[JointKind]) -> type[JointKind]:
+    """Register a kind of joint under its name; a second one of the same name is an error."""
+    KINDS[cls.name] = cls()
+    return cls
+
+
+def kind(name: str) -> JointKind:
+    """A registered kind."""
+    return KINDS[name]

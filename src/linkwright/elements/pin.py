@@ -1,0 +1,113 @@
+"""The revolute joint (pin): links share a point."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from linkwright.elements.joint import Inner, JointGeometry, JointKind, Twist, register
+from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
+from linkwright.notation.planar import turning_axis, unit_vector
+
+Turn = Pair
+"""A position on a pin: the unit vector (cos, sin) of the link's x axis."""
+Slopes = tuple[tuple[Scalar, Scalar], tuple[Scalar, Scalar]]
+"""The slopes of two equations to a freedom of each of two links."""
+VAGUE = 1e-12
+"""Sketched places nearer to the pin (m2) don't tell an angle."""
+
+
+@dataclass(frozen=True)
+class OuterPin:
+    """A link on a pin whose position is known; ``foot`` is the pinned point in the link's frame.
+
+    The coordinate is the link's angle (rad); dyads have its unit vector.
+    """
+
+    base: Vec
+    foot: Pair
+
+    def place(self, start: Turn, rates: Jet) -> Body:
+        return Body(self.base, self.foot, turning_axis(start, rates), rates)
+
+    def at(self, start: Scalar, rates: Jet) -> Body:
+        body = self.place(unit_vector(start), rates)
+        return Body(body.anchor, body.local, body.axis, body.turn, start)
+
+    def driven(self, base: Body, law: Jet) -> Body:
+        turn = base.turn + law.rate() if law.order else base.turn
+        body = self.place(base.axis.now.turned(unit_vector(law.d[0])), turn)
+        known = None if base.angle is None else base.angle + law.d[0]
+        return Body(body.anchor, body.local, body.axis, body.turn, known)
+
+    def twist(self, body: Body) -> Twist:
+        return Twist(1.0, self.base.now, Pair(0.0, 0.0))
+
+    def coordinate(self, body: Body) -> float:
+        return math.atan2(float(body.axis.y.d[0]), float(body.axis.x.d[0]))
+
+    def nearest(self, places: Sequence[tuple[Pair, Pair]]) -> float | None:
+        base = self.base.now
+        arms = [(here.minus(base), goal.minus(base)) for here, goal in places]
+        sine = sum(float(here.cross(goal)) for here, goal in arms)
+        cosine = sum(float(here.dot(goal)) for here, goal in arms)
+        return math.atan2(sine, cosine) if math.hypot(sine, cosine) > VAGUE else None
+
+
+@dataclass(frozen=True)
+class InnerPin(Inner):
+    """The two links share a pin: ``first`` and ``second`` are its coordinates in their frames."""
+
+    first: Pair
+    second: Pair
+
+    def seen_from(self, a: Body, b: Body) -> InnerPin:
+        """The same joint by coordinates in the frames in which the two links lie as ``a`` and ``b`` say."""
+        return InnerPin(a.point(self.first).now, b.point(self.second).now)
+
+    def gap(self, *bodies: Body) -> tuple[Jet, Jet]:
+        """Closure: the two pin positions coincide (m)."""
+        a, b = bodies
+        difference = a.point(self.first).minus(b.point(self.second))
+        return difference.x, difference.y
+
+    def slopes(self, a: Body, b: Body, first: Twist, second: Twist) -> Slopes:
+        """d(gap)/d(coordinates)."""
+        da = first.velocity(a.point(self.first).now)
+        db = second.velocity(b.point(self.second).now)
+        return (da.x, -db.x), (da.y, -db.y)
+
+    def rates(self, bodies: Sequence[Body], twists: Sequence[Twist]) -> list[Scalar]:
+        return [one + other for one, other in self.slopes(bodies[0], bodies[1], twists[0], twists[1])]
+
+    def action(self, a: Body, b: Body, multipliers: tuple[Scalar, Scalar]) -> Wrench:
+        """The wrench on the first link that the closure's multipliers stand for."""
+        return Wrench(Pair(*multipliers), 0.0, a.point(self.first).now)
+
+    def actions(self, bodies: Sequence[Body], multipliers: Sequence[Scalar]) -> list[Wrench]:
+        own = self.action(bodies[0], bodies[1], (multipliers[0], multipliers[1]))
+        return [own, own.opposite]
+
+
+@register
+class Revolute(JointKind):
+    """Links on one pin, from points of one name or named in ``joints``."""
+
+    name = "revolute"
+    letter = "R"
+    rows = 2
+    shared = True
+    angular = True
+    drive = "turns"
+
+    def outer(self, geometry: JointGeometry, joint: str, link: str, base: str, body: Body) -> OuterPin:
+        at = body.point(geometry.pinned_place(joint, base))
+        return OuterPin(at, geometry.pinned_place(joint, link))
+
+    def inner(self, geometry: JointGeometry, joint: str, links: Sequence[str]) -> InnerPin:
+        a, b = links
+        return InnerPin(geometry.pinned_place(joint, a), geometry.pinned_place(joint, b))
+
+    def reference(self, geometry: JointGeometry, joint: str, link: str, bodies: Mapping[str, Body]) -> Pair:
+        return bodies[link].point(geometry.pin_point(joint, link)).now

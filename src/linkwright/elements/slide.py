@@ -1,0 +1,123 @@
+"""The prismatic joint (slide): a line on each of two links, coincident and equally directed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from linkwright.elements.joint import Inner, JointGeometry, JointKind, Twist, register
+from linkwright.elements.pin import Slopes
+from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
+
+
+@dataclass(frozen=True)
+class OuterLine:
+    """A link whose line lies on a known line, through ``base`` in ``direction`` of a body turning at ``turn``.
+
+    ``foot`` and ``heading`` are the link's own line in its frame; the coordinate is the distance from ``base``
+    to the foot along the direction (m).
+    """
+
+    base: Vec
+    direction: Vec
+    turn: Jet
+    foot: Pair
+    heading: Pair
+    angle: Scalar | None = None  # of the base link plus the difference of the two lines' headings
+
+    def place(self, start: Scalar, rates: Jet) -> Body:
+        travel = Jet([start, *rates.d])
+        axis = Vec(
+            self.direction.x * self.heading.x + self.direction.y * self.heading.y,
+            self.direction.y * self.heading.x - self.direction.x * self.heading.y,
+        )
+        return Body(self.base.plus(self.direction.times(travel)), self.foot, axis, self.turn, self.angle)
+
+    at = place
+
+    def driven(self, base: Body, law: Jet) -> Body:
+        return self.place(law.d[0], law.rate())
+
+    def twist(self, body: Body) -> Twist:
+        return Twist(0.0, body.anchor.now, self.direction.now)
+
+    def coordinate(self, body: Body) -> float:
+        away = body.point(self.foot).now.minus(self.base.now)
+        return float(away.dot(self.direction.now))
+
+    def nearest(self, places: Sequence[tuple[Pair, Pair]]) -> float | None:
+        travels = [float(self.direction.now.dot(goal.minus(here))) for here, goal in places]
+        return sum(travels) / len(travels) if travels else None
+
+
+@dataclass(frozen=True)
+class InnerLine(Inner):
+    """A line on each link, coincident and equally directed: points and headings in the links' frames."""
+
+    first: Pair
+    first_heading: Pair
+    second: Pair
+    second_heading: Pair
+
+    def seen_from(self, a: Body, b: Body) -> InnerLine:
+        """The same joint by coordinates in the frames in which the two links lie as ``a`` and ``b`` say."""
+        ends = (a, self.first, self.first_heading), (b, self.second, self.second_heading)
+        (p, u), (q, v) = ((body.point(point).now, body.direction(heading).now) for body, point, heading in ends)
+        return InnerLine(p, u, q, v)
+
+    def gap(self, *bodies: Body) -> tuple[Jet, Jet]:
+        """Closure: equal headings (rad; the sine of the difference at order 0) and no distance across (m)."""
+        a, b = bodies
+        u, v = a.direction(self.first_heading), b.direction(self.second_heading)
+        between = Jet([u.now.cross(v.now), *(b.turn - a.turn).d])
+        across = b.point(self.second).minus(a.point(self.first)).dot(u.perp)
+        return between, across
+
+    def slopes(self, a: Body, b: Body, first: Twist, second: Twist) -> Slopes:
+        """d(gap)/d(coordinates)."""
+        normal = a.direction(self.first_heading).perp.now
+        point = b.point(self.second).now
+        return (-first.turn, second.turn), (
+            -first.velocity(point).dot(normal),
+            second.velocity(point).dot(normal),
+        )
+
+    def rates(self, bodies: Sequence[Body], twists: Sequence[Twist]) -> list[Scalar]:
+        return [one + other for one, other in self.slopes(bodies[0], bodies[1], twists[0], twists[1])]
+
+    def action(self, a: Body, b: Body, multipliers: tuple[Scalar, Scalar]) -> Wrench:
+        """The wrench on the first link that the closure's multipliers stand for."""
+        normal = a.direction(self.first_heading).perp.now
+        moment, force = multipliers
+        return Wrench(Pair(-force * normal.x, -force * normal.y), -moment, b.point(self.second).now)
+
+    def actions(self, bodies: Sequence[Body], multipliers: Sequence[Scalar]) -> list[Wrench]:
+        own = self.action(bodies[0], bodies[1], (multipliers[0], multipliers[1]))
+        return [own, own.opposite]
+
+
+@register
+class Prismatic(JointKind):
+    """Two links on a common line."""
+
+    name = "prismatic"
+    letter = "P"
+    rows = 2
+    parallel = True
+    angular = False
+    drive = "slides"
+
+    def outer(self, geometry: JointGeometry, joint: str, link: str, base: str, body: Body) -> OuterLine:
+        base_point, base_heading, base_angle = geometry.seat(joint, base)
+        foot, heading, own_angle = geometry.seat(joint, link)
+        angle = None if body.angle is None else body.angle + base_angle - own_angle
+        return OuterLine(body.point(base_point), body.direction(base_heading), body.turn, foot, heading, angle)
+
+    def inner(self, geometry: JointGeometry, joint: str, links: Sequence[str]) -> InnerLine:
+        a, b = links
+        return InnerLine(*geometry.seat(joint, a)[:2], *geometry.seat(joint, b)[:2])
+
+    def reference(self, geometry: JointGeometry, joint: str, link: str, bodies: Mapping[str, Body]) -> Pair:
+        second = geometry.mechanism.joints[joint].links[1]
+        point, _ = geometry.line(joint, second)
+        return bodies[second].point(point).now
