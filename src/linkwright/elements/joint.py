@@ -11,10 +11,16 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar, Protocol
+from typing import Any, ClassVar, Literal, NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
 
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.registry import Registry
+
+Array = NDArray[np.float64]
+RowUnit = Literal["length", "angle"]
 
 
 @dataclass(frozen=True)
@@ -131,15 +137,72 @@ class JointGeometry(Protocol):
         """The same with the clearance included, and the heading's angle (rad)."""
 
 
+class Contact(Protocol):
+    """Where a reaction acts: ``link`` on ``on`` (a link, or the pin where three or more meet)."""
+
+    @property
+    def joint(self) -> str:
+        """The joint's name."""
+
+    @property
+    def link(self) -> str:
+        """The link that acts."""
+
+    @property
+    def on(self) -> str:
+        """What it acts on."""
+
+
+class JointReports(Protocol):
+    """What a run reports of poses and reactions at some times; vectors have shape (2, times)."""
+
+    @property
+    def geometry(self) -> JointGeometry:
+        """The model's dimensions."""
+
+    def at(self, link: str, local: Any) -> Array:
+        """A link's point in the frame (m)."""
+
+    def turned(self, link: str, local: Any) -> Array:
+        """A vector fixed in a link, in the frame."""
+
+    def line(self, joint: str, link: str) -> tuple[Array, Array]:
+        """Point and direction of a prismatic joint's line on one of its links."""
+
+    def reaction(self, contact: Any) -> tuple[Array, Array | float]:
+        """The reported force (N) of a contact's link on the other side, and its moment (N m; 0 where none is)."""
+
+
+class Miss(NamedTuple):
+    """What a joint's links miss each other by, at some times: lengths (m) or pure numbers."""
+
+    value: Array
+    length: bool
+
+
+class Rate(NamedTuple):
+    """A part of a constraint on velocities: that of a link at a ``place`` along a ``direction`` (2, times), or where
+    there is no place its angular velocity; times ``factor``."""
+
+    link: str
+    factor: float
+    place: Array | None = None
+    direction: Array | None = None
+
+
 class JointKind(ABC):
-    """A kind of joint; stateless. ``bodies`` are those of the links, by name."""
+    """A kind of joint; stateless. ``bodies`` are those of the links, by name.
+
+    The last three methods are its proof: they know the model's dimensions and what a run reports, and ask none of the
+    kind's other methods.
+    """
 
     name: ClassVar[str]
     """As files have it."""
     letter: ClassVar[str]
     """As signatures of groups spell it: R, P."""
-    rows: ClassVar[int]
-    """The constraints that it states; two links keep 3 - rows relative freedoms."""
+    row_units: ClassVar[tuple[RowUnit, ...]]
+    """What each constraint that it states is a gap of; two links keep three freedoms less so many."""
     shared: ClassVar[bool] = False
     """Whether any number of links meet in one: of k links it counts k - 1 times."""
     parallel: ClassVar[bool] = False
@@ -148,6 +211,11 @@ class JointKind(ABC):
     """Whether the coordinate by which it places a link is an angle (else a length); ``None`` where it places none."""
     drive: ClassVar[str] = ""
     """The key of drives that act in it."""
+
+    @property
+    def rows(self) -> int:
+        """The constraints that it states."""
+        return len(self.row_units)
 
     @property
     def places(self) -> bool:
@@ -168,6 +236,18 @@ class JointKind(ABC):
     @abstractmethod
     def reference(self, geometry: JointGeometry, joint: str, link: str, bodies: Mapping[str, Body]) -> Pair:
         """The place (m) about which the moment of a link's reaction is stated."""
+
+    @abstractmethod
+    def misses(self, reports: JointReports, joint: str, links: Sequence[str]) -> list[Miss]:
+        """By what the links miss each other."""
+
+    @abstractmethod
+    def constraints(self, reports: JointReports, joint: str, links: Sequence[str]) -> list[list[Rate]]:
+        """The constraints on velocities, each a sum that vanishes."""
+
+    @abstractmethod
+    def applied(self, reports: JointReports, contact: Contact) -> tuple[str, Array, Array, Array | float]:
+        """What a reported reaction does: (link, force on it in N, place, moment)."""
 
 
 KINDS: Registry[JointKind] = Registry()

@@ -6,7 +6,20 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from linkwright.elements.joint import Inner, JointGeometry, JointKind, Twist, register
+import numpy as np
+
+from linkwright.elements.joint import (
+    Array,
+    Contact,
+    Inner,
+    JointGeometry,
+    JointKind,
+    JointReports,
+    Miss,
+    Rate,
+    Twist,
+    register,
+)
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.planar import turning_axis, unit_vector
 
@@ -96,7 +109,7 @@ class Revolute(JointKind):
 
     name = "revolute"
     letter = "R"
-    rows = 2
+    row_units = ("length", "length")
     shared = True
     angular = True
     drive = "turns"
@@ -111,3 +124,18 @@ class Revolute(JointKind):
 
     def reference(self, geometry: JointGeometry, joint: str, link: str, bodies: Mapping[str, Body]) -> Pair:
         return bodies[link].point(geometry.pin_point(joint, link)).now
+
+    def misses(self, reports: JointReports, joint: str, links: Sequence[str]) -> list[Miss]:
+        first, *others = (reports.at(link, reports.geometry.pin_point(joint, link)) for link in links)
+        return [Miss(other - first, length=True) for other in others]
+
+    def constraints(self, reports: JointReports, joint: str, links: Sequence[str]) -> list[list[Rate]]:
+        first, *others = links
+        place = reports.at(first, reports.geometry.pin_point(joint, first))
+        axes = [np.repeat([[x], [y]], place.shape[1], axis=1) for x, y in ((1.0, 0.0), (0.0, 1.0))]
+        return [[Rate(link, 1.0, place, axis), Rate(first, -1.0, place, axis)] for link in others for axis in axes]
+
+    def applied(self, reports: JointReports, contact: Contact) -> tuple[str, Array, Array, Array | float]:
+        # Reported is the force of the link on the pin; the pin answers with the opposite.
+        place = reports.at(contact.link, reports.geometry.pin_point(contact.joint, contact.link))
+        return contact.link, -reports.reaction(contact)[0], place, 0.0

@@ -5,7 +5,20 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from linkwright.elements.joint import Inner, JointGeometry, JointKind, Twist, register
+import numpy as np
+
+from linkwright.elements.joint import (
+    Array,
+    Contact,
+    Inner,
+    JointGeometry,
+    JointKind,
+    JointReports,
+    Miss,
+    Rate,
+    Twist,
+    register,
+)
 from linkwright.elements.pin import Slopes
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 
@@ -102,7 +115,7 @@ class Prismatic(JointKind):
 
     name = "prismatic"
     letter = "P"
-    rows = 2
+    row_units = ("angle", "length")
     parallel = True
     angular = False
     drive = "slides"
@@ -121,3 +134,19 @@ class Prismatic(JointKind):
         second = geometry.mechanism.joints[joint].links[1]
         point, _ = geometry.line(joint, second)
         return bodies[second].point(point).now
+
+    def misses(self, reports: JointReports, joint: str, links: Sequence[str]) -> list[Miss]:
+        (start, along), (end, other) = (reports.line(joint, link) for link in links)
+        between = end - start
+        return [Miss(between[0] * along[1] - between[1] * along[0], length=True), Miss(other - along, length=False)]
+
+    def constraints(self, reports: JointReports, joint: str, links: Sequence[str]) -> list[list[Rate]]:
+        a, b = links
+        place, along = reports.line(joint, b)[0], reports.line(joint, a)[1]
+        normal = np.array([-along[1], along[0]])
+        return [[Rate(b, 1.0, place, normal), Rate(a, -1.0, place, normal)], [Rate(b, 1.0), Rate(a, -1.0)]]
+
+    def applied(self, reports: JointReports, contact: Contact) -> tuple[str, Array, Array, Array | float]:
+        force, moment = reports.reaction(contact)
+        place, _ = reports.line(contact.joint, reports.geometry.mechanism.joints[contact.joint].links[1])
+        return contact.on, force, place, moment

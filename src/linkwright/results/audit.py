@@ -87,10 +87,6 @@ class Reports:
         turned = self.turned(link, local)
         return turned if link == FRAME else self.vector(link, (":x", ":y")) + turned
 
-    def pinned(self, link: str, pin: str) -> Array:
-        """A link's point on a pin."""
-        return self.at(link, self.geometry.point(link, self.topology.pins[pin].point(link)))
-
     def line(self, joint: str, link: str) -> tuple[Array, Array]:
         """Point and direction of a prismatic joint's line on one of its links."""
         point, heading = self.geometry.line(joint, link)
@@ -218,16 +214,12 @@ class Reports:
     def reactions(self) -> list[Applied]:
         """What joints do to links, from the reported reactions; the moments of slides in loops of slides are unknown
         and left out."""
-        found: list[Applied] = []
-        for c in self.contacts:
-            force = np.array([self.rows[self.force_name(c, axis)] for axis in "xy"])
-            if c.sliding:
-                place, _ = self.line(c.joint, self.mechanism.joints[c.joint].links[1])
-                found.append((c.on, force, place, self.rows.get(self.force_name(c, "moment"), 0.0)))
-            else:
-                # Reported is the force of the link on the pin; the pin answers with the opposite.
-                found.append((c.link, -force, self.pinned(c.link, c.joint), 0.0))
-        return found
+        return [self.topology.kind_of(c.joint).applied(self, c) for c in self.contacts]
+
+    def reaction(self, contact: Any) -> tuple[Array, Array | float]:
+        """The reported force of a contact's link on the other side, and its moment; 0 where none is reported."""
+        force = np.array([self.rows[self.force_name(contact, axis)] for axis in "xy"])
+        return force, self.rows.get(self.force_name(contact, "moment"), 0.0)
 
     def efforts(self) -> list[Applied]:
         """What drives and cams do to both their links."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.elements.joint import Rate
 from linkwright.kernels.choice import Choice, choose
 from linkwright.results.audit import Reports
 from linkwright.results.quadrature import panel_points
@@ -121,12 +122,8 @@ def _branch(rule: str, times: tuple[float, ...]) -> str:
 def closure(r: Reports) -> float:
     """The worst miss of a joint, a slide's direction or a unit vector, over the mechanism's size or 1."""
     misses, size = [0.0], r.size()
-    for pin in r.topology.pins.values():
-        here = r.pinned(pin.links[0], pin.name)
-        misses += [_worst(r.pinned(link, pin.name) - here) / size for link in pin.links[1:]]
-    for name, joint in r.mechanism.prismatic_joints():
-        (start, along), (end, other) = (r.line(name, link) for link in joint.links)
-        misses += [_worst(_cross(end - start, along)) / size, _worst(other - along)]
+    for name, (kind, links) in r.topology.joints.items():
+        misses += [_worst(miss.value) / (size if miss.length else 1.0) for miss in kind.misses(r, name, links)]
     misses += [_worst(np.hypot(*r.turned(link, (1.0, 0.0))) - 1.0) for link in r.topology.moving]
     return float(np.max(misses))
 
@@ -217,37 +214,28 @@ SETTLED, MAX_PANELS = 1e-14, 1 << 14
 def rank(r: Reports) -> int:
     """The rank of the joints' constraint Jacobian, at that of five poses where it is largest."""
     poses = np.unique(np.linspace(0, r.count - 1, 5).astype(int))
-    matrices = [matrix for pose in poses if np.isfinite(matrix := jacobian(r, pose)).all()]
+    joints = r.topology.joints.items()
+    rows = [row for name, (kind, links) in joints for row in kind.constraints(r, name, links)]
+    matrices = [matrix for pose in poses if np.isfinite(matrix := jacobian(r, rows, pose)).all()]
     return max((int(np.linalg.matrix_rank(matrix, tol=1e-9)) for matrix in matrices), default=0)
 
 
-def jacobian(r: Reports, pose: int) -> Array:
+def jacobian(r: Reports, constraints: list[list[Rate]], pose: int) -> Array:
     """Constraint velocities over (vx, vy, omega size) of each moving link's origin: (constraints, 3 links)."""
     index = {link: 3 * i for i, link in enumerate(r.topology.moving)}
-    size, rows = r.size(), [np.zeros((1, 3 * len(index)))]
-
-    def velocity(link: str, place: Array) -> Array:
-        row = np.zeros((2, 3 * len(index)))
-        if link != FRAME:
-            arm = (place - r.at(link, (0.0, 0.0))[:, pose]) / size
-            row[:, index[link] : index[link] + 3] = [[1, 0, -arm[1]], [0, 1, arm[0]]]
-        return row
-
-    def turning(link: str) -> Array:
-        row = np.zeros((1, 3 * len(index)))
-        if link != FRAME:
-            row[0, index[link] + 2] = 1.0
-        return row
-
-    for pin in r.topology.pins.values():
-        place = r.pinned(pin.links[0], pin.name)[:, pose]
-        rows += [velocity(link, place) - velocity(pin.links[0], place) for link in pin.links[1:]]
-    for name, joint in r.mechanism.prismatic_joints():
-        a, b = joint.links
-        place, along = r.line(name, b)[0][:, pose], r.line(name, a)[1][:, pose]
-        normal = np.array([[-along[1], along[0]]])
-        rows += [normal @ (velocity(b, place) - velocity(a, place)), turning(b) - turning(a)]
-    return np.concatenate(rows)
+    size, rows = r.size(), np.zeros((len(constraints) + 1, 3 * len(index)))
+    for row, rates in zip(rows, constraints, strict=False):
+        for rate in rates:
+            if rate.link == FRAME:
+                continue
+            own = row[index[rate.link] : index[rate.link] + 3]
+            if rate.place is None or rate.direction is None:
+                own[2] += rate.factor
+                continue
+            x, y = rate.factor * rate.direction[:, pose]
+            arm = (rate.place - r.at(rate.link, (0.0, 0.0)))[:, pose] / size
+            own += [x, y, y * arm[0] - x * arm[1]]
+    return rows
 
 
 def nearest(run: Run) -> Nearest | None:

@@ -74,9 +74,16 @@ class Topology:
         joints = self.mechanism.joints_but_pins()
         return tuple(Connection(name, kind(j.kind), j.links[0], j.links[1], tuple(j.links[2:])) for name, j in joints)
 
+    @cached_property
+    def joints(self) -> dict[str, tuple[JointKind, tuple[str, ...]]]:
+        """All joints by name, each with its kind and its links; the pins first."""
+        return {name: (PIN, pin.links) for name, pin in self.pins.items()} | {
+            c.joint: (c.kind, c.links) for c in self.but_pins
+        }
+
     def kind_of(self, joint: str) -> JointKind:
         """The kind of a joint by name."""
-        return PIN if joint in self.pins else kind(self.mechanism.joints[joint].kind)
+        return self.joints[joint][0]
 
     @cached_property
     def _at(self) -> dict[str, list[Connection]]:
