@@ -22,9 +22,8 @@ from linkwright.kernels import Compiled, examine
 from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.varied import Varied
 from linkwright.kernels.versions import versions
-from linkwright.model.document import plain
+from linkwright.model.document import Document, plain
 from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, parse
-from linkwright.model.mechanism import Document
 from linkwright.model.places import Place
 from linkwright.model.temporary import temporary_folder
 from linkwright.notation.angles import whole_turns

@@ -8,7 +8,7 @@ from dataclasses import replace
 from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.kernels import Compiled, examine
 from linkwright.kernels.varied import Varied
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.results import Run
 from linkwright.studies.accuracy.clearance import PATH as CLEARANCES
 from linkwright.studies.accuracy.clearance_figures import state_plays
