@@ -34,6 +34,7 @@ from linkwright.studies.cycle import span
 from linkwright.studies.figures import Figures
 from linkwright.studies.histograms import fine
 from linkwright.studies.registry import read_studies
+from linkwright.studies.sampled_study import sampled_study
 
 Array = NDArray[np.float64]
 
@@ -92,7 +93,7 @@ class SampleWork:
         tasks, findings = read_studies(studies)
         raise_errors(findings)
         options = next(task.options for task in tasks if task.study.name == self.study)
-        return SampleTask(options.made(compiled), options, self.kernel, self.reach)
+        return SampleTask(sampled_study(options).sampled_mechanism(compiled), options, self.kernel, self.reach)
 
 
 class SampleTask:
@@ -108,7 +109,7 @@ class SampleTask:
         self, compiled: Compiled, options: Sampling, kernel: str, reach: Sequence[tuple[float, float]] = ()
     ) -> None:
         self.compiled, self.options, self.kernel, self.reach = compiled, options, kernel, reach
-        self.plan = options.drawn(compiled)
+        self.plan = sampled_study(options).draws(compiled, options)
         self.varied = Varied(compiled, self.plan.names)
         stop = span(compiled, options.cycle)[0]
         self.run = Run(compiled, 0.0, stop, options.steps)
