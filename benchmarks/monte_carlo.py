@@ -25,12 +25,12 @@ from linkwright.kernels import KERNELS
 from linkwright.model.document import plain
 from linkwright.results import Run
 from linkwright.studies import Site
-from linkwright.studies.accuracy.deviations import Deviations
 from linkwright.studies.accuracy.figures import curves
 from linkwright.studies.accuracy.monte_carlo import Random, monte_carlo
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.slopes import Slopes
 from linkwright.studies.accuracy.stated import contributors
+from linkwright.studies.accuracy.study import AccuracyStudy
 
 Array = NDArray[np.float64]
 EXAMPLE = Path(__file__).resolve().parent.parent / "examples" / "four_bar_sweep.yaml"
@@ -67,7 +67,7 @@ class Case:
 
     def loop(self, samples: int) -> tuple[float, Mapping[str, Array]]:
         """Seconds of a loop over the first samples, and its standard deviations at each position."""
-        drawn: Deviations = self.options.drawn(self.compiled)
+        drawn = AccuracyStudy().draws(self.compiled, self.options)
         lengths = drawn.values(0)[:, :samples].T
         q = np.radians(40) + 4 * np.pi * self.run.t
         sums, squares, first = np.zeros((2, q.size)), np.zeros((2, q.size)), closed_form(*lengths[0], q)

@@ -32,7 +32,7 @@ from patience import limited, spread
 from sketches import PERIOD, Sketch, sketch
 
 from linkwright.app.job import examine_document, perform
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 
 PATIENCE = 120
 """Seconds of processor time for one mechanism."""

@@ -11,7 +11,7 @@ import random
 from dataclasses import dataclass
 from typing import Any
 
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.structure import Driven, decompose
 
 FRAME = "frame"

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from linkwright.kernels import Compiled
     from linkwright.kernels import compile_mechanism as compile
     from linkwright.model.builder import Builder
-    from linkwright.model.document import dump, load, save
-    from linkwright.model.mechanism import Document, Mechanism
+    from linkwright.model.document import Document, dump, load, save
+    from linkwright.model.mechanism import Mechanism
     from linkwright.results import Certificate, Result, Run
 
 
@@ -29,7 +29,7 @@ _PLACES = {
     "Builder": ("linkwright.model.builder", "Builder"),
     "Certificate": ("linkwright.results", "Certificate"),
     "Compiled": ("linkwright.kernels", "Compiled"),
-    "Document": ("linkwright.model.mechanism", "Document"),
+    "Document": ("linkwright.model.document", "Document"),
     "Finding": ("linkwright.findings", "Finding"),
     "Job": ("linkwright.app", "Job"),
     "Mechanism": ("linkwright.model.mechanism", "Mechanism"),

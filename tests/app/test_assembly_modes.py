@@ -14,8 +14,7 @@ from graph.test_redundant import parallelogram
 from helpers.examples import four_bar
 from linkwright.app import modes_of_file
 from linkwright.cli import cli
-from linkwright.model.document import save
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document, save
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 BAR = """linkwright: 1

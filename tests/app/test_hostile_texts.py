@@ -23,8 +23,7 @@ from app.models import SOUND
 from linkwright.app import Writing, examine_export, examine_file, export_batch, export_into
 from linkwright.app.job import carry_out
 from linkwright.exports import TARGETS
-from linkwright.model.document import dump, parse_document, read_document, save
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document, dump, parse_document, read_document, save
 from linkwright.model.yaml_text import read_text
 from linkwright.model.yaml_write import write_text
 from linkwright.studies import STUDIES, Site

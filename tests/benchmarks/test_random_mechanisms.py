@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from sketches import GROUPS, PERIOD, Sketch, sketch
 
 from linkwright.kernels import Compiled, compile_mechanism
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 
 Array = NDArray[np.float64]
 T = np.linspace(0.0, PERIOD, 49)

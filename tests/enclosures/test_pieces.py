@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 from linkwright.enclosures.bounds import evaluated
-from linkwright.enclosures.functions import FUNCTIONS
 from linkwright.enclosures.panels import Panels
-from linkwright.enclosures.taylor import TaylorModel
+from linkwright.enclosures.taylor import FUNCTIONS, TaylorModel, along
 from linkwright.laws import LAWS, Dwell, Rise, TableLaw, motion
 from linkwright.laws.curve import composed
 from linkwright.laws.pieces import Formula
@@ -70,8 +69,6 @@ def test_formulas() -> None:
     on = panels(0.3, 1.2, 7)
     with np.errstate(all="ignore"):
         found = law.curve.parts[0]
-        from linkwright.enclosures.pieces import along
-
         model = along(law, TaylorModel.time(on), 1)
     assert holds(model, lambda t: found.at(t, 1), on, 5.0) == 1.0
 

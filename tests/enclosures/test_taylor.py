@@ -11,9 +11,8 @@ from mpmath import mpf
 
 from helpers.exact import BINARY, CONDITIONS, EXACT, arity
 from linkwright.enclosures import taylor
-from linkwright.enclosures.functions import FUNCTIONS
 from linkwright.enclosures.panels import Panels
-from linkwright.enclosures.taylor import TaylorModel, lift
+from linkwright.enclosures.taylor import FUNCTIONS, TaylorModel, lift
 
 ON = Panels(np.array([0.0]), np.array([2.0]))
 places = st.floats(-1, 1)

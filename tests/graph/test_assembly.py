@@ -13,7 +13,7 @@ from helpers.compiled import compiled_from
 from helpers.examples import UNITS, four_bar, slider_crank
 from linkwright.findings import Finding
 from linkwright.kernels import examine
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 
 
 def at_start(data: dict[str, Any], *names: str) -> list[float]:

@@ -13,7 +13,7 @@ from helpers.cams import FOLLOWERS, GUIDES, SIGNS, moment, newton_euler, pair, p
 from helpers.compiled import compiled_from
 from helpers.differences import derivative
 from linkwright.cam.pairs import disc, frame
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.results import Run, certify
 
 TURN = 2 * np.pi / 7

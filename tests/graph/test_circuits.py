@@ -16,7 +16,7 @@ from graph.test_clusters import CASES
 from helpers.examples import UNITS, four_bar, slider_crank
 from linkwright.graph.constraints import Constraints, Ride
 from linkwright.graph.geometry import Geometry
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.model.quantities import Quantities
 from linkwright.structure import decompose
 from linkwright.studies import ModesOutcome

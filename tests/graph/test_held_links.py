@@ -11,7 +11,7 @@ from helpers.compiled import compiled_of
 from helpers.expected import expected_forces, expected_motion, regular_states, worst
 from helpers.plain import FRAME, Plain, document_of
 from helpers.random_mechanisms import DURATION, DYADS, Seeded, Sketch, sketched
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.results.certificate import certify
 from linkwright.results.run import Run
 from linkwright.structure import decompose

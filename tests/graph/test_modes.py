@@ -18,8 +18,7 @@ from helpers.plain import Plain, document_of
 from helpers.random_mechanisms import Drawn, build, driven_elsewhere, mechanisms, sketched
 from linkwright import gallery
 from linkwright.graph.modes import MOST
-from linkwright.model.document import read_document
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document, read_document
 from linkwright.model.yaml_text import read_text
 from linkwright.structure import Driven, decompose
 from linkwright.studies import ModesOutcome

@@ -12,7 +12,7 @@ import linkwright as lw
 from helpers.compiled import compiled_from
 from linkwright.findings import Finding
 from linkwright.kernels import examine
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 
 UNITS = {"length": "mm", "angle": "deg", "time": "s"}
 

@@ -22,7 +22,7 @@ from linkwright.graph.geometry import Geometry
 from linkwright.graph.seconds import rest
 from linkwright.kernels.tangents import Tangents
 from linkwright.kernels.varied import Varied
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.results import Run, certify
 
 TURN = 2 * np.pi / 7

@@ -16,7 +16,7 @@ from linkwright.graph.legs import triad
 from linkwright.graph.modes import Explorer
 from linkwright.graph.motion import Motion
 from linkwright.graph.triads import System, trigonometric_roots
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Body
 from linkwright.structure import decompose

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from helpers.plain import Plain, document_of
 from linkwright.kernels import Compiled, compile_mechanism
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 
 Array = NDArray[np.float64]
 

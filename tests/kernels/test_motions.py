@@ -12,7 +12,7 @@ from helpers.differences import derivatives
 from laws.texts import value
 from linkwright.kernels import Compiled, examine
 from linkwright.kernels.tangents import Tangents
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.notation import Jet
 from linkwright.notation.duals import Dual
 from linkwright.report.facts import facts

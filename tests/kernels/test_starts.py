@@ -10,7 +10,7 @@ import pytest
 from helpers.compiled import compiled_from
 from linkwright.findings import Finding
 from linkwright.kernels import examine
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from model.test_sketch import T, sketched
 
 DRAWN = float(np.degrees(np.arctan2(35, 20)))

@@ -12,8 +12,7 @@ from helpers.differences import OFFSETS, WEIGHTS
 from linkwright.kernels import Compiled, examine
 from linkwright.kernels.tangents import Tangents
 from linkwright.kernels.varied import Varied
-from linkwright.model.document import load, plain
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document, load, plain
 
 Array = NDArray[np.float64]
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -20,8 +20,7 @@ from linkwright.kernels.passages import Passage, Passages
 from linkwright.kernels.paths import Paths
 from linkwright.kernels.pursuit import Pursued, Pursuit
 from linkwright.kernels.varied import Varied
-from linkwright.model.document import load, parse_document, plain, replaced
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document, load, parse_document, plain, replaced
 
 Array = NDArray[np.float64]
 EXAMPLES = Path(__file__).parents[2] / "examples"

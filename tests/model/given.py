@@ -8,8 +8,7 @@ from typing import Any
 
 from linkwright.findings import Finding
 from linkwright.kernels import examine
-from linkwright.model.document import located, read_document
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document, located, read_document
 from linkwright.model.quantities import Quantities
 
 DATA = Path(__file__).parent / "data"

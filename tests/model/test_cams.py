@@ -14,8 +14,7 @@ from linkwright.findings import Finding, ModelError
 from linkwright.kernels import examine
 from linkwright.model.builder import Builder
 from linkwright.model.cams import Following
-from linkwright.model.document import dump, parse_document, read_document
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document, dump, parse_document, read_document
 from linkwright.model.spelled import spell_out
 from linkwright.report.facts import facts
 from linkwright.studies.registry import read_studies

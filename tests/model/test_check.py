@@ -9,7 +9,7 @@ import pytest
 from linkwright.findings import Finding
 from linkwright.kernels import examine
 from linkwright.model.check import check_names
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.model.pins import pins
 from linkwright.model.signals import Signals
 from model.given import DATA, changed, findings, four_bar

@@ -11,8 +11,7 @@ import linkwright as lw
 from helpers.compiled import compiled_from
 from linkwright.kernels import examine
 from linkwright.model.builder import Builder
-from linkwright.model.document import dump, load, save
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document, dump, load, save
 from linkwright.model.spelled import spell_out
 from linkwright.report.facts import facts
 from linkwright.results import Run, certify

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from linkwright.findings import Finding
 from linkwright.model import units as u
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.model.quantities import Quantities
 from model.given import DATA, four_bar, quantities
 

@@ -8,8 +8,8 @@ import pytest
 from pydantic import ValidationError
 
 from linkwright.findings import Finding, ModelError
-from linkwright.model.document import parse_document
-from linkwright.model.mechanism import Document, Link
+from linkwright.model.document import Document, parse_document
+from linkwright.model.mechanism import Link
 from model.given import FEEDER, changed, findings, four_bar
 
 

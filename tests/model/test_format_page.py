@@ -11,8 +11,8 @@ import pytest
 
 from linkwright.kernels import examine
 from linkwright.model import actions, cams, elements, motions, parts, signals
+from linkwright.model.document import Document
 from linkwright.model.expressions import FUNCTIONS
-from linkwright.model.mechanism import Document
 from linkwright.model.units import unit_words
 from linkwright.model.yaml_text import read_text
 from model.given import four_bar

@@ -11,8 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from linkwright.kernels import examine
-from linkwright.model.document import located, read_document
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document, located, read_document
 from model.given import DATA
 
 FILES = [path.read_text(encoding="utf-8") for path in sorted(DATA.glob("*.yaml"))]

@@ -13,8 +13,7 @@ from helpers.compiled import compiled_from
 from helpers.examples import feeder, four_bar
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import examine
-from linkwright.model.document import dump, parse_document
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document, dump, parse_document
 
 G = 9.80665
 MM = {"length": "mm", "angle": "deg", "mass": "kg", "time": "s", "force": "N"}

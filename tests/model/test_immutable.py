@@ -11,9 +11,8 @@ import pytest
 from pydantic import ValidationError
 
 from linkwright.findings import Finding, ModelError, Term, raise_errors
-from linkwright.model.document import load
+from linkwright.model.document import Document, load
 from linkwright.model.fields import AssemblyRule, Expression, Position
-from linkwright.model.mechanism import Document
 from linkwright.model.written import FrozenDict
 from model.given import DATA, four_bar
 

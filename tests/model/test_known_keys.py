@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from linkwright.exports import TARGETS
+from linkwright.model.document import Document
 from linkwright.model.known_keys import keys_at
-from linkwright.model.mechanism import Document
 from linkwright.studies import STUDIES
 
 

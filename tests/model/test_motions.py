@@ -11,8 +11,7 @@ import pytest
 from linkwright import Builder
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled, examine
-from linkwright.model.document import dump, read_document
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document, dump, read_document
 from linkwright.model.schema import json_schema
 from model.given import codes, four_bar
 

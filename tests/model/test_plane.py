@@ -11,8 +11,7 @@ from helpers.compiled import compiled_from
 from linkwright.app.job import check
 from linkwright.kernels import examine
 from linkwright.model.builder import Builder
-from linkwright.model.document import dump, load, save
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document, dump, load, save
 from linkwright.model.plane import in_plane
 from linkwright.report.facts import facts
 

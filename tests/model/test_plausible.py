@@ -9,7 +9,7 @@ import pytest
 from helpers.examples import four_bar
 from linkwright.findings import Finding
 from linkwright.kernels import examine
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 
 DEG = {"length": "mm", "angle": "deg", "mass": "kg", "time": "s", "force": "N"}
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.model.schema import json_schema
 from linkwright.model.yaml_text import read_text
 from model.given import DATA, four_bar

@@ -11,8 +11,7 @@ import pytest
 from helpers.compiled import compiled_from
 from linkwright.findings import ModelError
 from linkwright.kernels import examine
-from linkwright.model.document import dump, load, save
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document, dump, load, save
 from linkwright.model.spelled import spell_out
 
 UNITS = {"length": "mm", "angle": "deg", "mass": "kg", "time": "s", "force": "N"}

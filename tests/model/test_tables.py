@@ -13,7 +13,7 @@ import linkwright as lw
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled, examine
 from linkwright.model.dimensions import argument, value
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.model.units import ANGLE, PRESSURE, TIME
 from model.given import DATA, four_bar, quantities
 

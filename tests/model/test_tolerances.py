@@ -7,8 +7,7 @@ from typing import Any
 
 import pytest
 
-from linkwright.model.document import dump, read_document
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document, dump, read_document
 from linkwright.model.tolerances import ClassName, stated
 from model.given import findings, four_bar
 from model.test_schema import errors

@@ -13,7 +13,7 @@ from helpers.examples import UNITS, feeder, four_bar, slider_crank
 from helpers.plain import Plain, document_of
 from helpers.random_mechanisms import DYADS, RECIPES, Seeded, Sketch, mechanisms
 from linkwright.groups import REGISTRY
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.structure import Driven, Group, Structure, decompose
 
 

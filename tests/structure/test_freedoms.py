@@ -10,7 +10,7 @@ import pytest
 from large_models import CLASSES, FAULTS
 
 from linkwright.kernels import examine
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.structure import Cluster, Topology, decompose
 from linkwright.structure.freedoms import Freedoms
 from linkwright.structure.orientation import Orientation

@@ -10,7 +10,7 @@ import pytest
 from helpers.examples import UNITS, four_bar, slider_crank
 from linkwright.findings import Finding
 from linkwright.kernels import examine
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.structure import Group, decompose
 
 

@@ -16,7 +16,7 @@ import linkwright as lw
 from graph.test_clusters import triad
 from linkwright.app import write
 from linkwright.app.job import summary_text
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from studies.models import CRANK, codes, cycle_of, four_bar, job_of, slider_crank, speakable
 
 

@@ -12,7 +12,7 @@ from hypothesis import assume, given, settings
 from helpers.compiled import compiled_of
 from helpers.plain import Plain, document_of
 from helpers.random_mechanisms import Seeded, build, driven_elsewhere, mechanisms, sketched
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.structure import decompose
 from linkwright.studies.limits import Limits, LimitsOptions, Stretch
 from linkwright.studies.ranges import Range

@@ -21,8 +21,8 @@ from kernels.test_varied import class_four, platform
 from linkwright.kernels import Compiled, compile_mechanism
 from linkwright.kernels.varied import Varied
 from linkwright.measures import MeasureResult, bound, measure_all
-from linkwright.model.document import load, replaced
-from linkwright.model.mechanism import REDUCTIONS, Document
+from linkwright.model.document import Document, load, replaced
+from linkwright.model.mechanism import REDUCTIONS
 from linkwright.model.units import si_text
 from linkwright.results import Run
 from linkwright.studies.cycle import CycleOptions, span

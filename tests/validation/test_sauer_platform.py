@@ -19,7 +19,7 @@ import numpy as np
 import pytest
 
 import linkwright as lw
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 
 ROOT5, ROOT2 = math.sqrt(5.0), math.sqrt(2.0)
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -12,8 +12,7 @@ from linkwright.app.job import Examined, Writing, carry_out, examine_document, r
 from linkwright.blocks import RUNNERS, Runner
 from linkwright.exports import TARGETS
 from linkwright.findings import Finding, Term, raise_errors
-from linkwright.model.document import parse_document, plain
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document, parse_document, plain
 from linkwright.studies import STUDIES, Site
 
 

@@ -9,7 +9,7 @@ from typing import Any
 from linkwright.app.job import Examined, read_file
 from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.kernels import examine, prepare
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.report.modes import told
 from linkwright.structure import decompose
 from linkwright.studies import ModesOptions, ModesOutcome, find_modes, read_studies

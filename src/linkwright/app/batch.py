@@ -22,9 +22,8 @@ from linkwright.findings import Finding, ModelError, capped
 from linkwright.kernels import examine
 from linkwright.model import csv_text
 from linkwright.model.csv_file import CsvFile, finite, read_csv
-from linkwright.model.document import read_document, replaced
+from linkwright.model.document import Document, read_document, replaced
 from linkwright.model.input_files import read_at_most
-from linkwright.model.mechanism import Document
 from linkwright.model.origin import Origin, hashed
 from linkwright.model.plane import in_plane
 from linkwright.model.sampled import names_in

@@ -8,7 +8,7 @@ from typing import Any
 
 from linkwright.app.alone import examine_alone, perform_alone
 from linkwright.app.job import Examined, read_file
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.studies.cam.outcome import CamOutcome
 
 

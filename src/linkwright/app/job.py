@@ -16,9 +16,8 @@ from linkwright.escape import json_text, line
 from linkwright.exports import Order, read_exports
 from linkwright.findings import Finding, ModelError, Term, raise_errors
 from linkwright.kernels import Compiled
-from linkwright.model.document import dump, located, read_document
+from linkwright.model.document import Document, dump, located, read_document
 from linkwright.model.input_files import read_at_most, reason
-from linkwright.model.mechanism import Document
 from linkwright.model.origin import Origin, hashed, table_hashes
 from linkwright.model.spelled import home
 from linkwright.model.unknown import likeliest, proposed

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from linkwright.app.alone import perform_alone
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from linkwright.enclosures.bounds import UP
 from linkwright.enclosures.panels import PRECISE
 from linkwright.enclosures.taylor import (
+    FUNCTIONS,
     ONE,
     TINY,
     UNITS,
@@ -30,9 +31,6 @@ Array = NDArray[np.float64]
 def ulps(x: TaylorModel) -> float:
     """The relative error of NumPy's elementary functions, whose vector forms state 4 units in the last place: 8."""
     return 16 * UNITS[x.c.dtype.char]
-
-
-FUNCTIONS: dict[str, Function] = {}
 
 
 def register(*names: str) -> Callable[[Function], Function]:

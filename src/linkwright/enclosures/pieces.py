@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.enclosures.functions import wave
-from linkwright.enclosures.taylor import TaylorModel, lift
+from linkwright.enclosures.taylor import TaylorModel, along, lift
 from linkwright.laws import Motion, TableLaw
 from linkwright.laws.pieces import Formula, Piece
 from linkwright.notation import Jet
@@ -93,10 +93,16 @@ def _some(x: TaylorModel, which: NDArray[np.intp]) -> TaylorModel:
     return TaylorModel(np.broadcast_to(x.c, (len(x.c), wide))[:, which], np.broadcast_to(x.r, wide)[which], on)
 
 
-def along(function: Motion | TableLaw, x: TaylorModel, order: int, integral: bool = False) -> TaylorModel:
-    """A derivative of a motion law or a table, or a table's integral, at the values of a model."""
-    pieces = of_motion(function) if isinstance(function, Motion) else of_table(function, integral)
-    return pieces.at(x, order)
+@along.register
+def _(function: Motion, x: TaylorModel, order: int, integral: bool = False) -> TaylorModel:
+    """A derivative of a motion law at the values of a model."""
+    return of_motion(function).at(x, order)
+
+
+@along.register
+def _(function: TableLaw, x: TaylorModel, order: int, integral: bool = False) -> TaylorModel:
+    """A derivative of a table, or its integral, at the values of a model."""
+    return of_table(function, integral).at(x, order)
 
 
 def of_motion(motion: Motion) -> Pieces:

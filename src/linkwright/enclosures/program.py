@@ -11,11 +11,11 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.enclosures import functions, intervals
+from linkwright.enclosures import intervals
 from linkwright.enclosures.forms import FEW, UNIT, Form
 from linkwright.enclosures.functions import turned
 from linkwright.enclosures.intervals import Intervals
-from linkwright.enclosures.taylor import TaylorModel
+from linkwright.enclosures.taylor import FUNCTIONS, TaylorModel
 from linkwright.graph.program import ExpressionStage
 
 Array = NDArray[np.float64]
@@ -48,8 +48,8 @@ def taylor(strict: bool = False, dtype: Any = np.float64) -> Kind:
     """Taylor models. Angles of vectors run on past pi, from their values in the middle; ``strict`` ones jump there.
     ``dtype`` is what constants are computed with."""
     own = {ca.OP_INV: lambda a: a.inverse(), ca.OP_SQ: lambda a: a * a}
-    angle = functions.FUNCTIONS["arctan2"] if strict else turned
-    named = {op: functions.FUNCTIONS[name] for op, name in NAMES.items()}
+    angle = FUNCTIONS["arctan2"] if strict else turned
+    named = {op: FUNCTIONS[name] for op, name in NAMES.items()}
     return Kind({**ARITHMETIC, **named, **own, ca.OP_ATAN2: angle}, lambda v: TaylorModel.number(v, dtype=dtype))
 
 

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from functools import singledispatch
 from typing import Any
 
 import numpy as np
@@ -209,8 +210,6 @@ class TaylorModel:
     @staticmethod
     def elementary(name: str, *args: Any) -> TaylorModel:
         """An elementary function by its NumPy name."""
-        from linkwright.enclosures.functions import FUNCTIONS
-
         found: TaylorModel = FUNCTIONS[name](*args)
         return found
 
@@ -220,8 +219,6 @@ class TaylorModel:
 
     def along(self, function: Any, order: int = 0, integral: bool = False) -> TaylorModel:
         """A derivative of a motion law or table at its values; see :mod:`linkwright.enclosures.pieces`."""
-        from linkwright.enclosures.pieces import along
-
         return along(function, self, order, integral)
 
     # Signs.
@@ -309,4 +306,15 @@ def root_series(a: Array, order: int) -> Array:
     return s
 
 
-Function = Callable[..., "TaylorModel"]
+Function = Callable[..., TaylorModel]
+FUNCTIONS: dict[str, Function] = {}
+"""Elementary functions by their NumPy names, as :mod:`linkwright.enclosures.functions` registers them."""
+
+
+@singledispatch
+def along(function: Any, x: TaylorModel, order: int, integral: bool = False) -> TaylorModel:
+    """A derivative of a function in pieces, or its integral, at the values of a model.
+
+    :mod:`linkwright.enclosures.pieces` registers how, by the function's class.
+    """
+    raise TypeError(f"no enclosure of a {type(function).__name__}")

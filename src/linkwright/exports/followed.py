@@ -6,8 +6,8 @@ from linkwright.exports.numbers import positive
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
+from linkwright.model.document import Document
 from linkwright.model.fields import Expression
-from linkwright.model.mechanism import Document
 from linkwright.results import Run
 from linkwright.studies.cycle import CycleOptions, span
 from linkwright.studies.feasible import unassembled

@@ -6,8 +6,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any, Self
 
 from linkwright.findings import Finding, ModelError
-from linkwright.model.document import parse_document
-from linkwright.model.mechanism import VERSION, Document
+from linkwright.model.document import VERSION, Document, parse_document
 
 Point = Any
 """``[x, y]`` or ``"r at angle"``; numbers, or expressions as text."""

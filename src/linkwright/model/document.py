@@ -1,4 +1,4 @@
-"""Model files to documents and back."""
+"""Documents: a mechanism with what is asked of it, as one model file; from files and back."""
 
 from __future__ import annotations
 
@@ -6,21 +6,66 @@ import json
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any, Literal
 
-from pydantic import ValidationError
+from pydantic import AfterValidator, BeforeValidator, Field, ValidationError
 
 from linkwright.findings import Finding, ModelError, Term, capped
 from linkwright.model.faults import findings_of
+from linkwright.model.fields import FrozenDict, Name, Text, fault, frozen
 from linkwright.model.input_files import read_at_most
-from linkwright.model.mechanism import VERSION, Document
+from linkwright.model.mechanism import MAX_ENTRIES, Mechanism, at_most
 from linkwright.model.output_files import write_aside
+from linkwright.model.parts import freeze
 from linkwright.model.plane import in_plane
 from linkwright.model.respelled_lines import read_respelled
 from linkwright.model.sketch import with_sketch
 from linkwright.model.unknown import near
+from linkwright.model.written import describe, unexpected
 from linkwright.model.yaml_text import MAX_BYTES, MAX_FINDINGS, Source, read_text
 from linkwright.model.yaml_write import write_text
+
+VERSION = 1
+"""The version of the file format."""
+_bound = at_most(MAX_ENTRIES)
+
+
+def _options(raw: Any) -> Any:
+    if not isinstance(raw, Mapping):
+        raise unexpected("mapping", raw)
+    return frozen(raw)
+
+
+def _version(raw: Any) -> Any:
+    if isinstance(raw, bool) or not isinstance(raw, int) or raw != VERSION:
+        raise fault("file.version", given=describe(raw), known=VERSION)
+    return raw
+
+
+Options = Annotated[dict[str, Any], BeforeValidator(_options), AfterValidator(FrozenDict)]
+
+
+class Document(Mechanism):
+    """A model file: a mechanism and the raw options of its studies and exports."""
+
+    linkwright: Annotated[Literal[1], BeforeValidator(_version)] = Field(
+        1, description="the version of the file format"
+    )
+    studies: Annotated[dict[Name, Options], _bound, freeze] = Field(
+        default_factory=FrozenDict, description="what is computed, with each study's options"
+    )
+    exports: Annotated[dict[Text, Options], _bound, freeze] = Field(
+        default_factory=FrozenDict, description="what is written for other tools, with each target's options"
+    )
+
+    def replace(self, **parameters: float | str) -> Document:
+        """The same document with other values of some parameters, numbers or expressions as in a file.
+
+        The lengths derived from a sketch are parameters too.
+
+        Raises :class:`ModelError` for a name that is no parameter or a value that can't be read.
+        """
+        return replaced(self, parameters)
 
 
 def read_document(raw: bytes) -> tuple[Document | None, Source]:
@@ -50,7 +95,7 @@ def parse_document(data: dict[str, Any], source: Source | None = None) -> Docume
     try:
         return Document.model_validate(data)
     except ValidationError as error:
-        found = findings_of(error.errors(include_url=False), source or Source(data))
+        found = findings_of(error.errors(include_url=False), source or Source(data), Document)
         if source is None:
             raise ModelError(capped(found, MAX_FINDINGS)) from None
         source.findings += found

@@ -11,7 +11,6 @@ from typing import Any
 from linkwright.findings import Finding, Term
 from linkwright.model.absent import SAYS_KIND, absent
 from linkwright.model.known_keys import keys_at
-from linkwright.model.mechanism import Document
 from linkwright.model.unknown import likeliest, near
 from linkwright.model.written import describe
 from linkwright.model.yaml_text import MAX_FINDINGS, Path, Source
@@ -25,12 +24,12 @@ MOST = 10 * MAX_FINDINGS
 """More faults than these aren't looked at: each is compared with all that it may mean."""
 
 
-def findings_of(faults: Iterable[Any], source: Source) -> list[Finding]:
-    """Pydantic's errors as findings with lines, of very many the first ones; what the reader of the text has named
-    already is left out."""
+def findings_of(faults: Iterable[Any], source: Source, owner: Any) -> list[Finding]:
+    """Pydantic's errors on data of the type ``owner`` as findings with lines, of very many the first ones; what the
+    reader of the text has named already is left out."""
     found: dict[tuple[Any, ...], Finding] = {}
     for fault in islice(faults, MOST):
-        finding = _finding(fault, source.data)
+        finding = _finding(fault, source.data, owner)
         if not any(_nested(finding.path, bad) for bad in source.spoilt):
             line = source.line(finding.path)
             found.setdefault((finding.path, finding.code, str(finding.data)), finding.located(line))
@@ -78,14 +77,14 @@ def written(loc: tuple[Any, ...], data: Any) -> Path:
     return tuple(path)
 
 
-def _finding(fault: Any, raw: Any) -> Finding:
+def _finding(fault: Any, raw: Any, owner: Any) -> Finding:
     context, kind, path = dict(fault.get("ctx") or {}), fault["type"], written(fault["loc"], raw)
     named = absent(path[-1], fault["input"]) if kind == "extra_forbidden" and path else None
     if kind in _WANTED and path[:1] == ("joints",):
         named = absent("type", fault["input"])
     if named and (named[0] != "element.limits" or path[0] in ("joints", "cylinders")):  # limits are a study, too
         return Finding(named[0], path, {"name": named[1]})
-    if (found := finding_of(fault, raw, Document)) is not None:
+    if (found := finding_of(fault, raw, owner)) is not None:
         return _with_section(found)
     wanted = _WANTED.get(kind, "other")
     data: dict[str, Any] = {"wanted": Term(wanted), "given": describe(fault["input"]), "hint": Term(f"{wanted}-as")}

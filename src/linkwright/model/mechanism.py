@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
-from pydantic import AfterValidator, BeforeValidator, Field
+from pydantic import BeforeValidator, Field
 
 from linkwright.escape import line
 from linkwright.model.actions import REDUCTIONS, Load, Measure, Table, Window
@@ -21,12 +21,11 @@ from linkwright.model.fields import (
     Requirement,
     Text,
     fault,
-    frozen,
 )
 from linkwright.model.gravity import Gravity
 from linkwright.model.motions import MotionLaw
 from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter, Plane, Units, freeze
-from linkwright.model.written import FaultWithin, describe, unexpected
+from linkwright.model.written import FaultWithin, unexpected
 
 __all__ = [
     "FRAME",
@@ -34,7 +33,6 @@ __all__ = [
     "Cam",
     "Counterweight",
     "Cylinder",
-    "Document",
     "Drive",
     "Joint",
     "Link",
@@ -49,14 +47,15 @@ __all__ = [
     "Window",
 ]
 
-VERSION = 1
 FRAME = "frame"
 """The name of the link that doesn't move."""
 MAX_ENTRIES, MAX_LINKS = 1000, 200
 """The most entries that one section may hold; of links fewer, since their decomposition is searched for."""
 
 
-def _at_most(limit: int) -> BeforeValidator:
+def at_most(limit: int) -> BeforeValidator:
+    """Refuses a section of more entries than that, and what is no mapping."""
+
     def check(raw: Any) -> Any:
         if not isinstance(raw, Mapping):
             raise unexpected("mapping", raw)
@@ -67,7 +66,7 @@ def _at_most(limit: int) -> BeforeValidator:
     return BeforeValidator(check)
 
 
-_bound = _at_most(MAX_ENTRIES)
+_bound = at_most(MAX_ENTRIES)
 
 
 class Mechanism(Frozen):
@@ -99,7 +98,7 @@ class Mechanism(Frozen):
     plane: Plane | None = Field(
         None, description="the plane of a sketch of three coordinates, e.g. xz; found by least squares unless given"
     )
-    links: Annotated[dict[Name, Link], _at_most(MAX_LINKS), freeze] = Field(
+    links: Annotated[dict[Name, Link], at_most(MAX_LINKS), freeze] = Field(
         description="the rigid links; the one that doesn't move is called frame"
     )
     joints: Annotated[dict[Name, Joint], _bound, freeze] = Field(
@@ -181,43 +180,3 @@ class Mechanism(Frozen):
     def has_mass(self, link: str) -> bool:
         """Whether a link has mass, its own or a counterweight's."""
         return self.links[link].mass is not None or any(weight.on == link for weight in self.counterweights.values())
-
-
-def _options(raw: Any) -> Any:
-    if not isinstance(raw, Mapping):
-        raise unexpected("mapping", raw)
-    return frozen(raw)
-
-
-def _version(raw: Any) -> Any:
-    if isinstance(raw, bool) or not isinstance(raw, int) or raw != VERSION:
-        raise fault("file.version", given=describe(raw), known=VERSION)
-    return raw
-
-
-Options = Annotated[dict[str, Any], BeforeValidator(_options), AfterValidator(FrozenDict)]
-
-
-class Document(Mechanism):
-    """A model file: a mechanism and the raw options of its studies and exports."""
-
-    linkwright: Annotated[Literal[1], BeforeValidator(_version)] = Field(
-        1, description="the version of the file format"
-    )
-    studies: Annotated[dict[Name, Options], _bound, freeze] = Field(
-        default_factory=FrozenDict, description="what is computed, with each study's options"
-    )
-    exports: Annotated[dict[Text, Options], _bound, freeze] = Field(
-        default_factory=FrozenDict, description="what is written for other tools, with each target's options"
-    )
-
-    def replace(self, **parameters: float | str) -> Document:
-        """The same document with other values of some parameters, numbers or expressions as in a file.
-
-        The lengths derived from a sketch are parameters too.
-
-        Raises :class:`ModelError` for a name that is no parameter or a value that can't be read.
-        """
-        from linkwright.model.document import replaced
-
-        return replaced(self, parameters)

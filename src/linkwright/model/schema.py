@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from linkwright.model.mechanism import VERSION, Document
+from linkwright.model.document import VERSION, Document
 
 _NAMED = ("properties", "patternProperties", "$defs")
 """Keywords whose entries are schemas by name."""

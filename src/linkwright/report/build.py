@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.findings import Finding
-from linkwright.model.document import dump
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document, dump
 from linkwright.model.origin import Origin, hashed
 from linkwright.model.pins import spring_ends
 from linkwright.model.signals import PAIRED

@@ -9,7 +9,7 @@ from typing import Any
 from linkwright._machine import needed
 from linkwright.findings import Finding
 from linkwright.measures import Grade, MeasureResult
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.model.origin import Origin
 from linkwright.model.units import TIME
 from linkwright.report.accuracy import accuracy_entry

@@ -19,7 +19,6 @@ from linkwright.model.sampled import dependent
 from linkwright.model.unknown import near
 from linkwright.model.written import describe
 from linkwright.studies.cycle import TURNS, CycleOptions, beside, span
-from linkwright.studies.plans import Draws
 
 
 def one_of(study: str, key: str, known: Sequence[str], code: str = "study.choice") -> Any:
@@ -74,10 +73,6 @@ class Sampling(Frozen):
         """The number of equal steps."""
         return self.cycle.samples if self.poses is None else self.poses
 
-    def made(self, compiled: Compiled) -> Compiled:
-        """The mechanism of which the samples are taken."""
-        return compiled
-
     def measures(self, compiled: Compiled) -> list[str]:
         """The measures wanted, by name."""
         known = compiled.mechanism.measures
@@ -95,10 +90,6 @@ class Sampling(Frozen):
     def keeps(self) -> bool:
         """Whether every value of every signal is kept."""
         return False
-
-    def drawn(self, compiled: Compiled) -> Draws:
-        """The samples."""
-        raise NotImplementedError
 
 
 def check_outputs(compiled: Compiled, options: Sampling) -> Iterator[Finding]:

@@ -22,9 +22,8 @@ from linkwright.kernels import Compiled, examine
 from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.varied import Varied
 from linkwright.kernels.versions import versions
-from linkwright.model.document import plain
+from linkwright.model.document import Document, plain
 from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, parse
-from linkwright.model.mechanism import Document
 from linkwright.model.places import Place
 from linkwright.model.temporary import temporary_folder
 from linkwright.notation.angles import whole_turns
@@ -35,6 +34,7 @@ from linkwright.studies.cycle import span
 from linkwright.studies.figures import Figures
 from linkwright.studies.histograms import fine
 from linkwright.studies.registry import read_studies
+from linkwright.studies.sampled_study import sampled_study
 
 Array = NDArray[np.float64]
 
@@ -93,7 +93,7 @@ class SampleWork:
         tasks, findings = read_studies(studies)
         raise_errors(findings)
         options = next(task.options for task in tasks if task.study.name == self.study)
-        return SampleTask(options.made(compiled), options, self.kernel, self.reach)
+        return SampleTask(sampled_study(options).sampled_mechanism(compiled), options, self.kernel, self.reach)
 
 
 class SampleTask:
@@ -109,7 +109,7 @@ class SampleTask:
         self, compiled: Compiled, options: Sampling, kernel: str, reach: Sequence[tuple[float, float]] = ()
     ) -> None:
         self.compiled, self.options, self.kernel, self.reach = compiled, options, kernel, reach
-        self.plan = options.drawn(compiled)
+        self.plan = sampled_study(options).draws(compiled, options)
         self.varied = Varied(compiled, self.plan.names)
         stop = span(compiled, options.cycle)[0]
         self.run = Run(compiled, 0.0, stop, options.steps)

@@ -24,6 +24,7 @@ from linkwright.studies.histograms import coarse, fine, histogram, reach
 from linkwright.studies.locked import locked
 from linkwright.studies.sample_kept import Kept, tabled
 from linkwright.studies.sample_work import SampleTask, SampleWork
+from linkwright.studies.sampled_study import sampled_study
 from linkwright.studies.site import Site
 from linkwright.studies.through import carried
 from linkwright.words import say
@@ -109,7 +110,8 @@ def refused(nominal: Run, options: Sampling, names: Iterable[str]) -> list[Findi
 
 def chosen(nominal: Run, options: Sampling) -> Choice:
     """The kernel that computes it, and why. That doesn't depend on the runner, which may change no figure."""
-    compiled, poses = nominal.compiled, options.drawn(nominal.compiled).samples * nominal.t.size
+    samples = sampled_study(options).draws(nominal.compiled, options).samples
+    compiled, poses = nominal.compiled, samples * nominal.t.size
     quantities = compiled.quantities
     trees = [quantities.dimensions.bind(signal.node, None) for signal in options.signals(compiled)]
     trees += [tree for name in options.measures(compiled) for tree in bound(quantities, name).values()]

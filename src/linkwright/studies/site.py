@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 
 if TYPE_CHECKING:
     from linkwright.blocks import Progress, Runner

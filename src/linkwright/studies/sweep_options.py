@@ -8,9 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Annotated, Literal
 
-from pydantic import (
-    Field,
-)
+from pydantic import Field
 
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
@@ -68,11 +66,6 @@ class SweepOptions(Sampling):
         """The plan, the given one or the one that fits."""
         fitting = "grid" if all(spread.points is not None for spread in spreads) else "latin"
         return PLANS[self.plan or fitting]
-
-    def drawn(self, compiled: Compiled) -> Plan:
-        """The plan with its samples."""
-        spreads = self.spreads(compiled)
-        return self.planned(spreads)(spreads, self.samples or SAMPLES, self.seed, tuple(self.vary))
 
 
 def check(compiled: Compiled, options: SweepOptions) -> Iterator[Finding]:

@@ -15,13 +15,14 @@ from linkwright.kernels import Compiled
 from linkwright.kernels.choice import Choice
 from linkwright.results import Run
 from linkwright.studies.cycle import span
+from linkwright.studies.plans import Plan
 from linkwright.studies.registry import register
 from linkwright.studies.sample_kept import store
 from linkwright.studies.sample_work import FINE
 from linkwright.studies.sampling import Performed, chosen, perform, refused
 from linkwright.studies.shares import Share, wilson
 from linkwright.studies.site import Site
-from linkwright.studies.sweep_options import SweepOptions, check
+from linkwright.studies.sweep_options import SAMPLES, SweepOptions, check
 from linkwright.studies.sweep_outcome import Statistics, SweepOutcome, Table, bands
 
 
@@ -37,6 +38,14 @@ class SweepStudy:
         """What is wrong with the options."""
         return list(check(compiled, options)) if options.spanned else []
 
+    def sampled_mechanism(self, compiled: Compiled) -> Compiled:
+        """The mechanism of which the samples are taken: the file's own."""
+        return compiled
+
+    def draws(self, compiled: Compiled, options: SweepOptions) -> Plan:
+        """The samples, by the plan."""
+        return _plan(compiled, options)
+
     def run(self, compiled: Compiled, options: SweepOptions, site: Site) -> SweepOutcome:
         """Perform the sweep, going on with an interrupted one in the site's folder.
 
@@ -45,18 +54,22 @@ class SweepStudy:
         nominal = Run(compiled, 0.0, span(compiled, options.cycle)[0], options.steps)
         choice = chosen(nominal, options)
         if found := refused(nominal, options, options.vary):
-            return SweepOutcome(
-                compiled, options, options.drawn(compiled), nominal, choice.kernel, choice.reason, failures=found
-            )
+            plan = self.draws(compiled, options)
+            return SweepOutcome(compiled, options, plan, nominal, choice.kernel, choice.reason, failures=found)
         done = perform(nominal, options, choice.kernel, site)
         outcome = _outcome(compiled, options, done, choice)
         outcome.poses, outcome.seconds, outcome.state = done.poses, done.seconds, tuple(done.kept.files)
         return outcome
 
 
+def _plan(compiled: Compiled, options: SweepOptions) -> Plan:
+    spreads = options.spreads(compiled)
+    return options.planned(spreads)(spreads, options.samples or SAMPLES, options.seed, tuple(options.vary))
+
+
 def _outcome(compiled: Compiled, options: SweepOptions, done: Performed, choice: Choice) -> SweepOutcome:
     task, kept = done.task, done.kept
-    plan = options.drawn(compiled)
+    plan = _plan(compiled, options)
     outcome = SweepOutcome(compiled, options, plan, task.run, choice.kernel, choice.reason, failed=done.failed)
     if task.signals.texts:
         outcome.bands = bands(list(task.signals.texts), compiled, kept.signals.results()["moments"])

@@ -13,8 +13,7 @@ import shapely
 from linkwright.exports.process_simulate.facts import Facts, HingeFacts, check_facts, facts, hand_force, panel_of
 from linkwright.kernels import Compiled, compile_mechanism, examine
 from linkwright.kernels.laws import values_at
-from linkwright.model.document import load, plain
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document, load, plain
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 OUTLINE = tuple(f"P{i}" for i in range(1, 9))

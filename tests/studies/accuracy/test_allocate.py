@@ -10,7 +10,8 @@ import pytest
 import linkwright as lw
 from linkwright.model import units as u
 from linkwright.studies.accuracy.allocate import Output, allocated, problem
-from linkwright.studies.accuracy.allocation import SETTINGS, Problem
+from linkwright.studies.accuracy.allocation import SETTINGS
+from linkwright.studies.accuracy.allocation_problem import Problem
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.stated import contributors
 from studies.models import four_bar

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from linkwright.studies.accuracy.allocation import Demand, Item, Problem, allocate
+from linkwright.studies.accuracy.allocation import allocate
+from linkwright.studies.accuracy.allocation_problem import Demand, Item, Problem
 from linkwright.studies.accuracy.costs import Law, Processes, Reciprocal, ReciprocalSquared
 
 MM = 1e-3

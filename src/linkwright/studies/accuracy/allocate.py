@@ -19,7 +19,8 @@ from linkwright.model.quantities import LARGEST, Quantities
 from linkwright.model.unknown import near
 from linkwright.model.written import Shortened
 from linkwright.studies.accuracy.allocated import Allocation
-from linkwright.studies.accuracy.allocation import Demand, Item, Problem, allocate
+from linkwright.studies.accuracy.allocation import allocate
+from linkwright.studies.accuracy.allocation_problem import Demand, Item, Problem
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.costs import AnyCost, Processes, Stepped
 from linkwright.tolerances import NoTolerance, tolerance_class

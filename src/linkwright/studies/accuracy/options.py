@@ -6,8 +6,6 @@ from typing import Annotated
 
 from pydantic import Field, FiniteFloat
 
-from linkwright.kernels import Compiled
-from linkwright.kernels.cut import cut
 from linkwright.kernels.registry import KERNELS
 from linkwright.model.fields import FrozenDict, Text
 from linkwright.model.fields import Name as NameField
@@ -16,7 +14,6 @@ from linkwright.model.tolerances import ClassName, DistributionName
 from linkwright.studies.accuracy.allocate import Allocate
 from linkwright.studies.accuracy.calibrate import Calibrate
 from linkwright.studies.accuracy.clearance_options import Clearance
-from linkwright.studies.accuracy.deviations import Deviations
 from linkwright.studies.accuracy.stated_options import Correlation, Thermal
 from linkwright.studies.asked import Sampling, one_of
 
@@ -74,13 +71,3 @@ class AccuracyOptions(Sampling):
     nonlinear: float = Field(
         0.05, ge=0, le=1, description="the worst case is searched where the linear one is off by more of its width"
     )
-
-    def made(self, compiled: Compiled) -> Compiled:
-        """The mechanism with its cams cut to the nominal dimensions, which deviations don't alter."""
-        return cut(compiled)
-
-    def drawn(self, compiled: Compiled) -> Deviations:
-        """The random samples of the deviations that the file states."""
-        from linkwright.studies.accuracy.stated import contributors  # which looks at these options
-
-        return Deviations(compiled, contributors(compiled, self), self.plan, self.samples, self.seed)

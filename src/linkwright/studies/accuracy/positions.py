@@ -11,8 +11,8 @@ from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.actions import Measure
 from linkwright.model.dimensions import DimensionError
+from linkwright.model.document import Document
 from linkwright.model.fields import Expression
-from linkwright.model.mechanism import Document
 from linkwright.model.unknown import unknown
 from linkwright.model.written import FrozenDict
 from linkwright.studies.accuracy.options import AccuracyOptions

@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.studies.accuracy.allocation import SLACK, Problem
+from linkwright.studies.accuracy.allocation_problem import SLACK, Problem
 
 Array = NDArray[np.float64]
 

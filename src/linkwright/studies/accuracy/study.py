@@ -7,14 +7,15 @@ from dataclasses import replace
 
 from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.kernels import Compiled, examine
+from linkwright.kernels.cut import cut
 from linkwright.kernels.varied import Varied
-from linkwright.model.mechanism import Document
+from linkwright.model.document import Document
 from linkwright.results import Run
 from linkwright.studies.accuracy.clearance import PATH as CLEARANCES
 from linkwright.studies.accuracy.clearance_figures import state_plays
 from linkwright.studies.accuracy.clearance_options import check_clearances
 from linkwright.studies.accuracy.designing import add_allocation, add_calibration, check_design
-from linkwright.studies.accuracy.deviations import Shift
+from linkwright.studies.accuracy.deviations import Deviations, Shift
 from linkwright.studies.accuracy.figures import curves, figures
 from linkwright.studies.accuracy.lawful import check_laws
 from linkwright.studies.accuracy.monte_carlo import check_monte_carlo, monte_carlo
@@ -43,10 +44,19 @@ class AccuracyStudy:
         """What is wrong with the options."""
         return list(_check(compiled, options)) if options.spanned else []
 
+    def sampled_mechanism(self, compiled: Compiled) -> Compiled:
+        """The mechanism with its cams cut to the nominal dimensions, which deviations don't alter."""
+        return cut(compiled)
+
+    def draws(self, compiled: Compiled, options: AccuracyOptions) -> Deviations:
+        """The random samples of the deviations that the file states."""
+        deviations = contributors(compiled, options)
+        return Deviations(compiled, deviations, options.plan, options.samples, options.seed)
+
     def run(self, compiled: Compiled, options: AccuracyOptions, site: Site) -> AccuracyOutcome:
         """Transfer coefficients, worst case, root sum square, random samples, and what is asked of these."""
         assert site.document is not None, "accuracy needs the file's document"
-        compiled = options.made(compiled)
+        compiled = self.sampled_mechanism(compiled)
         nominal = Run(compiled, 0.0, span(compiled, options.cycle)[0], options.steps)
         deviations = contributors(compiled, options)
         outcome = AccuracyOutcome(compiled, options, nominal, deviations)
@@ -112,7 +122,7 @@ def _opened(document: Document, nominal: Compiled, site: Site) -> tuple[Compiled
     raise_errors(findings)
     options = next(task.options for task in tasks if isinstance(task.options, AccuracyOptions))
     assert compiled is not None
-    return options.made(compiled), options
+    return cut(compiled), options
 
 
 def _valueless(
