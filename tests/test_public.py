@@ -172,7 +172,7 @@ LEVELS = {
     "structure": 5,
     "graph": 6,
     "kernels": 7,
-    "blocks": 8,
+    **dict.fromkeys(("blocks", "compilation"), 8),
     "results": 9,
     **dict.fromkeys(("cam", "enclosures"), 10),
     "measures": 11,

@@ -12,7 +12,8 @@ from judge import Judge
 from numpy.typing import NDArray
 from sketches import GROUPS, PERIOD, Sketch, sketch
 
-from linkwright.kernels import Compiled, compile_mechanism
+from linkwright.compilation import compile_mechanism
+from linkwright.kernels import Compiled
 from linkwright.model.document import Document
 
 Array = NDArray[np.float64]

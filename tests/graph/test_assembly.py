@@ -11,8 +11,8 @@ import pytest
 
 from helpers.compiled import compiled_from
 from helpers.examples import UNITS, four_bar, slider_crank
+from linkwright.compilation import examine
 from linkwright.findings import Finding
-from linkwright.kernels import examine
 from linkwright.model.document import Document
 
 

@@ -10,7 +10,7 @@ import pytest
 from helpers.compiled import compiled_from
 from helpers.expected import expected_forces, expected_motion, oracle_states, worst
 from helpers.plain import plain_of
-from linkwright.kernels import examine
+from linkwright.compilation import examine
 from linkwright.model.document import Document
 from linkwright.results import Run, certify
 from linkwright.structure import Cluster

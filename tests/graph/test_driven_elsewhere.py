@@ -17,7 +17,7 @@ from helpers.examples import UNITS
 from helpers.expected import expected_angles, expected_forces, expected_motion, regular_states, worst
 from helpers.plain import Plain, document_of
 from helpers.random_mechanisms import DURATION, Seeded, build, driven_elsewhere, sketched
-from linkwright.kernels import compile_mechanism
+from linkwright.compilation import compile_mechanism
 from linkwright.model.document import Document
 from linkwright.results.certificate import certify
 from linkwright.results.run import Run

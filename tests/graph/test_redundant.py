@@ -10,8 +10,8 @@ import pytest
 
 import linkwright as lw
 from helpers.compiled import compiled_from
+from linkwright.compilation import examine
 from linkwright.findings import Finding
-from linkwright.kernels import examine
 from linkwright.model.document import Document
 
 UNITS = {"length": "mm", "angle": "deg", "time": "s"}

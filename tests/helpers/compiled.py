@@ -10,7 +10,8 @@ from hypothesis import assume
 from numpy.typing import NDArray
 
 from helpers.plain import Plain, document_of
-from linkwright.kernels import Compiled, compile_mechanism
+from linkwright.compilation import compile_mechanism
+from linkwright.kernels import Compiled
 from linkwright.model.document import Document
 
 Array = NDArray[np.float64]

@@ -17,8 +17,9 @@ import pytest
 from helpers.compiled import compiled_of, conditioning
 from helpers.kernels import every
 from helpers.random_mechanisms import DURATION, RECIPES, Seeded, build
+from linkwright.compilation import compile_mechanism
 from linkwright.graph.program import Program
-from linkwright.kernels import KERNELS, Compiled, compile_mechanism
+from linkwright.kernels import KERNELS, Compiled
 from linkwright.model.document import load
 from linkwright.studies.cycle import CycleOptions, span
 

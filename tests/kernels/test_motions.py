@@ -10,7 +10,8 @@ import pytest
 
 from helpers.differences import derivatives
 from laws.texts import value
-from linkwright.kernels import Compiled, examine
+from linkwright.compilation import examine
+from linkwright.kernels import Compiled
 from linkwright.kernels.tangents import Tangents
 from linkwright.model.document import Document
 from linkwright.notation import Jet

@@ -11,8 +11,9 @@ import pytest
 
 from helpers.compiled import compiled_from
 from helpers.examples import heavy_four_bar
+from linkwright.compilation import compile_mechanism
 from linkwright.graph.program import ExpressionStage, Program
-from linkwright.kernels import Compiled, compile_mechanism
+from linkwright.kernels import Compiled
 from linkwright.kernels.numba_kernel import PAST, NumbaKernel
 from linkwright.kernels.numba_source import CACHED, LANES, LONGEST, Source
 from linkwright.kernels.numpy_blocks import NumpyKernel

@@ -14,7 +14,8 @@ from helpers.compiled import compiled_from, compiled_of, regular
 from helpers.examples import feeder, four_bar, heavy_four_bar
 from helpers.kernels import every, examples
 from helpers.random_mechanisms import DURATION, mechanisms
-from linkwright.kernels import KERNELS, Compiled, compile_mechanism
+from linkwright.compilation import compile_mechanism
+from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.numpy_blocks import BLOCK
 from linkwright.kernels.registry import register
 from linkwright.model.document import load

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from helpers.compiled import compiled_from
+from linkwright.compilation import examine
 from linkwright.findings import Finding
-from linkwright.kernels import examine
 from linkwright.model.document import Document
 from model.test_sketch import T, sketched
 

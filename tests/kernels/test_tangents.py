@@ -9,7 +9,8 @@ import pytest
 from numpy.typing import NDArray
 
 from helpers.differences import OFFSETS, WEIGHTS
-from linkwright.kernels import Compiled, examine
+from linkwright.compilation import examine
+from linkwright.kernels import Compiled
 from linkwright.kernels.tangents import Tangents
 from linkwright.kernels.varied import Varied
 from linkwright.model.document import Document, load, plain

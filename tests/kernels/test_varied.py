@@ -14,8 +14,9 @@ import pytest
 from numpy.typing import NDArray
 
 from helpers.examples import four_bar
+from linkwright.compilation import compile_mechanism
 from linkwright.findings import ModelError
-from linkwright.kernels import KERNELS, Compiled, compile_mechanism, paths, pursuit, varied
+from linkwright.kernels import KERNELS, Compiled, paths, pursuit, varied
 from linkwright.kernels.passages import Passage, Passages
 from linkwright.kernels.paths import Paths
 from linkwright.kernels.pursuit import Pursued, Pursuit

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from linkwright.compilation import examine
 from linkwright.findings import Finding
-from linkwright.kernels import examine
 from linkwright.model.document import Document, located, read_document
 from linkwright.model.quantities import Quantities
 

@@ -10,8 +10,8 @@ import pytest
 
 from helpers.cams import pair
 from helpers.compiled import compiled_from
+from linkwright.compilation import examine
 from linkwright.findings import Finding, ModelError
-from linkwright.kernels import examine
 from linkwright.model.builder import Builder
 from linkwright.model.cams import Following
 from linkwright.model.document import Document, dump, parse_document, read_document

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
+from linkwright.compilation import examine
 from linkwright.findings import Finding
-from linkwright.kernels import examine
 from linkwright.model.check import check_names
 from linkwright.model.document import Document
 from linkwright.model.pins import pins

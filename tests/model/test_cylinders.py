@@ -9,7 +9,7 @@ import pytest
 
 import linkwright as lw
 from helpers.compiled import compiled_from
-from linkwright.kernels import examine
+from linkwright.compilation import examine
 from linkwright.model.builder import Builder
 from linkwright.model.document import Document, dump, load, save
 from linkwright.model.spelled import spell_out

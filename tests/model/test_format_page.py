@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from linkwright.kernels import examine
+from linkwright.compilation import examine
 from linkwright.model import actions, cams, elements, motions, parts, signals
 from linkwright.model.document import Document
 from linkwright.model.expressions import FUNCTIONS

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from linkwright.kernels import examine
+from linkwright.compilation import examine
 from linkwright.model.document import Document, located, read_document
 from model.given import DATA
 

@@ -11,8 +11,8 @@ import pytest
 import linkwright as lw
 from helpers.compiled import compiled_from
 from helpers.examples import feeder, four_bar
+from linkwright.compilation import examine
 from linkwright.findings import Finding, ModelError
-from linkwright.kernels import examine
 from linkwright.model.document import Document, dump, parse_document
 
 G = 9.80665

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 
 from linkwright import Builder
+from linkwright.compilation import examine
 from linkwright.findings import Finding
-from linkwright.kernels import Compiled, examine
+from linkwright.kernels import Compiled
 from linkwright.model.document import Document, dump, read_document
 from linkwright.model.schema import json_schema
 from model.given import codes, four_bar

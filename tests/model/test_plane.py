@@ -9,7 +9,7 @@ import pytest
 
 from helpers.compiled import compiled_from
 from linkwright.app.job import check
-from linkwright.kernels import examine
+from linkwright.compilation import examine
 from linkwright.model.builder import Builder
 from linkwright.model.document import Document, dump, load, save
 from linkwright.model.plane import in_plane

@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 
 from helpers.examples import four_bar
+from linkwright.compilation import examine
 from linkwright.findings import Finding
-from linkwright.kernels import examine
 from linkwright.model.document import Document
 
 DEG = {"length": "mm", "angle": "deg", "mass": "kg", "time": "s", "force": "N"}

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from helpers.compiled import compiled_from
+from linkwright.compilation import examine
 from linkwright.findings import ModelError
-from linkwright.kernels import examine
 from linkwright.model.document import Document, dump, load, save
 from linkwright.model.spelled import spell_out
 

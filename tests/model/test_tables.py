@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 import linkwright as lw
+from linkwright.compilation import examine
 from linkwright.findings import Finding
-from linkwright.kernels import Compiled, examine
+from linkwright.kernels import Compiled
 from linkwright.model.dimensions import argument, value
 from linkwright.model.document import Document
 from linkwright.model.units import ANGLE, PRESSURE, TIME

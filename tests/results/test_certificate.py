@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from helpers.compiled import compiled_from, compiled_of, regular
 from helpers.examples import UNITS, feeder, four_bar, heavy_four_bar, slider_crank
 from helpers.random_mechanisms import DURATION, RECIPES, mechanisms
-from linkwright.kernels import Compiled, compile_mechanism
+from linkwright.compilation import compile_mechanism
+from linkwright.kernels import Compiled
 from linkwright.model.document import load
 from linkwright.results.certificate import Certificate, certify
 from linkwright.results.run import Run

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from large_models import CLASSES, FAULTS
 
-from linkwright.kernels import examine
+from linkwright.compilation import examine
 from linkwright.model.document import Document
 from linkwright.structure import Cluster, Topology, decompose
 from linkwright.structure.freedoms import Freedoms

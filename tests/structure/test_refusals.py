@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from helpers.examples import UNITS, four_bar, slider_crank
+from linkwright.compilation import examine
 from linkwright.findings import Finding
-from linkwright.kernels import examine
 from linkwright.model.document import Document
 from linkwright.structure import Group, decompose
 
@@ -110,7 +110,7 @@ def test_a_drive_between_known_links_is_too_many() -> None:
 
 
 def test_two_drives_on_one_joint() -> None:
-    from linkwright.kernels import examine
+    from linkwright.compilation import examine
 
     data = four_bar()
     data["drives"]["second"] = {"turns": "frame", "on": "crank", "speed": 1, "start": 0}

@@ -18,7 +18,8 @@ import pytest
 from numpy.typing import NDArray
 
 from kernels.test_varied import class_four, platform
-from linkwright.kernels import Compiled, compile_mechanism
+from linkwright.compilation import compile_mechanism
+from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
 from linkwright.measures import MeasureResult, bound, measure_all
 from linkwright.model.document import Document, load, replaced

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from linkwright.app.job import Examined, read_file
+from linkwright.compilation import examine, prepare
 from linkwright.findings import Finding, ModelError, raise_errors
-from linkwright.kernels import examine, prepare
 from linkwright.model.document import Document
 from linkwright.report.modes import told
 from linkwright.structure import decompose

@@ -17,9 +17,9 @@ from linkwright import escape, gallery
 from linkwright.app.exports import ExportJob, examined_for, export_of, settings_of, unknown_target, write_export
 from linkwright.app.job import USUAL, Examined, Writing, read_file
 from linkwright.app.results_folder import outdate
+from linkwright.compilation import examine
 from linkwright.exports import TARGETS, Exported
 from linkwright.findings import Finding, ModelError, capped
-from linkwright.kernels import examine
 from linkwright.model import csv_text
 from linkwright.model.csv_file import CsvFile, finite, read_csv
 from linkwright.model.document import Document, read_document, replaced

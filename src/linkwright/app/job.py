@@ -9,7 +9,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from linkwright import gallery, kernels
+from linkwright import compilation, gallery
 from linkwright.app.manifest import State
 from linkwright.app.results_folder import ResultsFolder, outdate
 from linkwright.escape import json_text, line
@@ -163,7 +163,7 @@ def _examination(
     its own."""
     alone = {name: study for name, study in STUDIES.items() if name in asked and isinstance(study, OfStructures)}
     if not alone:
-        return kernels.examine, []
+        return compilation.examine, []
     ((own, study),) = alone.items()
     others = [("studies", task.study.name) for task in tasks if task.study.name != own]
     others += [("exports", order.target.name) for order in orders]

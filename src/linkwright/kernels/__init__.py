@@ -1,18 +1,8 @@
-"""Kernels: programs turned into code that runs over many poses; a mechanism compiled for them."""
+"""Kernels: programs turned into code that runs over many poses; a compiled mechanism, which asks them."""
 
 from linkwright.kernels import jax_kernel, numba_kernel, numpy_blocks  # noqa: F401  (register themselves)
-from linkwright.kernels.compiled import Compiled, Prepared, compile_mechanism, examine, prepare
+from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.registry import KERNELS, Kernel
-from linkwright.kernels.still import Still, examine_still
+from linkwright.kernels.still import Still
 
-__all__ = [
-    "KERNELS",
-    "Compiled",
-    "Kernel",
-    "Prepared",
-    "Still",
-    "compile_mechanism",
-    "examine",
-    "examine_still",
-    "prepare",
-]
+__all__ = ["KERNELS", "Compiled", "Kernel", "Still"]

@@ -1,8 +1,11 @@
-"""A compiled mechanism: graph, branches, drive laws and kernels, ready to run over times."""
+"""A compiled mechanism: graph, branches, drive laws and kernels, ready to run over times.
+
+How it is made from a mechanism: :mod:`linkwright.compilation`.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -12,28 +15,19 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.findings import Finding, raise_errors
-from linkwright.graph.assembly import Assembly, assemble
+from linkwright.graph.assembly import Assembly
 from linkwright.graph.graph import Graph
-from linkwright.graph.redundant import redundant
-from linkwright.kernels.cams import cam_faults
 from linkwright.kernels.follow import Follower
 from linkwright.kernels.law import Law
-from linkwright.kernels.laws import action_tables, drive_laws, values_at
-from linkwright.kernels.motions import StatedMotion, motion_laws
+from linkwright.kernels.motions import StatedMotion
 from linkwright.kernels.passages import Passage, Passages, unwrapped
 from linkwright.kernels.registry import KERNELS, Kernel
-from linkwright.kernels.starts import moved_starts
 from linkwright.kernels.supply import Supply
 from linkwright.kernels.tables import StatedTable
-from linkwright.model.check import check_names, check_values
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.places import Place
 from linkwright.model.plane import LinkagePlane
-from linkwright.model.plausible import implausible
 from linkwright.model.quantities import Quantities
-from linkwright.model.spelled import Spelled, spell_out
-from linkwright.structure import Cluster, Group, Structure, Topology, decompose
+from linkwright.structure import Cluster, Group, Structure
 
 Array = NDArray[np.float64]
 Made = TypeVar("Made")
@@ -170,98 +164,3 @@ class Compiled:
         other.passages, other._nodes = passages, {}
         other._supplied()
         return other
-
-
-@dataclass
-class Prepared:
-    """A mechanism as far as it is known before its assembly modes are settled, its short forms spelled out."""
-
-    spelled: Spelled
-    quantities: Quantities
-    structure: Structure
-    laws: dict[str, Law]
-    motions: dict[str, StatedMotion]
-    tables: dict[str, StatedTable]
-    findings: list[Finding]
-
-    @property
-    def mechanism(self) -> Mechanism:
-        """The mechanism that is solved."""
-        return self.spelled.mechanism
-
-
-def prepare(
-    mechanism: Mechanism, folder: Path | None = None, uses: Sequence[Place] = (), driven: bool = True
-) -> Prepared:
-    """Dimensions, structure and drive laws of a mechanism, with all findings on them; for ``uses`` see
-    :class:`linkwright.model.quantities.Quantities`. It needs drives, unless it isn't ``driven``."""
-    spelled = spell_out(mechanism)
-    missing = "model.no-drive" if spelled.findings or not driven else ""  # a drive with a fault is one
-    names = [*spelled.findings, *(f for f in check_names(spelled.mechanism) if f.code != missing)]
-    if [finding.code for finding in names] == ["model.no-drive"]:
-        names = _immobile(Topology(spelled.mechanism)) or names
-    quantities = Quantities(spelled.mechanism, uses)
-    findings = [*names, *(f for f in quantities.findings if not _said(f, names))]
-    laws: dict[str, Law] = {}
-    motions: dict[str, StatedMotion] = {}
-    tables: dict[str, StatedTable] = {}
-    if not quantities.findings:
-        motions, unmade = motion_laws(quantities)
-        laws, wrong = drive_laws(quantities, folder, motions, named=not names)
-        tables, unread = action_tables(quantities, folder)
-        wrong = [*check_values(quantities), *unmade, *wrong, *cam_faults(quantities, motions, named=not names)]
-        findings += [*wrong, *(fault for fault in unread if fault not in wrong)]
-    structure = decompose(spelled.mechanism) if not names else Structure(Topology(spelled.mechanism), ())
-    if not findings and driven:
-        findings = redundant(quantities, structure, values_at(laws, 0.0))
-    else:
-        findings += structure.findings
-    return Prepared(spelled, quantities, structure, laws, motions, tables, spelled.home(findings))
-
-
-def _immobile(topology: Topology) -> list[Finding]:
-    """That a mechanism without drives couldn't move either."""
-    if topology.gruebler > 0:
-        return []
-    return [Finding("model.no-freedom", ("drives",), {"mobility": topology.gruebler})]
-
-
-def examine(
-    mechanism: Mechanism, folder: Path | None = None, uses: Sequence[Place] = ()
-) -> tuple[Compiled | None, list[Finding]]:
-    """Compile a mechanism as far as it goes, with all findings; ``folder`` is where its table files lie, ``uses``
-    expressions of studies that tell the units of what the mechanism leaves open.
-
-    The result is ``None`` where an error stops it; warnings alone don't.
-    """
-    made = prepare(mechanism, folder, uses)
-    if made.findings:
-        return None, made.findings
-    assembly = assemble(made.quantities, made.structure, values_at(made.laws, 0.0))
-    if assembly.findings:
-        return None, made.spelled.home(assembly.findings)
-    parts = (made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables, made.motions)
-    moved = moved_starts(made.spelled, made.quantities, made.laws)
-    odd = [*moved, *implausible(made.quantities), *([] if moved else assembly.notes)]
-    findings = [*made.spelled.warnings, *_moments(made.quantities), *made.spelled.home(odd)]
-    return Compiled(*parts, plane=made.spelled.plane, folder=folder), findings
-
-
-def _moments(quantities: Quantities) -> Iterator[Finding]:
-    """A warning that moments of slides in a loop of slides aren't determined."""
-    if slides := quantities.signals.looped:
-        data = {"joints": ", ".join(slides)}
-        yield Finding("structure.moments-indeterminate", ("joints", slides[0]), data, severity="warning")
-
-
-def _said(finding: Finding, others: list[Finding]) -> bool:
-    """Whether a finding was made before. A law's `sketch` without value isn't an unknown parameter besides."""
-    return any(other.path == finding.path and other.code in (finding.code, "sketch.no-value") for other in others)
-
-
-def compile_mechanism(mechanism: Mechanism, folder: str | Path | None = None) -> Compiled:
-    """A mechanism ready to run. Raises :class:`ModelError` with every finding when it can't be."""
-    compiled, findings = examine(mechanism, Path(folder) if folder else None)
-    raise_errors(findings)
-    assert compiled is not None
-    return compiled

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
@@ -36,6 +37,7 @@ from linkwright.laws.numbers import first, off, plain
 from linkwright.model import motions as stated
 from linkwright.model.expressions import Binary, Call, Name, Negative, Node, Number, evaluate
 from linkwright.model.fields import Expression
+from linkwright.model.places import Place, Scope
 from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import names_in
 from linkwright.model.units import PURE, Dimension
@@ -107,16 +109,23 @@ def motion_laws(quantities: Quantities) -> tuple[dict[str, StatedMotion], list[F
     """The motion of each law of a mechanism (SI), and what is wrong with them."""
     made: dict[str, StatedMotion] = {}
     findings: list[Finding] = []
+    resolve, places = quantities.dimensions.resolve, defaultdict[Any, list[Place]](list)
+    for place in quantities.places:
+        if place.path[0] == "laws":
+            places[place.path[1]].append(place)
     for name, law in quantities.mechanism.laws.items():
         reader = Reader(quantities, law, quantities.parameters)
-        if not all(isfinite(reader.number(number, of)) for _, number, of in law.numbers()):
+        fixed = [place for place in places[name] if place.scope is Scope.CONSTANT]
+        if not all(isfinite(reader.number(place.expression, resolve(place.wanted))) for place in fixed):
             continue  # told where all numbers are looked at
         try:
             nominal = reader.motion()
         except MotionError as error:
             findings += [reader.finding(name, fault) for fault in error.faults]
             continue
-        names = {part for node in _trees(law) for part in names_in(node)} & quantities.parameters.keys()
+        names = {
+            part for place in places[name] for part in names_in(place.expression.node)
+        } & quantities.parameters.keys()
         made[name] = StatedMotion(
             nominal.curve,
             nominal.places,
@@ -130,12 +139,6 @@ def motion_laws(quantities: Quantities) -> tuple[dict[str, StatedMotion], list[F
 
 def _made(quantities: Quantities, law: stated.MotionLaw, parameters: Parameters, checked: bool) -> Motion:
     return Reader(quantities, law, parameters).motion(checked)
-
-
-def _trees(law: stated.MotionLaw) -> list[Node]:
-    """All expressions of a law."""
-    formulas = [segment.formula.node for segment in law.segments if segment.formula is not None]
-    return [*(number.node for _, number, _ in law.numbers()), *formulas]
 
 
 def rate_unit(quantities: Quantities, law: stated.MotionLaw, order: int) -> tuple[str, float]:

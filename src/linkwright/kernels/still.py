@@ -4,28 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.findings import Finding
-from linkwright.graph.assembly import Assembly
 from linkwright.graph.constraints import Constraints
-from linkwright.graph.standing import standing
 from linkwright.graph.statics import Statics
 from linkwright.graph.still import StillGraph
-from linkwright.kernels.compiled import Compiled, prepare
+from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.supply import Supply
-from linkwright.model.mechanism import Mechanism
-from linkwright.model.places import Place
-from linkwright.structure import FRAME, Structure
+from linkwright.structure import FRAME
 
 Array = NDArray[np.float64]
-
-HELD = ("structure.overconstrained", "structure.redundant", "structure.loop-of-slides")
-"""What may be said of a structure that stands all the same."""
 
 
 @dataclass
@@ -67,32 +58,3 @@ class Still(Compiled):
 
     def _of_forces(self, name: str) -> bool:
         return ":" not in name and "/" not in name and self.graph.signal(name).kind in ("force", "shaking")
-
-
-def examine_still(
-    mechanism: Mechanism, folder: Path | None = None, uses: Sequence[Place] = ()
-) -> tuple[Still | None, list[Finding]]:
-    """As :func:`linkwright.kernels.examine`, of a mechanism that nothing drives."""
-    made = prepare(mechanism, folder, uses, driven=False)
-    findings = [finding for finding in made.findings if finding.code not in HELD]
-    if mechanism.drives and not findings:
-        findings = [Finding("reactions.drives", ("drives",), {"names": ", ".join(mechanism.drives)})]
-    if findings:
-        return None, findings
-    system, z, findings = standing(made.quantities, made.structure)
-    if z is None:
-        return None, made.spelled.home(findings)
-    structure = Structure(made.structure.topology, ())
-    still = Still(
-        made.mechanism,
-        made.quantities,
-        structure,
-        Assembly(),
-        laws={},
-        tables=made.tables,
-        plane=made.spelled.plane,
-        folder=folder,
-        system=system,
-        z=z,
-    )
-    return still, [*made.spelled.warnings]

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import PurePosixPath, PureWindowsPath
 from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Discriminator, Field, Tag, WithJsonSchema
 
+from linkwright.model.dimensions import Wanted, argument, value
 from linkwright.model.expressions import is_signal
 from linkwright.model.fields import Expression, Frozen, Name, Position, Two, fault, pair, parse_text
 from linkwright.model.parts import Interval, Vector, freeze
-from linkwright.model.units import FORCE, PURE, TORQUE, Dimension, UnitError, unit
+from linkwright.model.system import Unknown
+from linkwright.model.typed_fields import Ends, Quantity, Ref, Scope, Sign
+from linkwright.model.units import FORCE, LENGTH, PURE, TIME, TORQUE, Dimension, UnitError, unit
 from linkwright.model.written import Fault, short_text, unexpected
 
 MAX_ROWS = 10_000
@@ -82,16 +85,29 @@ def _rows(raw: Any) -> Any:
     return raw
 
 
+def _column_of(column: Callable[[str], Unknown], sign: Sign = Sign.ANY, term: str = "number") -> Quantity:
+    """A number of a column of a table, whose dimension the table's uses tell."""
+    return Quantity(lambda c: column(c.name), sign, term)
+
+
+CellRow = Annotated[
+    tuple[Annotated[Expression, _column_of(argument)], Annotated[Expression, _column_of(value)]],
+    BeforeValidator(pair("table-row")),
+]
+
+
 class Table(Frozen):
     """A function given by points, inline or in a CSV file beside the model."""
 
     file: FileBeside | None = Field(None, description="a CSV file beside the model; with x and y")
-    points: Annotated[tuple[Row, ...], BeforeValidator(_rows)] | None = Field(
+    points: Annotated[tuple[CellRow, ...], BeforeValidator(_rows)] | None = Field(
         None, description="the points [x, y] themselves, x ascending"
     )
     x: Column | None = Field(None, description="'COLUMN UNIT' of the argument in the file, e.g. 'angle deg'")
     y: Column | None = Field(None, description="'COLUMN UNIT' of the value in the file, e.g. 'pressure bar'")
-    period: Expression | None = Field(None, description="the argument after which the table repeats itself")
+    period: Annotated[Expression | None, _column_of(argument, Sign.POSITIVE, "period")] = Field(
+        None, description="the argument after which the table repeats itself"
+    )
     between: Literal["linear", "cubic", "quintic"] = Field(
         "cubic", description="how values between the points are found: straight lines or a spline"
     )
@@ -110,20 +126,30 @@ class Table(Frozen):
 class Load(Frozen):
     """A force at a point, or a torque, on a link: constant, or an expression in t, tables and the motion."""
 
-    on: Name = Field(description="the link that is loaded, which may be the frame")
-    against: Name | None = Field(
+    on: Annotated[Name, Ref("link")] = Field(description="the link that is loaded, which may be the frame")
+    against: Annotated[Name | None, Ref("link")] = Field(
         None,
         description="the link that bears the opposite force or torque, in the same line of action: of a gas force "
         "the one that closes the cylinder; without it the load comes from outside the mechanism",
     )
-    at: At | None = Field(None, description="where a force acts: a point of the link, or [x, y] in its frame")
-    force: Force | None = Field(None, description="[Fx, Fy], or one number that acts along a joint's line")
-    along: Name | None = Field(None, description="the prismatic joint whose line a force of one number follows")
-    torque: Expression | None = Field(None, description="a torque on the link, counter-clockwise positive")
-    in_: Name | None = Field(
+    at: Annotated[At | None, Ref("point", of="on")] = Field(
+        None, description="where a force acts: a point of the link, or [x, y] in its frame"
+    )
+    force: Annotated[Force | None, Quantity(FORCE, scope=Scope.LOAD)] = Field(
+        None, description="[Fx, Fy], or one number that acts along a joint's line"
+    )
+    along: Annotated[Name | None, Ref("slide")] = Field(
+        None, description="the prismatic joint whose line a force of one number follows"
+    )
+    torque: Annotated[Expression | None, Quantity(TORQUE, scope=Scope.LOAD)] = Field(
+        None, description="a torque on the link, counter-clockwise positive"
+    )
+    in_: Annotated[Name | None, Ref("link")] = Field(
         None, alias="in", description="the link whose axes [Fx, Fy] is given in and turns with; frame by default"
     )
-    window: Name | None = Field(None, description="the window (of windows) outside which the load doesn't act")
+    window: Annotated[Name | None, Ref("window")] = Field(
+        None, description="the window (of windows) outside which the load doesn't act"
+    )
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
@@ -162,12 +188,20 @@ def _one(raw: Any) -> Any:
     return raw
 
 
-_BySignal = Annotated[dict[Annotated[str, BeforeValidator(_signal)], Interval], BeforeValidator(_one), freeze]
+_Signal = Annotated[str, BeforeValidator(_signal), Quantity(lambda c: crossed(c.name), scope=Scope.SIGNALS)]
+_Crossing = Annotated[Interval, Quantity(lambda c: crossed(c.name), ends=Ends.RISING)]
+_BySignal = Annotated[dict[_Signal, _Crossing], BeforeValidator(_one), freeze]
 
 Window = Annotated[
-    Annotated[Interval, Tag("time")] | Annotated[_BySignal, Tag("signal")],
+    Annotated[Interval, Quantity(TIME, ends=Ends.RISING), Tag("time")] | Annotated[_BySignal, Tag("signal")],
     Discriminator(lambda raw: "signal" if isinstance(raw, Mapping) else "time"),
 ]
+
+
+def crossed(name: str) -> Wanted:
+    """The unknown dimension of the signal that bounds a window."""
+    return (f"window {name}", 0)
+
 
 _INSTANT = re.compile(
     r"^\s*(?:(?P<extreme>max|min)\s+(?P<of>\S.*)|(?P<end>start|end)|(?P<signal>[^=]+)=(?P<level>[^=]+))\s*$", re.S
@@ -215,31 +249,74 @@ def _unit(raw: Any) -> str:
     return text
 
 
+FIGURES = {"path": LENGTH, "straightness": LENGTH, "dwell": TIME}
+"""What a reduction gives where that isn't of the kind of its signal."""
+
+
+def measured(name: str) -> Wanted:
+    """The unknown dimension of a measure, which its bounds share."""
+    return (f"measure {name}", 0)
+
+
+def figure(name: str, measure: Measure) -> Wanted:
+    """What a measure's figure is, and so its bounds, its wrap and its unit."""
+    return FIGURES.get(measure.reduction) or measured(name)
+
+
+def banded(name: str) -> Wanted:
+    """The unknown dimension of the signal of a dwell, which its band shares."""
+    return (f"dwell {name}", 0)
+
+
+def instant(name: str) -> Wanted:
+    """The unknown dimension of the expression that places a value in time."""
+    return (f"where {name}", 0)
+
+
+_REDUCED = Quantity(lambda c: measured(c.name), scope=Scope.SIGNALS)
+_FIGURE = Quantity(lambda c: figure(c.name, c.entry), ends=Ends.RISING)
+BOUND = Quantity(
+    lambda c: figure(c.name, c.mechanism.measures[c.name]) if c.name in c.mechanism.measures else None,
+    ends=Ends.ORDERED,
+)
+"""What bounds a measure of the same name."""
+
+
 class Measure(Frozen):
     """A named scalar of a run: one reduction of a signal expression, or of a point's path."""
 
-    span: Expression | None = Field(None, description="largest less smallest value of this signal expression")
-    max: Expression | None = Field(None, description="largest value")
-    min: Expression | None = Field(None, description="smallest value")
-    extremes: Expression | None = Field(None, description="both: the smallest and the largest value")
-    mean: Expression | None = Field(None, description="mean over time")
-    rms: Expression | None = Field(None, description="root of the mean square over time")
-    value: Expression | None = Field(None, description="value at one instant; with where")
+    span: Annotated[Expression | None, _REDUCED] = Field(
+        None, description="largest less smallest value of this signal expression"
+    )
+    max: Annotated[Expression | None, _REDUCED] = Field(None, description="largest value")
+    min: Annotated[Expression | None, _REDUCED] = Field(None, description="smallest value")
+    extremes: Annotated[Expression | None, _REDUCED] = Field(
+        None, description="both: the smallest and the largest value"
+    )
+    mean: Annotated[Expression | None, _REDUCED] = Field(None, description="mean over time")
+    rms: Annotated[Expression | None, _REDUCED] = Field(None, description="root of the mean square over time")
+    value: Annotated[Expression | None, _REDUCED] = Field(None, description="value at one instant; with where")
     where: Annotated[str, BeforeValidator(_where)] | None = Field(
         None,
         description="the instant of a value: 'max E.x', 'min E.x', 'motor.angle = 24 deg', 'start' or 'end'",
         examples=["max E.x", "min E.x", "motor.angle = 24 deg", "start", "end"],
     )
-    path: Name | None = Field(None, description="the length of this point's path")
-    straightness: Name | None = Field(
+    path: Annotated[Name | None, Ref("point")] = Field(None, description="the length of this point's path")
+    straightness: Annotated[Name | None, Ref("point")] = Field(
         None, description="the distance of the two closest parallel lines that hold this point's path"
     )
-    dwell: Expression | None = Field(
+    dwell: Annotated[Expression | None, Quantity(lambda c: banded(c.name), scope=Scope.SIGNALS)] = Field(
         None, description="the longest time in which this signal expression stays in a band; with within"
     )
-    within: Expression | None = Field(None, description="the whole width of the band of a dwell")
-    window: Name | None = Field(None, description="the window (of windows) to which the measure is confined")
-    wrap: Interval | None = Field(None, description="[low, high]: whole turns are added until it lies there")
+    within: Annotated[Expression | None, Quantity(lambda c: banded(c.name), Sign.POSITIVE, "within")] = Field(
+        None, description="the whole width of the band of a dwell"
+    )
+    window: Annotated[Name | None, Ref("window")] = Field(
+        None, description="the window (of windows) to which the measure is confined"
+    )
+    wrap: Annotated[Interval | None, _FIGURE] = Field(
+        None, description="[low, high]: whole turns are added until it lies there"
+    )
     unit: Annotated[str, BeforeValidator(_unit)] | None = Field(
         None, description="unit of the figure, instead of the declared one"
     )

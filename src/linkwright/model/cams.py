@@ -3,21 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
 from linkwright.model.fields import AssemblyRule, Expression, Frozen, LineOn, Name
 from linkwright.model.parts import Drive
+from linkwright.model.typed_fields import ELSEWHERE, Quantity, Sign
+from linkwright.model.units import ANGLE, LENGTH
 from linkwright.model.written import Fault
+
+_RADIUS = Quantity(LENGTH, Sign.POSITIVE, "radius")
 
 
 class Second(Frozen):
     """What rides on the second disc of a conjugate pair, on the same follower and shaft; what is left out is as on the
     first. Its place gives the disc's base circle, or the other way round."""
 
-    base: Expression | None = Field(None, description="radius of its base circle; the first one's unless at is given")
-    roller: Expression | None = Field(None, description="radius of its roller; the first one's unless given")
+    base: Annotated[Expression | None, _RADIUS] = Field(
+        None, description="radius of its base circle; the first one's unless at is given"
+    )
+    roller: Annotated[Expression | None, _RADIUS] = Field(
+        None, description="radius of its roller; the first one's unless given"
+    )
     at: Name | None = Field(None, description="the second roller's centre, or the second edge: a point of the follower")
     face: LineOn | None = Field(None, description="the follower's second face, on the other side of the cam")
 
@@ -39,22 +47,26 @@ class Cam(Frozen):
     cam: Name = Field(description="the link that carries the cam; a drive turns it on the link named by on")
     follower: Name = Field(description="the link that rides on the cam, pinned to or sliding on the same link")
     on_: Name = Field(alias="on", description="the link on which both the cam and the follower are carried")
-    base: Expression = Field(description="radius of the cam's base circle, on which the law's lift is 0")
+    base: Annotated[Expression, _RADIUS] = Field(
+        description="radius of the cam's base circle, on which the law's lift is 0"
+    )
     law: Name = Field(
         description="the motion law, over an angle; its value is an angle for a follower on a pin, a length on a slide"
     )
-    phase: Expression = Field(Expression(0), description="where in the law the cam stands at the motor's value 0")
+    phase: Annotated[Expression, Quantity(ANGLE)] = Field(
+        Expression(0), description="where in the law the cam stands at the motor's value 0"
+    )
     sense: Literal["counter-clockwise", "clockwise"] | None = Field(
         None,
         description="the sense of turn in which the cam runs through the law; that of the motor's speed unless given",
     )
-    roller: Expression | None = Field(None, description="radius of the follower's roller; with at")
+    roller: Annotated[Expression | None, _RADIUS] = Field(None, description="radius of the follower's roller; with at")
     at: Name | None = Field(None, description="the roller's centre, a point of the follower")
     knife: Name | None = Field(None, description="the point of the follower that slides on the cam as a knife edge")
     face: LineOn | None = Field(
         None, description="the follower's flat face, e.g. F at 0 deg; on a pin the direction points to its free end"
     )
-    side: AssemblyRule | None = Field(
+    side: Annotated[AssemblyRule | None, ELSEWHERE] = Field(
         None,
         description="where the follower lies: 'left of O-A' (shaft-pivot), or 'ahead of O along SLIDE' (unless given)",
     )
@@ -110,7 +122,7 @@ class Following(Drive):
     of the line from shaft to pivot, or where it rises along the slide; else -1.
     """
 
-    cam: Cam
+    cam: Annotated[Cam, ELSEWHERE]
     motor: str
     shaft: tuple[str, str]
     pivot: tuple[str, str] | None = None

@@ -3,18 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import Annotated, Any
 
 from pydantic import Field
 
+from linkwright.model import units as u
 from linkwright.model.actions import At
 from linkwright.model.fields import Expression, Frozen, Name
-from linkwright.model.parts import Interval, TwoLinks
+from linkwright.model.parts import INERTIA, PART_LENGTH, Interval, TwoLinks
+from linkwright.model.typed_fields import Quantity, Ref, Sign
+from linkwright.model.units import Dimension
 from linkwright.model.written import Fault
 
 _BETWEEN_POINTS = ("from", "to", "in", "length", "force", "gas", "progression", "exponent")
 _AT_JOINT = ("turns", "on", "torque")
 _LINEAR, _GAS = ("free", "preload"), ("progression", "exponent")
+
+
+def _law(linear: Dimension, torsional: Dimension, sign: Sign = Sign.NOT_NEGATIVE) -> Quantity:
+    """A quantity of a spring between two points, and of a torsional one."""
+    return Quantity(lambda c: torsional if c.entry.torsional else linear, sign)
+
+
+_FREE = Quantity(
+    lambda c: u.ANGLE if c.entry.torsional else u.LENGTH,
+    lambda c: Sign.ANY if c.entry.torsional else Sign.NOT_NEGATIVE,
+)
 
 
 class Spring(Frozen):
@@ -29,24 +43,34 @@ class Spring(Frozen):
         None, description="torsional: the link on which the torque acts; its angle is against on"
     )
     on: Name | None = Field(None, description="torsional: the other link, on which the opposite torque acts")
-    stiffness: Expression | None = Field(None, description="force over length, or torque over angle; with free")
-    free: Expression | None = Field(None, description="length, or angle, at which the spring is relaxed")
-    preload: Expression | None = Field(
+    stiffness: Annotated[Expression | None, _law(u.STIFFNESS, u.TORSIONAL_STIFFNESS)] = Field(
+        None, description="force over length, or torque over angle; with free"
+    )
+    free: Annotated[Expression | None, _FREE] = Field(
+        None, description="length, or angle, at which the spring is relaxed"
+    )
+    preload: Annotated[Expression | None, _law(u.FORCE, u.TORQUE, Sign.ANY)] = Field(
         None, description="force (torque) that is there at the free length (angle) already"
     )
-    damping: Expression | None = Field(None, description="force over speed, or torque over angular speed")
+    damping: Annotated[Expression | None, _law(u.DAMPING, u.TORSIONAL_DAMPING)] = Field(
+        None, description="force over speed, or torque over angular speed"
+    )
     force: Name | None = Field(None, description="a table of the pulling force over the length")
     torque: Name | None = Field(
         None, description="a table of the torque over the angle, positive where it turns it back"
     )
-    gas: Expression | None = Field(None, description="gas spring: its push at the greater length; with progression")
-    progression: Expression | None = Field(
+    gas: Annotated[Expression | None, Quantity(u.FORCE, Sign.POSITIVE)] = Field(
+        None, description="gas spring: its push at the greater length; with progression"
+    )
+    progression: Annotated[Expression | None, Quantity(u.PURE, Sign.NOT_NEGATIVE)] = Field(
         None, description="gas spring: push at the smaller length over that at the greater one; with length"
     )
-    exponent: Expression | None = Field(
+    exponent: Annotated[Expression | None, Quantity(u.PURE, Sign.POSITIVE)] = Field(
         None, description="gas spring: polytropic exponent, 1 (slow, isothermal) unless given, 1.4 fast (adiabatic)"
     )
-    length: Interval | None = Field(None, description="[smallest, greatest] length that the part allows")
+    length: Annotated[Interval | None, PART_LENGTH] = Field(
+        None, description="[smallest, greatest] length that the part allows"
+    )
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
@@ -91,9 +115,11 @@ class Spring(Frozen):
 class Counterweight(Frozen):
     """A mass added to a link, with or without mass of its own."""
 
-    on: Name = Field(description="the link that carries it")
-    mass: Expression = Field(description="its mass")
-    at: At = Field(description="where its centre of mass is: a point of the link, [x, y] or 'r at angle' in its frame")
-    inertia: Expression | None = Field(
+    on: Annotated[Name, Ref("link")] = Field(description="the link that carries it")
+    mass: Annotated[Expression, Quantity(u.MASS, Sign.POSITIVE, "mass")] = Field(description="its mass")
+    at: Annotated[At, Ref("point", of="on")] = Field(
+        description="where its centre of mass is: a point of the link, [x, y] or 'r at angle' in its frame"
+    )
+    inertia: Annotated[Expression | None, INERTIA] = Field(
         None, description="moment of inertia about its own centre of mass; none unless given"
     )

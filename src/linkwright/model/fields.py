@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Annotated, Any
 
 from pydantic import BeforeValidator, WithJsonSchema
@@ -12,6 +12,8 @@ from linkwright.findings import Term
 from linkwright.model.expressions import ExpressionError, Node, Number, parse
 from linkwright.model.parser import reads
 from linkwright.model.respelled import syntax_fault
+from linkwright.model.typed_fields import Quantity, Sign
+from linkwright.model.units import ANGLE, LENGTH
 from linkwright.model.written import (
     Frozen,
     FrozenDict,
@@ -64,6 +66,12 @@ Text = Annotated[str, BeforeValidator(short_text), WithJsonSchema({"type": "stri
 LongText = Annotated[str, BeforeValidator(free_text), WithJsonSchema({"type": "string"})]
 
 
+TypedParts = Iterable[tuple["Expression", Quantity | None]]
+"""Expressions with what they are; ``None`` where the field says that."""
+
+_LENGTH, _ANGLE = Quantity(LENGTH), Quantity(ANGLE)
+
+
 class Expression(Written):
     """A number, or arithmetic on numbers, units and parameters (``155``, ``155 mm``, ``AB + 2*e``)."""
 
@@ -78,6 +86,9 @@ class Expression(Written):
         elif raw.strip().lstrip("+-").lower() in _NOT_NUMBERS:
             raise fault("file.not-finite", given=raw.strip())
         self.put("node", parse_text(str(raw)))
+
+    def quantities(self) -> TypedParts:
+        return ((self, None),)
 
     @property
     def text(self) -> str:
@@ -147,6 +158,9 @@ class Position(Written):
         if not self.polar and not self.sketched:
             self.put("raw", (self.first.raw, self.second.raw))
 
+    def quantities(self) -> TypedParts:
+        return (self.first, _LENGTH), (self.second, _ANGLE if self.polar else _LENGTH)
+
 
 class Place(Position):
     """The place of a point of a sketch: as a position, or ``[x, y, z]`` in the vehicle's axes."""
@@ -193,6 +207,9 @@ class LineOn(Written):
         self.put("point", check_name(parts[0].strip()))
         self.put("angle", Expression(parts[1]))
 
+    def quantities(self) -> TypedParts:
+        return ((self.angle, _ANGLE),)
+
 
 _TWO = r"\s+(?!of\b)(\w+)\s*(?:-|–|,|\s|\band\b|\bto\b)\s*(\w+)"
 """Two points in other spellings of A-B."""
@@ -222,6 +239,9 @@ class Shape(Written):
         self.put("form", raw.split()[0])
         self.put("points", tuple(p for p in (start, end, centre, single) if p))
         self.put("radius", Expression(radius) if radius else None)
+
+    def quantities(self) -> TypedParts:
+        return ((self.radius, Quantity(LENGTH, Sign.POSITIVE, "radius")),) if self.radius else ()
 
 
 class AssemblyRule(Written):
@@ -270,6 +290,9 @@ class AssemblyRule(Written):
         """As a file has it."""
         return str(self.raw) if self.sketch is None else f"[{self.sketch.first.text}, {self.sketch.second.text}]"
 
+    def quantities(self) -> TypedParts:
+        return () if self.sketch is None else self.sketch.quantities()
+
     def _put(self, word: str, reference: tuple[str, ...], along: str | None, sketch: Position | None) -> None:
         self.put("word", word)
         self.put("reference", reference)
@@ -307,6 +330,9 @@ class Requirement(Written):
             raise self.unexpected("requirement", raw)
         self.put("low", low)
         self.put("high", high)
+
+    def quantities(self) -> TypedParts:
+        return [(bound, None) for bound in self.bounds]
 
     @property
     def bounds(self) -> tuple[Expression, ...]:

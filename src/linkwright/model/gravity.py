@@ -5,7 +5,9 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from linkwright.model.fields import Expression
+from linkwright.model.fields import Expression, TypedParts
+from linkwright.model.typed_fields import Quantity
+from linkwright.model.units import ACCELERATION
 from linkwright.model.written import Written, fault, unexpected
 
 EARTH = 9.80665
@@ -47,6 +49,9 @@ class Gravity(Written):
         self.put(
             "parts", (Expression("0 m/s^2"), Expression(f"-{_EARTH}")) if match[1] is None else _along(match[1], raw)
         )
+
+    def quantities(self) -> TypedParts:
+        return [(part, Quantity(ACCELERATION)) for part in self.parts]
 
 
 def _along(inside: str, raw: str) -> tuple[Expression, Expression]:

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator, Field
 
 from linkwright.escape import line
-from linkwright.model.actions import REDUCTIONS, Load, Measure, Table, Window
+from linkwright.model.actions import BOUND, REDUCTIONS, Load, Measure, Table, Window
 from linkwright.model.cams import Cam
 from linkwright.model.elements import Counterweight, Spring
 from linkwright.model.fields import (
@@ -25,6 +25,7 @@ from linkwright.model.fields import (
 from linkwright.model.gravity import Gravity
 from linkwright.model.motions import MotionLaw
 from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter, Plane, Units, freeze
+from linkwright.model.typed_fields import Ref
 from linkwright.model.written import FaultWithin, unexpected
 
 __all__ = [
@@ -142,7 +143,7 @@ class Mechanism(Frozen):
     measures: Annotated[dict[Name, Measure], _bound, freeze] = Field(
         default_factory=FrozenDict, description="the figures that are asked for"
     )
-    require: Annotated[dict[Name, Requirement], _bound, freeze] = Field(
+    require: Annotated[dict[Annotated[Name, Ref("measure")], Annotated[Requirement, BOUND]], _bound, freeze] = Field(
         default_factory=FrozenDict, description="limits on measures, e.g. stroke: '>= 680 mm'"
     )
 

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from itertools import count, repeat
 from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field
 
 from linkwright.laws import LAWS
 from linkwright.model.actions import Row
-from linkwright.model.fields import Expression, Frozen
+from linkwright.model.fields import Expression, Frozen, FrozenDict, pair
+from linkwright.model.typed_fields import Quantity, Scope
 from linkwright.model.units import ANGLE, LENGTH, PURE, TIME, Dimension
 from linkwright.model.unknown import near
 from linkwright.model.written import Fault, fault, short_text, unexpected
@@ -48,7 +48,8 @@ def _known(raw: Any) -> str:
 Numbers = Annotated[tuple[Expression, ...], _some(lambda raw: unexpected("numbers", raw), MAX_NUMBERS)]
 Powers = Annotated[tuple[Annotated[int, Field(ge=1, le=20)], ...], _some(lambda raw: unexpected("numbers", raw), 20)]
 LawName = Annotated[str, BeforeValidator(_known), Field(json_schema_extra={"enum": [*LAWS]})]
-Rows = Annotated[tuple[Row, ...], _some(lambda raw: unexpected("table-rows", raw), MAX_NUMBERS)]
+SOME_ROWS = _some(lambda raw: unexpected("table-rows", raw), MAX_NUMBERS)
+Rows = Annotated[tuple[Row, ...], SOME_ROWS]
 
 _NORMALISED = ("law", "fractions", "powers", "formula")
 _BETWEEN = ("match", "from", "to", "via", "spline")
@@ -62,36 +63,59 @@ _HEADS: dict[str, tuple[str, ...]] = {
 """What says which kind of segment it is, and the keys that go with it."""
 
 
+def _of_law(dimension: Callable[[Any], Dimension]) -> Quantity:
+    """A quantity of a segment, whose dimension its law tells."""
+    return Quantity(lambda c: dimension(c.entries[-2]))
+
+
+_AXIS, _VALUE = _of_law(lambda law: law.axis), _of_law(lambda law: law.value)
+_RATES = Quantity(lambda c: c.entries[-2].rate(int(c.path[-1]) + 1))
+_FORMULA = Quantity(PURE, scope=Scope.FORMULA, names=FrozenDict({ARGUMENT: PURE}))
+_Via = Annotated[tuple[Annotated[Expression, _AXIS], Annotated[Expression, _VALUE]], BeforeValidator(pair("table-row"))]
+
+
 class Segment(Frozen):
     """One stretch of a motion: a dwell, a rise or fall, control values of a B-spline, a harmonic series."""
 
-    dwell: Expression | None = Field(None, description="at rest for so long")
-    rise: Expression | None = Field(None, description="by so much up, negative down; with over and how")
-    fall: Expression | None = Field(None, description="by so much down, as the mirror image of a rise")
-    over: Expression | None = Field(None, description="the way along the axis that the segment takes")
+    dwell: Annotated[Expression | None, _AXIS] = Field(None, description="at rest for so long")
+    rise: Annotated[Expression | None, _VALUE] = Field(
+        None, description="by so much up, negative down; with over and how"
+    )
+    fall: Annotated[Expression | None, _VALUE] = Field(
+        None, description="by so much down, as the mirror image of a rise"
+    )
+    over: Annotated[Expression | None, _AXIS] = Field(None, description="the way along the axis that the segment takes")
     law: LawName | None = Field(None, description="the name of a law, such as cycloidal, modified_sine, poly_345")
-    skew: Expression | None = Field(
+    skew: Annotated[Expression | None, Quantity(PURE)] = Field(
         None, description="where the greatest velocity of a symmetric law is reached, 0 to 1; 0.5 unless given"
     )
-    fractions: Numbers | None = Field(
+    fractions: Annotated[Numbers | None, Quantity(PURE)] = Field(
         None, description="[b, c, d, z] of the SCCA family, sum 1, or the widths of all seven zones"
     )
     powers: Powers | None = Field(None, description="the powers of a polynomial law, e.g. [3, 4, 5]")
-    formula: Expression | None = Field(None, description="a law of one's own in u, from 0 at u = 0 to 1 at u = 1")
+    formula: Annotated[Expression | None, _FORMULA] = Field(
+        None, description="a law of one's own in u, from 0 at u = 0 to 1 at u = 1"
+    )
     match: Literal["velocity", "acceleration", "jerk"] | None = Field(
         None, description="a polynomial that takes its end rates, up to this one, from its neighbours"
     )
-    from_: Numbers | None = Field(
+    from_: Annotated[Numbers | None, _RATES] = Field(
         None, alias="from", description="[velocity, acceleration, ...] at the start, by the axis"
     )
-    to: Numbers | None = Field(None, description="[velocity, acceleration, ...] at the end, by the axis")
-    via: Rows | None = Field(None, description="points [way, height] passed, both from the segment's start")
+    to: Annotated[Numbers | None, _RATES] = Field(
+        None, description="[velocity, acceleration, ...] at the end, by the axis"
+    )
+    via: Annotated[tuple[_Via, ...], SOME_ROWS] | None = Field(
+        None, description="points [way, height] passed, both from the segment's start"
+    )
     spline: Literal["cubic", "quintic"] | None = Field(
         None, description="a spline through via instead of one polynomial"
     )
-    control: Numbers | None = Field(None, description="the control values of a B-spline; with over and degree")
+    control: Annotated[Numbers | None, _VALUE] = Field(
+        None, description="the control values of a B-spline; with over and degree"
+    )
     degree: Annotated[int, Field(ge=2, le=9)] | None = Field(None, description="of the B-spline; 5 unless given")
-    harmonics: Rows | None = Field(
+    harmonics: Annotated[Rows | None, _VALUE] = Field(
         None, description="[[a1, b1], [a2, b2], ...] of the series a cos + b sin, once over the segment"
     )
 
@@ -133,8 +157,10 @@ class MotionLaw(Frozen):
 
     over: Literal["angle", "time"] = Field(description="what it is a function of")
     of: Literal["angle", "length"] = Field(description="what it gives")
-    start: Expression = Field(Expression(0), description="the value at the beginning; 0 unless given")
-    period: Expression | None = Field(
+    start: Annotated[Expression, Quantity(lambda c: c.entry.value)] = Field(
+        Expression(0), description="the value at the beginning; 0 unless given"
+    )
+    period: Annotated[Expression | None, Quantity(lambda c: c.entry.axis)] = Field(
         None, description="what the segments add up to; 360 deg over an angle unless given, over a time any"
     )
     beyond: Literal["repeat", "advance", "hold"] = Field(
@@ -157,36 +183,3 @@ class MotionLaw(Frozen):
     def rate(self, order: int) -> Dimension:
         """The dimension of a derivative by the axis."""
         return self.value.times(self.axis, -order)
-
-    def numbers(self) -> Iterator[tuple[tuple[str | int, ...], Expression, Dimension]]:
-        """Every expression but formulas, with its place within the law and its dimension."""
-        yield ("start",), self.start, self.value
-        if self.period is not None:
-            yield ("period",), self.period, self.axis
-        for i, segment in enumerate(self.segments):
-            for key, number, dimension in self._of(segment):
-                yield ("segments", i, *key), number, dimension
-
-    def _of(self, s: Segment) -> Iterator[tuple[tuple[str | int, ...], Expression, Dimension]]:
-        axis, value = self.axis, self.value
-        for key, number, dimension in (
-            ("dwell", s.dwell, axis),
-            ("rise", s.rise, value),
-            ("fall", s.fall, value),
-            ("over", s.over, axis),
-            ("skew", s.skew, PURE),
-        ):
-            if number is not None:
-                yield (key,), number, dimension
-        for key, numbers, dimensions in (
-            ("fractions", s.fractions, repeat(PURE)),
-            ("control", s.control, repeat(value)),
-            ("from", s.from_, map(self.rate, count(1))),
-            ("to", s.to, map(self.rate, count(1))),
-        ):
-            for k, (number, dimension) in enumerate(zip(numbers or (), dimensions, strict=False)):
-                yield (key, k), number, dimension
-        for key, rows, first in (("via", s.via, axis), ("harmonics", s.harmonics, value)):
-            for k, (x, y) in enumerate(rows or ()):
-                yield (key, k), x, first
-                yield (key, k), y, value

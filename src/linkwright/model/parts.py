@@ -15,6 +15,7 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema
 
+from linkwright.model import units as u
 from linkwright.model.fields import (
     Expression,
     Frozen,
@@ -29,6 +30,8 @@ from linkwright.model.fields import (
     pair,
 )
 from linkwright.model.tolerances import Tolerance
+from linkwright.model.typed_fields import ELSEWHERE, Ends, Quantity, Scope, Sign
+from linkwright.model.units import Dimension
 from linkwright.model.written import Fault, Shortened, plain_number, unexpected
 
 freeze = AfterValidator(FrozenDict)
@@ -59,14 +62,20 @@ class Units(Frozen):
         return self.model_dump(exclude_none=True)
 
 
+OWN = Quantity(lambda c: c.name)
+"""What is of the dimension of the parameter that has it."""
+
+
 class Parameter(Shortened):
     """A named value, that a study may vary or differentiate by. In a file mostly written as its value alone."""
 
     main = "value"
     alone = "the value alone"
 
-    value: Expression = Field(description="a number, with or without unit, or arithmetic on other parameters")
-    tolerance: Tolerance | None = Field(
+    value: Annotated[Expression, OWN] = Field(
+        description="a number, with or without unit, or arithmetic on other parameters"
+    )
+    tolerance: Annotated[Tolerance | None, OWN] = Field(
         None,
         description="deviation in manufacture: one number for plus and minus, [lower, upper], a class such as "
         "ISO 2768-m, h7 or IT8, or a mapping that says more",
@@ -95,7 +104,7 @@ class Plane(Shortened):
     normal: Annotated[tuple[float, float, float], BeforeValidator(_direction)] | None = Field(
         None, description="instead of axes: the direction of the joints' axes, [nx, ny, nz], to either side"
     )
-    within: Expression | None = Field(
+    within: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(
         None, description="how far pinned points may be off the plane; beyond is an error"
     )
 
@@ -137,6 +146,10 @@ Points = Annotated[
 ]
 
 
+MASS = Quantity(u.MASS, Sign.NOT_NEGATIVE, "mass")
+INERTIA = Quantity(u.INERTIA, Sign.NOT_NEGATIVE, "inertia")
+
+
 class Link(Frozen):
     """A rigid link: its points in its own frame, and its mass if it has one."""
 
@@ -144,9 +157,11 @@ class Link(Frozen):
         description="named points, [x, y] or 'r at angle' in the link's frame, or a list of the names of sketched "
         "points; a name that several links share is a pin between them"
     )
-    mass: Expression | None = Field(None, description="mass; with com and inertia, or with shape")
+    mass: Annotated[Expression | None, MASS] = Field(None, description="mass; with com and inertia, or with shape")
     com: Position | None = Field(None, description="centre of mass in the link's frame")
-    inertia: Expression | None = Field(None, description="moment of inertia about the centre of mass")
+    inertia: Annotated[Expression | None, INERTIA] = Field(
+        None, description="moment of inertia about the centre of mass"
+    )
     shape: Shape | None = Field(
         None, description="'rod A-B', 'disc RADIUS at A' or 'point A', instead of com and inertia"
     )
@@ -168,7 +183,7 @@ class Joint(Frozen):
 
     prismatic: TwoLinks | None = Field(None, description="the two links that slide on each other; with line")
     line: TwoLines | None = Field(None, description="the line on each of the two links, e.g. [H at 0 deg, G at 0 deg]")
-    travel: Interval | None = Field(
+    travel: Annotated[Interval | None, Quantity(u.LENGTH, ends=Ends.RISING)] = Field(
         None, description="[lowest, highest] travel (the signal NAME.s) of a prismatic joint; a run beyond is an error"
     )
     revolute: TwoLinks | None = Field(None, description="the two links that are pinned; with at")
@@ -198,8 +213,12 @@ class Joint(Frozen):
         return pair
 
 
+PART_LENGTH = Quantity(u.LENGTH, Sign.NOT_NEGATIVE, "length", ends=Ends.RISING)
+"""The lengths that a cylinder, spring or other part allows."""
+
+
 class CylinderPart(Frozen):
-    """The mass of a cylinder's barrel or rod."""
+    """The mass of a cylinder's barrel or rod; looked at as that of the link that it becomes."""
 
     mass: Expression = Field(description="mass")
     com: Expression = Field(description="distance of the centre of mass from the part's own pin, towards the other")
@@ -213,11 +232,18 @@ class Cylinder(Frozen):
 
     from_: Name = Field(alias="from", description="the point at which the barrel is pinned")
     to: Name = Field(description="the point at which the rod is pinned")
-    length: Interval | None = Field(
+    length: Annotated[Interval | None, PART_LENGTH] = Field(
         None, description="[shortest, longest] distance of the two pins; a run beyond is a finding"
     )
-    barrel: CylinderPart | None = Field(None, description="mass of the barrel; massless where left out")
-    rod: CylinderPart | None = Field(None, description="mass of the rod; massless where left out")
+    barrel: Annotated[CylinderPart | None, ELSEWHERE] = Field(
+        None, description="mass of the barrel; massless where left out"
+    )
+    rod: Annotated[CylinderPart | None, ELSEWHERE] = Field(None, description="mass of the rod; massless where left out")
+
+
+def _driven(turning: Dimension, sliding: Dimension, scope: Scope = Scope.CONSTANT) -> Quantity:
+    """A quantity of the motion that a drive prescribes, where that turns and where it slides."""
+    return Quantity(lambda c: turning if c.mechanism.prescribed(c.name).turns else sliding, scope=scope)
 
 
 class Drive(Frozen):
@@ -232,14 +258,16 @@ class Drive(Frozen):
     on_: Name | None = Field(
         None, alias="on", description="the link against which the motion is measured, e.g. frame; not with extends"
     )
-    speed: Expression | None = Field(
+    speed: Annotated[Expression | None, _driven(u.OMEGA, u.SPEED)] = Field(
         None, description="constant speed, e.g. 60 rpm, or with acceleration the speed at t = 0; with start"
     )
-    start: Expression | None = Field(
+    start: Annotated[Expression | None, _driven(u.ANGLE, u.LENGTH)] = Field(
         None, description="value at t = 0; with speed. In a model with a sketch, as drawn where left out"
     )
-    acceleration: Expression | None = Field(None, description="constant acceleration; speed is then that at t = 0")
-    position: Expression | None = Field(
+    acceleration: Annotated[Expression | None, _driven(u.ALPHA, u.ACCELERATION)] = Field(
+        None, description="constant acceleration; speed is then that at t = 0"
+    )
+    position: Annotated[Expression | None, _driven(u.ANGLE, u.LENGTH, Scope.TIME)] = Field(
         None, description="value as an expression in t, e.g. 20 deg*sin(180 deg*t/(1 s)); may call tables"
     )
     output: Name | None = Field(

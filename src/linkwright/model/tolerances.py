@@ -10,6 +10,8 @@ from pydantic import BeforeValidator, Discriminator, Field, Tag, WithJsonSchema
 
 from linkwright.findings import Finding
 from linkwright.model.fields import Expression, Frozen, Two, Written, pair
+from linkwright.model.typed_fields import Quantity
+from linkwright.model.units import LENGTH, PURE
 from linkwright.model.written import Fault, fault
 from linkwright.tolerances import DISTRIBUTIONS, ToleranceClass, examples, tolerance_class
 
@@ -69,7 +71,9 @@ class Spread(Frozen):
     """How deviations are distributed between their limits."""
 
     distribution: DistributionName | None = Field(None, description="normal, uniform, triangular, truncated")
-    cp: Expression | None = Field(None, description="capability: the standard deviation is the limits' width/(6 cp)")
+    cp: Annotated[Expression | None, Quantity(PURE)] = Field(
+        None, description="capability: the standard deviation is the limits' width/(6 cp)"
+    )
     sigma: Expression | None = Field(None, description="the standard deviation, instead of cp")
 
     @classmethod
@@ -87,7 +91,7 @@ class Stated(Spread):
     limits: Limits | None = Field(
         None, description="one number for plus and minus, [lower, upper], or a class; else the study's general one"
     )
-    side: Expression | None = Field(
+    side: Annotated[Expression | None, Quantity(LENGTH)] = Field(
         None, description="of an angle: the length of its shorter side, by which a class tells its limits"
     )
 

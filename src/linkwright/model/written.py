@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import numbers
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, ClassVar, NoReturn, Self
 
 from pydantic import (
@@ -212,6 +212,11 @@ class Written:
 
     def read(self, raw: Any) -> None:
         """Parse and store; raises :func:`fault`."""
+
+    def quantities(self) -> Iterable[tuple[Any, Any]]:
+        """The expressions in it, each with the :class:`~linkwright.model.typed_fields.Quantity` that it is, or ``None``
+        where the field says that."""
+        return ()
 
     def unexpected(self, wanted: str, raw: Any) -> PydanticCustomError:
         """A fault: something else is wanted, with what is meant where it is in another spelling."""

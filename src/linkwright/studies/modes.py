@@ -8,13 +8,14 @@ from typing import Any
 import numpy as np
 from pydantic import Field
 
+from linkwright.compilation import Prepared
 from linkwright.findings import Finding, ModelError
 from linkwright.graph.cams import followings
 from linkwright.graph.constraints import Ride
 from linkwright.graph.geometry import ZERO
 from linkwright.graph.modes import Mode
 from linkwright.graph.survey import SAME, Circuit, Survey, survey
-from linkwright.kernels import Compiled, Prepared
+from linkwright.kernels import Compiled
 from linkwright.kernels.cams import CamLaw
 from linkwright.kernels.laws import values_at
 from linkwright.model import units as u

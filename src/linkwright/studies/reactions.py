@@ -13,9 +13,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from pydantic import Field
 
+from linkwright.compilation import examine_still
 from linkwright.findings import Finding
 from linkwright.graph.statics import Statics
-from linkwright.kernels import Compiled, Still, examine_still
+from linkwright.kernels import Compiled, Still
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Frozen

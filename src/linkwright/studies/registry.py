@@ -36,7 +36,7 @@ class Study(Protocol):
 @runtime_checkable
 class OfStructures(Protocol):
     """A study of mechanisms that aren't driven: it stands alone in its file and brings its own way of compiling one, in
-    place of :func:`linkwright.kernels.examine`."""
+    place of :func:`linkwright.compilation.examine`."""
 
     def examine(
         self, mechanism: Mechanism, folder: Path | None = None, uses: Sequence[Place] = ()

@@ -17,8 +17,9 @@ from numpy.typing import NDArray
 from linkwright.blocks import Cut, Fourth, Histogram, Moments, Reduction, Tallies
 from linkwright.blocks.store import Variable
 from linkwright.blocks.work import Arrays
+from linkwright.compilation import examine
 from linkwright.findings import raise_errors
-from linkwright.kernels import Compiled, examine
+from linkwright.kernels import Compiled
 from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.varied import Varied
 from linkwright.kernels.versions import versions

@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 import shapely
 
+from linkwright.compilation import compile_mechanism, examine
 from linkwright.exports.process_simulate.facts import Facts, HingeFacts, check_facts, facts, hand_force, panel_of
-from linkwright.kernels import Compiled, compile_mechanism, examine
+from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
 from linkwright.model.document import Document, load, plain
 

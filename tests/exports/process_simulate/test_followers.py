@@ -12,8 +12,8 @@ import pytest
 
 import linkwright as lw
 from helpers.cams import pair
+from linkwright.compilation import compile_mechanism
 from linkwright.exports.process_simulate.evaluator import NotInDialect, read
-from linkwright.kernels import compile_mechanism
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 

@@ -11,10 +11,11 @@ import pytest
 from helpers.compiled import compiled_from, compiled_of
 from helpers.plain import document_of
 from helpers.random_mechanisms import Seeded, build, driven_elsewhere, sketched
+from linkwright.compilation import compile_mechanism
 from linkwright.exports.process_simulate import evaluator
 from linkwright.exports.process_simulate.functions import JointFunctions, Wish, make
 from linkwright.exports.process_simulate.linkage import Refused
-from linkwright.kernels import Compiled, compile_mechanism
+from linkwright.kernels import Compiled
 from linkwright.model.document import load
 from linkwright.results import Run
 from linkwright.studies.sweep import sweeping

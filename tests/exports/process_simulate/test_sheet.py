@@ -14,12 +14,13 @@ from typing import Any
 import numpy as np
 import pytest
 
+from linkwright.compilation import compile_mechanism
 from linkwright.exports.process_simulate.facts import Facts, facts
 from linkwright.exports.process_simulate.functions import JointFunctions, make
 from linkwright.exports.process_simulate.options import ProcessSimulateOptions
 from linkwright.exports.process_simulate.sheet import sheet
 from linkwright.exports.process_simulate.sheet_drawing import anchors
-from linkwright.kernels import Compiled, compile_mechanism
+from linkwright.kernels import Compiled
 from linkwright.model.document import load
 
 EXAMPLES = Path(__file__).parents[3] / "examples"

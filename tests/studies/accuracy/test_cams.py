@@ -14,7 +14,7 @@ from helpers.compiled import compiled_from
 from helpers.differences import derivative
 from helpers.examples import four_bar
 from linkwright.cam.pairs import disc, frame
-from linkwright.kernels import examine
+from linkwright.compilation import examine
 from linkwright.kernels.cut import cut
 from linkwright.model.document import parse_document
 from linkwright.results import Run

@@ -11,7 +11,7 @@ import pytest
 import linkwright as lw
 from helpers.cams import pair
 from helpers.compiled import compiled_from
-from linkwright.kernels import examine
+from linkwright.compilation import examine
 from linkwright.kernels.varied import Varied
 from linkwright.laws import LAWS
 from linkwright.measures import measure_all

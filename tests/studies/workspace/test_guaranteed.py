@@ -12,7 +12,8 @@ from scipy.optimize import brentq
 
 from helpers.compiled import compiled_from
 from helpers.examples import UNITS
-from linkwright.kernels import Compiled, compile_mechanism
+from linkwright.compilation import compile_mechanism
+from linkwright.kernels import Compiled
 from linkwright.model.document import load
 from linkwright.model.units import LENGTH
 from linkwright.studies.accuracy.contributors import Contributor, Contributors

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import shapely
 
-from linkwright.kernels import compile_mechanism
+from linkwright.compilation import compile_mechanism
 from linkwright.kernels.varied import Varied
 from linkwright.model.document import load
 from linkwright.studies.workspace.mesh import Box, found_pits

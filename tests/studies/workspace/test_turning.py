@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from helpers.compiled import compiled_from
 from linkwright import load
-from linkwright.kernels import KERNELS, Compiled, compile_mechanism
+from linkwright.compilation import compile_mechanism
+from linkwright.kernels import KERNELS, Compiled
 from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.sheet import Sheet
 from linkwright.studies.workspace.turning import Turning, turnings

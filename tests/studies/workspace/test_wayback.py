@@ -13,8 +13,9 @@ import pytest
 import shapely
 
 from helpers.compiled import compiled_from
+from linkwright.compilation import compile_mechanism
 from linkwright.findings import ModelError
-from linkwright.kernels import Compiled, compile_mechanism
+from linkwright.kernels import Compiled
 from linkwright.model.document import load
 from linkwright.studies.workspace.mesh import Box, mesh
 from linkwright.studies.workspace.pasted import pasted

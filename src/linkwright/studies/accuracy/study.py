@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
+from linkwright.compilation import examine
 from linkwright.findings import Finding, ModelError, raise_errors
-from linkwright.kernels import Compiled, examine
+from linkwright.kernels import Compiled
 from linkwright.kernels.cut import cut
 from linkwright.kernels.varied import Varied
 from linkwright.model.document import Document

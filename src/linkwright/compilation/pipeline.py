@@ -1,0 +1,102 @@
+"""The stages from a mechanism to one that is ready to run, in their order.
+
+    desugar      short forms as the links, joints and lengths that they stand for
+    check        names and references
+    quantities   dimensions, bare numbers in SI
+    laws         motions of drives, tables of loads and springs; numbers that make no sense
+    structure    driven links and Assur groups, in the order of solution
+    assemble     the assembly mode of each group, the start pose
+
+A stage gives its value and its findings; the next one goes on with what is sound, so that all findings come at once.
+:func:`prepare` goes as far as what is known before the assembly modes are settled, :func:`examine` all the way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from linkwright.compilation.stages import Laws, assemble, check, desugar, laws, quantities, structure, warnings
+from linkwright.findings import Finding, raise_errors
+from linkwright.kernels import Compiled
+from linkwright.kernels.law import Law
+from linkwright.kernels.motions import StatedMotion
+from linkwright.kernels.tables import StatedTable
+from linkwright.model.mechanism import Mechanism
+from linkwright.model.places import Place
+from linkwright.model.quantities import Quantities
+from linkwright.model.spelled import Spelled
+from linkwright.structure import Structure
+
+
+@dataclass
+class Prepared:
+    """A mechanism as far as it is known before its assembly modes are settled, its short forms spelled out."""
+
+    spelled: Spelled
+    quantities: Quantities
+    structure: Structure
+    stated: Laws
+    findings: list[Finding]
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism that is solved."""
+        return self.spelled.mechanism
+
+    @property
+    def laws(self) -> dict[str, Law]:
+        """The law of each drive."""
+        return self.stated.drives
+
+    @property
+    def motions(self) -> dict[str, StatedMotion]:
+        """The motion laws by name, that drives ask."""
+        return self.stated.motions
+
+    @property
+    def tables(self) -> dict[str, StatedTable]:
+        """The tables by name, that loads and springs ask."""
+        return self.stated.tables
+
+
+def prepare(
+    mechanism: Mechanism, folder: Path | None = None, uses: Sequence[Place] = (), driven: bool = True
+) -> Prepared:
+    """Dimensions, drive laws and structure of a mechanism, with all findings on them; for ``uses`` see
+    :class:`linkwright.model.quantities.Quantities`. It needs drives, unless it isn't ``driven``."""
+    spelled = desugar(mechanism)
+    unnamed = check(spelled, driven)
+    numbers, unclear = quantities(spelled, uses, unnamed)
+    stated, wrong = laws(numbers, folder, named=not unnamed)
+    findings = [*unnamed, *unclear, *wrong]
+    found, unsolved = structure(numbers, stated, named=not unnamed, redundancy=driven and not findings)
+    return Prepared(spelled, numbers, found, stated, spelled.home([*findings, *unsolved]))
+
+
+def examine(
+    mechanism: Mechanism, folder: Path | None = None, uses: Sequence[Place] = ()
+) -> tuple[Compiled | None, list[Finding]]:
+    """Compile a mechanism as far as it goes, with all findings; ``folder`` is where its table files lie, ``uses``
+    expressions of studies that tell the units of what the mechanism leaves open.
+
+    The result is ``None`` where an error stops it; warnings alone don't.
+    """
+    made = prepare(mechanism, folder, uses)
+    if made.findings:
+        return None, made.findings
+    assembly = assemble(made.quantities, made.structure, made.stated)
+    if assembly.findings:
+        return None, made.spelled.home(assembly.findings)
+    parts = (made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables, made.motions)
+    odd = warnings(made.spelled, made.quantities, made.stated, assembly)
+    return Compiled(*parts, plane=made.spelled.plane, folder=folder), odd
+
+
+def compile_mechanism(mechanism: Mechanism, folder: str | Path | None = None) -> Compiled:
+    """A mechanism ready to run. Raises :class:`ModelError` with every finding when it can't be."""
+    compiled, findings = examine(mechanism, Path(folder) if folder else None)
+    raise_errors(findings)
+    assert compiled is not None
+    return compiled

@@ -1,0 +1,109 @@
+"""The stages of compiling, each a function from what the ones before it gave; :mod:`~linkwright.compilation.pipeline`
+has their order."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from linkwright.findings import Finding
+from linkwright.graph import assembly as modes
+from linkwright.graph.assembly import Assembly
+from linkwright.graph.redundant import redundant
+from linkwright.kernels.cams import cam_faults
+from linkwright.kernels.law import Law
+from linkwright.kernels.laws import action_tables, drive_laws, values_at
+from linkwright.kernels.motions import StatedMotion, motion_laws
+from linkwright.kernels.starts import moved_starts
+from linkwright.kernels.tables import StatedTable
+from linkwright.model.check import check_names, check_values
+from linkwright.model.mechanism import Mechanism
+from linkwright.model.places import Place
+from linkwright.model.plausible import implausible
+from linkwright.model.quantities import Quantities
+from linkwright.model.spelled import Spelled, spell_out
+from linkwright.structure import Structure, Topology, decompose
+
+
+@dataclass
+class Laws:
+    """The functions that a file states, by name: of ``drives`` over the time, the ``motions`` that these ask, the
+    ``tables`` that loads and springs ask."""
+
+    drives: dict[str, Law] = field(default_factory=dict)
+    motions: dict[str, StatedMotion] = field(default_factory=dict)
+    tables: dict[str, StatedTable] = field(default_factory=dict)
+
+
+def desugar(mechanism: Mechanism) -> Spelled:
+    """Sketch, cylinders and cams as the links, joints and lengths that they stand for."""
+    return spell_out(mechanism)
+
+
+def check(spelled: Spelled, driven: bool = True) -> list[Finding]:
+    """What is wrong with names and references. One that needn't be ``driven`` needs no drive."""
+    missing = "model.no-drive" if spelled.findings or not driven else ""  # a drive with a fault is one
+    found = [*spelled.findings, *(f for f in check_names(spelled.mechanism) if f.code != missing)]
+    if [finding.code for finding in found] == ["model.no-drive"]:
+        return _immobile(Topology(spelled.mechanism)) or found
+    return found
+
+
+def _immobile(topology: Topology) -> list[Finding]:
+    """That a mechanism without drives couldn't move either."""
+    if topology.gruebler > 0:
+        return []
+    return [Finding("model.no-freedom", ("drives",), {"mobility": topology.gruebler})]
+
+
+def quantities(
+    spelled: Spelled, uses: Sequence[Place], reported: Sequence[Finding]
+) -> tuple[Quantities, list[Finding]]:
+    """The numbers in SI, and what is wrong with their dimensions besides what is ``reported``."""
+    made = Quantities(spelled.mechanism, uses)
+    return made, [finding for finding in made.findings if not _is_reported(finding, reported)]
+
+
+def _is_reported(finding: Finding, others: Sequence[Finding]) -> bool:
+    """Whether a finding was made before. A law's `sketch` without value isn't an unknown parameter besides."""
+    return any(other.path == finding.path and other.code in (finding.code, "sketch.no-value") for other in others)
+
+
+def laws(q: Quantities, folder: Path | None, named: bool) -> tuple[Laws, list[Finding]]:
+    """Laws and tables, with what is wrong with them and with all other numbers; none where dimensions are unclear.
+    Names are sound where ``named``."""
+    if q.findings:
+        return Laws(), []
+    motions, unmade = motion_laws(q)
+    drives, unstated = drive_laws(q, folder, motions, named=named)
+    tables, unread = action_tables(q, folder)
+    wrong = [*check_values(q), *unmade, *unstated, *cam_faults(q, motions, named=named)]
+    return Laws(drives, motions, tables), [*wrong, *(fault for fault in unread if fault not in wrong)]
+
+
+def structure(q: Quantities, stated: Laws, named: bool, redundancy: bool) -> tuple[Structure, list[Finding]]:
+    """Driven links and groups in the order of solution, and why there are none. Where all else is sound, ``redundancy``
+    has parts looked for that are redundant but move along, at the start pose."""
+    m = q.mechanism
+    found = decompose(m) if named else Structure(Topology(m), ())
+    return found, redundant(q, found, values_at(stated.drives, 0.0)) if redundancy else list(found.findings)
+
+
+def assemble(q: Quantities, found: Structure, stated: Laws) -> Assembly:
+    """The assembly mode of each group and the start pose."""
+    return modes.assemble(q, found, values_at(stated.drives, 0.0))
+
+
+def warnings(spelled: Spelled, q: Quantities, stated: Laws, assembly: Assembly) -> list[Finding]:
+    """What is odd with a mechanism that can run."""
+    moved = moved_starts(spelled, q, stated.drives)
+    odd = [*moved, *implausible(q), *([] if moved else assembly.notes)]
+    return [*spelled.warnings, *_moments(q), *spelled.home(odd)]
+
+
+def _moments(q: Quantities) -> Iterator[Finding]:
+    """A warning that moments of slides in a loop of slides aren't determined."""
+    if slides := q.signals.looped:
+        data = {"joints": ", ".join(slides)}
+        yield Finding("structure.moments-indeterminate", ("joints", slides[0]), data, severity="warning")

@@ -1,0 +1,117 @@
+"""Typed fields: what the numbers and names of a file are, stated in the annotations of the fields that hold them.
+
+    mass: Annotated[Expression | None, Quantity(MASS, Sign.NOT_NEGATIVE, "mass")] = None
+    window: Annotated[Name | None, Ref("window")] = None
+    start: Annotated[Expression | None, Quantity(lambda c: ANGLE if c.entry.turns else LENGTH)] = None
+
+What is said holds for all within that says nothing else: both ends of an interval, every number of a list, the values
+of a mapping, the fields of an entry. The keys of a mapping have annotations of their own. Values with a spelling of
+their own, such as positions, know what their numbers are (``quantities``). :mod:`linkwright.model.walk` finds them all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import TYPE_CHECKING, Any
+
+from linkwright.model.dimensions import Wanted
+from linkwright.model.units import Dimension
+from linkwright.model.written import FrozenDict
+
+if TYPE_CHECKING:
+    from linkwright.model.mechanism import Mechanism
+
+Path = tuple[str | int, ...]
+
+
+class Scope(Enum):
+    """What an expression may name besides parameters and functions."""
+
+    CONSTANT = "constant"
+    LOAD = "load"
+    TIME = "time"
+    SIGNALS = "signals"
+    FORMULA = "formula"
+    TURN = "turn"
+
+
+class Sign(Enum):
+    """Which values a quantity may have; of an interval, its lower end."""
+
+    ANY = "any"
+    NOT_NEGATIVE = "not negative"
+    POSITIVE = "positive"
+
+
+class Ends(Enum):
+    """How the two ends of an interval must lie."""
+
+    ANY = "any"
+    RISING = "low < high"
+    ORDERED = "low <= high"
+
+
+@dataclass(frozen=True)
+class Context:
+    """Where a field stands: in which mechanism, at which path of the file, within which entries, outermost first."""
+
+    mechanism: Mechanism
+    path: Path = ()
+    entries: tuple[Any, ...] = ()
+
+    @property
+    def entry(self) -> Any:
+        """The entry that has the field."""
+        return self.entries[-1]
+
+    @property
+    def name(self) -> str:
+        """The name of the section's entry, such as that of a drive."""
+        return str(self.path[1])
+
+    def at(self, *keys: str | int) -> Context:
+        """A place below."""
+        return Context(self.mechanism, (*self.path, *keys), self.entries)
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """What an expression is: its ``dimension``, the ``sign`` that its value must have, and of which ``term`` a finding
+    on that speaks; how its two ``ends`` must lie where it is an interval.
+
+    Dimension and sign may depend on where the field stands; a dimension of ``None`` means that it can't be told.
+    """
+
+    dimension: Wanted | Callable[[Context], Wanted | None]
+    sign: Sign | Callable[[Context], Sign] = Sign.ANY
+    term: str = "number"
+    scope: Scope = Scope.CONSTANT
+    names: Mapping[str, Dimension] = field(default_factory=FrozenDict)
+    ends: Ends = Ends.ANY
+
+    def dimension_at(self, context: Context) -> Wanted | None:
+        """The dimension wanted at a place."""
+        return self.dimension(context) if callable(self.dimension) else self.dimension
+
+    def sign_at(self, context: Context) -> Sign:
+        """The sign wanted at a place."""
+        return self.sign(context) if callable(self.sign) else self.sign
+
+
+@dataclass(frozen=True)
+class Ref:
+    """That a text names an element of a ``kind`` ("link", "window", ...); ``of`` is the entry's key for the link on
+    which a point lies."""
+
+    kind: str
+    of: str | None = None
+
+
+@dataclass(frozen=True)
+class Elsewhere:
+    """That what stands here is stated in another place too, and looked at there."""
+
+
+ELSEWHERE = Elsewhere()

@@ -1,0 +1,180 @@
+"""One walk over any part of a file: the quantities and the names that its typed fields hold.
+
+It gives :class:`Site` s, quantities as they are written, and :class:`Reference` s, names of elements. All else follows
+from these: the places from which dimensions are inferred, checks of signs, intervals and names, options of studies.
+"""
+
+from __future__ import annotations
+
+import types
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache, partial
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
+
+from pydantic import BaseModel
+
+from linkwright.model.dimensions import Wanted
+from linkwright.model.fields import Expression, FrozenDict, Written
+from linkwright.model.typed_fields import Context, Elsewhere, Path, Quantity, Ref, Scope
+from linkwright.model.units import Dimension
+from linkwright.model.written import Shortened
+
+
+@dataclass(frozen=True)
+class Place:
+    """One expression of a file: its path, the dimension wanted there, and what it may name; ``names`` has what the
+    place itself gives a meaning, with its dimension."""
+
+    path: Path
+    expression: Expression
+    wanted: Wanted
+    scope: Scope = Scope.CONSTANT
+    names: Mapping[str, Dimension] = FrozenDict()
+
+
+@dataclass(frozen=True)
+class Site:
+    """A quantity as it is written at one place: an expression, or the two of an interval or a position."""
+
+    context: Context
+    parts: tuple[tuple[Expression, Quantity], ...]
+
+    @property
+    def path(self) -> Path:
+        """Its place in the file."""
+        return self.context.path
+
+    def places(self) -> Iterator[Place]:
+        """Its expressions, each with its dimension, as far as that can be told."""
+        for expression, of in self.parts:
+            if (wanted := of.dimension_at(self.context)) is not None:
+                yield Place(self.path, expression, wanted, of.scope, of.names)
+
+
+@dataclass(frozen=True)
+class Reference:
+    """A name of an element where it is written."""
+
+    context: Context
+    name: str
+    ref: Ref
+
+
+@dataclass(frozen=True)
+class _Spec:
+    """What an annotation says: of the values of these ``kinds``, of the keys and the values within them."""
+
+    kinds: tuple[type, ...] = ()
+    quantity: Quantity | None = None
+    ref: Ref | None = None
+    key: _Spec | None = None
+    inner: tuple[_Spec, ...] = ()
+    form: Literal["value", "union", "items", "list", "mapping"] = "value"
+
+    @property
+    def holds(self) -> bool:
+        """Whether what it describes may hold quantities or names."""
+        if self.ref is not None or self.quantity is not None or (self.key is not None and self.key.holds):
+            return True
+        return any(issubclass(kind, BaseModel | Written) for kind in self.kinds) or any(s.holds for s in self.inner)
+
+    def branch(self, value: Any) -> _Spec:
+        """Of a union, what it says of a value of that kind."""
+        return next((spec for spec in self.inner if isinstance(value, spec.kinds)), _NOTHING)
+
+    def item(self, index: int) -> _Spec:
+        """What it says of an item."""
+        return self.inner[index if self.form == "items" else 0] if self.inner else _NOTHING
+
+
+_NOTHING = _Spec()
+
+
+def _spec(annotation: Any, metadata: Any = ()) -> _Spec:
+    origin, args = get_origin(annotation), get_args(annotation)
+    if origin is Annotated:
+        return _spec(args[0], (*metadata, *args[1:]))
+    said = {type(one): one for one in metadata}
+    if Elsewhere in said:
+        return _NOTHING
+    made = partial(_Spec, quantity=said.get(Quantity), ref=said.get(Ref))
+    if origin in (Union, types.UnionType):
+        inner = tuple(_spec(arg) for arg in args if arg is not type(None))
+        return made(tuple(kind for spec in inner for kind in spec.kinds), inner=inner, form="union")
+    if origin is tuple:
+        every = args[-1] is Ellipsis
+        inner = tuple(_spec(arg) for arg in (args[:1] if every else args))
+        return made((tuple,), inner=inner, form="list" if every else "items")
+    if origin is dict:
+        return made((dict,), key=_spec(args[0]), inner=(_spec(args[1]),), form="mapping")
+    return made((annotation,) if isinstance(annotation, type) else ())
+
+
+@cache
+def _fields(entry: type[BaseModel]) -> dict[str, tuple[str, _Spec]]:
+    """The fields of an entry that may hold quantities or names: by their keys in the file the attribute, and what they
+    hold."""
+    every = {of.alias or name: (name, _spec(of.annotation, of.metadata)) for name, of in entry.model_fields.items()}
+    return {key: (name, spec) for key, (name, spec) in every.items() if spec.holds}
+
+
+Found = Site | Reference
+
+
+def walk(entry: BaseModel, context: Context, *keys: str) -> Iterator[Found]:
+    """All quantities and names of an entry that stands at ``context``, in the order of its fields; with ``keys``, those
+    of these alone, in their order."""
+    return _entry(entry, context, None, keys)
+
+
+def sites(entry: BaseModel, context: Context, *keys: str) -> Iterator[Site]:
+    """The quantities alone."""
+    return (found for found in walk(entry, context, *keys) if isinstance(found, Site))
+
+
+def references(entry: BaseModel, context: Context, *keys: str) -> Iterator[Reference]:
+    """The names alone."""
+    return (found for found in walk(entry, context, *keys) if isinstance(found, Reference))
+
+
+def _entry(entry: BaseModel, at: Context, of: Quantity | None, keys: Sequence[str] = ()) -> Iterator[Found]:
+    inside, fields = Context(at.mechanism, at.path, (*at.entries, entry)), _fields(type(entry))
+    for key in keys or fields:
+        name, spec = fields[key]
+        if (value := getattr(entry, name)) is not None:
+            main = isinstance(entry, Shortened) and key == entry.main  # in a file mostly without its key
+            yield from _walk(value, inside if main else inside.at(key), spec, of, None)
+
+
+def _walk(value: Any, at: Context, spec: _Spec, of: Quantity | None, ref: Ref | None) -> Iterator[Found]:
+    """What a value holds; ``of`` and ``ref`` are what is said around it."""
+    while spec.form == "union":
+        of, ref, spec = spec.quantity or of, spec.ref or ref, spec.branch(value)
+    of, ref = spec.quantity or of, spec.ref or ref
+    if isinstance(value, Written):
+        yield from _site(at, value.quantities(), of)
+    elif isinstance(value, str):
+        if ref is not None:
+            yield Reference(at, value, ref)
+        if of is not None:
+            yield Site(at, ((Expression(value), of),))
+    elif isinstance(value, BaseModel):
+        yield from _entry(value, at, of)
+    elif isinstance(value, Mapping):
+        for key, held in value.items():
+            below = at.at(key)
+            yield from _walk(key, below, spec.key or _NOTHING, None, None)
+            yield from _walk(held, below, spec.item(0), of, ref)
+    elif isinstance(value, tuple) and spec.form == "items" and all(isinstance(part, Expression) for part in value):
+        yield from _site(at, [(part, spec.item(i).quantity) for i, part in enumerate(value)], of)
+    elif isinstance(value, tuple):
+        for i, part in enumerate(value):
+            yield from _walk(part, at.at(i), spec.item(i), of, ref)
+
+
+def _site(at: Context, parts: Iterable[tuple[Expression, Quantity | None]], around: Quantity | None) -> Iterator[Site]:
+    """The site of some expressions, as far as it is said what they are."""
+    known = tuple((part, said) for part, own in parts if (said := own or around) is not None)
+    if known:
+        yield Site(at, known)
