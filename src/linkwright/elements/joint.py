@@ -9,13 +9,14 @@ position, velocity, acceleration and jerk, and by duality the equilibrium. Nobod
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, Literal, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.elements.entries import ENTRIES, JointEntry
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.registry import Registry
 
@@ -190,6 +191,9 @@ class Rate(NamedTuple):
     direction: Array | None = None
 
 
+Reaction = Callable[[str], Wrench]
+
+
 class JointKind(ABC):
     """A kind of joint; stateless. ``bodies`` are those of the links, by name.
 
@@ -211,6 +215,10 @@ class JointKind(ABC):
     """Whether the coordinate by which it places a link is an angle (else a length); ``None`` where it places none."""
     drive: ClassVar[str] = ""
     """The key of drives that act in it."""
+    entry: ClassVar[type[JointEntry] | None] = None
+    """What a file says of it; pins and slides have entries of their own."""
+    orders: ClassVar[Mapping[str, int]] = {}
+    """The derivatives of the motion that each of its signals needs."""
 
     @property
     def rows(self) -> int:
@@ -237,6 +245,16 @@ class JointKind(ABC):
     def reference(self, geometry: JointGeometry, joint: str, link: str, bodies: Mapping[str, Body]) -> Pair:
         """The place (m) about which the moment of a link's reaction is stated."""
 
+    def signal(
+        self, geometry: JointGeometry, joint: str, attribute: str, bodies: Mapping[str, Body], reaction: Reaction
+    ) -> Scalar:
+        """One of its signals; ``reaction`` gives the wrench of one of its links on the joint."""
+        raise NotImplementedError
+
+    def outline(self, geometry: JointGeometry, joint: str, low: float, high: float) -> tuple[str, Array] | None:
+        """What is drawn of it on a link, between the lowest and the highest travel (m): places (2, n) of a line."""
+        return None
+
     @abstractmethod
     def misses(self, reports: JointReports, joint: str, links: Sequence[str]) -> list[Miss]:
         """By what the links miss each other."""
@@ -257,6 +275,8 @@ KINDS: Registry[JointKind] = Registry()
 def register(cls: type[JointKind]) -> type[JointKind]:
     """Register a kind of joint under its name; a second one of the same name is an error."""
     KINDS[cls.name] = cls()
+    if cls.entry is not None:
+        ENTRIES[cls.name] = cls.entry
     return cls
 
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from linkwright.elements import OuterPin
 from linkwright.findings import Finding
-from linkwright.graph.clusters import assemble_cluster
+from linkwright.graph.clusters import assemble_cluster, only_coordinates
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, Unknowns, solve_motion
 from linkwright.graph.wedges import Parallel
@@ -161,8 +161,12 @@ class _Assembler:
         every = {n: self.geometry.position(r.sketch) for n, r in self.rules.items() if r.sketch is not None}
         sketch = {name: place for name, place in every.items() if self.owner(name, cluster.links)}
         self.used |= sketch.keys()
+        if not sketch and (found := only_coordinates(self.motion, cluster, self.drives)) is not None:
+            self.assembly.starts[cluster] = found
+            return found
         if not sketch:
             wanted = [name for pin in self.structure.topology.pins.values() for name in self.unplaced(pin, cluster)]
+            wanted = wanted or self.untied(cluster)
             data = {"pins": ", ".join(wanted), "first": wanted[0] if wanted else "C"}
             self.note("assembly.no-sketch", ("assembly",), links=", ".join(cluster.links), **data)
             raise _CannotStart
@@ -177,6 +181,13 @@ class _Assembler:
         """The name by which a sketch gives a pin's place, where only links of the cluster, or later ones, are on it."""
         inside = [point for link, point in pin.members if link in cluster.links]
         return [] if set(pin.links) & self.motion.bodies.keys() else inside[:1]
+
+    def untied(self, cluster: Cluster) -> list[str]:
+        """The points of a cluster's links that aren't on known links: a sketch of one of them places its link."""
+        links = self.quantities.mechanism.links
+        placed = self.motion.bodies.keys() - {*cluster.links}
+        known = {point for link in placed for point in links[link].points}
+        return [point for link in cluster.links for point in links[link].points if point not in known]
 
     def owner(self, point: str, links: Sequence[str]) -> str | None:
         """The first of some links that carries a point."""

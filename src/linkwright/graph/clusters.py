@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from linkwright.elements import STILL, Inner, Twist
+from linkwright.graph.geometry import extent
 from linkwright.graph.placing import driven_body, inner_joint, outer_joint
 from linkwright.groups.linear import Factor
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
@@ -192,7 +193,7 @@ def assemble_cluster(
     ``None`` where none is found.
     """
     best: tuple[float, list[float]] | None = None
-    for start in _starts(motion, step, sketch, drives):
+    for start in _starts(motion, step, sketch, drives, _reach(sketch)):
         found = newton(motion, step, start, drives)
         if found is not None and (away := _away(motion, step, sketch)) < (best[0] if best else math.inf):
             best = away, found
@@ -203,14 +204,39 @@ def assemble_cluster(
     return best[1] if best else None
 
 
+SAME = 1e-6
+"""Coordinates (rad, or over the mechanism's size) that differ by less are the same."""
+
+
+def only_coordinates(motion: Motion, step: Cluster, drives: dict[str, Jet]) -> list[float] | None:
+    """The coordinate at the start pose of a cluster that has one only, where no sketch is needed to choose it: Newton
+    from all round always leads to the same. ``None`` where there are several, or none."""
+    if len(step.free) > 1:
+        return None
+    size = extent(motion.structure.topology, motion.geometry)
+    (unit,) = step.units(size)
+    found: list[float] = []
+    for start in _starts(motion, step, {}, drives, size):
+        if (solved := newton(motion, step, start, drives)) is not None:
+            away = [solved[0] - other for other in found]
+            away = [math.remainder(a, 2 * math.pi) for a in away] if step.turning[0] else away
+            if all(abs(a) > SAME * unit for a in away):
+                found.append(solved[0])
+    if len(found) != 1:
+        return None
+    solve_cluster(motion, step, drives, lambda _: found)
+    return found
+
+
 TRIES = 64
 
 
-def _starts(motion: Motion, step: Cluster, sketch: dict[str, Pair], drives: dict[str, Jet]) -> Iterator[list[float]]:
-    """Starts for Newton: what the sketch tells, and for the rest every 45 degrees or some travels."""
+def _starts(
+    motion: Motion, step: Cluster, sketch: dict[str, Pair], drives: dict[str, Jet], reach: float
+) -> Iterator[list[float]]:
+    """Starts for Newton: what the sketch tells, and for the rest every 45 degrees or travels of some ``reach`` (m)."""
     options: list[list[float]] = []
     motion.order, still = 0, motion.order
-    reach = _reach(sketch)
     for edge in step.edges:
         if edge.drive is not None:
             motion.bodies[edge.link] = driven_body(motion, edge, drives[edge.drive])[1]

@@ -13,9 +13,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.elements import STILL, Twist
 from linkwright.graph.geometry import ZERO, Geometry
-from linkwright.notation import Body
+from linkwright.notation import Body, Jet, Pair, Vec
 from linkwright.notation.angles import wrapped
+from linkwright.notation.planar import unit_vector
 from linkwright.structure import FRAME, Topology
 
 Array = NDArray[np.float64]
@@ -54,11 +56,13 @@ class Constraints:
         lines = [self._line(name, *joint.links) for name, joint in topology.mechanism.prismatic_joints()]
         self.pins, self.lines = _Ends(self, pins), _Ends(self, [line[:5] for line in lines])
         self.headings = np.array([line[5] for line in lines], dtype=float).reshape(-1, 2).T
+        others = (c for c in topology.but_pins if not c.kind.places)
+        self.others = [(c, c.kind.inner(geometry, c.joint, c.links)) for c in others]
         names = [name for name in (*self.pins.names, *self.lines.names) for _ in range(2)]
         spare = () if whole else topology.closing_slides
         rows = [k for k, name in enumerate(names) if k % 2 or name not in spare]
         self.kept: Any = rows if spare else slice(None)
-        self.names = [names[k] for k in rows]
+        self.names = [names[k] for k in rows] + [c.joint for c, _ in self.others for _ in range(c.rows)]
 
     def _line(self, joint: str, a: str, b: str) -> tuple[str, str, str, Any, Any, tuple[float, float]]:
         (first, _), (second, _) = (self.geometry.line(joint, link) for link in (a, b))
@@ -90,7 +94,48 @@ class Constraints:
         wanted = {**self.held, **{n: ride.at(self.value(ride.motor, z))[0] for n, ride in self.riding.items()}}
         driven = [self._missed(name, self.value(name, z) - value) for name, value in wanted.items()]
         joints = np.concatenate([gaps.T.ravel(), np.stack([between, across], axis=1).ravel()])
-        return np.concatenate([joints[self.kept], driven])
+        return np.concatenate([joints[self.kept], self._other_gaps(at), driven])
+
+    def _other_gaps(self, at: Array) -> Array:
+        """What the joints that are neither pins nor slides miss, lengths over the size."""
+        found = []
+        for c, inner in self.others:
+            gaps = inner.gap(*self._bodies(c.links, at))
+            found += [float(g.d[0]) / self._unit(unit) for g, unit in zip(gaps, c.kind.row_units, strict=True)]
+        return np.array(found)
+
+    def _other_slopes(self, at: Array) -> Array:
+        """The slopes of these: (equations, 3 links)."""
+        found = np.zeros((sum(c.rows for c, _ in self.others), self.width + 3))
+        row = 0
+        for c, inner in self.others:
+            bodies = self._bodies(c.links, at)
+            units = np.array([self._unit(unit) for unit in c.kind.row_units])
+            for i, link in enumerate(c.links):
+                about = bodies[i].anchor.now
+                freedoms = Twist(0.0, about, Pair(self.size, 0.0)), Twist(0.0, about, Pair(0.0, self.size))
+                for k, twist in enumerate((*freedoms, Twist(1.0, about, Pair(0.0, 0.0)))):
+                    rates = inner.rates(bodies, [twist if j == i else STILL for j in range(len(bodies))])
+                    found[row : row + c.rows, 3 * self.index[link] + k] = np.array(rates, dtype=float) / units
+            row += c.rows
+        return found
+
+    def _unit(self, unit: str) -> float:
+        return self.size if unit == "length" else 1.0
+
+    def _bodies(self, links: Sequence[str], at: Array) -> list[Body]:
+        """Some links in a pose, about their origins (m)."""
+        poses = (at[:, self.index[link]].tolist() for link in links)
+        return [
+            Body(
+                Vec.constant(Pair(x * self.size, y * self.size), 0),
+                ZERO,
+                Vec.constant(unit_vector(turn), 0),
+                Jet(()),
+                turn,
+            )
+            for x, y, turn in poses
+        ]
 
     def _missed(self, drive: str, rest: float) -> float:
         """What a drive's value is off as a residual: angles without whole turns, lengths over the size."""
@@ -111,7 +156,8 @@ class Constraints:
         for name, ride in self.riding.items():
             slope = ride.at(self.value(ride.motor, z))[1] / (1.0 if self._turns(name) else self.size)
             driven.append(self.gradient(name, z) - slope * self.gradient(ride.motor, z))
-        return np.concatenate([j[self.kept, : self.width], np.array(driven).reshape(-1, self.width)])
+        others = self._other_slopes(at)[:, : self.width]
+        return np.concatenate([j[self.kept, : self.width], others, np.array(driven).reshape(-1, self.width)])
 
     def _line_slopes(self, j: Array, at: Array) -> None:
         a, b = self.lines.index

@@ -192,6 +192,9 @@ class Graph:
         if ":" in name:
             return 1 if name.startswith("rate:") else 0
         signal = self.signal(name)
+        if signal.kind == "joint":
+            order = self.structure.topology.kind_of(signal.owners[0]).orders[signal.attribute]
+            return order if signal.kinematic else max(order, self.actions.order)
         if signal.kind in ("force", "shaking") or signal.attribute in ("torque", "force", "power"):
             return max(2, self.actions.order) if signal.kind != "spring" else 1
         if signal.attribute in ("pressure", "pressure_second"):

@@ -195,6 +195,12 @@ class View:
     def slide(self, signal: Signal) -> Scalar:
         return self.motion.travel(signal.owners[0]).d[SLIDE_ORDERS[signal.attribute]]
 
+    def joint(self, signal: Signal) -> Scalar:
+        name = signal.owners[0]
+        kind = self.graph.structure.topology.kind_of(name)
+        bodies, geometry = self.motion.bodies, self.motion.geometry
+        return kind.signal(geometry, name, signal.attribute, bodies, lambda link: self.forces.reactions[name, link])
+
     def drive(self, signal: Signal) -> Scalar:
         name = signal.owners[0]
         if signal.attribute in ("torque", "force"):
@@ -264,5 +270,5 @@ def _component(at: Vec, signal: Signal) -> Scalar:
     return jet.d[LETTERS[signal.attribute[:-1]]]
 
 
-_KINDS = ("link", "point", "com", "slide", "drive", "spring", "force", "shaking", "energy")
+_KINDS = ("link", "point", "com", "slide", "joint", "drive", "spring", "force", "shaking", "energy")
 _ROWS: dict[str, Callable[[View, Signal], Scalar]] = {kind: getattr(View, kind) for kind in _KINDS} | {"pole": pole}

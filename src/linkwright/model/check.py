@@ -58,7 +58,7 @@ def _point(path: tuple[Any, ...], link: str, point: str, known: Iterable[str]) -
 
 def _collisions(m: Mechanism) -> Iterator[Finding]:
     """Names of links, points, prismatic joints and drives are owners of signals, and must differ."""
-    points, slides = homes(m), dict(m.prismatic_joints())
+    points, slides = homes(m), dict(m.joints_but_pins())
     owners = {"shaking": Term("the-shaking"), "energy": Term("the-energies")}
     kinds = (("link", m.links), ("point", points), ("joint", slides), ("drive", m.drives), ("spring", m.springs))
     for kind, names in kinds:
@@ -85,8 +85,8 @@ def _collisions(m: Mechanism) -> Iterator[Finding]:
 def _joints(m: Mechanism) -> Iterator[Finding]:
     points = homes(m)
     for name, joint in m.joints.items():
-        ends = joint.at or tuple(line.point for line in joint.line or ())
-        if joint.links[0] == joint.links[1]:
+        ends = joint.ends
+        if len({*joint.links}) < len(joint.links):
             yield Finding("joint.same-link", ("joints", name), {"name": joint.links[0]})
         for link, point in zip(joint.links, ends, strict=True):
             if link not in m.links:

@@ -5,8 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, Field
+from pydantic import (
+    BeforeValidator,
+    Field,
+    GetCoreSchemaHandler,
+    GetJsonSchemaHandler,
+    SerializationInfo,
+    ValidatorFunctionWrapHandler,
+)
+from pydantic_core import CoreSchema, core_schema
 
+from linkwright.elements.entries import ENTRIES, JointEntry, entry_for, load_plugins
 from linkwright.escape import line
 from linkwright.model.actions import BOUND, REDUCTIONS, Load, Measure, Table, Window
 from linkwright.model.cams import Cam
@@ -70,6 +79,33 @@ def at_most(limit: int) -> BeforeValidator:
 _bound = at_most(MAX_ENTRIES)
 
 
+class _AnyJoint:
+    """A joint of any kind: a pin or a slide, or one whose kind is among its keys."""
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        def read(raw: Any, usual: ValidatorFunctionWrapHandler) -> Any:
+            if isinstance(raw, JointEntry):
+                return raw
+            entry = entry_for(raw, Joint.model_fields) if isinstance(raw, Mapping) else None
+            return usual(raw) if entry is None else entry.model_validate(raw)
+
+        return core_schema.no_info_wrap_validator_function(
+            read,
+            handler(source),
+            serialization=core_schema.plain_serializer_function_ser_schema(_dumped, info_arg=True),
+        )
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        load_plugins()
+        others = [handler(entry.__pydantic_core_schema__) for entry in ENTRIES.values()]
+        return {"anyOf": [handler(schema), *others]}
+
+
+def _dumped(joint: Any, info: SerializationInfo) -> Any:
+    """A joint as plain data, as the whole is asked for."""
+    return joint.model_dump(exclude_defaults=info.exclude_defaults, by_alias=bool(info.by_alias))
+
+
 class Mechanism(Frozen):
     """Links, joints, drives, loads, parameters and measures of one planar mechanism.
 
@@ -102,9 +138,9 @@ class Mechanism(Frozen):
     links: Annotated[dict[Name, Link], at_most(MAX_LINKS), freeze] = Field(
         description="the rigid links; the one that doesn't move is called frame"
     )
-    joints: Annotated[dict[Name, Joint], _bound, freeze] = Field(
+    joints: Annotated[dict[Name, Annotated[Joint, _AnyJoint()]], _bound, freeze] = Field(
         default_factory=FrozenDict,
-        description="prismatic joints, and pins between points of different names; "
+        description="prismatic joints, pins in slots, and pins between points of different names; "
         "points of the same name are pinned without being listed here",
     )
     cylinders: Annotated[dict[Name, Cylinder], _bound, freeze] = Field(

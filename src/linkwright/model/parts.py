@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import (
     AfterValidator,
@@ -199,6 +199,14 @@ class Joint(Frozen):
             yield "joint.at", {}
         elif "revolute" in given and "travel" in given:
             yield "joint.travel", {}
+
+    signals: ClassVar[Mapping[str, u.Dimension]] = {}  # slides have theirs in model/signals.py
+    couple: ClassVar[bool] = False
+
+    @property
+    def ends(self) -> tuple[str, ...]:
+        """The point of each link that the joint is stated by."""
+        return self.at or tuple(line.point for line in self.line or ())
 
     @property
     def kind(self) -> str:

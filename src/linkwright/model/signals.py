@@ -85,9 +85,11 @@ class Signals:
             for link in pin.links:
                 others = [other for other in pin.links if other != link]
                 found.append(Contact(pin.name, link, others[0] if len(others) == 1 else pin.name, False))
-        for name, joint in self.mechanism.prismatic_joints():
-            a, b = joint.links
-            found += [Contact(name, a, b, True), Contact(name, b, a, True)]
+        for name, joint in self.mechanism.joints_but_pins():
+            for link in joint.links:
+                others = [other for other in joint.links if other != link]
+                on = others[0] if len(others) == 1 else name
+                found.append(Contact(name, link, on, bool(joint.prismatic)))
         return found
 
     @cached_property
@@ -120,8 +122,8 @@ class Signals:
             return "link", LINK
         if owner in self.homes:
             return "point", POINT
-        if owner in m.joints and m.joints[owner].prismatic:
-            return "slide", SLIDE
+        if (joint := m.joints.get(owner)) is not None and not joint.revolute:
+            return ("slide", SLIDE) if joint.prismatic else ("joint", dict(joint.signals))
         if isinstance(drive := m.drives.get(owner), Following):
             return "drive", {**(SWINGING_CAM if drive.turns else SLIDING_CAM), **(PAIRED if drive.paired else {})}
         if drive is not None:
@@ -163,9 +165,16 @@ class Signals:
             return "pole", self._two_links(names), POLE
         raise DimensionError("signal.unknown", name=signal_text(node), hint=Term("signal-forms"))
 
+    def _owned(self, name: str) -> tuple[str, tuple[str, ...]]:
+        """Kind and names of the signals of a named element."""
+        return self.attributes(name)[0], (name,)
+
     def _of_contact(self, contact: Contact) -> dict[str, Dimension]:
         """What is known of a reaction: of a slide in a loop of slides the force alone."""
+        joint = self.mechanism.joints.get(contact.joint)
         known = SLIDE_FORCE if contact.sliding else FORCE
+        if joint is not None and joint.couple:
+            known = {**FORCE, "moment": u.TORQUE}
         hidden = ("moment", "arm") if contact.joint in self.looped else ()
         return {name: dimension for name, dimension in known.items() if name not in hidden}
 
@@ -201,7 +210,8 @@ class Signals:
         m = self.mechanism
         found = [Signal("point", (p,), a, d) for p in self.homes for a, d in POINT.items()]
         found += [Signal("link", (link,), a, d) for link in m.links if link != FRAME for a, d in LINK.items()]
-        found += [Signal("slide", (name,), a, d) for name, _ in m.prismatic_joints() for a, d in SLIDE.items()]
+        owners = [name for name, _ in m.joints_but_pins()]
+        found += [Signal(*self._owned(name), a, d) for name in owners for a, d in self.attributes(name)[1].items()]
         found += [Signal("drive", (name,), a, d) for name in m.drives for a, d in self.attributes(name)[1].items()]
         found += [Signal("com", (n,), a, d) for n in m.links if m.has_mass(n) for a, d in POINT.items()]
         seen = set()

@@ -1,0 +1,63 @@
+"""What a file says of joints that aren't pins or slides: the entries of their kinds, which need not be of this package.
+
+A kind of joint of another package is made known by an entry point of the group :data:`GROUP`: a module that registers
+it. Such modules are loaded when a file names a kind that isn't known yet, and for the schema.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from functools import cache
+from importlib.metadata import entry_points
+from typing import Any, ClassVar
+
+from linkwright.model.fields import Frozen
+from linkwright.model.units import Dimension
+from linkwright.notation.registry import Registry
+
+GROUP = "linkwright.elements"
+"""The entry points by which packages make kinds of elements known."""
+
+
+class JointEntry(Frozen):
+    """Base of the entries of kinds beyond pins and slides. The key that is named after the kind has the links."""
+
+    kind: ClassVar[str]
+    """The name of the kind."""
+    signals: ClassVar[Mapping[str, Dimension]] = {}
+    """The attributes of ``NAME.`` with their dimensions (SI)."""
+    couple: ClassVar[bool] = False
+    """Whether reactions have a moment about the place at which they are stated."""
+    prismatic: ClassVar[None] = None
+    revolute: ClassVar[None] = None
+    line: ClassVar[None] = None
+    at: ClassVar[None] = None
+
+    @property
+    def links(self) -> tuple[str, ...]:
+        """The links joined."""
+        return tuple(getattr(self, self.kind))
+
+    @property
+    def ends(self) -> tuple[str, ...]:
+        """The point of each link that the joint is stated by."""
+        raise NotImplementedError
+
+
+ENTRIES: Registry[type[JointEntry]] = Registry()
+"""The entries by the names of their kinds."""
+
+
+@cache
+def load_plugins() -> None:
+    """Load the modules by which other packages make kinds of elements known, once."""
+    for point in sorted(entry_points(group=GROUP), key=lambda point: point.name):
+        point.load()
+
+
+def entry_for(keys: Iterable[Any], known: Iterable[str]) -> type[JointEntry] | None:
+    """The entry whose kind is among the keys of what a file says; ``known`` are keys that speak of none."""
+    keys = [*keys]
+    if not ENTRIES.keys() & keys and {*keys} - {*known}:
+        load_plugins()
+    return next((ENTRIES[key] for key in keys if key in ENTRIES), None)
