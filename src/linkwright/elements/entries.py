@@ -6,13 +6,14 @@ it. Such modules are loaded when a file names a kind that isn't known yet, and f
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cache
 from importlib.metadata import entry_points
 from typing import Any, ClassVar
 
-from linkwright.model.fields import Frozen
+from linkwright.model.fields import Expression, Frozen
 from linkwright.model.units import Dimension
+from linkwright.model.written import FaultWithin
 from linkwright.notation.registry import Registry
 
 GROUP = "linkwright.elements"
@@ -42,6 +43,15 @@ class JointEntry(Frozen):
     def ends(self) -> tuple[str, ...]:
         """The point of each link that the joint is stated by."""
         raise NotImplementedError
+
+    @property
+    def one_sided(self) -> Mapping[str, int]:
+        """Its forces that have one sign only, as contact can't pull: 1 for those that must not be negative, else -1."""
+        return {}
+
+    def wrong(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[FaultWithin]:
+        """What is wrong with the values of its numbers together; ``value`` gives them in SI, one or an array of samples."""
+        yield from ()
 
 
 ENTRIES: Registry[type[JointEntry]] = Registry()

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from linkwright.elements.entries import ENTRIES, JointEntry
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.registry import Registry
+from linkwright.words import add
 
 Array = NDArray[np.float64]
 RowUnit = Literal["length", "angle"]
@@ -219,6 +220,8 @@ class JointKind(ABC):
     """What a file says of it; pins and slides have entries of their own."""
     orders: ClassVar[Mapping[str, int]] = {}
     """The derivatives of the motion that each of its signals needs."""
+    words: ClassVar[Mapping[str, Mapping[str, str]]] = {}
+    """Texts that the catalogue lacks, by language and key; ``kind.NAME`` is what it is called."""
 
     @property
     def rows(self) -> int:
@@ -277,6 +280,8 @@ def register(cls: type[JointKind]) -> type[JointKind]:
     KINDS[cls.name] = cls()
     if cls.entry is not None:
         ENTRIES[cls.name] = cls.entry
+    for language, texts in cls.words.items():
+        add(language, texts)
     return cls
 
 

@@ -11,8 +11,9 @@ Practical Guide to Splines (1978), ch. IV (natural splines).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
@@ -34,7 +35,7 @@ from linkwright.elements.joint import (
 from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen, LineOn, Name, Two, fault, pair
 from linkwright.model.typed_fields import Ends, Quantity, Sign
-from linkwright.model.written import Fault, unexpected
+from linkwright.model.written import Fault, FaultWithin, unexpected
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec
 from linkwright.notation.jets import call
 from linkwright.notation.planar import unit_vector
@@ -105,6 +106,18 @@ class PinInSlotEntry(JointEntry):
         if self.arc is not None:
             return self.pin, self.arc.centre
         return self.pin, self.axis.point
+
+    @property
+    def one_sided(self) -> Mapping[str, int]:
+        return {"left": {"force": -1}, "right": {"force": 1}}.get(self.flank, {})
+
+    def wrong(self, value: Callable[[Expression, u.Dimension], Any]) -> Iterator[FaultWithin]:
+        places = self.curve.through if self.curve is not None else ()
+        along = [value(x, u.LENGTH) for x, _ in places]
+        for row, (before, after) in enumerate(pairwise(along), start=2):
+            if not np.all(np.greater(after, before)):
+                yield "joint.slot-order", {"row": row}, "curve", "through"
+                return
 
     @property
     def axis(self) -> LineOn:

@@ -86,7 +86,7 @@ def triad(motion: Motion, cluster: Cluster, drives: dict[str, Jet]) -> Triad | N
     joints = [
         c for c in (*(e.joint for e in cluster.free), *cluster.closures) if owner.get(c.a, -1) != owner.get(c.b, -2)
     ]
-    if len(bodies) != 4 or len(joints) != 6:
+    if len(bodies) != 4 or len(joints) != 6 or not all(c.kind.places for c in joints):
         return None
     ends = [(owner.get(c.a), owner.get(c.b)) for c in joints]
     for middle in range(4):

@@ -23,7 +23,7 @@ _WORDS = {
     "element.rope": "rope ropes cable cables tendon tendons",
     "element.screw": "screw screws spindle spindles helical",
     "element.slide": "slide slides slider sliders guide guides translational",
-    "element.slot": "slot slots pin_in_slot pin_slot slotted",
+    "element.slot": "slot slots pin_slot slotted",
     "element.weld": "weld welds welded fixed fix rigid glued",
 }
 CODES = {word: code for code, words in _WORDS.items() for word in words.split()}

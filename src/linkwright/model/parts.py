@@ -202,6 +202,7 @@ class Joint(Frozen):
 
     signals: ClassVar[Mapping[str, u.Dimension]] = {}  # slides have theirs in model/signals.py
     couple: ClassVar[bool] = False
+    one_sided: ClassVar[Mapping[str, int]] = {}
 
     @property
     def ends(self) -> tuple[str, ...]:

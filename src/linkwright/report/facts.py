@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.elements import JointKind
 from linkwright.kernels import Compiled
 from linkwright.kernels.motions import rate_unit
 from linkwright.laws.curve import ROUND_OFF
@@ -31,6 +32,10 @@ def _fact(name: str, text: str) -> Fact:
     return {"name": say(f"fact.{name}"), "sentence": text}
 
 
+def _higher(name: str, kind: JointKind, links: tuple[str, ...]) -> str:
+    return say("fact.higher.text", name=name, kind=say(f"kind.{kind.name}"), links=", ".join(links))
+
+
 def facts(compiled: Compiled) -> list[Fact]:
     """The structure in sentences: links, inferred pins, slides, mobility, order of solution."""
     topology: Topology = compiled.structure.topology
@@ -41,8 +46,12 @@ def facts(compiled: Compiled) -> list[Fact]:
     slides = [say("fact.pin", name=name, links=", ".join(joint.links)) for name, joint in m.prismatic_joints()]
     if slides:
         lines.append(_fact("slides", "; ".join(slides)))
+    higher = [c for c in topology.but_pins if not c.kind.places]
+    if higher:
+        lines.append(_fact("higher", "; ".join(_higher(c.joint, c.kind, c.links) for c in higher)))
     pinned = {point for pin in topology.pins.values() for _, point in pin.members}
     pinned |= {end_of(link) for name in m.cylinders for link in links_of(name)}  # no names of the file's
+    pinned |= {end for c in higher for end in m.joints[c.joint].ends}
     lone = [point for point in compiled.quantities.signals.homes if point not in pinned]
     if lone:
         lines.append(_fact("lone", say("fact.lone.text", points=", ".join(lone))))

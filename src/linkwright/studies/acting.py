@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Term
 from linkwright.kernels.seconds import sums
 from linkwright.model import units as u
 from linkwright.model.dimensions import argument
@@ -73,6 +73,22 @@ def lifted(run: Run) -> list[Finding]:
         if force[worst] < -NEAR * np.abs(force).max():
             data = {"cam": name, "force": f"{-force[worst] / size:.6g}", "of": unit}
             findings.append(_at(run, "cam.lifts-off", name, float(t[worst]), "warning", "cams", **data))
+    return findings
+
+
+def unseated(run: Run) -> list[Finding]:
+    """A warning for each joint with one flank whose links would have to pull each other, where they pull hardest."""
+    unit, size = run.compiled.quantities.unit_of(u.FORCE)
+    findings = []
+    for name, joint in run.compiled.mechanism.joints_but_pins():
+        for attribute, sign in joint.one_sided.items():
+            t = _times(run, [f"{name}.{attribute}"])
+            force = sign * run.compiled.evaluate([f"{name}.{attribute}"], t)[0]
+            worst = int(np.argmin(force))
+            if force[worst] < -NEAR * np.abs(force).max():
+                flank = Term("flank-right" if sign > 0 else "flank-left")
+                data = {"joint": name, "force": f"{-force[worst] / size:.6g}", "of": unit, "flank": flank}
+                findings.append(_at(run, "joint.lifts-off", name, float(t[worst]), "warning", "joints", **data))
     return findings
 
 

@@ -17,7 +17,7 @@ from linkwright.model.fields import Expression, Frozen, fault
 from linkwright.model.unknown import unknown
 from linkwright.model.written import unexpected
 from linkwright.results import Result, Run, certify
-from linkwright.studies.acting import lifted, loose, outside, undefined
+from linkwright.studies.acting import lifted, loose, outside, undefined, unseated
 from linkwright.studies.feasible import near, singular, strokes, travels, unassembled
 from linkwright.studies.locked import locked
 from linkwright.studies.outputs import powerless
@@ -139,7 +139,7 @@ class Cycle:
         warned = [finding for finding in measurer.findings if finding not in faults]
         warned += [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
         notes = [*coincident(run), *crossed(run)]
-        return CycleOutcome(result, measures, [*warned, *outside(run), *lifted(run), *loose(run), *notes])
+        return CycleOutcome(result, measures, [*warned, *outside(run), *lifted(run), *loose(run), *unseated(run), *notes])
 
 
 CHECKS = {

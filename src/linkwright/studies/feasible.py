@@ -201,7 +201,7 @@ def travels(run: Run) -> Iterator[Finding]:
     """A finding for each end of a slide's travel that the run goes beyond: where first, and where furthest."""
     quantities = run.compiled.quantities
     unit, size = quantities.unit_of(u.LENGTH)
-    for name, joint in run.compiled.mechanism.prismatic_joints():
+    for name, joint in run.compiled.mechanism.joints_but_pins():
         if joint.travel is None:
             continue
         row, (low, high) = f"{name}.s", (quantities.value(edge, u.LENGTH) for edge in joint.travel)

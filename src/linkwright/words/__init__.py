@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import lru_cache
 from importlib import import_module
 from typing import Any
@@ -14,6 +15,13 @@ def catalogue(language: str = LANGUAGE) -> dict[str, str]:
     """All texts of a language by key."""
     words: dict[str, str] = import_module(f"linkwright.words.{language}").WORDS
     return words
+
+
+def add(language: str, texts: Mapping[str, str]) -> None:
+    """Add texts of a kind of another package to a language; a key that is there already is an error."""
+    if twice := catalogue(language).keys() & texts.keys():
+        raise ValueError(f"texts that there are already: {sorted(twice)}")
+    catalogue(language).update(texts)
 
 
 def say(key: str, /, **data: Any) -> str:

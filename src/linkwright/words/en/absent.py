@@ -35,9 +35,8 @@ ABSENT_TEXTS: dict[str, tuple[str, str]] = {
     ),
     "element.geneva": (
         "'{name}': linkwright has no Geneva drives yet.",
-        "While the pin is in the slot, model it as a pin in a slot: a massless link pinned to the crank, and a prismatic "
-        "joint between it and the wheel, with 'travel' for the slot's length. Or drive the wheel by a motion law with "
-        "dwells.",
+        "While the pin is in the slot, model it as a joint pin_in_slot between crank and wheel, with 'travel' for the "
+        "slot's length. Or drive the wheel by a motion law with dwells.",
     ),
     "element.limits": (
         "'{name}': limits of a joint are not written under this name.",
@@ -81,10 +80,9 @@ ABSENT_TEXTS: dict[str, tuple[str, str]] = {
         "line between two points is a cylinder.",
     ),
     "element.slot": (
-        "'{name}': linkwright has no joint 'pin in slot'.",
-        "Write it as a massless link on the pin that slides in the slotted link: 'links: {{block: {{points: {{B: [0, 0]}}}}}}' "
-        "with B the pin's name, and 'joints: {{slot: {{prismatic: [lever, block], line: [Q at 0 deg, B at 0 deg], travel: "
-        "[20, 80]}}}}'.",
+        "'{name}': a pin in a slot is written under joints, as pin_in_slot.",
+        "For example 'joints: {{slot: {{pin_in_slot: [crank, lever], pin: B, straight: C at 0 deg}}}}', with B a point of the "
+        "crank and C one of the lever.",
     ),
     "element.weld": (
         "'{name}': linkwright has no welded or fixed joint.",

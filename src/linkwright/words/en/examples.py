@@ -26,6 +26,8 @@ _EXAMPLES = {
     "tolerance": "For example: 0.05, [-0.1, 0.05], or ISO 2768-m.",
     "correlation": "For example: 0.7.",
     "two-links": "For example: [frame, slider].",
+    "slot-place": "For example: [30, 8].",
+    "slot-places": "For example: [[0, 0], [30, 8], [60, 0]].",
     "two-points": "For example: [B1, B2].",
     "two-lines": "For example: [F at 0 deg, C at 0 deg].",
     "numbers": "For example: [1, 2.5, 4].",

@@ -425,6 +425,24 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "A revolute joint needs the pinned point of each link, and nothing else.",
         "Write at: [P, Q], a point of the first link and one of the second.",
     ),
+    "joint.slot": (
+        "A pin in a slot needs exactly one of straight, arc and curve; given: {given}.",
+        "For example straight: C at 0 deg, arc: {{centre: C, radius: 40}}, or curve: {{along: C at 0 deg, through: [[0, 0], "
+        "[30, 8], [60, 0]]}}.",
+    ),
+    "joint.slot-places": (
+        "A curved slot is given by 2 to {most} places; given: {count}.",
+        "Write through: [[0, 0], [30, 8], [60, 0]], in the order along the line.",
+    ),
+    "joint.slot-order": (
+        "The places of the curved slot don't ascend along its line (place {row}).",
+        "Sort them by their first coordinate, and leave out places that stand twice.",
+    ),
+    "joint.lifts-off": (
+        "The pin of {joint} leaves the {flank} flank of its slot: it would have to be pulled with {force} {of} at "
+        "t = {time} s ({drive} = {value} {unit}).",
+        "Preload it with a spring or a weight, or let it bear on both flanks (flank: both).",
+    ),
     "joint.same-link": (
         "Both links are {name}; a joint or drive acts between two different ones.",
         "Name the other link.",
@@ -1448,6 +1466,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "No joint depends on {drive}: there is nothing to write a function for.",
         "Close a loop, take a joint out of left_out, or leave the export out; a joint that is driven alone needs no function.",
     ),
+    "export.joint": (
+        "{name} has no joint like {joint} ({kind}).",
+        "Don't export this mechanism there, or replace the joint by links, pins and slides.",
+    ),
     "export.cannot-close-slides": (
         "{name} can't write a loop of slides alone, which {joints} would close: its loops are closed by pins.",
         "Pin one of the links to a sliding block of its own, or don't export this mechanism.",
@@ -2183,6 +2205,11 @@ _TERMS: dict[str, str] = {
     "tolerance": "a number, [lower, upper], a class such as ISO 2768-m, or a mapping",
     "correlation": "a number, or a matrix of numbers as a list of rows",
     "two-links": "[LINK, LINK]",
+    "flank-left": "left",
+    "flank-right": "right",
+    "slot-place": "[ALONG, ACROSS]",
+    "slot-places": "a list of places [ALONG, ACROSS]",
+    "slot-radius": "radius",
     "two-points": "[POINT, POINT], one of each link",
     "two-lines": "[POINT at ANGLE, POINT at ANGLE], one on each link",
     "points": "points by name",
