@@ -67,6 +67,14 @@ def test_a_table_over_an_angle() -> None:
     assert at(compiled, 0.5) == pytest.approx(20 * math.pi / 180)
 
 
+def test_a_period_that_is_too_small_is_told_in_the_unit_of_the_argument() -> None:
+    points = [[0, 0], [90, 10], [180, 20], [270, 10]]
+    _, findings = examined(points, "rise(360 deg*t/(1 s))", period=-360)
+    assert [finding.data["value"] + finding.data["unit"] for finding in findings if "value" in finding.data] == [
+        "-360deg"
+    ]
+
+
 @pytest.mark.parametrize(
     ("table", "position", "code", "element"),
     [

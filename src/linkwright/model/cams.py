@@ -9,7 +9,7 @@ from pydantic import Field
 
 from linkwright.model.fields import AssemblyRule, Expression, Frozen, LineOn, Name
 from linkwright.model.parts import Drive
-from linkwright.model.typed_fields import ELSEWHERE, Quantity, Sign
+from linkwright.model.typed_fields import ELSEWHERE, Quantity, Ref, Sign
 from linkwright.model.units import ANGLE, LENGTH
 from linkwright.model.written import Fault
 
@@ -44,13 +44,19 @@ class Second(Frozen):
 class Cam(Frozen):
     """A plate cam on a link that a drive turns, and the follower that rides on it by a law over the cam's angle."""
 
-    cam: Name = Field(description="the link that carries the cam; a drive turns it on the link named by on")
-    follower: Name = Field(description="the link that rides on the cam, pinned to or sliding on the same link")
-    on_: Name = Field(alias="on", description="the link on which both the cam and the follower are carried")
+    cam: Annotated[Name, Ref("link")] = Field(
+        description="the link that carries the cam; a drive turns it on the link named by on"
+    )
+    follower: Annotated[Name, Ref("link")] = Field(
+        description="the link that rides on the cam, pinned to or sliding on the same link"
+    )
+    on_: Annotated[Name, Ref("link")] = Field(
+        alias="on", description="the link on which both the cam and the follower are carried"
+    )
     base: Annotated[Expression, _RADIUS] = Field(
         description="radius of the cam's base circle, on which the law's lift is 0"
     )
-    law: Name = Field(
+    law: Annotated[Name, Ref("law")] = Field(
         description="the motion law, over an angle; its value is an angle for a follower on a pin, a length on a slide"
     )
     phase: Annotated[Expression, Quantity(ANGLE)] = Field(

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
-from typing import Any
+from collections.abc import Iterator
 
 from linkwright.findings import Finding, Term
 from linkwright.model.expressions import FUNCTIONS
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.motions import ARGUMENT
 from linkwright.model.pins import homes, pins
+from linkwright.model.references import reference_faults, unknown_point
 from linkwright.model.tolerances import tolerance_faults
+from linkwright.model.typed_fields import Context
 from linkwright.model.unknown import likeliest, near, unknown
 from linkwright.model.values import check_values
+from linkwright.model.walk import references
 
 __all__ = ["FRAME", "check_names", "check_values"]
 
@@ -38,7 +40,7 @@ def _links(m: Mechanism) -> Iterator[Finding]:
     elif m.links[FRAME].mass is not None:
         yield Finding("model.frame-mass", ("links", FRAME, "mass"))
     for name, weight in m.counterweights.items():
-        yield from _carrier(("counterweights", name), weight.on, weight.at, m)
+        yield from reference_faults(references(weight, Context(m, ("counterweights", name))))
         if weight.on == FRAME:
             yield Finding("model.frame-mass", ("counterweights", name))
     if not any(name != FRAME for name in m.links):
@@ -48,12 +50,7 @@ def _links(m: Mechanism) -> Iterator[Finding]:
             yield Finding("model.no-points", ("links", name), {"name": name})
         for point in dict.fromkeys(link.shape.points) if link.shape else ():
             if point not in link.points:
-                yield _point(("links", name, "shape"), name, point, link.points)
-
-
-def _point(path: tuple[Any, ...], link: str, point: str, known: Iterable[str]) -> Finding:
-    data = {"link": link, "name": point, "near": near(point, list(known))}
-    return Finding("name.unknown-point", path, data)
+                yield unknown_point(("links", name, "shape"), name, point, link.points)
 
 
 def _collisions(m: Mechanism) -> Iterator[Finding]:
@@ -92,7 +89,7 @@ def _joints(m: Mechanism) -> Iterator[Finding]:
             if link not in m.links:
                 yield unknown("link", ("joints", name), link, m.links)
             elif point not in m.links[link].points:
-                yield _point(("joints", name), link, point, m.links[link].points)
+                yield unknown_point(("joints", name), link, point, m.links[link].points)
         if joint.revolute and name in points and name not in ends:
             data = {"name": name, "first": Term("a-point"), "second": Term("a-joint")}
             yield Finding("name.taken", ("joints", name), data)
@@ -143,48 +140,30 @@ def _output(m: Mechanism, name: str) -> Finding | None:
     return None
 
 
-def _carrier(path: tuple[Any, ...], link: str, at: Any, m: Mechanism) -> Iterator[Finding]:
-    """The link ``on`` which something acts or sits, and its point ``at``."""
-    if link not in m.links:
-        yield unknown("link", (*path, "on"), link, m.links)
-    elif isinstance(at, str) and at not in m.links[link].points:
-        yield _point((*path, "at"), link, at, m.links[link].points)
-
-
 def _springs(m: Mechanism) -> Iterator[Finding]:
     points = homes(m)
     for name, spring in m.springs.items():
         path = ("springs", name)
-        ends: list[tuple[str, str | None, str | None]] = [("turns", spring.turns, None), ("on", spring.on, None)]
+        yield from reference_faults(references(spring, Context(m, path)))
+        ends: tuple[str | None, str | None] = (spring.turns, spring.on)
         if not spring.torsional:
-            links = spring.in_ or (points.get(str(spring.from_)), points.get(str(spring.to)))
-            ends = [("from", links[0], spring.from_), ("to", links[1], spring.to)]
-        for key, link, point in ends:
-            if point is not None and point not in points:
-                yield unknown("point", (*path, key), point, points)
-            elif link not in m.links:
-                yield unknown("link", (*path, "in" if spring.in_ else key), str(link), m.links)
-            elif point is not None and point not in m.links[link].points:
-                yield _point((*path, key), link, point, m.links[link].points)
-        if ends[0][1] is not None and ends[0][1] == ends[1][1]:
-            yield Finding("spring.same-link", path, {"name": ends[0][1]})
+            ends = spring.in_ or (points.get(str(spring.from_)), points.get(str(spring.to)))
+            for key, point, link in zip(("from", "to"), (spring.from_, spring.to), ends, strict=True):
+                if point not in points:
+                    continue
+                if link not in m.links:
+                    yield unknown("link", (*path, "in"), str(link), m.links)
+                elif point not in m.links[link].points:
+                    yield unknown_point((*path, key), link, point, m.links[link].points)
+        if ends[0] is not None and ends[0] == ends[1]:
+            yield Finding("spring.same-link", path, {"name": ends[0]})
 
 
 def _loads(m: Mechanism) -> Iterator[Finding]:
-    slides = dict(m.prismatic_joints())
     for name, load in m.loads.items():
-        path = ("loads", name)
-        yield from _carrier(path, load.on, load.at, m)
-        if load.in_ is not None and load.in_ not in m.links:
-            yield unknown("link", (*path, "in"), load.in_, m.links)
-        if load.window and load.window not in m.windows:
-            yield unknown("window", (*path, "window"), load.window, m.windows)
-        if load.along and load.along not in slides:
-            yield unknown("slide", (*path, "along"), load.along, slides)
-        if load.against is not None and load.against not in m.links:
-            yield unknown("link", (*path, "against"), load.against, m.links)
+        yield from reference_faults(references(load, Context(m, ("loads", name))))
         if load.against == load.on:
-            yield Finding("load.against-itself", path, {"name": load.on})
+            yield Finding("load.against-itself", ("loads", name), {"name": load.on})
 
 
 def _assembly(m: Mechanism) -> Iterator[Finding]:
@@ -199,15 +178,7 @@ def _assembly(m: Mechanism) -> Iterator[Finding]:
 
 
 def _measures(m: Mechanism) -> Iterator[Finding]:
-    points = homes(m)
-    for name, measure in m.measures.items():
-        if measure.point is not None and measure.point not in points:
-            yield unknown("point", ("measures", name, measure.reduction), measure.point, points)
-        if measure.window and measure.window not in m.windows:
-            yield unknown("window", ("measures", name, "window"), measure.window, m.windows)
-    for name in m.require:
-        if name not in m.measures:
-            yield unknown("measure", ("require", name), name, m.measures)
+    return reference_faults(references(m, Context(m), "measures", "require"))
 
 
 _PARTS = (_parameters, _links, _collisions, _joints, _pins, _drives, _loads, _springs, _assembly, _measures)

@@ -34,15 +34,19 @@ _FREE = Quantity(
 class Spring(Frozen):
     """A spring, damper or gas spring: between two points along the line that joins them, or torsional between links."""
 
-    from_: Name | None = Field(None, alias="from", description="the point where one end is fixed")
-    to: Name | None = Field(None, description="the point where the other end is fixed")
+    from_: Annotated[Name | None, Ref("point")] = Field(
+        None, alias="from", description="the point where one end is fixed"
+    )
+    to: Annotated[Name | None, Ref("point")] = Field(None, description="the point where the other end is fixed")
     in_: TwoLinks | None = Field(
         None, alias="in", description="the links of the two points, where a point name lies on several links"
     )
-    turns: Name | None = Field(
+    turns: Annotated[Name | None, Ref("link")] = Field(
         None, description="torsional: the link on which the torque acts; its angle is against on"
     )
-    on: Name | None = Field(None, description="torsional: the other link, on which the opposite torque acts")
+    on: Annotated[Name | None, Ref("link")] = Field(
+        None, description="torsional: the other link, on which the opposite torque acts"
+    )
     stiffness: Annotated[Expression | None, _law(u.STIFFNESS, u.TORSIONAL_STIFFNESS)] = Field(
         None, description="force over length, or torque over angle; with free"
     )

@@ -10,7 +10,9 @@ from linkwright.model.cams import Following
 from linkwright.model.fields import AssemblyRule, FrozenDict
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.pins import Pin, pins
-from linkwright.model.unknown import near, unknown
+from linkwright.model.references import reference_faults, unknown_point
+from linkwright.model.typed_fields import Context
+from linkwright.model.walk import references
 
 Path = tuple[str | int, ...]
 
@@ -58,14 +60,10 @@ class _Reader:
         cam, m = self.cam, self.m
         if self.name in m.drives:
             self.note("name.taken", name=self.name, first=Term("a-drive"), second=Term("a-cam"))
-        if cam.law not in m.laws:
-            self.findings.append(unknown("law", (*self.path, "law"), cam.law, m.laws))
-        named = {"cam": cam.cam, "follower": cam.follower, "on": cam.on}
-        unknowns = [unknown("link", (*self.path, key), link, m.links) for key, link in named.items()]
-        unknowns = [f for f, link in zip(unknowns, named.values(), strict=True) if link not in m.links]
-        if unknowns:
+        self.findings += reference_faults(references(cam, Context(m, self.path), "law"))
+        if unknowns := [*reference_faults(references(cam, Context(m, self.path), "cam", "follower", "on"))]:
             return [*self.findings, *unknowns]
-        if len({*named.values()}) < 3:
+        if len({cam.cam, cam.follower, cam.on}) < 3:
             self.note("cam.same-link", cam=cam.cam, follower=cam.follower, on=cam.on)
             return self.findings
         self.touching()
@@ -99,8 +97,7 @@ class _Reader:
         points = self.m.links[self.cam.follower].points
         for path, name in places.items():
             if name not in points:
-                data = {"link": self.cam.follower, "name": name, "near": near(name, [*points])}
-                self.note("name.unknown-point", *path, **data)
+                self.findings.append(unknown_point((*self.path, *path), self.cam.follower, name, points))
 
     def pin(self, link: str) -> Pin | None:
         """The pin that a link shares with the one that carries both."""

@@ -10,11 +10,11 @@ import numpy as np
 from linkwright.findings import Finding, Term
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
-from linkwright.model.fields import Expression
-from linkwright.model.places import Place, Scope, crossed, figure, position_parts, spring_dimensions
+from linkwright.model.places import Place, Scope, mechanism_sites, position_parts
 from linkwright.model.quantities import LARGEST, Quantities
 from linkwright.model.slides import closing, pairs_of
-from linkwright.model.units import Dimension
+from linkwright.model.typed_fields import Ends, Sign
+from linkwright.model.walk import Site
 
 PARALLEL = 1e-9
 """Directions that differ by less than this angle (rad) are the same."""
@@ -28,7 +28,10 @@ def check_values(quantities: Quantities) -> list[Finding]:
     bad = [finding for place in constant for finding in _finite(quantities, place)]
     if bad and quantities.samples is None:
         return bad
-    return [*bad, *(finding for part in (_bodies, _rods, _slides, _intervals) for finding in part(quantities))]
+    stated = [*mechanism_sites(quantities.mechanism)]
+    signs = (finding for site in stated for finding in sign_faults(quantities, site))
+    special = (finding for part in (_progressions, _rods, _slides) for finding in part(quantities))
+    return [*bad, *signs, *special, *(finding for site in stated for finding in _ends(quantities, site))]
 
 
 def _finite(q: Quantities, place: Place) -> Iterator[Finding]:
@@ -40,49 +43,35 @@ def _finite(q: Quantities, place: Place) -> Iterator[Finding]:
         yield Finding("value.not-finite", place.path, {"text": place.expression.text[:60]})
 
 
-def _bodies(q: Quantities) -> Iterator[Finding]:
-    def least(path: tuple[Any, ...], term: str, of: Expression, dimension: Dimension, over: bool) -> Iterator[Finding]:
-        value, (unit, size) = q.value(of, dimension), q.unit_of(dimension)
-        if q.bad(wrong := np.less_equal(value, 0) if over else np.less(value, 0)):
-            data = {"what": Term(term), "value": f"{np.extract(wrong, value)[0] / size:.6g}", "unit": unit}
-            yield Finding("value.too-small", path, data)
+def sign_faults(q: Quantities, site: Site) -> Iterator[Finding]:
+    """That a quantity is too small; of an interval, its lower end."""
+    (expression, of), sign = site.parts[0], site.parts[0][1].sign_at(site.context)
+    if sign is Sign.ANY or (wanted := of.dimension_at(site.context)) is None:
+        return
+    dimension = q.dimensions.resolve(wanted)
+    value = q.value(expression, dimension)
+    if q.bad(wrong := np.less_equal(value, 0) if sign is Sign.POSITIVE else np.less(value, 0)):
+        unit, size = q.unit_of(dimension)
+        data = {"what": Term(of.term), "value": f"{np.extract(wrong, value)[0] / size:.6g}", "unit": unit}
+        yield Finding("value.too-small", site.path, data)
 
-    for name, link in q.mechanism.links.items():
-        if link.mass is not None:
-            yield from least(("links", name, "mass"), "mass", link.mass, u.MASS, False)
-        if link.inertia is not None:
-            yield from least(("links", name, "inertia"), "inertia", link.inertia, u.INERTIA, False)
-        if link.shape and link.shape.radius:
-            yield from least(("links", name, "shape"), "radius", link.shape.radius, u.LENGTH, True)
-    for name, weight in q.mechanism.counterweights.items():
-        yield from least(("counterweights", name, "mass"), "mass", weight.mass, u.MASS, True)
-        if weight.inertia is not None:
-            yield from least(("counterweights", name, "inertia"), "inertia", weight.inertia, u.INERTIA, False)
+
+def _ends(q: Quantities, site: Site) -> Iterator[Finding]:
+    """That an interval's ends lie the wrong way round, or leave nothing between them."""
+    ends = site.parts[0][1].ends
+    if ends is Ends.ANY or len(site.parts) != 2:
+        return
+    low, high = (q.value(place.expression, q.dimensions.resolve(place.wanted)) for place in site.places())
+    if q.bad(np.logical_not(low <= high if ends is Ends.ORDERED else low < high)):
+        texts = (expression.text[:40] for expression, _ in site.parts)
+        yield Finding("value.not-rising", site.path, dict(zip(("low", "high"), texts, strict=True)))
+
+
+def _progressions(q: Quantities) -> Iterator[Finding]:
     for name, spring in q.mechanism.springs.items():
-        for key, dimension in spring_dimensions(spring).items():
-            given = getattr(spring, key)
-            if isinstance(given, Expression) and key != "preload" and not (key == "free" and spring.torsional):
-                over = key in ("gas", "exponent")
-                yield from least(("springs", name, key), "number", given, dimension, over)
         progression = spring.progression if spring.gas is not None else None
         if progression is not None and q.bad(np.less_equal(q.value(progression, u.PURE), 1)):
             yield Finding("spring.progression", ("springs", name, "progression"), {})
-    for section in ("springs", "cylinders"):
-        for name, part in getattr(q.mechanism, section).items():
-            if part.length:
-                yield from least((section, name, "length"), "length", part.length[0], u.LENGTH, False)
-    for name, table in q.mechanism.tables.items():
-        if table.period is not None:
-            yield from least(("tables", name, "period"), "period", table.period, u.PURE, True)
-    for name, cam in q.mechanism.cams.items():
-        for path, contact in cam.contacts(("cams", name)):
-            for key in ("base", "roller"):
-                if (radius := getattr(contact, key)) is not None:
-                    yield from least((*path, key), "radius", radius, u.LENGTH, True)
-    for name, measure in q.mechanism.measures.items():
-        if measure.within is not None:
-            dimension = q.dimensions.dimension(measure.signal.node)
-            yield from least(("measures", name, "within"), "within", measure.within, dimension, True)
 
 
 def _rods(q: Quantities) -> Iterator[Finding]:
@@ -123,42 +112,3 @@ def tilts(q: Quantities) -> Iterator[tuple[str, list[str], Any]]:
             parts |= dict.fromkeys(second, first)
         elif np.any(np.abs(miss := np.arctan2(np.sin(turn), np.cos(turn))) > PARALLEL):
             yield name, [other for other, pair in pairs.items() if pair <= first.keys()], miss
-
-
-def _intervals(q: Quantities) -> Iterator[Finding]:
-    m, resolve = q.mechanism, q.dimensions.resolve
-    for name, spring in m.springs.items():
-        if spring.length:
-            yield from _rising(q, ("springs", name, "length"), spring.length, u.LENGTH)
-    for name, window in m.windows.items():
-        if isinstance(window, tuple):
-            yield from _rising(q, ("windows", name), window, u.TIME)
-        else:
-            for signal, edges in window.items():
-                yield from _rising(q, ("windows", name, signal), edges, resolve(crossed(name)))
-    for name, joint in m.joints.items():
-        if joint.travel:
-            yield from _rising(q, ("joints", name, "travel"), joint.travel, u.LENGTH)
-    for name, cylinder in m.cylinders.items():
-        if cylinder.length:
-            yield from _rising(q, ("cylinders", name, "length"), cylinder.length, u.LENGTH)
-    for name, measure in m.measures.items():
-        dimension = resolve(figure(name, measure))
-        if measure.wrap:
-            yield from _rising(q, ("measures", name, "wrap"), measure.wrap, dimension)
-        if name in m.require and len(m.require[name].bounds) == 2:
-            low, high = m.require[name].bounds
-            yield from _rising(q, ("require", name), (low, high), dimension, equal=True)
-
-
-def _rising(
-    q: Quantities,
-    path: tuple[Any, ...],
-    edges: tuple[Expression, Expression],
-    dimension: Dimension,
-    equal: bool = False,
-) -> Iterator[Finding]:
-    low, high = (q.value(edge, dimension) for edge in edges)
-    if q.bad(np.logical_not(low <= high if equal else low < high)):
-        data = {"low": edges[0].text[:40], "high": edges[1].text[:40]}
-        yield Finding("value.not-rising", path, data)
