@@ -6,6 +6,8 @@ import ast
 import importlib
 import inspect
 import sys
+from collections.abc import Iterator
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 from typing import Any
 
@@ -242,6 +244,87 @@ def test_the_side_floors_know_of_nothing_else() -> None:
         if here in SIDES and target != here and target in LEVELS:
             seen[here].add(target)
     assert all(seen[side] <= known for side, known in SIDES.items()), seen
+
+
+# No circles.
+
+
+def run_time_nodes(node: ast.AST) -> Iterator[ast.AST]:
+    """What is executed, in functions too; what stands under ``if TYPE_CHECKING`` isn't."""
+    for child in ast.iter_child_nodes(node):
+        if isinstance(child, ast.If) and ast.unparse(child.test).endswith("TYPE_CHECKING"):
+            for other in child.orelse:
+                yield from (other, *run_time_nodes(other))
+        else:
+            yield from (child, *run_time_nodes(child))
+
+
+def run_time_imports(source: Path) -> dict[str, set[str]]:
+    """The modules of a package, each with those of the package that it imports at load or within a function."""
+    files = {}
+    for path in source.rglob("*.py"):
+        parts = [source.name, *path.relative_to(source).with_suffix("").parts]
+        files[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
+    graph: dict[str, set[str]] = {}
+    for module, path in files.items():
+        package = module.split(".") if path.name == "__init__.py" else module.split(".")[:-1]
+        targets: set[str] = set()
+        for node in run_time_nodes(ast.parse(path.read_text("utf-8"))):
+            if isinstance(node, ast.Import):
+                targets |= {alias.name for alias in node.names}
+            elif isinstance(node, ast.ImportFrom):
+                above = package[: len(package) - node.level + 1] if node.level else []
+                base = ".".join([*above, *([node.module] if node.module else [])])
+                named = {f"{base}.{alias.name}" for alias in node.names}
+                targets |= named if named <= files.keys() else {base, *named}
+            elif isinstance(node, ast.Call) and "import_module" in ast.dump(node.func):
+                texts = [n.value for n in ast.walk(node) if isinstance(n, ast.Constant) and isinstance(n.value, str)]
+                targets |= {*texts}
+        graph[module] = (targets & files.keys()) - {module}
+    return graph
+
+
+def circle(graph: dict[str, set[str]]) -> list[str]:
+    """Modules that import one another in a circle, the first one again at its end; nothing where there are none."""
+    try:
+        TopologicalSorter(graph).prepare()
+    except CycleError as error:
+        return [*error.args[1]]
+    return []
+
+
+def test_no_module_imports_itself_through_others() -> None:
+    """Imports of functions count: what is done late only hides a circle. Those for type checkers don't."""
+    assert circle(run_time_imports(SOURCE)) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("from made.a import x", True),
+        ("import made.a", True),
+        ("from made import a", True),
+        ("from . import a", True),
+        ("from .a import x", True),
+        ("def f():\n    from made.a import x", True),
+        ("class C:\n    def f(self):\n        import_module('made.a')", True),
+        ("if TYPE_CHECKING:\n    pass\nelse:\n    from made.a import x", True),
+        ("if TYPE_CHECKING:\n    from made.a import x", False),
+        ("if typing.TYPE_CHECKING:\n    from made.a import x", False),
+        ("def f():\n    if TYPE_CHECKING:\n        from made.a import x", False),
+        ("from made import other", False),
+    ],
+)
+def test_which_imports_make_a_circle(tmp_path: Path, text: str, found: bool) -> None:
+    made = tmp_path / "made"
+    made.mkdir()
+    for name, content in (("__init__", ""), ("a", "from made.b import y"), ("b", text)):
+        (made / f"{name}.py").write_text(content, "utf-8")
+    modules = circle(run_time_imports(made))
+    assert {*modules} == ({"made.a", "made.b"} if found else set())
+
+
+# What else modules keep to.
 
 
 def test_nothing_below_the_command_line_prints_or_leaves() -> None:

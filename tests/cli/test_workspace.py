@@ -85,7 +85,7 @@ def test_interrupted_after_its_regions_it_keeps_them_and_the_maps(
 ) -> None:
     """The interrupt comes while the figures are fitted in."""
     study = {"point": "E", "chord": 1e-3, "quality": {"steps": 20}, "fits": {"table": {"circle": 5}}}
-    summary = interrupted(study, "required.RequiredFits.perform", file, tmp_path / "out", monkeypatch)
+    summary = interrupted(study, "required.circle_fits", file, tmp_path / "out", monkeypatch)
     assert len(summary["workspace"]["regions"]) == len(summary["workspace"]["quality"]) == 1
     assert "fits" not in summary["workspace"] and (tmp_path / "out" / "workspace_maps.csv").exists()
 

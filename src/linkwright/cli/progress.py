@@ -6,6 +6,7 @@ import time
 from types import TracebackType
 from typing import Any
 
+from linkwright.cli.consoles import err
 from linkwright.words import say
 
 PATIENCE = 1.0
@@ -21,8 +22,6 @@ class Bar:
     """
 
     def __init__(self, text: str, shown: bool | None = None, console: Any = None) -> None:
-        from linkwright.cli.show import err
-
         self._text, self._console = text, console or err
         self._shown = self._console.is_terminal if shown is None else shown
         self._bar: Any = None

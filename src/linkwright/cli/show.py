@@ -10,15 +10,14 @@ from pathlib import Path
 from typing import Any
 
 import click
-from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
-from rich.text import Text
 
 from linkwright.app import Bench, Examined, ExportJob, Job, ModesJob
 from linkwright.blocks import Progress as Told
+from linkwright.cli.consoles import err, out, wide
 from linkwright.cli.progress import Bar
-from linkwright.escape import json_text, line, visible
+from linkwright.escape import json_text, line
 from linkwright.findings import Finding
 from linkwright.model.units import TIME
 from linkwright.report.accuracy_page import sentences as accuracy_sentences
@@ -34,24 +33,6 @@ from linkwright.report.sweep import sentence as sweep_sentence
 from linkwright.report.sweep import sweep_tables
 from linkwright.report.workspace import workspace_sentences, workspace_tables
 from linkwright.words import say
-
-
-class Stream(Console):
-    """A console that shows control characters as their codes, and leaves it to the command what becomes of a pipe
-    whose reader has left."""
-
-    def render_str(self, text: str, **how: Any) -> Text:
-        """Any text that is printed."""
-        return super().render_str(visible(text), **how)
-
-    def on_broken_pipe(self) -> None:
-        """Raise the error on; Rich itself would end with exit code 1."""
-        raise
-
-
-out = Stream(highlight=False, soft_wrap=True)
-wide = out if out.is_terminal else Stream(highlight=False, soft_wrap=True, width=120)  # a pipe has no width
-err = Stream(stderr=True, highlight=False, soft_wrap=True)
 
 _NUMBERS = ("value", "figure", "cold", "pose", "ratio", "deviation")
 _STYLES = {"error": "bold red", "warning": "bold yellow", "note": "bold"}

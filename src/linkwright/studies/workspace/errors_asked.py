@@ -4,41 +4,29 @@ if there is one."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from copy import copy
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, ClassVar, Self
 
-import numpy as np
-from numpy.typing import NDArray
 from pydantic import Field, PrivateAttr, ValidationError, ValidationInfo, model_validator
 
-from linkwright.findings import Finding, ModelError, Term, raise_errors
+from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.fields import Expression, Text
 from linkwright.model.unknown import unknown
 from linkwright.studies.accuracy.clearance import PATH as CLEARANCES
 from linkwright.studies.accuracy.clearance_options import check_clearances
-from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.reader import PATH as ACCURACY
 from linkwright.studies.accuracy.seats import held
 from linkwright.studies.accuracy.stated import check_contributors, contributors
-from linkwright.studies.site import Site
 from linkwright.studies.workspace.causes import Causes
-from linkwright.studies.workspace.errors import KINDS, errors
-from linkwright.studies.workspace.errors_part import ErrorsPart, RegionErrors
-from linkwright.studies.workspace.guaranteed import guaranteed
+from linkwright.studies.workspace.errors import KINDS
 from linkwright.studies.workspace.maps_asked import MapsAsked, positive
-from linkwright.studies.workspace.outcome import Workspace
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.options import WorkspaceOptions
-    from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
-Array = NDArray[np.float64]
-
-USUAL = ("error worst",)
 STATED = ("parameters", "general", "distribution", "cp", "correlations", "thermal", "clearances")
 """What the accuracy study says of deviations and clearances."""
 
@@ -68,6 +56,11 @@ class ErrorsOptions(MapsAsked):
             self._stated = None
         return self
 
+    @property
+    def stated(self) -> AccuracyOptions | None:
+        """What the file says of deviations and clearances, ``None`` where that is wrong."""
+        return self._stated
+
     def check(self, compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
         """What is wrong with what deviates, the limit, the maps' names."""
         yield from self.check_drives(compiled)
@@ -89,40 +82,6 @@ class ErrorsOptions(MapsAsked):
         """That nothing deviates is told of this section."""
         return Finding(finding.code, self.path, finding.data) if finding.path == ACCURACY else finding
 
-    def perform(self, outcome: WorkspaceOutcome, site: Site) -> ErrorsPart:
-        """The error maps of each region, and its guaranteed part."""
-        compiled = outcome.compiled
-        limit = None if self.limit is None else compiled.quantities.value(self.limit, u.LENGTH)
-        part = ErrorsPart(outcome, self.steps, self.shown(USUAL), self.lines(compiled, KINDS), limit)
-        assert outcome.box is not None
-        for workspace in outcome.workspaces:
-            try:
-                who = self._causes(compiled, workspace)
-            except ModelError as error:  # a class may have no tolerance for a length that is varied
-                outcome.failures += error.findings
-                continue
-            for reached in workspace.regions:
-                maps = errors(reached.region.sheet, outcome.box, who, self.steps)
-                sure = guaranteed(reached.region, who, limit, self.steps)
-                part.regions.append(RegionErrors(workspace, reached, maps, maps.ends(), who, sure))
-        return part
-
-    def _causes(self, compiled: Compiled, workspace: Workspace) -> Causes:
-        """What deviates where parameters have the values of a workspace."""
-        assert self._stated is not None
-        if workspace.regions:
-            compiled = at_values(compiled, workspace.regions[0].region.sheet.parameters)
-            raise_errors([*check_clearances(compiled, self._stated.clearances, CLEARANCES)])
-        return chosen(causes(compiled, self._stated), self.contributors)
-
-
-def at_values(compiled: Compiled, parameters: Array) -> Compiled:
-    """A mechanism whose numbers are read at other values of its parameters; not one to run."""
-    other, quantities = copy(compiled), copy(compiled.quantities)
-    quantities.parameters = dict(zip(compiled.graph.parameters, parameters.tolist(), strict=True))
-    other.quantities = quantities
-    return other
-
 
 def _wrong(compiled: Compiled, stated: AccuracyOptions) -> Iterator[Finding]:
     """What is wrong with tolerances and clearances."""
@@ -133,13 +92,3 @@ def _wrong(compiled: Compiled, stated: AccuracyOptions) -> Iterator[Finding]:
 def causes(compiled: Compiled, stated: AccuracyOptions) -> Causes:
     """All that deviates, and the joints with clearance, where nothing is wrong with them."""
     return Causes(contributors(compiled, stated), tuple(held(compiled, stated.clearances)))
-
-
-def chosen(every: Causes, names: Sequence[str] | None) -> Causes:
-    """Some of them by name, with the correlations between contributors."""
-    if names is None:
-        return every
-    known = every.contributors
-    rows = [i for i, name in enumerate(known.names) if name in names]
-    some = Contributors(tuple(known.every[i] for i in rows), known.correlation[np.ix_(rows, rows)], known.parameters)
-    return Causes(some, tuple(one for one in every.held if one.joint in names))

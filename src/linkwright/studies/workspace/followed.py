@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -16,7 +15,7 @@ from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.units import Dimension
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, shown
-from linkwright.studies.workspace.path_options import WantedPath, rate_of, wanted
+from linkwright.studies.workspace.path_options import WantedPath, WantedPaths, rate_of, wanted
 from linkwright.studies.workspace.wanted import PATH, Wanted
 from linkwright.studies.workspace.wayback import ServoLaw, Way, free, timed
 
@@ -163,12 +162,12 @@ def known(value: float) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def follow(paths: Mapping[str, WantedPath], outcome: WorkspaceOutcome) -> Followed:
+def follow(paths: WantedPaths, outcome: WorkspaceOutcome) -> Followed:
     """Try each path in each region. A path that none of them lets follow as it is asked is a failure."""
     compiled = outcome.compiled
     attempts, wrong = [], []
     for index, one in enumerate(outcome.workspaces):
-        for name, path in paths.items():
+        for name, path in paths.root.items():
             parameters = parameters_of(one, compiled)
             try:
                 way = wanted(compiled, path, (*PATH, name), parameters)

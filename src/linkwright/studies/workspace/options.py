@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator
-from typing import Annotated
+from typing import Annotated, Protocol
 
 from pydantic import Field
 
@@ -23,11 +23,10 @@ from linkwright.structure import FRAME
 from linkwright.studies.asked import one_of
 from linkwright.studies.ranges import stroke
 from linkwright.studies.workspace.errors_asked import ErrorsOptions
+from linkwright.studies.workspace.fit_options import RequiredFits
 from linkwright.studies.workspace.mesh import Box
-from linkwright.studies.workspace.parts import sections
 from linkwright.studies.workspace.path_options import WantedPaths
 from linkwright.studies.workspace.quality_asked import QualityOptions
-from linkwright.studies.workspace.required import RequiredFits
 from linkwright.studies.workspace.signs import combinations
 from linkwright.studies.workspace.trajectories_asked import TrajectoriesAsked
 
@@ -35,6 +34,9 @@ PATH = ("studies", "workspace")
 TURN = 2 * math.pi
 MOST = 200
 """The most regions of one study."""
+SECTIONS: tuple[str, ...] = ("trajectories", "quality", "errors", "paths", "fits")
+"""The keys of the options' sections, what is asked besides the regions, in the order in which they are performed and
+shown."""
 
 Which = one_of("workspace", "modes", ["all", "own"])
 
@@ -98,6 +100,18 @@ class WorkspaceOptions(Frozen):
             bool(compiled.mechanism.prescribed(drive).turns and r and r[1] - r[0] >= TURN * (1 - 1e-12))
             for drive, r in ranges
         )
+
+
+class Section(Protocol):
+    """A section of the options: a pydantic model that checks itself against the mechanism."""
+
+    def check(self, compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
+        """What is wrong with it; ``options`` are those of the whole study."""
+
+
+def sections(options: WorkspaceOptions) -> list[tuple[str, Section]]:
+    """The sections that are given, by key."""
+    return [(key, section) for key in SECTIONS if (section := getattr(options, key)) is not None]
 
 
 def check(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:

@@ -1,35 +1,42 @@
-"""What a workspace study may be asked besides its regions: sections of its options, each of which makes a part of the
-outcome."""
+"""How the sections of a workspace study's options are performed: of each section its function, in one table.
+
+Options are data and know nothing of this. A section is made into a part of the outcome once the workspaces are found;
+findings go to the outcome's failures and warnings.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, Protocol
+from collections.abc import Callable, Mapping
+from typing import Any, Protocol
 
-from linkwright.findings import Finding
-from linkwright.kernels import Compiled
-from linkwright.studies.site import Site
-
-if TYPE_CHECKING:
-    from linkwright.studies.workspace.options import WorkspaceOptions
-    from linkwright.studies.workspace.outcome import WorkspaceOutcome
-
-SECTIONS: tuple[str, ...] = ("trajectories", "quality", "errors", "paths", "fits")
-"""The keys of the sections among the study's options, in the order in which they are performed and shown."""
+from linkwright.studies.workspace.errors_part import errors_part
+from linkwright.studies.workspace.followed import follow
+from linkwright.studies.workspace.options import sections
+from linkwright.studies.workspace.outcome import WorkspaceOutcome
+from linkwright.studies.workspace.quality_part import quality_part
+from linkwright.studies.workspace.required import required
+from linkwright.studies.workspace.trajectories_part import trajectories_part
 
 
-class Section(Protocol):
-    """A section of the options: a pydantic model that checks itself against the mechanism, and performs itself."""
+class Part(Protocol):
+    """What comes of a section."""
 
-    def check(self, compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
-        """What is wrong with it; ``options`` are those of the whole study."""
-
-    def perform(self, outcome: WorkspaceOutcome, site: Site) -> Any:
-        """The part: it has ``as_dict()``, its entry in the summary. The outcome has its workspaces; findings go to its
-        failures and warnings. ``outcome.compiled.folder`` is where the files lie that the
-        section names."""
+    def as_dict(self) -> Any:
+        """Its entry in the summary."""
 
 
-def sections(options: WorkspaceOptions) -> list[tuple[str, Section]]:
-    """The sections that are given, by key."""
-    return [(key, section) for key in SECTIONS if (section := getattr(options, key)) is not None]
+PERFORMERS: Mapping[str, Callable[[Any, WorkspaceOutcome], Part]] = {
+    "trajectories": trajectories_part,
+    "quality": quality_part,
+    "errors": errors_part,
+    "paths": follow,
+    "fits": required,
+}
+"""By the section's key, what makes its part from the section and the outcome with its workspaces. Files that a section
+names lie in ``outcome.compiled.folder``."""
+
+
+def perform(outcome: WorkspaceOutcome) -> None:
+    """Put the parts that are asked for into the outcome, one after the other."""
+    for key, section in sections(outcome.options):
+        outcome.parts[key] = PERFORMERS[key](section, outcome)

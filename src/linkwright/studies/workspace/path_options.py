@@ -24,12 +24,10 @@ from linkwright.model.quantities import LARGEST
 from linkwright.model.unknown import unknown
 from linkwright.model.written import Fault
 from linkwright.studies.asked import one_of
-from linkwright.studies.site import Site
 from linkwright.studies.workspace.wanted import PATH, Path_, Wanted, from_csv, from_dxf, from_formula, through
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.options import WorkspaceOptions
-    from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 Array = NDArray[np.float64]
 
@@ -86,12 +84,6 @@ class WantedPaths(RootModel[Annotated[dict[NameField, WantedPath], freeze, Field
             return
         for name, path in self.root.items():
             yield from _check(compiled, path, (*PATH, name))
-
-    def perform(self, outcome: WorkspaceOutcome, site: Site) -> Any:
-        """Each path tried in each region."""
-        from linkwright.studies.workspace.followed import follow
-
-        return follow(self.root, outcome)
 
 
 def _check(compiled: Compiled, path: WantedPath, at: Path_) -> Iterator[Finding]:

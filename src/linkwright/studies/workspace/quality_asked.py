@@ -15,16 +15,12 @@ from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import freeze
 from linkwright.model.units import Dimension
 from linkwright.model.unknown import unknown
-from linkwright.studies.site import Site
 from linkwright.studies.workspace.maps_asked import MapsAsked, number, positive
-from linkwright.studies.workspace.quality import Task, kinds, quality
-from linkwright.studies.workspace.quality_part import QualityPart, RegionQuality
+from linkwright.studies.workspace.quality import Task, kinds
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.options import WorkspaceOptions
-    from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
-USUAL = ("condition", "transmission")
 _NEEDS = {"speed": "speeds", "speed any way": "speeds", "force": "efforts", "force any way": "efforts"}
 Limits = Annotated[dict[NameField, Expression], freeze]
 Force = Annotated[
@@ -55,14 +51,14 @@ class QualityOptions(MapsAsked):
         yield from self.check_drives(compiled)
         if len(compiled.graph.drives) != 2:
             return
-        yield from self._read(compiled)[1]
+        yield from self.task(compiled)[1]
         both = (1.0, 1.0)
         given = Task(both if self.speeds else None, both if self.efforts else None, None if self.force is None else 1.0)
         known = kinds(compiled, given)
         needs = _NEEDS | {f"effort {drive}": "force" for drive in compiled.graph.drives}
         yield from self.check_maps(compiled, known, {name: key for name, key in needs.items() if name not in known})
 
-    def _read(self, compiled: Compiled) -> tuple[Task, list[Finding]]:
+    def task(self, compiled: Compiled) -> tuple[Task, list[Finding]]:
         """The task in SI, and what is wrong with it."""
         speeds, wrong = self._limits(compiled, "speeds", self.speeds, {True: u.OMEGA, False: u.SPEED})
         efforts, more = self._limits(compiled, "efforts", self.efforts, {True: u.TORQUE, False: u.FORCE})
@@ -92,20 +88,6 @@ class QualityOptions(MapsAsked):
                 found.append(positive(compiled, given[name], dimension, (*path, name), what))
         values, faults = _sorted(found)
         return (values[0], values[1]) if len(values) == 2 else None, [*wrong, *faults]
-
-    def perform(self, outcome: WorkspaceOutcome, site: Site) -> QualityPart:
-        """The maps of each region."""
-        task = self._read(outcome.compiled)[0]
-        known = kinds(outcome.compiled, task)
-        shown = self.shown([name for name in USUAL if name in known])
-        part = QualityPart(outcome, self.steps, shown, self.lines(outcome.compiled, known))
-        assert outcome.box is not None
-        for workspace in outcome.workspaces:
-            for reached in workspace.regions:
-                region = reached.region
-                found = quality(region.sheet, outcome.box, task, self.steps, region.segments)
-                part.regions.append(RegionQuality.of(workspace, reached, found))
-        return part
 
 
 def _sorted(found: Sequence[float | Finding]) -> tuple[list[float], list[Finding]]:

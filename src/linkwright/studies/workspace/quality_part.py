@@ -12,11 +12,14 @@ from linkwright.model import units as u
 from linkwright.studies.workspace.mapped_regions import RegionMaps
 from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.outcome import Reached, Workspace
-from linkwright.studies.workspace.quality import Locus, Quality
+from linkwright.studies.workspace.quality import Locus, Quality, kinds, quality
+from linkwright.studies.workspace.quality_asked import QualityOptions
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
+USUAL = ("condition", "transmission")
+"""The maps of which there are pictures unless the file says."""
 KINDS = ("dead", "uncertain")
 JOINED = 2e-5
 """Ends of pieces that are nearer than this share of the drives' ranges are on one curve."""
@@ -110,3 +113,19 @@ def counted(kind: str, loci: Sequence[Locus], box: Box) -> Curves:
     joined = coo_array((np.ones(len(links)), links.T), shape=(len(ends), len(ends)))
     length = np.hypot(*(at[:, 1] - at[:, 0]))
     return Curves(kind, int(connected_components(joined, directed=False)[0]), float(np.nansum(length)))
+
+
+def quality_part(options: QualityOptions, outcome: WorkspaceOutcome) -> QualityPart:
+    """The maps of each region."""
+    compiled = outcome.compiled
+    task = options.task(compiled)[0]
+    known = kinds(compiled, task)
+    shown = options.shown([name for name in USUAL if name in known])
+    part = QualityPart(outcome, options.steps, shown, options.lines(compiled, known))
+    assert outcome.box is not None
+    for workspace in outcome.workspaces:
+        for reached in workspace.regions:
+            region = reached.region
+            found = quality(region.sheet, outcome.box, task, options.steps, region.segments)
+            part.regions.append(RegionQuality.of(workspace, reached, found))
+    return part

@@ -26,9 +26,8 @@ from linkwright.kernels.versions import versions
 from linkwright.model.origin import table_hashes
 from linkwright.model.output_files import make_folder
 from linkwright.studies.site import Site
-from linkwright.studies.workspace.options import PATH
+from linkwright.studies.workspace.options import PATH, SECTIONS
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
-from linkwright.studies.workspace.parts import SECTIONS
 from linkwright.studies.workspace.sheet import Sheet
 from linkwright.studies.workspace.signs import Signs
 

@@ -1,25 +1,18 @@
-"""The section ``fits`` of a workspace study: required circles and rectangles, and the largest there is room for."""
+"""Required circles and rectangles in each region of a workspace study, and the largest there is room for."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import ConfigDict, Field, RootModel
 
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
-from linkwright.model.fields import Expression, Frozen
-from linkwright.model.fields import Name as NameField
-from linkwright.model.parts import Vector, freeze
-from linkwright.model.written import Fault
-from linkwright.studies.asked import one_of
-from linkwright.studies.site import Site
+from linkwright.studies.workspace.fit_options import PATH, RequiredFit, RequiredFits
 from linkwright.studies.workspace.fits import (
     Circle,
     Fit,
@@ -31,55 +24,12 @@ from linkwright.studies.workspace.fits import (
 )
 from linkwright.studies.workspace.followed import parameters_of
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, shown, values_text
-from linkwright.studies.workspace.path_options import constant, positive, valued
-from linkwright.studies.workspace.wanted import Path_
-
-if TYPE_CHECKING:
-    from linkwright.studies.workspace.options import WorkspaceOptions
+from linkwright.studies.workspace.path_options import valued
 
 Array = NDArray[np.float64]
 
-PATH: Path_ = ("studies", "workspace", "fits")
-KINDS = ("circle", "rectangle", "largest")
-MOST = 100
-"""The most figures of one study."""
 ROUND = 181
 """Corners of a circle when it is drawn."""
-
-Largest = one_of("workspace", "largest", ["circle", "rectangle"])
-
-
-class RequiredFit(Frozen):
-    """A circle or rectangle that has to fit into a region; or the largest one is looked for."""
-
-    circle: Expression | None = Field(None, description="radius of a circle that has to fit")
-    rectangle: Vector | None = Field(None, description="[width, height] of a rectangle that has to fit")
-    largest: Largest | None = Field(None, description="look for the largest: circle or rectangle")  # type: ignore[valid-type]
-    centre: Vector | None = Field(None, description="[x, y] of the figure; else the best place is found")
-    angle: Expression | None = Field(None, description="of the rectangle's width to the x axis; 0 by default")
-    aspect: Expression | None = Field(None, description="width over height of the largest rectangle; 1 by default")
-
-    @classmethod
-    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
-        kinds = [key for key in KINDS if key in given]
-        if len(kinds) != 1:
-            yield "workspace.fit-kind", {"given": ", ".join(kinds) or "-"}
-        oblong = "rectangle" in given or given.get("largest") == "rectangle"
-        for key, fitting, of in (
-            ("angle", oblong, "rectangle, largest: rectangle"),
-            ("aspect", given.get("largest") == "rectangle", "largest: rectangle"),
-            ("centre", "circle" in given or "rectangle" in given, "circle, rectangle"),
-        ):
-            if kinds and key in given and not fitting:
-                yield "workspace.path-key", {"key": key, "of": of}
-
-    def placed(self, compiled: Compiled) -> Iterator[tuple[str, Expression, Any, bool]]:
-        """What it states: key, expression, dimension, whether it must be positive."""
-        yield from (("circle", self.circle, u.LENGTH, True),) if self.circle else ()
-        yield from (("rectangle", side, u.LENGTH, True) for side in self.rectangle or ())
-        yield from (("centre", place, u.LENGTH, False) for place in self.centre or ())
-        yield from (("angle", self.angle, u.ANGLE, False),) if self.angle else ()
-        yield from (("aspect", self.aspect, u.PURE, True),) if self.aspect else ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -176,38 +126,19 @@ class Required:
         return entry | {"largest": False, **told, "outside": one.fit.outside}
 
 
-class RequiredFits(RootModel[Annotated[dict[NameField, RequiredFit], freeze, Field(min_length=1, max_length=MOST)]]):
-    """Figures by name."""
-
-    model_config = ConfigDict(frozen=True)
-
-    def check(self, compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
-        """What is wrong with them."""
-        if len(compiled.graph.drives) != 2:
-            yield Finding("workspace.section-drives", PATH, {"count": len(compiled.graph.drives)})
-            return
-        for name, figure in self.root.items():
-            for key, expression, dimension, over in figure.placed(compiled):
-                at = (*PATH, name, key)
-                yield from (
-                    positive(compiled, expression, dimension, at)
-                    if over
-                    else constant(compiled, expression, dimension, at)[1]
-                )
-
-    def perform(self, outcome: WorkspaceOutcome, site: Site) -> Required:
-        """Each figure in each region. One that fits into none of them is a failure."""
-        compiled = outcome.compiled
-        placed = [
-            made
-            for index, one in enumerate(outcome.workspaces)
-            for name, figure in self.root.items()
-            for reached in one.regions
-            if (made := _placed(compiled, name, figure, index, one, reached)) is not None
-        ]
-        found = Required(compiled, tuple(placed))
-        outcome.failures += [_nowhere(compiled, best) for best in found.best.values() if not best.kept]
-        return found
+def required(fits: RequiredFits, outcome: WorkspaceOutcome) -> Required:
+    """Each figure in each region. One that fits into none of them is a failure."""
+    compiled = outcome.compiled
+    placed = [
+        made
+        for index, one in enumerate(outcome.workspaces)
+        for name, figure in fits.root.items()
+        for reached in one.regions
+        if (made := _placed(compiled, name, figure, index, one, reached)) is not None
+    ]
+    found = Required(compiled, tuple(placed))
+    outcome.failures += [_nowhere(compiled, best) for best in found.best.values() if not best.kept]
+    return found
 
 
 def _placed(

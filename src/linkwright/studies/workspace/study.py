@@ -20,7 +20,7 @@ from linkwright.studies.workspace.never import never
 from linkwright.studies.workspace.one import Curve, curve
 from linkwright.studies.workspace.options import PATH, WorkspaceOptions, check
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, values_text
-from linkwright.studies.workspace.parts import sections
+from linkwright.studies.workspace.parts import perform
 from linkwright.studies.workspace.region_files import resumable
 from linkwright.studies.workspace.regions import Region, region
 from linkwright.studies.workspace.sheet import Sheet
@@ -63,8 +63,7 @@ class WorkspaceStudy:
             if stopped:
                 raise KeyboardInterrupt
             if outcome.workspaces:
-                for name, section in sections(options):
-                    outcome.parts[name] = section.perform(outcome, site)
+                perform(outcome)
         except KeyboardInterrupt:
             outcome.failures.append(Finding("workspace.stopped", PATH, {"done": done, "total": total}))
             raise Stopped(outcome, outcome.failures[-1].what) from None

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-from numpy.typing import NDArray
 from pydantic import Field
 
 from linkwright.findings import Finding
@@ -17,23 +14,14 @@ from linkwright.model.fields import Expression, Frozen
 from linkwright.model.fields import Name as NameField
 from linkwright.model.unknown import unknown
 from linkwright.model.written import Fault
-from linkwright.studies.site import Site
 from linkwright.studies.workspace.path_options import constant, positive
-from linkwright.studies.workspace.trajectories import trajectories
-from linkwright.studies.workspace.trajectories_part import RegionTrajectories, TrajectoriesPart
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.options import WorkspaceOptions
-    from linkwright.studies.workspace.outcome import WorkspaceOutcome
-
-Array = NDArray[np.float64]
 
 PATH = ("studies", "workspace", "trajectories")
-STEPS = 36
 MOST = 720
 """The most values of the held drive."""
-ROUND = 1e-9
-"""A range that lacks this share of a step has room for it."""
 
 
 class TrajectoriesAsked(Frozen):
@@ -87,33 +75,6 @@ class TrajectoriesAsked(Frozen):
         if ends is not None and step is not None and (count := (ends[1] - ends[0]) / step) > MOST:
             data = {"drive": drive, "count": f"{count:.6g}", "limit": MOST}
             yield Finding("workspace.hold-many", at, data)
-
-    def values(self, outcome: WorkspaceOutcome) -> Array:
-        """The values of the held drive (rad or m): (n,), rising; of a whole turn the end is left out."""
-        assert outcome.box is not None
-        compiled = outcome.compiled
-        drive = held(compiled, self.hold)
-        index = compiled.graph.drives.index(drive)
-        low, high, turns = outcome.box.low[index], outcome.box.high[index], outcome.box.turns[index]
-        step = (high - low) / (self.steps or STEPS)
-        if self.every is not None:
-            step = compiled.quantities.value(self.every, compiled.quantities.drive_dimension(drive))
-        count = math.floor((high - low) / step + ROUND) + 1
-        made = low + step * np.arange(count)
-        return np.asarray(made[made < high - ROUND * step] if turns else np.minimum(made, high))
-
-    def perform(self, outcome: WorkspaceOutcome, site: Site) -> TrajectoriesPart:
-        """The trajectories in each region."""
-        assert outcome.box is not None
-        drive = held(outcome.compiled, self.hold)
-        hold = outcome.compiled.graph.drives.index(drive)
-        values, chord = self.values(outcome), self.chord * outcome.compiled.graph.size
-        part = TrajectoriesPart(outcome, hold, values, chord)
-        for index, workspace in enumerate(outcome.workspaces):
-            for reached in workspace.regions:
-                found = trajectories(reached.region.sheet, outcome.box, hold, values, chord)
-                part.regions.append(RegionTrajectories(index, workspace, reached, found))
-        return part
 
 
 def held(compiled: Compiled, named: str | None) -> str:

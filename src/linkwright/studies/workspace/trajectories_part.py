@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -10,12 +11,18 @@ from numpy.typing import NDArray
 
 from linkwright.model import units as u
 from linkwright.studies.workspace.outcome import Reached, Workspace
-from linkwright.studies.workspace.trajectories import Trajectories
+from linkwright.studies.workspace.trajectories import Trajectories, trajectories
+from linkwright.studies.workspace.trajectories_asked import TrajectoriesAsked, held
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 Array = NDArray[np.float64]
+
+STEPS = 36
+"""Steps of the held drive's range unless the file says."""
+ROUND = 1e-9
+"""A range that lacks this share of a step has room for it."""
 
 
 @dataclass(frozen=True)
@@ -68,3 +75,31 @@ class TrajectoriesPart:
             "unit": length_unit,
             "chord": self.chord / length,
         }
+
+
+def trajectories_part(options: TrajectoriesAsked, outcome: WorkspaceOutcome) -> TrajectoriesPart:
+    """The trajectories in each region."""
+    assert outcome.box is not None
+    drive = held(outcome.compiled, options.hold)
+    hold = outcome.compiled.graph.drives.index(drive)
+    values, chord = _values(options, outcome, drive), options.chord * outcome.compiled.graph.size
+    part = TrajectoriesPart(outcome, hold, values, chord)
+    for index, workspace in enumerate(outcome.workspaces):
+        for reached in workspace.regions:
+            found = trajectories(reached.region.sheet, outcome.box, hold, values, chord)
+            part.regions.append(RegionTrajectories(index, workspace, reached, found))
+    return part
+
+
+def _values(options: TrajectoriesAsked, outcome: WorkspaceOutcome, drive: str) -> Array:
+    """The values of the held drive (rad or m): (n,), rising; of a whole turn the end is left out."""
+    assert outcome.box is not None
+    compiled = outcome.compiled
+    index = compiled.graph.drives.index(drive)
+    low, high, turns = outcome.box.low[index], outcome.box.high[index], outcome.box.turns[index]
+    step = (high - low) / (options.steps or STEPS)
+    if options.every is not None:
+        step = compiled.quantities.value(options.every, compiled.quantities.drive_dimension(drive))
+    count = math.floor((high - low) / step + ROUND) + 1
+    made = low + step * np.arange(count)
+    return np.asarray(made[made < high - ROUND * step] if turns else np.minimum(made, high))

@@ -1,0 +1,82 @@
+"""The section ``fits`` of a workspace study: required circles and rectangles, and the largest there is room for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Annotated, Any
+
+from pydantic import ConfigDict, Field, RootModel
+
+from linkwright.findings import Finding
+from linkwright.kernels import Compiled
+from linkwright.model import units as u
+from linkwright.model.fields import Expression, Frozen
+from linkwright.model.fields import Name as NameField
+from linkwright.model.parts import Vector, freeze
+from linkwright.model.written import Fault
+from linkwright.studies.asked import one_of
+from linkwright.studies.workspace.path_options import constant, positive
+from linkwright.studies.workspace.wanted import Path_
+
+if TYPE_CHECKING:
+    from linkwright.studies.workspace.options import WorkspaceOptions
+
+PATH: Path_ = ("studies", "workspace", "fits")
+KINDS = ("circle", "rectangle", "largest")
+MOST = 100
+"""The most figures of one study."""
+
+Largest = one_of("workspace", "largest", ["circle", "rectangle"])
+
+
+class RequiredFit(Frozen):
+    """A circle or rectangle that has to fit into a region; or the largest one is looked for."""
+
+    circle: Expression | None = Field(None, description="radius of a circle that has to fit")
+    rectangle: Vector | None = Field(None, description="[width, height] of a rectangle that has to fit")
+    largest: Largest | None = Field(None, description="look for the largest: circle or rectangle")  # type: ignore[valid-type]
+    centre: Vector | None = Field(None, description="[x, y] of the figure; else the best place is found")
+    angle: Expression | None = Field(None, description="of the rectangle's width to the x axis; 0 by default")
+    aspect: Expression | None = Field(None, description="width over height of the largest rectangle; 1 by default")
+
+    @classmethod
+    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+        kinds = [key for key in KINDS if key in given]
+        if len(kinds) != 1:
+            yield "workspace.fit-kind", {"given": ", ".join(kinds) or "-"}
+        oblong = "rectangle" in given or given.get("largest") == "rectangle"
+        for key, fitting, of in (
+            ("angle", oblong, "rectangle, largest: rectangle"),
+            ("aspect", given.get("largest") == "rectangle", "largest: rectangle"),
+            ("centre", "circle" in given or "rectangle" in given, "circle, rectangle"),
+        ):
+            if kinds and key in given and not fitting:
+                yield "workspace.path-key", {"key": key, "of": of}
+
+    def placed(self, compiled: Compiled) -> Iterator[tuple[str, Expression, Any, bool]]:
+        """What it states: key, expression, dimension, whether it must be positive."""
+        yield from (("circle", self.circle, u.LENGTH, True),) if self.circle else ()
+        yield from (("rectangle", side, u.LENGTH, True) for side in self.rectangle or ())
+        yield from (("centre", place, u.LENGTH, False) for place in self.centre or ())
+        yield from (("angle", self.angle, u.ANGLE, False),) if self.angle else ()
+        yield from (("aspect", self.aspect, u.PURE, True),) if self.aspect else ()
+
+
+class RequiredFits(RootModel[Annotated[dict[NameField, RequiredFit], freeze, Field(min_length=1, max_length=MOST)]]):
+    """Figures by name."""
+
+    model_config = ConfigDict(frozen=True)
+
+    def check(self, compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
+        """What is wrong with them."""
+        if len(compiled.graph.drives) != 2:
+            yield Finding("workspace.section-drives", PATH, {"count": len(compiled.graph.drives)})
+            return
+        for name, figure in self.root.items():
+            for key, expression, dimension, over in figure.placed(compiled):
+                at = (*PATH, name, key)
+                yield from (
+                    positive(compiled, expression, dimension, at)
+                    if over
+                    else constant(compiled, expression, dimension, at)[1]
+                )
