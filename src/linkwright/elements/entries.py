@@ -50,7 +50,7 @@ class JointEntry(Frozen):
         return {}
 
     def wrong(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[FaultWithin]:
-        """What is wrong with the values of its numbers together; ``value`` gives them in SI, one or an array of samples."""
+        """What is wrong with its numbers together; ``value`` gives them in SI, one or an array of samples."""
         yield from ()
 
 

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.elements.entries import ENTRIES, JointEntry
+from linkwright.findings import Term
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.registry import Registry
 from linkwright.words import add
@@ -221,7 +222,12 @@ class JointKind(ABC):
     orders: ClassVar[Mapping[str, int]] = {}
     """The derivatives of the motion that each of its signals needs."""
     words: ClassVar[Mapping[str, Mapping[str, str]]] = {}
-    """Texts that the catalogue lacks, by language and key; ``kind.NAME`` is what it is called."""
+    """Texts that the catalogue lacks, by language and key; ``term.kind-NAME`` is what it is called."""
+
+    @property
+    def title(self) -> Term:
+        """What it is called."""
+        return Term(f"kind-{self.name}")
 
     @property
     def rows(self) -> int:

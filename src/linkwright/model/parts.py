@@ -32,7 +32,7 @@ from linkwright.model.fields import (
 from linkwright.model.tolerances import Tolerance
 from linkwright.model.typed_fields import ELSEWHERE, Ends, Quantity, Scope, Sign
 from linkwright.model.units import Dimension
-from linkwright.model.written import Fault, Shortened, plain_number, unexpected
+from linkwright.model.written import Fault, FaultWithin, Shortened, plain_number, unexpected
 
 freeze = AfterValidator(FrozenDict)
 
@@ -203,6 +203,10 @@ class Joint(Frozen):
     signals: ClassVar[Mapping[str, u.Dimension]] = {}  # slides have theirs in model/signals.py
     couple: ClassVar[bool] = False
     one_sided: ClassVar[Mapping[str, int]] = {}
+
+    def wrong(self, value: Any) -> Iterator[FaultWithin]:
+        """What is wrong with the values of its numbers together: nothing that the fields don't say."""
+        yield from ()
 
     @property
     def ends(self) -> tuple[str, ...]:

@@ -30,7 +30,7 @@ def check_values(quantities: Quantities) -> list[Finding]:
         return bad
     stated = [*mechanism_sites(quantities.mechanism)]
     signs = (finding for site in stated for finding in sign_faults(quantities, site))
-    special = (finding for part in (_progressions, _rods, _slides) for finding in part(quantities))
+    special = (finding for part in (_progressions, _rods, _slides, _joints) for finding in part(quantities))
     return [*bad, *signs, *special, *(finding for site in stated for finding in _ends(quantities, site))]
 
 
@@ -94,6 +94,12 @@ def _slides(q: Quantities) -> Iterator[Finding]:
             angle = f"{abs(np.extract(wrong, miss)[0]) / size:.6g}"
             data = {"joint": name, "loop": ", ".join(loop), "angle": angle, "unit": unit}
             yield Finding("joint.slides-tilted", ("joints", name), data)
+
+
+def _joints(q: Quantities) -> Iterator[Finding]:
+    for name, joint in q.mechanism.joints_but_pins():
+        for code, data, *path in joint.wrong(q.value):
+            yield Finding(code, ("joints", name, *path), data)
 
 
 def tilts(q: Quantities) -> Iterator[tuple[str, list[str], Any]]:

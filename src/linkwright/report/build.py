@@ -31,6 +31,7 @@ from linkwright.report.data import (
     listed,
 )
 from linkwright.report.facts import facts
+from linkwright.report.joint_shapes import joint_shapes
 from linkwright.report.parts import PARTS, drawn, found
 from linkwright.results import Result
 from linkwright.structure import FRAME
@@ -121,6 +122,8 @@ def scene(result: Result) -> Scene:
     )
     links: list[Link] = []
     outlines = cam_shapes(compiled, size)
+    for link_name, lines in joint_shapes(result, size, compiled.assembly.size()).items():
+        outlines.setdefault(link_name, []).extend(lines)
     for name, entry in compiled.mechanism.links.items():
         points = {p: [c / size for c in geometry.point(name, p)] for p in entry.points}
         pose: Pose = {"x": [0.0], "y": [0.0], "c": [1.0], "s": [0.0]}
@@ -204,7 +207,8 @@ def plots(result: Result) -> list[Plot]:
     for attribute in ("angle", "omega", "alpha")[: 1 if sweep else None]:
         names = [f"{link}.{attribute}" for link in links]
         found.append(_plot(result, say(f"plot.{attribute}"), "motion", names))
-    found += [_plot(result, say("plot.slide", name=n), "motion", [f"{n}.s"]) for n, _ in m.prismatic_joints()]
+    sliding = [name for name, joint in m.joints_but_pins() if joint.prismatic or "s" in joint.signals]
+    found += [_plot(result, say("plot.slide", name=n), "motion", [f"{n}.s"]) for n in sliding]
     if not sweep:
         found += _force_plots(result)
     return [plot for plot in found if plot is not None]

@@ -33,7 +33,7 @@ def _fact(name: str, text: str) -> Fact:
 
 
 def _higher(name: str, kind: JointKind, links: tuple[str, ...]) -> str:
-    return say("fact.higher.text", name=name, kind=say(f"kind.{kind.name}"), links=", ".join(links))
+    return say("fact.higher.text", name=name, kind=kind.title, links=", ".join(links))
 
 
 def facts(compiled: Compiled) -> list[Fact]:

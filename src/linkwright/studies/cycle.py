@@ -139,7 +139,8 @@ class Cycle:
         warned = [finding for finding in measurer.findings if finding not in faults]
         warned += [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
         notes = [*coincident(run), *crossed(run)]
-        return CycleOutcome(result, measures, [*warned, *outside(run), *lifted(run), *loose(run), *unseated(run), *notes])
+        warned += [*outside(run), *lifted(run), *loose(run), *unseated(run)]
+        return CycleOutcome(result, measures, [*warned, *notes])
 
 
 CHECKS = {

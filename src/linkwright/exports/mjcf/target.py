@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from linkwright.exports.followed import duration, followed
+from linkwright.exports.joints import unwritten
 from linkwright.exports.mjcf.masses import written_masses
 from linkwright.exports.mjcf.poses import Motor, coordinates, motors
 from linkwright.exports.mjcf.proof import missed
@@ -53,6 +54,7 @@ class Mjcf:
         """Options without a value."""
         findings = [*_tiny_mass(compiled, options)[1], *_timestep(compiled, options)[1]]
         findings += duration(compiled, None, self.name, options.duration)[1]
+        findings += unwritten(compiled, self.name)
         if closing := compiled.structure.topology.closing_slides:
             data = {"name": self.name, "joints": ", ".join(closing)}
             findings.append(Finding("export.cannot-close-slides", ("exports", self.name), data))

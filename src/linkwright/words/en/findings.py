@@ -2205,6 +2205,7 @@ _TERMS: dict[str, str] = {
     "tolerance": "a number, [lower, upper], a class such as ISO 2768-m, or a mapping",
     "correlation": "a number, or a matrix of numbers as a list of rows",
     "two-links": "[LINK, LINK]",
+    "kind-pin_in_slot": "pin in a slot",
     "flank-left": "left",
     "flank-right": "right",
     "slot-place": "[ALONG, ACROSS]",

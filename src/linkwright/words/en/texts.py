@@ -10,7 +10,6 @@ TEXTS: dict[str, str] = {
     "fact.slides": "Prismatic joints",
     "fact.higher": "Other joints",
     "fact.higher.text": "{name}: {kind}, {links}",
-    "kind.pin_in_slot": "pin in a slot",
     "fact.lone": "Free points",
     "fact.lone.text": "{points} (on one link only, so no joint)",
     "fact.plane": "Plane",

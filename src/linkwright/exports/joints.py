@@ -1,0 +1,16 @@
+"""Which joints a format can hold: what it writes of pins and slides says nothing of kinds beyond them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from linkwright.findings import Finding
+from linkwright.kernels import Compiled
+
+
+def unwritten(compiled: Compiled, target: str) -> Iterator[Finding]:
+    """A finding for each joint by which no link can be placed, for formats that are trees of joints."""
+    for c in compiled.structure.topology.but_pins:
+        if not c.kind.places:
+            data = {"name": target, "joint": c.joint, "kind": c.kind.title}
+            yield Finding("export.joint", ("joints", c.joint), data)

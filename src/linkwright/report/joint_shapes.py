@@ -1,0 +1,35 @@
+"""Joints in the drawing that have a shape of their own on a link: slots, as wide as the pins that run in them."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.graph.geometry import Geometry
+from linkwright.report.cam_shapes import Shapes
+from linkwright.results import Result
+
+WIDTH = 0.03
+"""Width of a slot over the size of what is drawn."""
+ROUND = 6
+"""Pieces of a quarter of its rounded ends."""
+
+
+def joint_shapes(result: Result, size: float, extent: float) -> Shapes:
+    """What is drawn of joints on each link, in a unit of ``size`` m; ``extent`` (m) is the size of the drawing."""
+    import shapely
+
+    compiled, found = result.run.compiled, Shapes()
+    geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
+    for name, entry in compiled.mechanism.joints_but_pins():
+        if "s" not in entry.signals:
+            continue
+        travel: NDArray[np.float64] = result[f"{name}.s"]
+        low, high = float(np.nanmin(travel)), float(np.nanmax(travel))
+        kind = compiled.structure.topology.kind_of(name)
+        if (drawn := kind.outline(geometry, name, low, high)) is None:
+            continue
+        link, line = drawn
+        around = shapely.LineString(line.T).buffer(WIDTH / 2 * extent, quad_segs=ROUND).exterior
+        found.setdefault(link, []).append((np.array(around.coords)[:-1] / size).tolist())
+    return found
