@@ -169,6 +169,13 @@ def test_a_motion_that_cannot_be_followed_is_refused() -> None:
     assert {finding.code.split(".")[0] for finding in exported.failures} == {"motion"}
 
 
+def test_a_motion_too_long_for_continuous_angles_is_refused() -> None:
+    exported = lw.export(EXAMPLES / "two_cylinder_workspace.yaml", "mjcf", duration="3.53e10 s")
+    (finding,) = exported.failures
+    assert finding.code == "export.too-long"
+    assert "left, B, right" in finding.what
+
+
 @pytest.mark.parametrize("options", [{"tiny_mass": 0}, {"tiny_mass": "3 mm"}, {"timestep": "-1 ms"}, {"duration": "a"}])
 def test_wrong_options(options: dict[str, Any]) -> None:
     with pytest.raises(lw.ModelError) as raised:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from functools import cached_property
 from typing import Any
 
 from linkwright.model import units as u
 from linkwright.model.expressions import evaluate
 from linkwright.model.fields import Expression, LineOn, Position
+from linkwright.model.pins import Pin, pins
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Pair, Scalar
 from linkwright.notation.planar import unit_vector
@@ -31,6 +33,11 @@ class Geometry:
         self.quantities, self.parameters, self.plays = quantities, parameters, plays or {}
         self.mechanism = quantities.mechanism
         self._points: dict[tuple[str, str], Pair] = {}
+
+    @cached_property
+    def pins(self) -> dict[str, Pin]:
+        """The pins of the mechanism by name."""
+        return pins(self.mechanism)
 
     def number(self, expression: Expression, dimension: u.Dimension) -> Scalar:
         """The value of an expression."""
@@ -72,11 +79,11 @@ class Geometry:
 
     def pinned_place(self, pin: str, link: str) -> Pair:
         """The place (m, in the link's frame) of one of a pin's links that is put on it, its play included."""
-        return self.pivot(pin, link, self.quantities.signals.pins[pin].point(link))
+        return self.pivot(pin, link, self.pins[pin].point(link))
 
     def pin_point(self, pin: str, link: str) -> Pair:
         """A link's point on a pin (m, in its frame)."""
-        return self.point(link, self.quantities.signals.pins[pin].point(link))
+        return self.point(link, self.pins[pin].point(link))
 
     def pinned(self, link: str, point: str) -> Pair:
         """The place (m, in the link's frame) of a link that is put on the pin of one of its points."""

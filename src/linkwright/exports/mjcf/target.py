@@ -70,6 +70,9 @@ class Mjcf:
         driven = motors(compiled, tree)
         t = run.t if stop else run.t[:1]
         q, v = coordinates(run, tree.holds, driven, t)
+        if lost := [hold.name for hold, row in zip(tree.holds, q, strict=True) if not np.isfinite(row).all()]:
+            data = {"name": self.name, "joints": ", ".join(lost), "duration": f"{run.stop:.6g}"}
+            return Exported(failures=[Finding("export.too-long", ("exports", self.name, "duration"), data)])
         controls = np.array([motor.sign * q[tree.holds.index(motor.hold)] for motor in driven]).reshape(-1, t.size)
         moving = compiled.structure.topology.moving
         rows = run.compiled.evaluate(compiled.graph.pose_rows, t).reshape(-1, 4, t.size)

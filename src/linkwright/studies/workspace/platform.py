@@ -115,7 +115,8 @@ class OnePlatform:
         stretch = _stretch_of(told, of, phi, proven)
         number = np.bincount(stretch[stretch >= 0], minlength=told.of.size)
         complete = (number == told.most) & (number > 0) & ~_shared(stretch, most, told.of.size)
-        own = np.flatnonzero((stretch >= 0) & complete[stretch])
+        own = np.flatnonzero(stretch >= 0)
+        own = own[complete[stretch[own]]]
         rest = told.some(~complete)
         piece, others = self._together(x, rest)
         sets = [joined([one.some(own), other]) for one, other in zip(pose, others, strict=True)]

@@ -1466,6 +1466,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "No joint depends on {drive}: there is nothing to write a function for.",
         "Close a loop, take a joint out of left_out, or leave the export out; a joint that is driven alone needs no function.",
     ),
+    "export.too-long": (
+        "The angles of {joints} can't be followed continuously over {duration} s.",
+        "Give {name} a shorter duration; a few turns of the slowest drive are enough.",
+    ),
     "export.joint": (
         "{name} has no joint like {joint} ({kind}).",
         "Don't export this mechanism there, or replace the joint by links, pins and slides.",
