@@ -38,6 +38,8 @@ from linkwright.words import catalogue
 
 PATIENCE = 25.0
 """Seconds of processor time for one case."""
+LONGER = {"workspace": 50.0}
+"""More seconds for some classes: a region whose way back is a triad takes up to a minute."""
 MEMORY = 900
 """MiB that a case may add to the process."""
 TWICE = 8
@@ -120,7 +122,7 @@ def _command(case: Case, done: Performed) -> None:
             contextlib.redirect_stderr(err),
             warnings.catch_warnings(record=True) as warned,
             _writing_elsewhere(done),
-            limited(PATIENCE),
+            limited(PATIENCE + LONGER.get(case.kind, 0.0)),
         ):
             warnings.simplefilter("always")
             done.code = cli._performed() or 0

@@ -76,7 +76,9 @@ class _Worker:
         if self.task is None:
             return None
         seed, kind = self.task
-        late = self._seconds() - self.used > KILLED_AFTER or time.monotonic() - self.since > ASLEEP
+        spent = self._seconds() - self.used
+        late = spent > KILLED_AFTER and spent > KILLED_AFTER + fuzz_judge.LONGER.get(case_of(seed, kind).kind, 0.0)
+        late = late or time.monotonic() - self.since > ASLEEP
         if not ready and not late:
             return None
         made = None

@@ -14,6 +14,7 @@ from linkwright.studies.workspace.cells import HEAVY
 from linkwright.studies.workspace.enclosed import _square, _vague, enclosed
 from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.places import FOLD, Places, Poses
+from linkwright.studies.workspace.platform import in_whole
 from linkwright.studies.workspace.sheet import Sheet
 from studies.workspace.models import LEGS, ArmOnCoupler, random_arm
 
@@ -181,3 +182,8 @@ def test_a_parallelogram_is_left_to_the_search() -> None:
     assert square is not None and _vague(places, *square[:2]) and enclosed(places, 1e-4) is None
     regular = places_of("RR", 1.0, PART)
     assert not _vague(regular, *(_square(regular) or ())[:2])
+
+
+def test_poses_in_no_stretch_are_in_no_whole_one() -> None:
+    assert in_whole(np.array([1, -1, 0, 1]), np.array([False, True])).tolist() == [0, 3]
+    assert in_whole(np.array([-1, -1]), np.empty(0, dtype=bool)).size == 0

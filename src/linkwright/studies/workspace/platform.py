@@ -115,8 +115,7 @@ class OnePlatform:
         stretch = _stretch_of(told, of, phi, proven)
         number = np.bincount(stretch[stretch >= 0], minlength=told.of.size)
         complete = (number == told.most) & (number > 0) & ~_shared(stretch, most, told.of.size)
-        own = np.flatnonzero(stretch >= 0)
-        own = own[complete[stretch[own]]]
+        own = in_whole(stretch, complete)
         rest = told.some(~complete)
         piece, others = self._together(x, rest)
         sets = [joined([one.some(own), other]) for one, other in zip(pose, others, strict=True)]
@@ -203,6 +202,12 @@ def _overlap(place: list[Form], other: list[Form]) -> NDArray[np.bool_]:
     """Where enclosures of x and y have something in common."""
     ends = [(a.ends, b.ends) for a, b in zip(place, other, strict=True)]
     return np.asarray(np.all([(a[0] <= b[1]) & (b[0] <= a[1]) for a, b in ends], axis=0))
+
+
+def in_whole(stretch: Rows, complete: NDArray[np.bool_]) -> Rows:
+    """Which poses are in a stretch whose poses are all proven; those numbered -1 are in none, and there may be none."""
+    inside = np.flatnonzero(stretch >= 0)
+    return inside[complete[stretch[inside]]]
 
 
 def _stretch_of(told: Stretches, of: Rows, phi: Array, proven: NDArray[np.bool_]) -> Rows:
