@@ -14,11 +14,11 @@ import pytest
 
 from helpers.compiled import compiled_from
 from helpers.examples import feeder, four_bar
+from linkwright import _machine as machine
 from linkwright.findings import ModelError
 from linkwright.kernels import KERNELS, Compiled, compile_mechanism
 from linkwright.kernels.device import Reduction
 from linkwright.kernels.jax_kernel import JaxKernel
-from linkwright.model import machine
 from linkwright.model.document import load
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -10,7 +10,7 @@ import pytest
 from scipy.io import netcdf_file
 
 import linkwright as lw
-from linkwright.model import machine
+from linkwright import _machine as machine
 from linkwright.results.netcdf import variable_name
 from studies.models import cycle_of, slider_crank
 
