@@ -18,7 +18,7 @@ from linkwright._machine import processors
 from linkwright.app import examine_alone
 from linkwright.blocks import Threads
 from linkwright.studies import Site
-from linkwright.studies.workspace.parts import SECTIONS
+from linkwright.studies.workspace.options import SECTIONS
 from linkwright.studies.workspace.quality import Task, quality
 from linkwright.studies.workspace.together import together
 

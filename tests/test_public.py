@@ -327,6 +327,16 @@ def test_which_imports_make_a_circle(tmp_path: Path, text: str, found: bool) -> 
 # What else modules keep to.
 
 
+def test_nothing_below_the_report_makes_words() -> None:
+    """Results hold keys and data; who reports them says them."""
+    for path in SOURCE.rglob("*.py"):
+        here = path.relative_to(SOURCE).parts[0].removesuffix(".py")
+        if here not in ("words", "findings") and LEVELS.get(here, 99) < LEVELS["report"]:
+            tree = ast.parse(path.read_text("utf-8"))
+            said = [node for node in ast.walk(tree) if isinstance(node, ast.Call) and ast.unparse(node.func) == "say"]
+            assert not said, path.name
+
+
 def test_nothing_below_the_command_line_prints_or_leaves() -> None:
     for path in SOURCE.rglob("*.py"):
         if path.relative_to(SOURCE).parts[0] in ("cli", "__main__.py"):

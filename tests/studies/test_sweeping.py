@@ -223,7 +223,7 @@ def test_an_interrupted_sweep_goes_on_to_the_same_figures(whole: SweepOutcome, t
     with pytest.raises(Interrupted) as stop:
         performed(tmp_path, stop_after=1)
     assert 0 < stop.value.carried.atoms < stop.value.carried.total
-    assert str(tmp_path) in stop.value.what
+    assert str(tmp_path) in str(stop.value.what)
     assert [*tmp_path.iterdir()]
     outcome = performed(tmp_path)
     same(whole, outcome)

@@ -330,7 +330,7 @@ def test_the_certificate_says_where_the_branch_changes() -> None:
     assert certificate is not None
     times = [5 / 12 + k / 2 for k in range(4)]
     assert certificate.changes == {"coupler-rocker": pytest.approx(times, abs=1e-12)}
-    assert "0.416667" in certificate.branches["coupler-rocker"]
+    assert "0.416667" in str(certificate.branches["coupler-rocker"])
     assert job.summary["certificate"]["branch_changes"]["coupler-rocker"] == pytest.approx(times, abs=1e-12)
 
 

@@ -57,7 +57,7 @@ def failed(error: OSError) -> int:
 
 def interrupted(stop: KeyboardInterrupt) -> int:
     """Tell in one line that the user stopped the program, and how to go on where a study can; gives the exit code."""
-    click.echo(line(getattr(stop, "what", None) or say("cli.interrupted")), err=True)
+    click.echo(line(str(getattr(stop, "what", None) or say("cli.interrupted"))), err=True)
     return 130
 
 

@@ -17,43 +17,40 @@ from linkwright.enclosures.functions import turned
 from linkwright.enclosures.intervals import Intervals
 from linkwright.enclosures.taylor import FUNCTIONS, TaylorModel
 from linkwright.graph.program import ExpressionStage
+from linkwright.kernels.operations import OPERATIONS, operation
 
 Array = NDArray[np.float64]
-Operation = Callable[..., Any]
+Function = Callable[..., Any]
 
-ARITHMETIC: dict[int, Operation] = {
-    ca.OP_ADD: lambda a, b: a + b, ca.OP_SUB: lambda a, b: a - b, ca.OP_MUL: lambda a, b: a * b,
-    ca.OP_DIV: lambda a, b: a / b, ca.OP_NEG: lambda a: -a, ca.OP_ASSIGN: lambda a: a,
-    ca.OP_TWICE: lambda a: a + a, ca.OP_POW: lambda a, b: a**b, ca.OP_CONSTPOW: lambda a, b: a**b,
+ARITHMETIC: dict[str, Function] = {
+    "add": lambda a, b: a + b, "subtract": lambda a, b: a - b, "multiply": lambda a, b: a * b,
+    "divide": lambda a, b: a / b, "negative": lambda a: -a, "positive": lambda a: a,
+    "twice": lambda a: a + a, "power": lambda a, b: a**b,
 }  # fmt: skip
-NAMES = {
-    ca.OP_SQRT: "sqrt", ca.OP_SIN: "sin", ca.OP_COS: "cos", ca.OP_TAN: "tan", ca.OP_ASIN: "arcsin",
-    ca.OP_ACOS: "arccos", ca.OP_ATAN: "arctan", ca.OP_EXP: "exp", ca.OP_LOG: "log", ca.OP_FABS: "fabs",
-    ca.OP_SIGN: "sign", ca.OP_FLOOR: "floor", ca.OP_NOT: "logical_not", ca.OP_FMIN: "fmin", ca.OP_FMAX: "fmax",
-    ca.OP_HYPOT: "hypot", ca.OP_COPYSIGN: "copysign", ca.OP_LT: "less", ca.OP_LE: "less_equal",
-    ca.OP_EQ: "equal", ca.OP_NE: "not_equal", ca.OP_AND: "logical_and", ca.OP_OR: "logical_or",
-    ca.OP_IF_ELSE_ZERO: "if_else_zero",
-}  # fmt: skip
+"""What enclosures of every kind do by operators of their own."""
+OWN = {*ARITHMETIC, "square", "reciprocal", "arctan2"}
+NAMES = [name for name in OPERATIONS if name not in OWN]
+"""The operations that are functions registered under their names."""
 
 
 @dataclass(frozen=True)
 class Kind:
-    """A kind of enclosure: what each instruction does to it, and a number as one."""
+    """A kind of enclosure: what each operation does to it, by name, and a number as one."""
 
-    operations: Mapping[int, Operation]
+    functions: Mapping[str, Function]
     number: Callable[[float], Any]
 
 
 def taylor(strict: bool = False, dtype: Any = np.float64) -> Kind:
     """Taylor models. Angles of vectors run on past pi, from their values in the middle; ``strict`` ones jump there.
     ``dtype`` is what constants are computed with."""
-    own = {ca.OP_INV: lambda a: a.inverse(), ca.OP_SQ: lambda a: a * a}
+    own: dict[str, Function] = {"reciprocal": lambda a: a.inverse(), "square": lambda a: a * a}
     angle = FUNCTIONS["arctan2"] if strict else turned
-    named = {op: FUNCTIONS[name] for op, name in NAMES.items()}
-    return Kind({**ARITHMETIC, **named, **own, ca.OP_ATAN2: angle}, lambda v: TaylorModel.number(v, dtype=dtype))
+    named = {name: FUNCTIONS[name] for name in NAMES}
+    return Kind({**ARITHMETIC, **named, **own, "arctan2": angle}, lambda v: TaylorModel.number(v, dtype=dtype))
 
 
-def _constant(function: Operation, *args: Form) -> Form:
+def _constant(function: Function, *args: Form) -> Form:
     """A function of parameters alone."""
     if any(np.any(x.lean) for x in args):
         raise NotImplementedError("no enclosure of such a function over boxes")
@@ -71,15 +68,14 @@ def _power(x: Intervals, y: Intervals) -> Intervals:
 
 BOXES = Kind(
     {
-        **{op: partial(_constant, intervals.FUNCTIONS[name]) for op, name in NAMES.items()},
+        **{name: partial(_constant, intervals.FUNCTIONS[name]) for name in NAMES},
         **ARITHMETIC,
-        ca.OP_POW: partial(_constant, _power),
-        ca.OP_CONSTPOW: partial(_constant, _power),
-        ca.OP_ATAN2: partial(_constant, intervals.arctan2),
-        ca.OP_SQ: Form.square,
-        ca.OP_SQRT: Form.sqrt,
-        ca.OP_INV: Form.inverse,
-        ca.OP_FABS: Form.magnitude,
+        "power": partial(_constant, _power),
+        "arctan2": partial(_constant, intervals.arctan2),
+        "square": Form.square,
+        "sqrt": Form.sqrt,
+        "reciprocal": Form.inverse,
+        "fabs": Form.magnitude,
     },
     Form,
 )
@@ -91,13 +87,12 @@ class Stage:
     """A block of expressions on a kind of enclosures: its ``wanted`` rows, what depends on parameters alone done."""
 
     def __init__(self, stage: ExpressionStage, p: Array, wanted: Sequence[int], kind: Kind) -> None:
-        operations = kind.operations
         self.values: list[Any] = []  # of each number that is made, where it is the same at all times
-        self.work: list[tuple[Operation, tuple[int, ...], int]] = []
+        self.work: list[tuple[Function, tuple[int, ...], int]] = []
         self.inputs: list[tuple[int, int]] = []  # (number, input row)
         slots: dict[int, int] = {}
         results: dict[int, int] = {}
-        lines: list[tuple[Operation, tuple[int, ...], int]] = []
+        lines: list[tuple[Function, tuple[int, ...], int]] = []
         for i in stage.instructions:
             if i.op == ca.OP_OUTPUT:
                 results[i.out] = slots[i.args[0]]
@@ -114,12 +109,11 @@ class Stage:
             else:
                 args = tuple(slots[a] for a in i.args)
                 known = [self.values[a] for a in args]
-                if i.op not in operations:
-                    raise NotImplementedError(f"no enclosure of instruction {i.op}")
+                function = kind.functions[operation(i.op).name]
                 if all(k is not None for k in known):
-                    value = operations[i.op](*known)
+                    value = function(*known)
                 else:
-                    lines.append((operations[i.op], args, len(self.values)))
+                    lines.append((function, args, len(self.values)))
             slots[i.out] = len(self.values)
             self.values.append(value)
         self.results = [results[row] for row in wanted]

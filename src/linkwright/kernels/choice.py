@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from linkwright.findings import Term
 from linkwright.graph.program import Program
 from linkwright.kernels.registry import KERNELS
-from linkwright.words import say
 
 NUMPY = 0.45e-9
 """Seconds of an instruction at a pose, by NumPy over blocks (docs/performance.md, as the next two)."""
@@ -22,7 +22,7 @@ START, COMPILE = 1.5, 5e-3
 
 @dataclass(frozen=True)
 class Choice:
-    """A kernel's name and why it was chosen: a key of the catalogue with its data.
+    """A kernel's name and why it was chosen: the key of a phrase of the catalogue, with its data.
 
     ``poses`` counts samples times poses; ``instructions`` are those of the program.
     """
@@ -30,12 +30,12 @@ class Choice:
     kernel: str
     poses: int
     instructions: int
-    key: str = "kernel.small"
+    key: str = "kernel-small"
 
     @property
-    def reason(self) -> str:
-        """Why, in words."""
-        return say(self.key, kernel=self.kernel, poses=f"{self.poses:.4g}", instructions=self.instructions)
+    def reason(self) -> Term:
+        """Why."""
+        return Term(self.key, kernel=self.kernel, poses=f"{self.poses:.4g}", instructions=self.instructions)
 
 
 def choose(program: Program, poses: int, workers: int = 1, wish: str = "auto") -> Choice:
@@ -46,11 +46,11 @@ def choose(program: Program, poses: int, workers: int = 1, wish: str = "auto") -
     size = program.size
     if wish != "auto":
         KERNELS[wish](program)
-        return Choice(wish, poses, size, "kernel.wished")
+        return Choice(wish, poses, size, "kernel-wished")
     plain = NUMPY * size * poses
     compiled = START + COMPILE * size + NUMBA * size * poses / max(workers, 1)
     if plain <= compiled:
         return Choice("numpy", poses, size)
     if not KERNELS["numba"].available():
-        return Choice("numpy", poses, size, "kernel.missing")
-    return Choice("numba", poses, size, "kernel.large")
+        return Choice("numpy", poses, size, "kernel-missing")
+    return Choice("numba", poses, size, "kernel-large")

@@ -13,19 +13,10 @@ from typing import Any
 import casadi as ca
 
 from linkwright.graph.program import ACCEPTED, MOST_STEPS, SOLVED, ExpressionStage, NewtonStage, Program
+from linkwright.kernels.operations import OPERATIONS, operation
 
-_NAMES: dict[int, str] = {
-    ca.OP_NEG: "negative", ca.OP_SQRT: "sqrt", ca.OP_SIN: "sin", ca.OP_COS: "cos", ca.OP_TAN: "tan",
-    ca.OP_ASIN: "arcsin", ca.OP_ACOS: "arccos", ca.OP_ATAN: "arctan", ca.OP_EXP: "exp", ca.OP_LOG: "log",
-    ca.OP_FABS: "abs", ca.OP_SIGN: "sign", ca.OP_SQ: "square", ca.OP_INV: "reciprocal",
-    ca.OP_FLOOR: "floor", ca.OP_ASSIGN: "positive", ca.OP_NOT: "logical_not",
-    ca.OP_ADD: "add", ca.OP_SUB: "subtract", ca.OP_MUL: "multiply", ca.OP_DIV: "divide", ca.OP_POW: "power",
-    ca.OP_CONSTPOW: "power", ca.OP_ATAN2: "arctan2", ca.OP_FMIN: "fmin", ca.OP_FMAX: "fmax",
-    ca.OP_HYPOT: "hypot", ca.OP_COPYSIGN: "copysign",
-    ca.OP_LT: "less", ca.OP_LE: "less_equal", ca.OP_EQ: "equal", ca.OP_NE: "not_equal",
-    ca.OP_AND: "logical_and", ca.OP_OR: "logical_or",
-}  # fmt: skip
-"""What ``jax.numpy`` calls each instruction."""
+NAMES = {name: name for name in OPERATIONS if name not in ("twice", "if_else_zero")} | {"fabs": "abs"}
+"""What ``jax.numpy`` calls the operations that it has, by name; those two are written out."""
 
 
 def outputs(jax: Any, program: Program, x: Any, p: Any) -> list[Any]:
@@ -54,13 +45,12 @@ def _rows(jnp: Any, stage: ExpressionStage, x: Sequence[Any], p: Any) -> list[An
 
 
 def _computed(jnp: Any, op: int, operands: list[Any]) -> Any:
-    if op == ca.OP_TWICE:
+    name = operation(op).name
+    if name == "twice":
         return 2.0 * operands[0]
-    if op == ca.OP_IF_ELSE_ZERO:
+    if name == "if_else_zero":
         return jnp.where(operands[0] != 0, operands[1], 0.0)
-    if op not in _NAMES:
-        raise NotImplementedError(f"the JAX kernel has no instruction {op}")
-    return getattr(jnp, _NAMES[op])(*operands)
+    return getattr(jnp, NAMES[name])(*operands)
 
 
 def _solve(jax: Any, stage: NewtonStage, x: Sequence[Any], p: Any) -> list[Any]:

@@ -12,11 +12,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 
-import casadi as ca
-
 from linkwright.graph.program import ACCEPTED, MOST_STEPS, SOLVED, NewtonStage, Program
 from linkwright.kernels.elementary import source as functions_text
 from linkwright.kernels.listing import Listing, P, Value, X, spelled
+from linkwright.kernels.operations import operation
 
 LANES = (128, 64, 32)
 CACHED = 6000
@@ -35,22 +34,22 @@ FORMS = {
 apart: inputs of each sample and pose, parameters of each sample; each: both of each pose; over: inputs of each pose,
 parameters of each sample."""
 
-_OPERATORS: dict[int, str] = {
-    ca.OP_ADD: "{0} + {1}", ca.OP_SUB: "{0} - {1}", ca.OP_MUL: "{0} * {1}", ca.OP_DIV: "{0} / {1}",
-    ca.OP_NEG: "-{0}", ca.OP_SQ: "{0} * {0}", ca.OP_TWICE: "2.0 * {0}", ca.OP_INV: "1.0 / {0}", ca.OP_ASSIGN: "{0}",
-    ca.OP_SQRT: "math.sqrt({0})", ca.OP_FABS: "math.fabs({0})", ca.OP_FLOOR: "np.floor({0})",
-    ca.OP_POW: "{0} ** {1}", ca.OP_CONSTPOW: "{0} ** {1}",
-    ca.OP_LT: "pick({0} < {1}, 1.0, 0.0)", ca.OP_LE: "pick({0} <= {1}, 1.0, 0.0)",
-    ca.OP_EQ: "pick({0} == {1}, 1.0, 0.0)", ca.OP_NE: "pick({0} != {1}, 1.0, 0.0)",
-    ca.OP_NOT: "pick({0} == 0.0, 1.0, 0.0)", ca.OP_AND: "pick(({0} != 0.0) & ({1} != 0.0), 1.0, 0.0)",
-    ca.OP_OR: "pick(({0} != 0.0) | ({1} != 0.0), 1.0, 0.0)", ca.OP_IF_ELSE_ZERO: "pick({0} != 0.0, {1}, 0.0)",
+OPERATORS: dict[str, str] = {
+    "add": "{0} + {1}", "subtract": "{0} - {1}", "multiply": "{0} * {1}", "divide": "{0} / {1}",
+    "negative": "-{0}", "square": "{0} * {0}", "twice": "2.0 * {0}", "reciprocal": "1.0 / {0}", "positive": "{0}",
+    "sqrt": "math.sqrt({0})", "fabs": "math.fabs({0})", "floor": "np.floor({0})", "power": "{0} ** {1}",
+    "less": "pick({0} < {1}, 1.0, 0.0)", "less_equal": "pick({0} <= {1}, 1.0, 0.0)",
+    "equal": "pick({0} == {1}, 1.0, 0.0)", "not_equal": "pick({0} != {1}, 1.0, 0.0)",
+    "logical_not": "pick({0} == 0.0, 1.0, 0.0)", "logical_and": "pick(({0} != 0.0) & ({1} != 0.0), 1.0, 0.0)",
+    "logical_or": "pick(({0} != 0.0) | ({1} != 0.0), 1.0, 0.0)", "if_else_zero": "pick({0} != 0.0, {1}, 0.0)",
 }  # fmt: skip
-_CALLS: dict[int, str] = {
-    ca.OP_SIN: "sin", ca.OP_COS: "cos", ca.OP_TAN: "tan", ca.OP_ASIN: "asin", ca.OP_ACOS: "acos", ca.OP_ATAN: "atan",
-    ca.OP_ATAN2: "atan2", ca.OP_EXP: "exp", ca.OP_LOG: "log", ca.OP_SIGN: "sign", ca.OP_COPYSIGN: "copysign",
-    ca.OP_FMIN: "fmin", ca.OP_FMAX: "fmax", ca.OP_HYPOT: "hypot",
+"""Operations as text of their operands, by name."""
+CALLS: dict[str, str] = {
+    "sin": "sin", "cos": "cos", "tan": "tan", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arctan2": "atan2",
+    "exp": "exp", "log": "log", "sign": "sign", "copysign": "copysign", "fmin": "fmin", "fmax": "fmax",
+    "hypot": "hypot",
 }  # fmt: skip
-_OF_TWO = ("atan2", "copysign", "fmin", "fmax", "hypot")
+"""Those that are calls of :mod:`linkwright.kernels.elementary`, by name."""
 Key = tuple[str, int] | tuple[str, str, int]
 
 
@@ -194,7 +193,7 @@ class _Block:
         self.last: dict[int, tuple[int, int]] = {}
         self.users: dict[int, set[tuple[str, int]]] = {}
         for i, at in self.chunk_of.items():
-            for arg in listing.values[i].args[: _arity(listing.values[i])]:
+            for arg in _operands(listing.values[i]):
                 self.users.setdefault(arg, set()).add(at)
         for at, written in self.writes.items():
             for _, i in written:
@@ -260,18 +259,13 @@ class _Block:
     def _expression(self, value: Value, operand: Callable[[int], str]) -> str:
         if value.source is not None:  # a parameter of the sample
             return f"p[{value.source[1]} * pr + s]"
-        args = [operand(i) for i in value.args[: _arity(value)]]
-        if (
-            value.op in (ca.OP_POW, ca.OP_CONSTPOW)
-            and (power := _whole(self.listing.values[value.args[1]])) is not None
-        ):
+        name, args = operation(value.op).name, [operand(i) for i in _operands(value)]
+        if name == "power" and (power := _whole(self.listing.values[value.args[1]])) is not None:
             args[1] = power  # a whole power is multiplied out
-        if value.op in _OPERATORS:
-            return _OPERATORS[value.op].format(*args)
-        if value.op not in _CALLS:
-            raise NotImplementedError(f"the Numba kernel has no instruction {value.op}")
-        self.source.calls.add(_CALLS[value.op])
-        return f"{_CALLS[value.op]}({', '.join(args)})"
+        if name in OPERATORS:
+            return OPERATORS[name].format(*args)
+        self.source.calls.add(CALLS[name])
+        return f"{CALLS[name]}({', '.join(args)})"
 
 
 def _whole(value: Value) -> str | None:
@@ -280,9 +274,9 @@ def _whole(value: Value) -> str | None:
     return str(int(value.number)) if known else None
 
 
-def _arity(value: Value) -> int:
-    """How many of the arguments count: CasADi lists the one of a square or a double twice."""
-    return 2 if "{1}" in _OPERATORS.get(value.op, "") or _CALLS.get(value.op) in _OF_TWO else min(1, len(value.args))
+def _operands(value: Value) -> tuple[int, ...]:
+    """The values that an operation takes; constants and inputs take none."""
+    return value.args[: operation(value.op).operands] if value.args else ()
 
 
 def _step(stage: NewtonStage, rows: Sequence[int], misses: int, closed: int, lanes: int) -> list[str]:

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from linkwright.graph.program import ExpressionStage, Instruction, Program
 from linkwright.kernels.newton import solve
+from linkwright.kernels.operations import OPERATIONS, operation
 from linkwright.kernels.registry import flattened, register
 
 Array = NDArray[np.float64]
@@ -26,19 +27,6 @@ X, P, XP = 1, 2, 3
 """What a value depends on: the pose's inputs, the sample's parameters, both; its row has one axis or both."""
 Shapes = dict[int, tuple[int, ...]]
 
-_UNARY: dict[int, Any] = {
-    ca.OP_NEG: np.negative, ca.OP_SQRT: np.sqrt, ca.OP_SIN: np.sin, ca.OP_COS: np.cos, ca.OP_TAN: np.tan,
-    ca.OP_ASIN: np.arcsin, ca.OP_ACOS: np.arccos, ca.OP_ATAN: np.arctan, ca.OP_EXP: np.exp, ca.OP_LOG: np.log,
-    ca.OP_FABS: np.fabs, ca.OP_SIGN: np.sign, ca.OP_SQ: np.square, ca.OP_INV: np.reciprocal,
-    ca.OP_FLOOR: np.floor, ca.OP_ASSIGN: np.positive, ca.OP_NOT: np.logical_not,
-}  # fmt: skip
-_BINARY: dict[int, Any] = {
-    ca.OP_ADD: np.add, ca.OP_SUB: np.subtract, ca.OP_MUL: np.multiply, ca.OP_DIV: np.divide, ca.OP_POW: np.power,
-    ca.OP_CONSTPOW: np.power, ca.OP_ATAN2: np.arctan2, ca.OP_FMIN: np.fmin, ca.OP_FMAX: np.fmax,
-    ca.OP_HYPOT: np.hypot, ca.OP_COPYSIGN: np.copysign,
-    ca.OP_LT: np.less, ca.OP_LE: np.less_equal, ca.OP_EQ: np.equal, ca.OP_NE: np.not_equal,
-    ca.OP_AND: np.logical_and, ca.OP_OR: np.logical_or,
-}  # fmt: skip
 Row = tuple[int, int]
 """A row of a block: what it depends on and its number; inputs are numbered from -1 down, parameters after them."""
 Operand = float | Row
@@ -177,17 +165,9 @@ class _Plan:
             self.holds[i.out] = kind, i.out
 
     def lookup(self, i: Instruction) -> tuple[Callable[..., Any], list[Operand]]:
-        first = self.holds[i.args[0]]
-        if i.op in _UNARY:
-            return _UNARY[i.op], [first]
-        if i.op == ca.OP_TWICE:
-            return np.multiply, [first, 2.0]
-        second = self.holds[i.args[1]]
-        if i.op == ca.OP_IF_ELSE_ZERO:
-            return _if_else_zero, [first, second]
-        if i.op not in _BINARY:
-            raise NotImplementedError(f"the NumPy kernel has no instruction {i.op}")
-        return _BINARY[i.op], [first, second]
+        done = operation(i.op)
+        operands = [self.holds[slot] for slot in i.args[: done.operands]]
+        return FUNCTIONS[done.name], [*operands, 2.0] if done.name == "twice" else operands
 
 
 def _if_else_zero(condition: Any, value: Any, out: Array | None = None) -> Any:
@@ -196,6 +176,14 @@ def _if_else_zero(condition: Any, value: Any, out: Array | None = None) -> Any:
         return result
     np.copyto(out, result)
     return out
+
+
+FUNCTIONS: dict[str, Callable[..., Any]] = {
+    **{name: getattr(np, name) for name in OPERATIONS if name not in ("twice", "if_else_zero")},
+    "twice": np.multiply,
+    "if_else_zero": _if_else_zero,
+}
+"""The operations by name; one that is done twice is multiplied by a second operand, 2."""
 
 
 class _Block:

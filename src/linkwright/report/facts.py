@@ -180,7 +180,7 @@ def _nearest(c: Certificate, time_text: str) -> Iterator[Check]:
 
 
 def _branches(c: Certificate, time_text: str) -> Iterator[Check]:
-    if kept := [rule for rule in c.branches.values() if rule]:
+    if kept := [str(rule) for rule in c.branches.values() if rule]:
         text = say(f"proof.branches.{'changed' if c.changes else 'text'}", branches="; ".join(kept))
         yield {"name": say("proof.branches"), "figure": str(len(kept)), "sentence": text, "ok": True}
 

@@ -86,4 +86,5 @@ def certificate_entry(result: Result, second: float, time_unit: str) -> dict[str
         entry["branch_changes"] = {group: [time / second for time in times] for group, times in c.changes.items()}
     if c.followed:
         entry["followed"] = {group: {"steps": n, "correction": worst} for group, (n, worst) in c.followed.items()}
-    return entry | {"branches": c.branches, "poses": c.poses, "kernel": c.kernel, "kernel_reason": c.choice.reason}
+    branches = {group: str(rule) for group, rule in c.branches.items()}
+    return entry | {"branches": branches, "poses": c.poses, "kernel": c.kernel, "kernel_reason": str(c.choice.reason)}

@@ -27,7 +27,7 @@ def sweep_entry(outcome: SweepOutcome) -> dict[str, Any]:
             "failed": outcome.failed,
             "poses": outcome.t.size,
             "kernel": outcome.kernel,
-            "kernel_why": outcome.why,
+            "kernel_why": str(outcome.why),
             "vary": {name: _varied(outcome, i) for i, name in enumerate(outcome.names)},
             "measures": {s.column.name: _statistics(s) for s in outcome.measures},
             "require": _shares(outcome),

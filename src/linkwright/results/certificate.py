@@ -8,13 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.elements.joint import Rate
+from linkwright.findings import Term
 from linkwright.kernels.choice import Choice, choose
 from linkwright.results.audit import Reports
 from linkwright.results.quadrature import panel_points
 from linkwright.results.run import Run
 from linkwright.results.stationary import magnitude, stationary
 from linkwright.structure import FRAME
-from linkwright.words import say
 
 Array = NDArray[np.float64]
 
@@ -52,7 +52,7 @@ class Certificate:
     rank: int
     loops: int
     nearest: Nearest | None
-    branches: dict[str, str]  # the assembly rule that each group keeps; empty where it has one mode only
+    branches: dict[str, str | Term]  # the assembly rule that each group keeps; empty where it has one mode only
     changes: dict[str, tuple[float, ...]]  # of groups carried through change points: when their branch changes (s)
     followed: dict[str, tuple[int, float]]  # of groups solved by Newton: steps of the path, largest correction
     poses: int
@@ -113,10 +113,10 @@ def _changes(run: Run, group: str) -> tuple[float, ...]:
     return tuple(p.time for p in passages if run.start <= p.time <= run.stop)
 
 
-def _branch(rule: str, times: tuple[float, ...]) -> str:
+def _branch(rule: str, times: tuple[float, ...]) -> str | Term:
     """The rule that a group keeps, and when its branch changes."""
     listed = ", ".join(f"{time:.6g}" for time in times)
-    return say("proof.branch.changes", rule=rule, times=listed) if times else rule
+    return Term("branch-changes", rule=rule, times=listed) if times else rule
 
 
 def closure(r: Reports) -> float:

@@ -66,7 +66,7 @@ def attributes(result: Result, warnings: Sequence[Finding] = ()) -> dict[str, An
         figures |= {"smallest_determinant": c.nearest.determinant, "smallest_determinant_time": c.nearest.time}
         data["certificate_smallest_determinant_group"] = c.nearest.group
     data |= {f"certificate_{name}": figure for name, figure in figures.items()}
-    data["certificate_branches"] = "; ".join(rule for rule in c.branches.values() if rule) or "none"
+    data["certificate_branches"] = "; ".join(str(rule) for rule in c.branches.values() if rule) or "none"
     return data
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from linkwright.blocks import UNIT, Carried, Threads, carry
 from linkwright.blocks.runners import opened
-from linkwright.findings import Finding, ModelError
+from linkwright.findings import Finding, ModelError, Term
 from linkwright.kernels import KERNELS
 from linkwright.kernels.choice import Choice, choose
 from linkwright.measures import bound
@@ -27,7 +27,6 @@ from linkwright.studies.sample_work import SampleTask, SampleWork
 from linkwright.studies.sampled_study import sampled_study
 from linkwright.studies.site import Site
 from linkwright.studies.through import carried
-from linkwright.words import say
 
 Array = NDArray[np.float64]
 
@@ -40,12 +39,10 @@ class Interrupted(KeyboardInterrupt):
         self.carried, self.out = carried, out
 
     @property
-    def what(self) -> str:
+    def what(self) -> Term:
         """How far it came, and how to go on."""
-        key = "sweep.not-kept" if self.out is None else "sweep.go-on"
-        return say(
-            "sweep.interrupted", atoms=self.carried.atoms, total=self.carried.total, rest=say(key, folder=self.out)
-        )
+        rest = Term("interrupted-lost") if self.out is None else Term("interrupted-kept", folder=self.out)
+        return Term("interrupted", atoms=self.carried.atoms, total=self.carried.total, rest=rest)
 
 
 @dataclass(frozen=True)

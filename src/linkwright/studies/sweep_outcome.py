@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.blocks.work import Arrays
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.model.expressions import parse
 from linkwright.model.units import Dimension
@@ -87,7 +87,7 @@ class SweepOutcome:
     plan: Plan
     run: Run
     kernel: str
-    why: str
+    why: Term
     bands: dict[str, Band] = field(default_factory=dict)
     measures: list[Statistics] = field(default_factory=list)
     shares: dict[str, Share] = field(default_factory=dict)

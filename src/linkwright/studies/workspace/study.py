@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.blocks import Threads
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
 from linkwright.studies.registry import register
@@ -28,7 +28,6 @@ from linkwright.studies.workspace.signs import Signs, combinations, named
 from linkwright.studies.workspace.together import together
 from linkwright.studies.workspace.turning import turnings
 from linkwright.studies.workspace.unfit import unfit
-from linkwright.words import say
 
 Array = NDArray[np.float64]
 
@@ -66,7 +65,7 @@ class WorkspaceStudy:
                 perform(outcome)
         except KeyboardInterrupt:
             outcome.failures.append(Finding("workspace.stopped", PATH, {"done": done, "total": total}))
-            raise Stopped(outcome, outcome.failures[-1].what) from None
+            raise Stopped(outcome, outcome.failures[-1]) from None
         return outcome
 
 
@@ -175,7 +174,7 @@ def _keep(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Array
 
 def _nothing(outcome: WorkspaceOutcome, values: dict[str, float], parameters: Array) -> Iterator[Finding]:
     compiled, options = outcome.compiled, outcome.options
-    where = say("workspace.for", values=values_text(compiled, values)) if values else ""
+    where = Term("for-values", values=values_text(compiled, values)) if values else ""
     ranges = [options.range(compiled, drive) for drive in compiled.graph.drives]
     data = never(
         compiled, [r for r in ranges if r is not None], dict(zip(compiled.graph.parameters, parameters, strict=True))

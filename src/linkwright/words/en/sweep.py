@@ -25,7 +25,7 @@ SWEEP: dict[str, str] = {
     "sweep.chart.histogram": "{name}: samples",
     "sweep.chart.about": "{name} less its mean",
     "sweep.chart.over": "{name} over {parameter}",
-    "sweep.interrupted": "Interrupted with {atoms} of {total} parts done. {rest}",
-    "sweep.go-on": "They are kept in {folder}: the same command goes on with the rest.",
-    "sweep.not-kept": "There is no folder in which to keep them.",
+    "term.interrupted": "Interrupted with {atoms} of {total} parts done. {rest}",
+    "term.interrupted-kept": "They are kept in {folder}: the same command goes on with the rest.",
+    "term.interrupted-lost": "There is no folder in which to keep them.",
 }

@@ -51,6 +51,7 @@ WORKSPACE: dict[str, str] = {
     "workspace.column.share": "Share of the smaller",
     "workspace.picture": "Where {point} gets to{values}",
     "workspace.for": " for {values}",
+    "term.for-values": " for {values}",
     "workspace.kind.region": "reached in the mode {mode}",
     "workspace.kind.curve": "path in the mode {mode}",
     "workspace.kind.singular": "dead positions of the output: the determinant of d({point}.x, {point}.y)/d({drives}) is zero",
