@@ -45,6 +45,11 @@ class JointEntry(Frozen):
         raise NotImplementedError
 
     @property
+    def limits(self) -> tuple[Expression, Expression] | None:
+        """The lowest and the highest value of ``NAME.s`` that it allows."""
+        return None
+
+    @property
     def one_sided(self) -> Mapping[str, int]:
         """Its forces that have one sign only, as contact can't pull: 1 for those that must not be negative, else -1."""
         return {}

@@ -136,6 +136,9 @@ class JointGeometry(Protocol):
     def line(self, joint: str, link: str) -> tuple[Pair, Pair]:
         """Point and heading of a prismatic joint's line on one of its links."""
 
+    def phases(self, joint: str) -> tuple[float, ...] | None:
+        """What the joint's kind has fixed at assembly; ``None`` before that."""
+
     def seat(self, joint: str, link: str) -> tuple[Pair, Pair, Scalar]:
         """The same with the clearance included, and the heading's angle (rad)."""
 
@@ -221,6 +224,8 @@ class JointKind(ABC):
     """What a file says of it; pins and slides have entries of their own."""
     orders: ClassVar[Mapping[str, int]] = {}
     """The derivatives of the motion that each of its signals needs."""
+    phased: ClassVar[bool] = False
+    """Whether the pose in which it is drawn fixes constants of its closure (:meth:`phase`)."""
     words: ClassVar[Mapping[str, Mapping[str, str]]] = {}
     """Texts that the catalogue lacks, by language and key; ``term.kind-NAME`` is what it is called."""
 
@@ -249,6 +254,11 @@ class JointKind(ABC):
     @abstractmethod
     def inner(self, geometry: JointGeometry, joint: str, links: Sequence[str]) -> Inner:
         """The joint as closure between links, in this order."""
+
+    def phase(self, geometry: JointGeometry, joint: str, bodies: Mapping[str, Body]) -> tuple[float, ...]:
+        """Of a kind that is ``phased`` the constants of its closure, such as how two gears mesh, from the pose in which
+        its links are drawn; :meth:`JointGeometry.phases` has them from then on."""
+        raise NotImplementedError
 
     @abstractmethod
     def reference(self, geometry: JointGeometry, joint: str, link: str, bodies: Mapping[str, Body]) -> Pair:

@@ -108,6 +108,10 @@ class PinInSlotEntry(JointEntry):
         return self.pin, self.axis.point
 
     @property
+    def limits(self) -> Two | None:
+        return self.travel
+
+    @property
     def one_sided(self) -> Mapping[str, int]:
         return {"left": {"force": -1}, "right": {"force": 1}}.get(self.flank, {})
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from linkwright.elements import OuterPin
 from linkwright.findings import Finding
-from linkwright.graph.clusters import assemble_cluster, only_coordinates
+from linkwright.graph.clusters import assemble_cluster, drawn_phases, only_coordinates
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, Unknowns, solve_motion
 from linkwright.graph.wedges import Parallel
@@ -161,6 +161,7 @@ class _Assembler:
         every = {n: self.geometry.position(r.sketch) for n, r in self.rules.items() if r.sketch is not None}
         sketch = {name: place for name, place in every.items() if self.owner(name, cluster.links)}
         self.used |= sketch.keys()
+        self.quantities.phases |= drawn_phases(self.motion, cluster, sketch, self.drives)
         if not sketch and (found := only_coordinates(self.motion, cluster, self.drives)) is not None:
             self.assembly.starts[cluster] = found
             return found

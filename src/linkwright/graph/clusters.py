@@ -204,6 +204,18 @@ def assemble_cluster(
     return best[1] if best else None
 
 
+def drawn_phases(
+    motion: Motion, step: Cluster, sketch: dict[str, Pair], drives: dict[str, Jet]
+) -> dict[str, tuple[float, ...]]:
+    """What the closures of a cluster fix once for all, by joint, in the pose that the sketch shows."""
+    phased = [c for c in step.closures if c.kind.phased]
+    if not phased:
+        return {}
+    size = _reach(sketch) if sketch else extent(motion.structure.topology, motion.geometry)
+    next(_starts(motion, step, sketch, drives, size), None)  # puts the links where they are drawn
+    return {c.joint: c.kind.phase(motion.geometry, c.joint, motion.bodies) for c in phased}
+
+
 SAME = 1e-6
 """Coordinates (rad, or over the mechanism's size) that differ by less are the same."""
 

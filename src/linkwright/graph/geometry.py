@@ -72,6 +72,10 @@ class Geometry:
         assert entry.line is not None
         return self.number(entry.line[entry.links.index(link)].angle, u.ANGLE)
 
+    def phases(self, joint: str) -> tuple[float, ...] | None:
+        """What a joint's kind has fixed at assembly; ``None`` before that."""
+        return self.quantities.phases.get(joint)
+
     def pivot(self, pin: str, link: str, point: str) -> Pair:
         """The place (m, in the link's frame) that is put on a pin: its point there, and a play."""
         at, plays = self.point(link, point), self.plays

@@ -79,7 +79,9 @@ def written(loc: tuple[Any, ...], data: Any) -> Path:
 
 def _finding(fault: Any, raw: Any, owner: Any) -> Finding:
     context, kind, path = dict(fault.get("ctx") or {}), fault["type"], written(fault["loc"], raw)
-    named = absent(path[-1], fault["input"]) if kind == "extra_forbidden" and path else None
+    # A key that belongs to another kind of the same section is no element that is looked for elsewhere.
+    elsewhere = kind == "extra_forbidden" and path and path[-1] not in keys_at(owner, path[:-1])
+    named = absent(path[-1], fault["input"]) if elsewhere else None
     if kind in _WANTED and path[:1] == ("joints",):
         named = absent("type", fault["input"])
     if named and (named[0] != "element.limits" or path[0] in ("joints", "cylinders")):  # limits are a study, too

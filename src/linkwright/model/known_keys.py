@@ -23,7 +23,9 @@ def _kinds(annotation: Any) -> Iterator[Any]:
     """The types that an annotation allows."""
     origin = get_origin(annotation)
     if origin is Annotated:
-        yield from _kinds(get_args(annotation)[0])
+        first, *said = get_args(annotation)
+        yield from _kinds(first)
+        yield from (kind for one in said for kind in getattr(one, "kinds", list)())
     elif origin in (Union, types.UnionType):
         for kind in get_args(annotation):
             yield from _kinds(kind)

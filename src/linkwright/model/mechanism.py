@@ -11,9 +11,10 @@ from pydantic import (
     GetCoreSchemaHandler,
     GetJsonSchemaHandler,
     SerializationInfo,
+    ValidationError,
     ValidatorFunctionWrapHandler,
 )
-from pydantic_core import CoreSchema, core_schema
+from pydantic_core import CoreSchema, InitErrorDetails, core_schema
 
 from linkwright.elements.entries import ENTRIES, JointEntry, entry_for, load_plugins
 from linkwright.escape import line
@@ -35,6 +36,7 @@ from linkwright.model.gravity import Gravity
 from linkwright.model.motions import MotionLaw
 from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter, Plane, Units, freeze
 from linkwright.model.typed_fields import Ref
+from linkwright.model.unknown import alike
 from linkwright.model.written import FaultWithin, unexpected
 
 __all__ = [
@@ -87,7 +89,11 @@ class _AnyJoint:
             if isinstance(raw, JointEntry):
                 return raw
             entry = entry_for(raw, Joint.model_fields) if isinstance(raw, Mapping) else None
-            return usual(raw) if entry is None else entry.model_validate(raw)
+            if entry is not None:
+                return entry.model_validate(raw)
+            if isinstance(raw, Mapping) and (misspelled := _misspelled(raw)) is not None:
+                raise ValidationError.from_exception_data("joint", [misspelled])
+            return usual(raw)
 
         return core_schema.no_info_wrap_validator_function(
             read,
@@ -95,10 +101,22 @@ class _AnyJoint:
             serialization=core_schema.plain_serializer_function_ser_schema(_dumped, info_arg=True),
         )
 
+    def kinds(self) -> list[type[JointEntry]]:
+        """What may stand here besides pins and slides."""
+        return [*ENTRIES.values()]
+
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
         load_plugins()
         others = [handler(entry.__pydantic_core_schema__) for entry in ENTRIES.values()]
         return {"anyOf": [handler(schema), *others]}
+
+
+def _misspelled(raw: Mapping[str, Any]) -> InitErrorDetails | None:
+    """The fault of a key that was to be a kind of joint; what stands beside it is looked at once that is right."""
+    if {"prismatic", "revolute"} & raw.keys():
+        return None
+    meant = next((key for key in raw if isinstance(key, str) and alike(key, [*ENTRIES])), None)
+    return None if meant is None else InitErrorDetails(type="extra_forbidden", loc=(meant,), input=raw[meant])
 
 
 def _dumped(joint: Any, info: SerializationInfo) -> Any:

@@ -204,6 +204,11 @@ class Joint(Frozen):
     couple: ClassVar[bool] = False
     one_sided: ClassVar[Mapping[str, int]] = {}
 
+    @property
+    def limits(self) -> Two | None:
+        """The lowest and the highest travel that it allows."""
+        return self.travel
+
     def wrong(self, value: Any) -> Iterator[FaultWithin]:
         """What is wrong with the values of its numbers together: nothing that the fields don't say."""
         yield from ()

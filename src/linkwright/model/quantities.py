@@ -58,6 +58,7 @@ class Quantities:
             if place.path[0] == "tables" or place.path[-1] == "within"
         }
         self.parameters: dict[str, float] = {}
+        self.phases: dict[str, tuple[float, ...]] = {}  # by joint what its kind fixes when the mechanism is assembled
         if not self.findings:
             self._evaluate_parameters()
 

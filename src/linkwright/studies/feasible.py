@@ -202,9 +202,9 @@ def travels(run: Run) -> Iterator[Finding]:
     quantities = run.compiled.quantities
     unit, size = quantities.unit_of(u.LENGTH)
     for name, joint in run.compiled.mechanism.joints_but_pins():
-        if joint.travel is None:
+        if joint.limits is None:
             continue
-        row, (low, high) = f"{name}.s", (quantities.value(edge, u.LENGTH) for edge in joint.travel)
+        row, (low, high) = f"{name}.s", (quantities.value(edge, u.LENGTH) for edge in joint.limits)
         t, travel = row_of(run, row)
         for limit, sign, end in ((low, 1, Term("below")), (high, -1, Term("above"))):
             inside = sign * (travel - limit)
