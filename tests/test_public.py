@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 
 import linkwright
+from linkwright.elements import KINDS
 from linkwright.exports import TARGETS
 from linkwright.exports import register as register_target
 from linkwright.groups import REGISTRY
@@ -360,3 +361,25 @@ def test_nothing_below_the_command_line_prints_or_leaves() -> None:
 def test_every_module_says_what_it_is(module: str) -> None:
     assert importlib.import_module(module).__doc__
     assert module in sys.modules
+
+
+# Kinds of joints are asked, not told apart by name.
+
+
+def test_nobody_compares_letters_or_names_of_kinds() -> None:
+    """Letters and names of joints' kinds stand in signatures and files; nothing outside their own files depends on them."""
+    names = {kind.name for kind in KINDS.values()} | {kind.letter for kind in KINDS.values()}
+    found = []
+    for path in SOURCE.rglob("*.py"):
+        if path.relative_to(SOURCE).parts[0] == "elements":
+            continue
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(node, ast.Compare):
+                sides = [node.left, *node.comparators]
+                asked = [n for side in sides for n in ast.walk(side) if isinstance(n, ast.Attribute)]
+                told = {n.value for side in sides for n in ast.walk(side) if isinstance(n, ast.Constant)}
+                if any(n.attr in ("letter", "letters") for n in asked) or (
+                    told & names and any(ast.unparse(n).endswith(("kind.name", "joint.kind")) for n in asked)
+                ):
+                    found.append(f"{path.relative_to(SOURCE)}:{node.lineno} {ast.unparse(node)}")
+    assert not [entry for entry in found if "tolerances" not in entry]

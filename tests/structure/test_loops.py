@@ -21,7 +21,7 @@ def test_a_four_bar_is_one_loop() -> None:
     (loop,) = loops_of_four(topology(frame=["A", "D"], crank=["A", "B"], coupler=["B", "C"], rocker=["C", "D"]))
     assert loop.links == ("frame", "crank", "coupler", "rocker")
     assert [joint.joint for joint in loop.joints] == ["A", "B", "C", "D"]
-    assert loop.letters == "RRRR"
+    assert loop.turning == (True,) * 4
     assert loop.turned(1).links == ("crank", "coupler", "rocker", "frame")
     assert [joint.joint for joint in loop.turned(1).joints] == ["B", "C", "D", "A"]
 

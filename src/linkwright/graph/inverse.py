@@ -197,7 +197,7 @@ def inverse(graph: Graph, point: str) -> Inverse | None:
         return None
     motion = Motion(structure, Geometry(graph.quantities, {}), 0)
     shapes = [triad(motion, cluster, {}) for cluster in structure.clusters]
-    if not all(shape is not None and all(leg.kind != "PP" for leg in shape.legs) for shape in shapes):
+    if not all(shape is not None and all(any(leg.turning) for leg in shape.legs) for shape in shapes):
         return None
     groups = tuple(group for group in structure.groups if group.modes > 1)
     return Inverse(graph, structure, groups, structure.clusters)

@@ -47,9 +47,9 @@ class Leg:
     on: str  # the platform's link at the inner joint
 
     @property
-    def kind(self) -> str:
-        """The letters of the two joints, from the known link inwards."""
-        return self.outer.kind.letter + self.inner.kind.letter
+    def turning(self) -> tuple[bool, bool]:
+        """Of the two joints, from the known link inwards, whether each is a pin; else it is a slide."""
+        return bool(self.outer.kind.angular), bool(self.inner.kind.angular)
 
 
 @dataclass(frozen=True)
@@ -199,8 +199,13 @@ class Fixed(Equation):
         )
 
 
-EQUATIONS: dict[str, type[Equation]] = {"RR": Circle, "PR": SlideOnBase, "RP": SlideOnPlatform, "PP": Fixed}
-"""By the letters of a leg's two joints, from the known link inwards."""
+EQUATIONS: dict[tuple[bool, bool], type[Equation]] = {
+    (True, True): Circle,
+    (False, True): SlideOnBase,
+    (True, False): SlideOnPlatform,
+    (False, False): Fixed,
+}
+"""By whether a leg's two joints are pins, from the known link inwards."""
 
 
 def length(v: Pair) -> Scalar:

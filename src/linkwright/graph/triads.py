@@ -56,7 +56,7 @@ class System:
 
     def __init__(self, motion: Motion, triad: Triad) -> None:
         self.triad = triad
-        every = self.every = [EQUATIONS[leg.kind](motion, triad, leg) for leg in triad.legs]
+        every = self.every = [EQUATIONS[leg.turning](motion, triad, leg) for leg in triad.legs]
         self.fixed = [e for e in every if isinstance(e, Fixed)]
         self.circles = [e for e in every if isinstance(e, Circle)]
         self.linear = [e for e in every if isinstance(e, Linear)]

@@ -20,9 +20,9 @@ class Loop:
     joints: tuple[Connection, ...]
 
     @property
-    def letters(self) -> str:
-        """The joints' letters in order."""
-        return "".join(joint.kind.letter for joint in self.joints)
+    def turning(self) -> tuple[bool, ...]:
+        """Of the joints in order, whether each leaves a turn; the others leave a travel."""
+        return tuple(bool(joint.kind.angular) for joint in self.joints)
 
     def turned(self, by: int) -> Loop:
         """The same loop begun ``by`` links later."""

@@ -73,10 +73,10 @@ def four_links(compiled: Compiled) -> list[FourLinks]:
 def _classified(compiled: Compiled) -> Iterator[FourLinks]:
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
     for loop in loops_of_four(compiled.structure.topology):
-        if loop.letters == "RRRR":
+        if all(loop.turning):
             found = _four_bar(compiled, geometry, loop)
-        elif loop.letters.count("P") == 1:
-            found = _slider_crank(compiled, geometry, loop.turned((loop.letters.index("P") + 1) % 4))
+        elif loop.turning.count(False) == 1:
+            found = _slider_crank(compiled, geometry, loop.turned((loop.turning.index(False) + 1) % 4))
         else:
             continue
         if min(found.lengths[: 2 if found.family == "slider-crank" else 4]) > EQUAL * sum(found.lengths):
