@@ -367,7 +367,7 @@ def test_every_module_says_what_it_is(module: str) -> None:
 
 
 def test_nobody_compares_letters_or_names_of_kinds() -> None:
-    """Letters and names of joints' kinds stand in signatures and files; nothing outside their own files depends on them."""
+    """Letters and names of kinds stand in signatures and files; nothing outside their own files depends on them."""
     names = {kind.name for kind in KINDS.values()} | {kind.letter for kind in KINDS.values()}
     found = []
     for path in SOURCE.rglob("*.py"):
