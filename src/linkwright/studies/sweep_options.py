@@ -20,6 +20,7 @@ from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import freeze
 from linkwright.model.quantities import LARGEST
+from linkwright.model.typed_fields import of_parameter
 from linkwright.model.unknown import near
 from linkwright.studies.asked import Sampling, check_outputs, check_span, one_of
 from linkwright.studies.distributions import Spread, Vary
@@ -39,7 +40,7 @@ class SweepOptions(Sampling):
 
     study = "sweep"
 
-    vary: Annotated[dict[NameField, Vary], freeze] = Field(
+    vary: Annotated[dict[NameField, Vary], of_parameter(3), freeze] = Field(
         min_length=1, max_length=1000, description="what each varied parameter takes: steps, a list, a distribution"
     )
     plan: PlanName | None = Field(  # type: ignore[valid-type]

@@ -14,6 +14,7 @@ from linkwright.findings import Finding
 from linkwright.graph.cams import followings
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
+from linkwright.studies.cam.figures import along_lift, of_forces
 from linkwright.studies.cam.force_options import CamForces, CamMaterial
 from linkwright.studies.cam.stated_load import stated_load
 
@@ -50,7 +51,7 @@ class Asked:
 def read(compiled: Compiled, name: str, disc: Disc, o: CamForces, number: Number) -> tuple[Asked, list[Finding]]:
     """All numbers, with NaN for those that are wrong; what ``number`` has no findings for."""
     found: list[Finding] = []
-    inertia, rate, load = along(disc)
+    inertia, rate, load = along_lift(disc.follower.turns)
     omega = _speed(compiled, name, o, number, found)
     low, high = 0.0, omega
     if o.speeds is not None:
@@ -97,30 +98,6 @@ def read(compiled: Compiled, name: str, disc: Disc, o: CamForces, number: Number
     return asked, found
 
 
-def along(disc: Disc) -> tuple[u.Dimension, u.Dimension, u.Dimension]:
-    """What inertia, rate and load along the lift are."""
-    turning = (u.INERTIA, u.TORSIONAL_STIFFNESS, u.TORQUE)
-    return turning if disc.follower.turns else (u.MASS, u.STIFFNESS, u.FORCE)
-
-
-def known(disc: Disc) -> dict[str, u.Dimension]:
-    """The figures of forces by name, with their dimensions."""
-    _, rate, load = along(disc)
-    return {
-        "contact_force_min": u.FORCE,
-        "contact_force_max": u.FORCE,
-        "shaft_torque_max": u.TORQUE,
-        "hertz_pressure_max": u.PRESSURE,
-        "roller_speed_max": u.OMEGA,
-        "lift_off_speed": u.OMEGA,
-        "spring_preload_min": load,
-        "spring_rate_min": rate,
-        "second_contact_force_max": u.FORCE,
-        "second_hertz_pressure_max": u.PRESSURE,
-        "second_roller_speed_max": u.OMEGA,
-    }
-
-
 def given(compiled: Compiled, name: str, disc: Disc, o: CamForces | None) -> set[str]:
     """Those that the options give."""
     if o is None:
@@ -133,7 +110,7 @@ def given(compiled: Compiled, name: str, disc: Disc, o: CamForces | None) -> set
         missing |= {"second_contact_force_max", "second_hertz_pressure_max", "second_roller_speed_max"}
     if closed != "force" and o.spring is None:
         missing |= {"lift_off_speed", "spring_preload_min", "spring_rate_min"}
-    return known(disc).keys() - missing
+    return of_forces(disc.follower.turns).keys() - missing
 
 
 def _speed(compiled: Compiled, name: str, o: CamForces, number: Number, found: list[Finding]) -> float:

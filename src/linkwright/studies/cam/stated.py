@@ -21,8 +21,8 @@ from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression
 from linkwright.model.quantities import LARGEST
 from linkwright.model.unknown import unknown
-from linkwright.studies.cam.figures import FIGURES, OF_FACE, OF_ROLLER, SECOND, Range, closed_by, every
-from linkwright.studies.cam.force_numbers import Asked, given, known, read
+from linkwright.studies.cam.figures import FIGURES, OF_FACE, OF_ROLLER, SECOND, Range, closed_by, every, of_forces
+from linkwright.studies.cam.force_numbers import Asked, given, read
 from linkwright.studies.cam.milled import as_finding
 from linkwright.studies.cam.options import PATH, CamNc, CamOptions
 
@@ -230,7 +230,7 @@ class Reader:
     def _required(self) -> list[tuple[str, Range]]:
         made = []
         turns = self.disc.follower.turns
-        figures = every(turns) | known(self.disc)
+        figures = every(turns) | of_forces(turns)
         there = FIGURES.keys() | closed_by(self.closed, turns)
         there |= given(self.compiled, self.name, self.disc, self.options.forces)
         absent = OF_ROLLER if self.disc.follower.faced else OF_FACE

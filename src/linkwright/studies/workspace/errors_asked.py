@@ -4,9 +4,9 @@ if there is one."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from copy import copy
-from typing import TYPE_CHECKING, ClassVar, Self
+from typing import TYPE_CHECKING, Annotated, ClassVar, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,8 @@ from linkwright.findings import Finding, ModelError, Term, raise_errors
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.fields import Expression, Text
+from linkwright.model.mechanism import Mechanism
+from linkwright.model.typed_fields import Quantity
 from linkwright.model.unknown import unknown
 from linkwright.studies.accuracy.clearance import PATH as CLEARANCES
 from linkwright.studies.accuracy.clearance_options import check_clearances
@@ -48,7 +50,9 @@ class ErrorsOptions(MapsAsked):
 
     section: ClassVar[str] = "errors"
 
-    limit: Expression | None = Field(None, description="the error up to which a place counts as precise")
+    limit: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(
+        None, description="the error up to which a place counts as precise"
+    )
     contributors: tuple[Text, ...] | None = Field(
         None,
         min_length=1,
@@ -67,6 +71,9 @@ class ErrorsOptions(MapsAsked):
         except ValidationError:
             self._stated = None
         return self
+
+    def kinds_in(self, mechanism: Mechanism) -> Mapping[str, u.Dimension]:
+        return KINDS
 
     def check(self, compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
         """What is wrong with what deviates, the limit, the maps' names."""

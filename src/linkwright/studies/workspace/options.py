@@ -18,6 +18,8 @@ from linkwright.model.fields import Name as NameField
 from linkwright.model.followers import no_cams
 from linkwright.model.parts import Interval, freeze
 from linkwright.model.quantities import LARGEST
+from linkwright.model.typed_fields import of_drive, of_parameter
+from linkwright.model.units import ANGLE, LENGTH
 from linkwright.model.unknown import near, unknown
 from linkwright.structure import FRAME
 from linkwright.studies.asked import one_of
@@ -44,13 +46,13 @@ class WorkspaceOptions(Frozen):
 
     point: NameField = Field(description="the working point: any point of a moving link")
     modes: Which = Field("all", description="all assembly modes, or the file's own")  # type: ignore[valid-type]
-    for_: Annotated[dict[NameField, tuple[Expression, ...]], freeze] = Field(
+    for_: Annotated[dict[NameField, tuple[Expression, ...]], of_parameter(3), freeze] = Field(
         default_factory=FrozenDict,
         alias="for",
         description="values of parameters; each combination has a workspace of its own",
         examples=[{"alpha": [0, 60, 90]}],
     )
-    drives: Annotated[dict[NameField, Interval], freeze] = Field(
+    drives: Annotated[dict[NameField, Interval], of_drive(ANGLE, LENGTH), freeze] = Field(
         default_factory=FrozenDict,
         description="[low, high] of a drive's value; else a whole turn, or a cylinder's stroke",
     )

@@ -21,6 +21,7 @@ from linkwright.model.fields import Expression, Frozen, Text
 from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import Vector, freeze
 from linkwright.model.quantities import LARGEST
+from linkwright.model.typed_fields import Quantity, of_drive
 from linkwright.model.unknown import unknown
 from linkwright.model.written import Fault
 from linkwright.studies.asked import one_of
@@ -44,7 +45,9 @@ Pace = one_of("workspace", "timing", ["even", "rest"])
 class WantedPath(Frozen):
     """A path that the working point is wanted to follow, and how the drives shall move along it."""
 
-    points: tuple[Vector, ...] | None = Field(None, max_length=10_000, description="[x, y] of points that it passes")
+    points: Annotated[tuple[Vector, ...] | None, Quantity(u.LENGTH)] = Field(
+        None, max_length=10_000, description="[x, y] of points that it passes"
+    )
     file: FileBeside | None = Field(None, description="a CSV file beside the model with the columns 'x [mm]', 'y [mm]'")
     drawing: FileBeside | None = Field(None, description="a DXF drawing beside the model, in the file's length unit")
     layer: Text | None = Field(None, description="the drawing's layer that holds the path alone")
@@ -52,11 +55,15 @@ class WantedPath(Frozen):
     y: Expression | None = Field(None, description="with x: a formula in u")
     between: Between = Field("cubic", description="the curve between points: linear, cubic, quintic")  # type: ignore[valid-type]
     motor: NameField = Field(description="the drive that has constant speed; the other one is the servo")
-    speed: Expression | None = Field(None, description="the motor's constant speed, e.g. 30 rpm; negative: backwards")
-    duration: Expression | None = Field(None, description="instead of speed: both drives follow the path in this time")
+    speed: Annotated[Expression | None, of_drive(u.OMEGA, u.SPEED, lambda c: c.entry.motor)] = Field(
+        None, description="the motor's constant speed, e.g. 30 rpm; negative: backwards"
+    )
+    duration: Annotated[Expression | None, Quantity(u.TIME)] = Field(
+        None, description="instead of speed: both drives follow the path in this time"
+    )
     timing: Pace = Field("even", description="with duration: even, or from rest to rest")  # type: ignore[valid-type]
     never_reverse: bool = Field(False, description="whether the servo must never turn back")
-    tolerance: Expression | None = Field(
+    tolerance: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(
         None,
         description="how far the point may be off in dead positions; 1e-6 of the largest link by default",
     )

@@ -17,6 +17,7 @@ from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen
 from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import Vector, freeze
+from linkwright.model.typed_fields import Quantity
 from linkwright.model.written import Fault
 from linkwright.studies.asked import one_of
 from linkwright.studies.site import Site
@@ -52,12 +53,22 @@ Largest = one_of("workspace", "largest", ["circle", "rectangle"])
 class RequiredFit(Frozen):
     """A circle or rectangle that has to fit into a region; or the largest one is looked for."""
 
-    circle: Expression | None = Field(None, description="radius of a circle that has to fit")
-    rectangle: Vector | None = Field(None, description="[width, height] of a rectangle that has to fit")
+    circle: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(
+        None, description="radius of a circle that has to fit"
+    )
+    rectangle: Annotated[Vector | None, Quantity(u.LENGTH)] = Field(
+        None, description="[width, height] of a rectangle that has to fit"
+    )
     largest: Largest | None = Field(None, description="look for the largest: circle or rectangle")  # type: ignore[valid-type]
-    centre: Vector | None = Field(None, description="[x, y] of the figure; else the best place is found")
-    angle: Expression | None = Field(None, description="of the rectangle's width to the x axis; 0 by default")
-    aspect: Expression | None = Field(None, description="width over height of the largest rectangle; 1 by default")
+    centre: Annotated[Vector | None, Quantity(u.LENGTH)] = Field(
+        None, description="[x, y] of the figure; else the best place is found"
+    )
+    angle: Annotated[Expression | None, Quantity(u.ANGLE)] = Field(
+        None, description="of the rectangle's width to the x axis; 0 by default"
+    )
+    aspect: Annotated[Expression | None, Quantity(u.PURE)] = Field(
+        None, description="width over height of the largest rectangle; 1 by default"
+    )
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:

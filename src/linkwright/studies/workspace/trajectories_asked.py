@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,9 @@ from linkwright.kernels import Compiled
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Frozen
 from linkwright.model.fields import Name as NameField
+from linkwright.model.mechanism import Mechanism
+from linkwright.model.typed_fields import Context, of_drive
+from linkwright.model.units import ANGLE, LENGTH
 from linkwright.model.unknown import unknown
 from linkwright.model.written import Fault
 from linkwright.studies.site import Site
@@ -36,6 +39,11 @@ ROUND = 1e-9
 """A range that lacks this share of a step has room for it."""
 
 
+def _held(c: Context) -> str:
+    """The drive that is held, where there are two."""
+    return held(c.mechanism, c.entry.hold) if len(c.mechanism.drives) == 2 else ""
+
+
 class TrajectoriesAsked(Frozen):
     """Trajectories of the working point at constant values of one of two drives."""
 
@@ -44,7 +52,7 @@ class TrajectoriesAsked(Frozen):
         description="the drive that is held; by default the other one than that of constant speed, else the second",
     )
     steps: int | None = Field(None, ge=1, le=MOST, description="equal steps of the held drive's range; 36 by default")
-    every: Expression | None = Field(
+    every: Annotated[Expression | None, of_drive(ANGLE, LENGTH, _held)] = Field(
         None,
         description="instead of steps: the held drive's step, from the lower end of its range",
         examples=["10 deg"],
@@ -74,7 +82,7 @@ class TrajectoriesAsked(Frozen):
 
     def _step(self, compiled: Compiled, options: WorkspaceOptions, every: Expression) -> Iterator[Finding]:
         """What is wrong with the step of the held drive."""
-        drive, at = held(compiled, self.hold), (*PATH, "every")
+        drive, at = held(compiled.mechanism, self.hold), (*PATH, "every")
         dimension = compiled.quantities.drive_dimension(drive)
         if wrong := positive(compiled, every, dimension, at):
             yield from wrong
@@ -92,7 +100,7 @@ class TrajectoriesAsked(Frozen):
         """The values of the held drive (rad or m): (n,), rising; of a whole turn the end is left out."""
         assert outcome.box is not None
         compiled = outcome.compiled
-        drive = held(compiled, self.hold)
+        drive = held(compiled.mechanism, self.hold)
         index = compiled.graph.drives.index(drive)
         low, high, turns = outcome.box.low[index], outcome.box.high[index], outcome.box.turns[index]
         step = (high - low) / (self.steps or STEPS)
@@ -105,7 +113,7 @@ class TrajectoriesAsked(Frozen):
     def perform(self, outcome: WorkspaceOutcome, site: Site) -> TrajectoriesPart:
         """The trajectories in each region."""
         assert outcome.box is not None
-        drive = held(outcome.compiled, self.hold)
+        drive = held(outcome.compiled.mechanism, self.hold)
         hold = outcome.compiled.graph.drives.index(drive)
         values, chord = self.values(outcome), self.chord * outcome.compiled.graph.size
         part = TrajectoriesPart(outcome, hold, values, chord)
@@ -116,10 +124,10 @@ class TrajectoriesAsked(Frozen):
         return part
 
 
-def held(compiled: Compiled, named: str | None) -> str:
+def held(mechanism: Mechanism, named: str | None) -> str:
     """The drive that is held: the named one; else, of a motor of constant speed and a servo, the servo; else the
     second."""
-    drives = compiled.graph.drives
-    laws = [compiled.mechanism.prescribed(drive) for drive in drives]
+    drives = [*mechanism.drives]
+    laws = [mechanism.prescribed(drive) for drive in drives]
     servos = [d for d, law in zip(drives, laws, strict=True) if law.speed is None or law.acceleration is not None]
     return named or (servos[0] if len(servos) == 1 else drives[-1])
