@@ -11,7 +11,7 @@ from pydantic import Field
 from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen, FrozenDict
 from linkwright.model.parts import Interval
-from linkwright.model.typed_fields import Quantity, Scope
+from linkwright.model.typed_fields import Quantity, Scope, Sign
 from linkwright.studies.cam.figures import along_lift
 from linkwright.studies.cam.lift import along, turning
 
@@ -32,10 +32,10 @@ _LOAD = replace(
 class CamSpring(Frozen):
     """The spring that presses the follower onto the cam; what is left out is sized over the speeds."""
 
-    rate: Annotated[Expression | None, along(lambda turns: along_lift(turns)[1])] = Field(
+    rate: Annotated[Expression | None, along(lambda turns: along_lift(turns)[1], Sign.NOT_NEGATIVE)] = Field(
         None, description="by the lift: force per length, or torque per angle; the least that does unless given"
     )
-    preload: Annotated[Expression | None, along(lambda turns: along_lift(turns)[2])] = Field(
+    preload: Annotated[Expression | None, along(lambda turns: along_lift(turns)[2], Sign.NOT_NEGATIVE)] = Field(
         None, description="force or torque at the lift 0; the least that does unless given; without both the rate is 0"
     )
 
@@ -43,17 +43,17 @@ class CamSpring(Frozen):
 class CamMaterial(Frozen):
     """An elastic material."""
 
-    modulus: Annotated[Expression, Quantity(u.PRESSURE)] = Field(description="Young's modulus")
-    poisson: Annotated[Expression, Quantity(u.PURE)] = Field(description="Poisson's ratio")
+    modulus: Annotated[Expression, Quantity(u.PRESSURE, Sign.POSITIVE)] = Field(description="Young's modulus")
+    poisson: Annotated[Expression, Quantity(u.PURE, Sign.NOT_NEGATIVE)] = Field(description="Poisson's ratio")
 
 
 class CamForceLimits(Frozen):
     """What must hold; each that isn't kept makes the study fail, with the place."""
 
-    hertz: Annotated[Expression | None, Quantity(u.PRESSURE)] = Field(
+    hertz: Annotated[Expression | None, Quantity(u.PRESSURE, Sign.POSITIVE)] = Field(
         None, description="largest Hertz pressure; with width"
     )
-    torque: Annotated[Expression | None, Quantity(u.TORQUE)] = Field(
+    torque: Annotated[Expression | None, Quantity(u.TORQUE, Sign.POSITIVE)] = Field(
         None, description="largest torque on the shaft, either way"
     )
 
@@ -61,13 +61,13 @@ class CamForceLimits(Frozen):
 class CamForces(Frozen):
     """What acts along the lift: on a pinned follower moments about its pivot, on a sliding one forces."""
 
-    inertia: Annotated[Expression, along(lambda turns: along_lift(turns)[0])] = Field(
+    inertia: Annotated[Expression, along(lambda turns: along_lift(turns)[0], Sign.NOT_NEGATIVE)] = Field(
         description="the follower's moment of inertia about its pivot, or its mass"
     )
-    speed: Annotated[Expression | None, Quantity(u.OMEGA)] = Field(
+    speed: Annotated[Expression | None, Quantity(u.OMEGA, Sign.POSITIVE)] = Field(
         None, description="of the cam; the motor's unless given"
     )
-    speeds: Annotated[Interval | None, Quantity(u.OMEGA)] = Field(
+    speeds: Annotated[Interval | None, Quantity(u.OMEGA, Sign.NOT_NEGATIVE)] = Field(
         None, description="[low, high] over which the follower must stay on, beside speed; from rest unless given"
     )
     spring: CamSpring | None = Field(None, description="what presses the follower onto the cam")
@@ -75,10 +75,10 @@ class CamForces(Frozen):
         Expression(0),
         description="force or moment, positive onto the cam: constant, or over the cam's angle and the lift",
     )
-    contact: Annotated[Expression, Quantity(u.FORCE)] = Field(
+    contact: Annotated[Expression, Quantity(u.FORCE, Sign.NOT_NEGATIVE)] = Field(
         Expression(0), description="least contact force that is to be kept"
     )
-    width: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(
+    width: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
         None, description="of the line of contact; without it no Hertz pressure"
     )
     cam_material: CamMaterial | None = Field(None, description="of the cam; steel unless given")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from linkwright.model.cams import Following
-from linkwright.model.typed_fields import Context, Quantity
+from linkwright.model.typed_fields import Context, Quantity, Sign
 from linkwright.model.units import Dimension
 
 
@@ -16,6 +16,6 @@ def turning(c: Context) -> bool | None:
     return bool(drive.turns) if isinstance(drive, Following) else None
 
 
-def along(dimension: Callable[[bool], Dimension]) -> Quantity:
+def along(dimension: Callable[[bool], Dimension], sign: Sign = Sign.ANY) -> Quantity:
     """A quantity whose dimension follows from whether the follower turns."""
-    return Quantity(lambda c: None if (turns := turning(c)) is None else dimension(turns))
+    return Quantity(lambda c: None if (turns := turning(c)) is None else dimension(turns), sign)

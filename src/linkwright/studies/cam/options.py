@@ -12,7 +12,7 @@ from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen, FrozenDict, Requirement
 from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import Interval, freeze
-from linkwright.model.typed_fields import Context, Quantity
+from linkwright.model.typed_fields import Context, Quantity, Sign
 from linkwright.model.unknown import near
 from linkwright.model.written import Fault, fault
 from linkwright.studies.asked import one_of
@@ -45,34 +45,41 @@ POST = {"anyOf": [CONTROL, {"type": "array", "items": CONTROL}]}
 class CamLimits(Frozen):
     """What must hold; each that isn't kept makes the study fail, with the place."""
 
-    pressure_rise: Annotated[Expression | None, Quantity(u.ANGLE)] = Field(
+    pressure_rise: Annotated[Expression | None, Quantity(u.ANGLE, Sign.POSITIVE)] = Field(
         None, description="largest pressure angle while the follower rises"
     )
-    pressure_return: Annotated[Expression | None, Quantity(u.ANGLE)] = Field(
+    pressure_return: Annotated[Expression | None, Quantity(u.ANGLE, Sign.POSITIVE)] = Field(
         None, description="largest pressure angle while it returns"
     )
-    pitch_over_roller: Annotated[Expression | None, Quantity(u.PURE)] = Field(
+    pitch_over_roller: Annotated[Expression | None, Quantity(u.PURE, Sign.POSITIVE)] = Field(
         None, description="least convex radius of the pitch curve over the roller's; 1 (no undercut) unless given"
     )
-    profile_radius: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(
+    profile_radius: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
         None, description="least convex radius of the profile"
     )
     continuity: int | None = Field(
         None, ge=2, le=3, description="of the law: 2 refuses jumps of the acceleration, 3 of the jerk too"
     )
-    cutter: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(
+    cutter: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
         None, description="radius of the cutter, which the concave radii must exceed; that of nc unless given"
     )
-    play: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(
+    play: Annotated[Expression | None, Quantity(u.LENGTH, Sign.NOT_NEGATIVE)] = Field(
         None, description="largest play of a yoke over the turn; with closed: yoke"
     )
+
+
+def _sign_of_length(c: Context) -> Sign:
+    """Of the follower's lengths two lie to either side."""
+    return Sign.ANY if c.path[-1] in ("offset", "face") else Sign.POSITIVE
 
 
 class CamSize(Frozen):
     """The smallest base circle that keeps the limits; with one further length of the follower a map of both."""
 
-    base: Annotated[Interval, Quantity(u.LENGTH)] = Field(description="[low, high] of the base circle's radius")
-    against: Annotated[dict[NameField, Interval], Quantity(u.LENGTH), freeze] = Field(
+    base: Annotated[Interval, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
+        description="[low, high] of the base circle's radius"
+    )
+    against: Annotated[dict[NameField, Interval], Quantity(u.LENGTH, _sign_of_length), freeze] = Field(
         default_factory=FrozenDict,
         max_length=1,
         description="[low, high] of one other length of the follower: roller, distance, arm, offset or face",
@@ -83,23 +90,31 @@ class CamSize(Frozen):
 class CamBlank(Frozen):
     """The solid around the profile. All round parts by their radii."""
 
-    thickness: Annotated[Expression, Quantity(u.LENGTH)] = Field(description="of the plate")
-    bore: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(None, description="radius of the bore")
-    hub: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(None, description="radius of the hub; with height")
-    height: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(None, description="of the hub above the plate")
-    key_width: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(
+    thickness: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(description="of the plate")
+    bore: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
+        None, description="radius of the bore"
+    )
+    hub: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
+        None, description="radius of the hub; with height"
+    )
+    height: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
+        None, description="of the hub above the plate"
+    )
+    key_width: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
         None, description="width of the keyway; with key_depth and bore"
     )
-    key_depth: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(
+    key_depth: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
         None, description="how far the keyway reaches beyond the bore"
     )
     key_angle: Annotated[Expression, Quantity(u.ANGLE)] = Field(
         Expression(0), description="direction of the keyway in the cam's own frame"
     )
-    radius: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(
+    radius: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
         None, description="of the plate that a groove is milled into; with groove"
     )
-    groove: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(None, description="depth of the groove")
+    groove: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
+        None, description="depth of the groove"
+    )
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
@@ -116,39 +131,39 @@ class CamNc(Frozen):
     post: Annotated[tuple[str, ...], BeforeValidator(_posts), WithJsonSchema(POST)] = Field(
         description=f"the control or a list of them: {', '.join(POSTS)}"
     )
-    cutter: Annotated[Expression, Quantity(u.LENGTH)] = Field(
+    cutter: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
         description="radius of the cutter; of a groove the roller's at the most"
     )
-    depth: Annotated[Expression, Quantity(u.LENGTH)] = Field(
+    depth: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
         description="thickness of the cam, with what the cutter goes beyond it; depth of a groove"
     )
-    tolerance: Annotated[Expression, along(lambda turns: u.ANGLE if turns else u.LENGTH)] = Field(
+    tolerance: Annotated[Expression, along(lambda turns: u.ANGLE if turns else u.LENGTH, Sign.POSITIVE)] = Field(
         description="how far the follower's lift may be off: an angle or a length"
     )
-    feed: Annotated[Expression, Quantity(u.SPEED)] = Field(description="at the contour, e.g. 400 mm/min")
-    speed: Annotated[Expression, Quantity(u.OMEGA)] = Field(description="of the spindle, e.g. 6000 rpm")
-    plunge: Annotated[Expression | None, Quantity(u.SPEED)] = Field(
+    feed: Annotated[Expression, Quantity(u.SPEED, Sign.POSITIVE)] = Field(description="at the contour, e.g. 400 mm/min")
+    speed: Annotated[Expression, Quantity(u.OMEGA, Sign.POSITIVE)] = Field(description="of the spindle, e.g. 6000 rpm")
+    plunge: Annotated[Expression | None, Quantity(u.SPEED, Sign.POSITIVE)] = Field(
         None, description="feed while going down; a quarter of feed unless given"
     )
-    step: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(
+    step: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
         None, description="the deepest pass; all in one unless given"
     )
     start: Annotated[Expression | None, Quantity(u.ANGLE)] = Field(
         None, description="cam angle at which the path is entered; the middle of the longest dwell unless given"
     )
-    allowance: Annotated[Expression, Quantity(u.LENGTH)] = Field(
+    allowance: Annotated[Expression, Quantity(u.LENGTH, Sign.NOT_NEGATIVE)] = Field(
         Expression(0), description="left by the passes for a last one at full depth"
     )
-    lead: Annotated[Expression, Quantity(u.LENGTH)] = Field(
+    lead: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
         Expression("5 mm"), description="radius of the quarter circles of entry and exit"
     )
-    overlap: Annotated[Expression, Quantity(u.LENGTH)] = Field(
+    overlap: Annotated[Expression, Quantity(u.LENGTH, Sign.NOT_NEGATIVE)] = Field(
         Expression("2 mm"), description="how far the path goes on beyond its start"
     )
-    clear: Annotated[Expression, Quantity(u.LENGTH)] = Field(
+    clear: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
         Expression("5 mm"), description="height at which the cutter moves over the blank"
     )
-    blend: Annotated[Expression, Quantity(u.LENGTH)] = Field(
+    blend: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
         Expression("1 um"), description="how far the control may round corners"
     )
     spring: bool = Field(True, description="whether the last pass is repeated")
@@ -176,13 +191,13 @@ class CamOptions(Frozen):
     )
     size: CamSize | None = Field(None, description="look for the smallest base circle that keeps the limits")
     forces: CamForces | None = Field(None, description="forces between cam and follower at a speed, and its spring")
-    tolerance: Annotated[Expression, Quantity(u.LENGTH)] = Field(
+    tolerance: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
         Expression("1e-4 mm"), description="how far drawing and solid may lie off the exact profile"
     )
     drawing: Drawing = Field("arcs", description="the profile in the drawing: arcs and lines, or splines")  # type: ignore[valid-type]
     blank: CamBlank | None = Field(None, description="the solid: written as cam.step where build123d is installed")
     nc: CamNc | None = Field(None, description="NC code, read back and proven before it is written")
-    period: Annotated[Expression, Quantity(u.TIME)] = Field(
+    period: Annotated[Expression, Quantity(u.TIME, Sign.POSITIVE)] = Field(
         Expression("1 s"), description="of a turn of the cam, in cam_motion.txt, for a CAD simulator's motor"
     )
     steps: int = Field(720, ge=36, le=36_000, description="equal steps of the cam's turn in tables and the read-back")
