@@ -9,13 +9,12 @@ from pydantic import Field
 
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Frozen, FrozenDict, Text
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.parts import freeze
-from linkwright.model.quantities import LARGEST
 from linkwright.model.typed_fields import Context, Quantity
 from linkwright.model.units import Dimension
+from linkwright.studies.numbers import constant
 
 Path = tuple[str | int, ...]
 
@@ -88,12 +87,8 @@ class MapsAsked(Frozen):
 
 def number(compiled: Compiled, expression: Expression, dimension: Dimension, path: Path) -> float | Finding:
     """The value of an expression, or what is wrong with it."""
-    quantities = compiled.quantities
-    try:
-        value = quantities.value(expression, dimension)
-    except DimensionError as error:
-        return Finding(error.key, path, quantities.spelt(error.data))
-    return value if abs(value) < LARGEST else Finding("value.not-finite", path, {"text": expression.text[:60]})
+    value, faults = constant(compiled.quantities, expression, dimension, path)
+    return faults[0] if value is None else value
 
 
 def positive(

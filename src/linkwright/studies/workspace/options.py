@@ -23,6 +23,7 @@ from linkwright.model.units import ANGLE, LENGTH
 from linkwright.model.unknown import near, unknown
 from linkwright.structure import FRAME
 from linkwright.studies.asked import one_of
+from linkwright.studies.numbers import constant
 from linkwright.studies.ranges import stroke
 from linkwright.studies.workspace.errors_asked import ErrorsOptions
 from linkwright.studies.workspace.mesh import Box
@@ -147,13 +148,7 @@ def _values(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
         if not values:
             yield Finding("workspace.no-values", path, {"name": name})
         for i, value in enumerate(values):
-            try:
-                number = quantities.value(value, quantities.dimensions.of(name))
-            except DimensionError as error:
-                yield Finding(error.key, (*path, i), quantities.spelt(error.data))
-                continue
-            if not abs(number) < LARGEST:
-                yield Finding("value.not-finite", (*path, i), {"text": value.text[:60]})
+            yield from constant(quantities, value, quantities.dimensions.of(name), (*path, i))[1]
     try:
         Varied(compiled, names)
     except ModelError as error:

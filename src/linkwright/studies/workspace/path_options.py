@@ -15,16 +15,15 @@ from linkwright.kernels import Compiled
 from linkwright.laws import DEGREES
 from linkwright.model import units as u
 from linkwright.model.actions import FileBeside
-from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import ExpressionError, evaluate
 from linkwright.model.fields import Expression, Frozen, Text
 from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import Vector, freeze
-from linkwright.model.quantities import LARGEST
 from linkwright.model.typed_fields import Quantity, of_drive
 from linkwright.model.unknown import unknown
 from linkwright.model.written import Fault
 from linkwright.studies.asked import one_of
+from linkwright.studies.numbers import constant
 from linkwright.studies.site import Site
 from linkwright.studies.workspace.wanted import PATH, Path_, Wanted, from_csv, from_dxf, from_formula, through
 
@@ -106,7 +105,7 @@ def _check(compiled: Compiled, path: WantedPath, at: Path_) -> Iterator[Finding]
     if not known:
         yield unknown("drive", (*at, "motor"), path.motor, compiled.graph.drives)
     if path.speed is not None and known:
-        speed, faults = constant(compiled, path.speed, rate_of(compiled, path.motor), (*at, "speed"))
+        speed, faults = constant(compiled.quantities, path.speed, rate_of(compiled, path.motor), (*at, "speed"))
         yield from faults
         if speed == 0:
             yield Finding("workspace.path-still", (*at, "speed"))
@@ -118,7 +117,7 @@ def _check(compiled: Compiled, path: WantedPath, at: Path_) -> Iterator[Finding]
             fault
             for i, point in enumerate(path.points)
             for k, value in enumerate(point)
-            for fault in constant(compiled, value, u.LENGTH, (*at, "points", i, k))[1]
+            for fault in constant(compiled.quantities, value, u.LENGTH, (*at, "points", i, k))[1]
         ]
         yield from wrong
         if wrong:
@@ -134,22 +133,9 @@ def rate_of(compiled: Compiled, drive: str) -> u.Dimension:
     return u.OMEGA if compiled.mechanism.prescribed(drive).turns else u.SPEED
 
 
-def constant(
-    compiled: Compiled, expression: Expression, dimension: u.Dimension, at: Path_
-) -> tuple[float | None, list[Finding]]:
-    """A value in SI, or what is wrong with it."""
-    try:
-        value = compiled.quantities.value(expression, dimension)
-    except DimensionError as error:
-        return None, [Finding(error.key, at, compiled.quantities.spelt(error.data))]
-    if not abs(value) < LARGEST:
-        return None, [Finding("value.not-finite", at, {"text": expression.text[:60]})]
-    return value, []
-
-
 def positive(compiled: Compiled, expression: Expression, dimension: u.Dimension, at: Path_) -> list[Finding]:
     """What is wrong with a value that must be positive."""
-    value, faults = constant(compiled, expression, dimension, at)
+    value, faults = constant(compiled.quantities, expression, dimension, at)
     if value is not None and value <= 0:
         return [Finding("workspace.not-positive", at, {"key": str(at[-1]), "text": expression.text[:60]})]
     return faults

@@ -17,9 +17,11 @@ from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen
 from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import Vector, freeze
-from linkwright.model.typed_fields import Quantity
+from linkwright.model.typed_fields import Context, Quantity, Sign
+from linkwright.model.walk import Place, sites
 from linkwright.model.written import Fault
 from linkwright.studies.asked import one_of
+from linkwright.studies.numbers import constant
 from linkwright.studies.site import Site
 from linkwright.studies.workspace.fits import (
     Circle,
@@ -32,7 +34,7 @@ from linkwright.studies.workspace.fits import (
 )
 from linkwright.studies.workspace.followed import parameters_of
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, shown, values_text
-from linkwright.studies.workspace.path_options import constant, positive, valued
+from linkwright.studies.workspace.path_options import positive, valued
 from linkwright.studies.workspace.wanted import Path_
 
 if TYPE_CHECKING:
@@ -53,10 +55,10 @@ Largest = one_of("workspace", "largest", ["circle", "rectangle"])
 class RequiredFit(Frozen):
     """A circle or rectangle that has to fit into a region; or the largest one is looked for."""
 
-    circle: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(
+    circle: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
         None, description="radius of a circle that has to fit"
     )
-    rectangle: Annotated[Vector | None, Quantity(u.LENGTH)] = Field(
+    rectangle: Annotated[Vector | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
         None, description="[width, height] of a rectangle that has to fit"
     )
     largest: Largest | None = Field(None, description="look for the largest: circle or rectangle")  # type: ignore[valid-type]
@@ -66,7 +68,7 @@ class RequiredFit(Frozen):
     angle: Annotated[Expression | None, Quantity(u.ANGLE)] = Field(
         None, description="of the rectangle's width to the x axis; 0 by default"
     )
-    aspect: Annotated[Expression | None, Quantity(u.PURE)] = Field(
+    aspect: Annotated[Expression | None, Quantity(u.PURE, Sign.POSITIVE)] = Field(
         None, description="width over height of the largest rectangle; 1 by default"
     )
 
@@ -84,13 +86,10 @@ class RequiredFit(Frozen):
             if kinds and key in given and not fitting:
                 yield "workspace.path-key", {"key": key, "of": of}
 
-    def placed(self, compiled: Compiled) -> Iterator[tuple[str, Expression, Any, bool]]:
-        """What it states: key, expression, dimension, whether it must be positive."""
-        yield from (("circle", self.circle, u.LENGTH, True),) if self.circle else ()
-        yield from (("rectangle", side, u.LENGTH, True) for side in self.rectangle or ())
-        yield from (("centre", place, u.LENGTH, False) for place in self.centre or ())
-        yield from (("angle", self.angle, u.ANGLE, False),) if self.angle else ()
-        yield from (("aspect", self.aspect, u.PURE, True),) if self.aspect else ()
+    def stated(self, compiled: Compiled, name: str) -> Iterator[tuple[Place, Sign]]:
+        """The numbers of the figure of this name, each with the sign that it must have."""
+        for site in sites(self, Context(compiled.mechanism, (*PATH, name))):
+            yield from ((place, site.parts[0][1].sign_at(site.context)) for place in site.places())
 
 
 @dataclass(frozen=True, eq=False)
@@ -198,13 +197,12 @@ class RequiredFits(RootModel[Annotated[dict[NameField, RequiredFit], freeze, Fie
             yield Finding("workspace.section-drives", PATH, {"count": len(compiled.graph.drives)})
             return
         for name, figure in self.root.items():
-            for key, expression, dimension, over in figure.placed(compiled):
-                at = (*PATH, name, key)
-                yield from (
-                    positive(compiled, expression, dimension, at)
-                    if over
-                    else constant(compiled, expression, dimension, at)[1]
-                )
+            for place, sign in figure.stated(compiled, name):
+                dimension = compiled.quantities.dimensions.resolve(place.wanted)
+                if sign is Sign.POSITIVE:
+                    yield from positive(compiled, place.expression, dimension, place.path)
+                else:
+                    yield from constant(compiled.quantities, place.expression, dimension, place.path)[1]
 
     def perform(self, outcome: WorkspaceOutcome, site: Site) -> Required:
         """Each figure in each region. One that fits into none of them is a failure."""
@@ -226,8 +224,9 @@ def _placed(
 ) -> Placed | None:
     parameters = parameters_of(one, compiled)
     known: dict[str, list[float]] = {}
-    for key, expression, dimension, _ in figure.placed(compiled):
-        known.setdefault(key, []).append(valued(compiled, expression, dimension, parameters))
+    for place, _ in figure.stated(compiled, name):
+        dimension = compiled.quantities.dimensions.resolve(place.wanted)
+        known.setdefault(str(place.path[-1]), []).append(valued(compiled, place.expression, dimension, parameters))
     (angle,), (aspect,) = known.get("angle", [0.0]), known.get("aspect", [1.0])
     centre = (known["centre"][0], known["centre"][1]) if "centre" in known else None
     shape = reached.shape

@@ -20,8 +20,9 @@ from linkwright.model.typed_fields import Context, of_drive
 from linkwright.model.units import ANGLE, LENGTH
 from linkwright.model.unknown import unknown
 from linkwright.model.written import Fault
+from linkwright.studies.numbers import constant
 from linkwright.studies.site import Site
-from linkwright.studies.workspace.path_options import constant, positive
+from linkwright.studies.workspace.path_options import positive
 from linkwright.studies.workspace.trajectories import trajectories
 from linkwright.studies.workspace.trajectories_part import RegionTrajectories, TrajectoriesPart
 
@@ -91,7 +92,7 @@ class TrajectoriesAsked(Frozen):
             ends = options.range(compiled, drive)
         except DimensionError:  # the range is told of by itself
             return
-        step = constant(compiled, every, dimension, at)[0]
+        step = constant(compiled.quantities, every, dimension, at)[0]
         if ends is not None and step is not None and (count := (ends[1] - ends[0]) / step) > MOST:
             data = {"drive": drive, "count": f"{count:.6g}", "limit": MOST}
             yield Finding("workspace.hold-many", at, data)
