@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +21,7 @@ from linkwright.model.input_files import read_at_most, reason
 from linkwright.model.origin import Origin, hashed, table_hashes
 from linkwright.model.spelled import home
 from linkwright.model.unknown import likeliest, proposed
+from linkwright.model.walk import Options, option_places
 from linkwright.model.yaml_text import MAX_BYTES, Source
 from linkwright.report.build import report_data
 from linkwright.report.page import page
@@ -143,15 +144,14 @@ def examine_document(
     it or not; with ``to``, that export alone."""
     tasks, findings = read_studies(document.studies if only is None else {only: {}, **document.studies})
     orders, wrong = read_exports(document.exports)
+    asked: Options = [(("studies", task.study.name), task.options) for task in tasks]
+    asked = [*asked, *((("exports", order.target.name), order.options) for order in orders)]
     tasks = [task for task in tasks if to is None and only in (None, task.study.name)]
     orders = [order for order in orders if only is None and to in (None, order.target.name)]
     examine, beside = _examination(document.studies if only is None else [only], tasks, orders)
     findings += beside
-    compiled, faults = examine(document, folder)
+    compiled, faults = examine(document, folder, partial(option_places, options=asked))
     checked = _checked(compiled, tasks, orders)
-    if compiled is not None and (uses := compiled.quantities.open_uses):
-        compiled, faults = examine(document, folder, uses)
-        checked = _checked(compiled, tasks, orders)
     findings += [*wrong, *faults, *(finding for i, finding in enumerate(checked) if finding not in checked[:i])]
     return Examined(document, compiled, tasks, orders, findings, folder=folder)
 

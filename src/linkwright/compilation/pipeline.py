@@ -13,18 +13,16 @@ A stage gives its value and its findings; the next one goes on with what is soun
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from linkwright.compilation.stages import Laws, assemble, check, desugar, laws, quantities, structure, warnings
+from linkwright.compilation.stages import Laws, Uses, assemble, check, desugar, laws, quantities, structure, warnings
 from linkwright.findings import Finding, raise_errors
 from linkwright.kernels import Compiled
 from linkwright.kernels.law import Law
 from linkwright.kernels.motions import StatedMotion
 from linkwright.kernels.tables import StatedTable
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.places import Place
 from linkwright.model.quantities import Quantities
 from linkwright.model.spelled import Spelled
 from linkwright.structure import Structure
@@ -61,11 +59,9 @@ class Prepared:
         return self.stated.tables
 
 
-def prepare(
-    mechanism: Mechanism, folder: Path | None = None, uses: Sequence[Place] = (), driven: bool = True
-) -> Prepared:
-    """Dimensions, drive laws and structure of a mechanism, with all findings on them; for ``uses`` see
-    :class:`linkwright.model.quantities.Quantities`. It needs drives, unless it isn't ``driven``."""
+def prepare(mechanism: Mechanism, folder: Path | None = None, uses: Uses = (), driven: bool = True) -> Prepared:
+    """Dimensions, drive laws and structure of a mechanism, with all findings on them; ``uses`` as for :func:`examine`.
+    It needs drives, unless it isn't ``driven``."""
     spelled = desugar(mechanism)
     unnamed = check(spelled, driven)
     numbers, unclear = quantities(spelled, uses, unnamed)
@@ -75,11 +71,9 @@ def prepare(
     return Prepared(spelled, numbers, found, stated, spelled.home([*findings, *unsolved]))
 
 
-def examine(
-    mechanism: Mechanism, folder: Path | None = None, uses: Sequence[Place] = ()
-) -> tuple[Compiled | None, list[Finding]]:
-    """Compile a mechanism as far as it goes, with all findings; ``folder`` is where its table files lie, ``uses``
-    expressions of studies that tell the units of what the mechanism leaves open.
+def examine(mechanism: Mechanism, folder: Path | None = None, uses: Uses = ()) -> tuple[Compiled | None, list[Finding]]:
+    """Compile a mechanism as far as it goes, with all findings; ``folder`` is where its table files lie, ``uses`` the
+    expressions of studies, which tell the units of what the mechanism leaves open.
 
     The result is ``None`` where an error stops it; warnings alone don't.
     """

@@ -3,7 +3,7 @@ has their order."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -24,6 +24,10 @@ from linkwright.model.plausible import implausible
 from linkwright.model.quantities import Quantities
 from linkwright.model.spelled import Spelled, spell_out
 from linkwright.structure import Structure, Topology, decompose
+
+Uses = Sequence[Place] | Callable[[Mechanism], Sequence[Place]]
+"""Expressions outside a mechanism that tell the units of what it leaves open, or a function that finds them for one
+whose short forms are spelled out."""
 
 
 @dataclass
@@ -57,11 +61,10 @@ def _immobile(topology: Topology) -> list[Finding]:
     return [Finding("model.no-freedom", ("drives",), {"mobility": topology.gruebler})]
 
 
-def quantities(
-    spelled: Spelled, uses: Sequence[Place], reported: Sequence[Finding]
-) -> tuple[Quantities, list[Finding]]:
+def quantities(spelled: Spelled, uses: Uses, reported: Sequence[Finding]) -> tuple[Quantities, list[Finding]]:
     """The numbers in SI, and what is wrong with their dimensions besides what is ``reported``."""
-    made = Quantities(spelled.mechanism, uses)
+    m = spelled.mechanism
+    made = Quantities(m, uses(m) if callable(uses) else uses)
     return made, [finding for finding in made.findings if not _is_reported(finding, reported)]
 
 

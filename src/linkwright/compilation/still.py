@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 
 from linkwright.compilation.pipeline import prepare
+from linkwright.compilation.stages import Uses
 from linkwright.findings import Finding
 from linkwright.graph.assembly import Assembly
 from linkwright.graph.standing import standing
 from linkwright.kernels import Still
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.places import Place
 from linkwright.structure import Structure
 
 HELD = ("structure.overconstrained", "structure.redundant", "structure.loop-of-slides")
@@ -19,7 +18,7 @@ HELD = ("structure.overconstrained", "structure.redundant", "structure.loop-of-s
 
 
 def examine_still(
-    mechanism: Mechanism, folder: Path | None = None, uses: Sequence[Place] = ()
+    mechanism: Mechanism, folder: Path | None = None, uses: Uses = ()
 ) -> tuple[Still | None, list[Finding]]:
     """As :func:`linkwright.compilation.examine`, of a mechanism that nothing drives."""
     made = prepare(mechanism, folder, uses, driven=False)

@@ -21,20 +21,21 @@ class Inference:
     """The dimensions of a mechanism's parameters and tables, the order of its parameters, and all findings.
 
     ``sound`` are the places whose names and dimensions fit. ``uses`` are expressions elsewhere (in the options of
-    studies): what the mechanism leaves open takes its unit from them; what is wrong with them is told there.
+    studies): what the mechanism leaves open takes its unit from them; what is wrong with them is told there. Those are
+    kept that name something open, with those on which their dimensions hang.
     """
 
     def __init__(
         self, mechanism: Mechanism, signals: Signals, declared: Mapping[str, str], uses: Sequence[Place] = ()
     ) -> None:
-        self.mechanism, self.uses = mechanism, uses
+        self.mechanism = mechanism
         self.findings: list[Finding] = []
         self.dimensions = Dimensions(declared, mechanism.parameters, lambda node: signals.find(node).dimension)
         self.places = list(places(mechanism))
         self.order = self._order()
         names = Names(mechanism, signals)
         self.sound = [place for place in self.places if self._known(names, place)]
-        self._infer()
+        self.uses = self._infer(uses)
         self._measure_units()
 
     def _order(self) -> list[str]:
@@ -63,7 +64,7 @@ class Inference:
     def _add(self, findings: list[Finding]) -> None:
         self.findings += [f for i, f in enumerate(findings) if f not in self.findings and f not in findings[:i]]
 
-    def _infer(self) -> None:
+    def _infer(self, uses: Sequence[Place]) -> tuple[Place, ...]:
         for name, table in self.mechanism.tables.items():
             for unknown, text in ((argument(name), table.x), (value(name), table.y)):
                 if text is not None:
@@ -72,12 +73,21 @@ class Inference:
             self.dimensions.settle(argument(name), law.axis)
             self.dimensions.settle(value(name), law.value)
         fine = {id(place) for place in sorted(self.sound, key=_rank) if self._try(place, self._use)}
-        for place in sorted(self.uses, key=_rank):
+        telling = self._telling(uses)
+        for place in sorted(telling, key=_rank):
             with suppress(DimensionError):
                 self._use(place)
         self.sound = [place for place in self.sound if id(place) in fine and self._try(place, self._bind_here)]
         for place in self.sound:
             self._ambiguous(place)
+        return telling
+
+    def _telling(self, uses: Sequence[Place]) -> tuple[Place, ...]:
+        """The uses that tell the units of what the mechanism's own places leave open."""
+        leaving = [self.dimensions.leaves_open(place.expression.node) for place in uses]
+        wanted = {place.wanted for place, is_open in zip(uses, leaving, strict=True) if is_open}
+        unknown = {of for of in wanted if not isinstance(of, Dimension) and of not in self.mechanism.parameters}
+        return tuple(place for place, is_open in zip(uses, leaving, strict=True) if is_open or place.wanted in unknown)
 
     def _of(self, place: Place) -> Dimensions:
         return self.dimensions.with_names(place.names) if place.names else self.dimensions

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import partial
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import (
@@ -30,8 +31,7 @@ from linkwright.model.fields import (
     pair,
 )
 from linkwright.model.tolerances import Tolerance
-from linkwright.model.typed_fields import ELSEWHERE, Ends, Quantity, Scope, Sign
-from linkwright.model.units import Dimension
+from linkwright.model.typed_fields import ELSEWHERE, Ends, Quantity, Scope, Sign, of_drive, of_parameter
 from linkwright.model.written import Fault, FaultWithin, Shortened, plain_number, unexpected
 
 freeze = AfterValidator(FrozenDict)
@@ -62,7 +62,7 @@ class Units(Frozen):
         return self.model_dump(exclude_none=True)
 
 
-OWN = Quantity(lambda c: c.name)
+OWN = of_parameter(1)
 """What is of the dimension of the parameter that has it."""
 
 
@@ -259,9 +259,7 @@ class Cylinder(Frozen):
     rod: Annotated[CylinderPart | None, ELSEWHERE] = Field(None, description="mass of the rod; massless where left out")
 
 
-def _driven(turning: Dimension, sliding: Dimension, scope: Scope = Scope.CONSTANT) -> Quantity:
-    """A quantity of the motion that a drive prescribes, where that turns and where it slides."""
-    return Quantity(lambda c: turning if c.mechanism.prescribed(c.name).turns else sliding, scope=scope)
+_driven = partial(of_drive, drive=lambda c: c.name)
 
 
 class Drive(Frozen):
@@ -285,7 +283,7 @@ class Drive(Frozen):
     acceleration: Annotated[Expression | None, _driven(u.ALPHA, u.ACCELERATION)] = Field(
         None, description="constant acceleration; speed is then that at t = 0"
     )
-    position: Annotated[Expression | None, _driven(u.ANGLE, u.LENGTH, Scope.TIME)] = Field(
+    position: Annotated[Expression | None, _driven(u.ANGLE, u.LENGTH, scope=Scope.TIME)] = Field(
         None, description="value as an expression in t, e.g. 20 deg*sin(180 deg*t/(1 s)); may call tables"
     )
     output: Name | None = Field(

@@ -13,7 +13,7 @@ from linkwright.model import units as u
 from linkwright.model.actions import column_unit
 from linkwright.model.dimensions import DimensionError, Dimensions, Wanted
 from linkwright.model.expressions import ExpressionError, Node, evaluate
-from linkwright.model.fields import Expression, FrozenDict
+from linkwright.model.fields import Expression
 from linkwright.model.inference import Inference
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.names import Names
@@ -31,25 +31,23 @@ LARGEST = 1e40
 class Quantities:
     """Binds a mechanism's expressions to SI. ``findings`` says what doesn't fit; values need none of them.
 
-    ``uses`` are expressions from elsewhere that tell the units of what the mechanism leaves open; ``open_uses`` are
-    those asked so far that would tell more.
+    ``uses`` are expressions from elsewhere, of which those are kept that tell the units of what the mechanism leaves
+    open.
     """
 
     samples: int | None = None  # of how many sets of parameter values
 
     def __init__(self, mechanism: Mechanism, uses: Sequence[Place] = ()) -> None:
-        self.mechanism, self.uses = mechanism, tuple(uses)
+        self.mechanism = mechanism
         self.signals = Signals(mechanism)
         self.findings: list[Finding] = []
         self.declared = self._declared()
         inference = Inference(mechanism, self.signals, self.declared, uses)
         self.dimensions: Dimensions = inference.dimensions
         self.places: list[Place] = inference.places
-        self.order = inference.order
+        self.order, self.uses = inference.order, inference.uses
         wrong = {finding.data["base"] for finding in self.findings}
         self.findings += _collapsed([replace(f, data=self.spelt(f.data)) for f in inference.findings], wrong)
-        self.open_uses: list[Place] = []
-        self._own = {id(place.expression) for place in self.places}
         self._bound: dict[tuple[str, Dimension | None], Node] = {}
         # Cells of tables and widths of bands are bound alike whoever asks: a bare 0 beside them tells no dimension.
         self._cells: dict[int, Wanted] = {
@@ -99,7 +97,6 @@ class Quantities:
             dimension = self.dimensions.resolve(self._cells[id(expression)])
         key = (expression.text, dimension)
         if key not in self._bound:
-            self._note(expression, dimension)
             try:
                 self._bound[key] = self.dimensions.bind(expression.node, dimension)
             except DimensionError as error:
@@ -111,18 +108,10 @@ class Quantities:
     ) -> Node:
         """The same of a formula in further ``names``; without them in
         :data:`~linkwright.model.motions.ARGUMENT`, which gives a pure number."""
-        self._note(expression, dimension, names)
         try:
             return self.dimensions.with_names(names).bind(expression.node, dimension)
         except DimensionError as error:
             raise DimensionError(error.key, **self.spelt(error.data)) from None
-
-    def _note(
-        self, expression: Expression, dimension: Dimension | None, names: Mapping[str, Dimension] = FrozenDict()
-    ) -> None:
-        """Note a use from elsewhere of what the mechanism leaves open."""
-        if dimension is not None and id(expression) not in self._own and self.dimensions.leaves_open(expression.node):
-            self.open_uses.append(Place(("studies",), expression, dimension, names=names))
 
     def value(self, expression: Expression, dimension: Dimension | None) -> float:
         """The value in SI at the nominal parameters; NaN or infinite where it has none.

@@ -81,23 +81,51 @@ class Quantity:
     """What an expression is: its ``dimension``, the ``sign`` that its value must have, and of which ``term`` a finding
     on that speaks; how its two ``ends`` must lie where it is an interval.
 
-    Dimension and sign may depend on where the field stands; a dimension of ``None`` means that it can't be told.
+    ``names`` are what the place itself gives a meaning. Dimension, sign and names may depend on where the field stands;
+    a dimension of ``None`` means that it can't be told.
     """
 
     dimension: Wanted | Callable[[Context], Wanted | None]
     sign: Sign | Callable[[Context], Sign] = Sign.ANY
     term: str = "number"
     scope: Scope = Scope.CONSTANT
-    names: Mapping[str, Dimension] = field(default_factory=FrozenDict)
+    names: Mapping[str, Dimension] | Callable[[Context], Mapping[str, Dimension]] = field(default_factory=FrozenDict)
     ends: Ends = Ends.ANY
 
     def dimension_at(self, context: Context) -> Wanted | None:
         """The dimension wanted at a place."""
         return self.dimension(context) if callable(self.dimension) else self.dimension
 
+    def names_at(self, context: Context) -> Mapping[str, Dimension]:
+        """What the place gives a meaning, with its dimension."""
+        return self.names(context) if callable(self.names) else self.names
+
     def sign_at(self, context: Context) -> Sign:
         """The sign wanted at a place."""
         return self.sign(context) if callable(self.sign) else self.sign
+
+
+def of_drive(
+    turning: Dimension,
+    sliding: Dimension,
+    drive: Callable[[Context], str] = lambda c: str(c.path[-1]),
+    scope: Scope = Scope.CONSTANT,
+) -> Quantity:
+    """A quantity of the motion that a ``drive`` prescribes, where that turns and where it slides; the drive is the one
+    by whose name it stands, unless another is told."""
+
+    def dimension(c: Context) -> Dimension | None:
+        name = drive(c)
+        if name not in c.mechanism.drives:
+            return None
+        return turning if c.mechanism.prescribed(name).turns else sliding
+
+    return Quantity(dimension, scope=scope)
+
+
+def of_parameter(place: int) -> Quantity:
+    """A value of the parameter whose name is this key of its path."""
+    return Quantity(lambda c: str(c.path[place]) if c.path[place] in c.mechanism.parameters else None)
 
 
 @dataclass(frozen=True)

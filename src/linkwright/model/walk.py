@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import types
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache, partial
-from typing import Annotated, Any, Literal, Union, get_args, get_origin
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Union, get_args, get_origin
 
 from pydantic import BaseModel
 
@@ -19,6 +20,9 @@ from linkwright.model.fields import Expression, FrozenDict, Written
 from linkwright.model.typed_fields import Context, Elsewhere, Path, Quantity, Ref, Scope
 from linkwright.model.units import Dimension
 from linkwright.model.written import Shortened
+
+if TYPE_CHECKING:
+    from linkwright.model.mechanism import Mechanism
 
 
 @dataclass(frozen=True)
@@ -49,7 +53,7 @@ class Site:
         """Its expressions, each with its dimension, as far as that can be told."""
         for expression, of in self.parts:
             if (wanted := of.dimension_at(self.context)) is not None:
-                yield Place(self.path, expression, wanted, of.scope, of.names)
+                yield Place(self.path, expression, wanted, of.scope, of.names_at(self.context))
 
 
 @dataclass(frozen=True)
@@ -158,7 +162,8 @@ def _walk(value: Any, at: Context, spec: _Spec, of: Quantity | None, ref: Ref | 
         if ref is not None:
             yield Reference(at, value, ref)
         if of is not None:
-            yield Site(at, ((Expression(value), of),))
+            with suppress(ValueError):  # told by the one who reads it
+                yield Site(at, ((Expression(value), of),))
     elif isinstance(value, BaseModel):
         yield from _entry(value, at, of)
     elif isinstance(value, Mapping):
@@ -178,3 +183,13 @@ def _site(at: Context, parts: Iterable[tuple[Expression, Quantity | None]], arou
     known = tuple((part, said) for part, own in parts if (said := own or around) is not None)
     if known:
         yield Site(at, known)
+
+
+Options = Sequence[tuple[Path, BaseModel]]
+"""What studies and exports want of a mechanism, each with its place in the file."""
+
+
+def option_places(mechanism: Mechanism, options: Options) -> list[Place]:
+    """The expressions among options, which tell the units of what the mechanism leaves open."""
+    every = (site for path, given in options for site in sites(given, Context(mechanism, path)))
+    return [place for site in every for place in site.places()]

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from linkwright.model import units as u
 from linkwright.report.cam_charts import over
 from linkwright.report.data import Chart
-from linkwright.studies.cam.force_numbers import along
+from linkwright.studies.cam.figures import along_lift
 from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.words import say
 
@@ -23,7 +23,7 @@ def force_entry(outcome: CamOutcome) -> dict[str, Any]:
     done, quantities = outcome.pressed, outcome.compiled.quantities
     if done is None:
         return {}
-    _, rate, load = along(outcome.disc)
+    _, rate, load = along_lift(outcome.disc.follower.turns)
     angle, deg = quantities.unit_of(u.ANGLE)
     told: dict[str, Any] = {"closed": outcome.compiled.mechanism.cams[outcome.name].closed}
     stated = {
@@ -45,7 +45,7 @@ def force_sentences(outcome: CamOutcome) -> Iterator[str]:
     done = outcome.pressed
     if done is None:
         return
-    _, rate, load = along(outcome.disc)
+    _, rate, load = along_lift(outcome.disc.follower.turns)
 
     def told(value: float, dimension: u.Dimension) -> str:
         unit, size = outcome.compiled.quantities.unit_of(dimension)

@@ -14,6 +14,7 @@ from linkwright.kernels import Compiled
 from linkwright.measures import Measurer, MeasureResult, enclose, misfit
 from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen, fault
+from linkwright.model.typed_fields import Quantity
 from linkwright.model.unknown import unknown
 from linkwright.model.written import unexpected
 from linkwright.results import Result, Run, certify
@@ -40,8 +41,10 @@ def _counted(raw: Any) -> Any:
 class CycleOptions(Frozen):
     """How long, and on how many steps. One of period, duration and turns says how long."""
 
-    period: Expression | None = Field(None, description="the motion's period: it must close")
-    duration: Expression | None = Field(None, description="how long the run lasts")
+    period: Annotated[Expression | None, Quantity(u.TIME)] = Field(
+        None, description="the motion's period: it must close"
+    )
+    duration: Annotated[Expression | None, Quantity(u.TIME)] = Field(None, description="how long the run lasts")
     turns: Annotated[str | None, BeforeValidator(_counted)] = Field(
         None, description="'2 engine': so many turns of a drive of constant speed"
     )

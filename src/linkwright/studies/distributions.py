@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BeforeValidator, Discriminator, Field, Tag
 
-from linkwright.model.fields import Expression, Frozen, Written
+from linkwright.model.fields import Expression, Frozen, TypedParts, Written
 from linkwright.model.parts import Interval
 from linkwright.model.written import Fault, fault, unexpected
 from linkwright.notation.registry import Registry
@@ -87,6 +87,9 @@ class Listed(Written):
             raise fault("study.one-value", count=len(raw))
         self.put("raw", tuple(raw))
         self.put("values", tuple(Expression(value) for value in raw))
+
+    def quantities(self) -> TypedParts:
+        return [(value, None) for value in self.values]
 
     def parts(self) -> list[tuple[Place, Expression]]:
         """Its expressions with their places."""

@@ -21,6 +21,7 @@ from linkwright.model.names import Names
 from linkwright.model.parts import Interval, freeze
 from linkwright.model.places import Place, Scope
 from linkwright.model.quantities import LARGEST
+from linkwright.model.typed_fields import of_drive
 from linkwright.model.unknown import unknown
 from linkwright.results import Result, Run
 from linkwright.structure import FRAME
@@ -43,7 +44,7 @@ class LimitsOptions(Frozen):
     """Which drives are moved alone, over which values, and which signals are looked at."""
 
     drives: tuple[NameField, ...] | None = Field(None, description="the drives to look at; all of them by default")
-    ranges: Annotated[dict[NameField, Interval], freeze] = Field(
+    ranges: Annotated[dict[NameField, Interval], of_drive(u.ANGLE, u.LENGTH), freeze] = Field(
         default_factory=FrozenDict,
         description="[low, high] of a drive's value; else one turn, a cylinder's stroke, or as far as a slide gets",
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from pydantic import Field
@@ -22,6 +22,7 @@ from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Frozen, Name
 from linkwright.model.quantities import Quantities
+from linkwright.model.typed_fields import Quantity
 from linkwright.studies.registry import register
 from linkwright.studies.site import NOWHERE, Site
 
@@ -31,7 +32,9 @@ PATH = ("studies", "modes")
 class ModesOptions(Frozen):
     """At which pose, and over which drive circuits are followed."""
 
-    at: Expression | None = Field(None, description="the time of the pose; the start of the motion by default")
+    at: Annotated[Expression | None, Quantity(u.TIME)] = Field(
+        None, description="the time of the pose; the start of the motion by default"
+    )
     drive: Name | None = Field(
         None,
         description="the drive over which circuits are followed, the others held; needn't be named if there is one",

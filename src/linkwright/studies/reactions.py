@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from typing import Annotated
 
 import numpy as np
 from pydantic import Field
@@ -22,6 +23,7 @@ from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Frozen
 from linkwright.model.quantities import LARGEST
 from linkwright.model.signals import Contact
+from linkwright.model.typed_fields import Quantity
 from linkwright.model.units import Dimension
 from linkwright.results import Result, Run
 from linkwright.studies.registry import register
@@ -35,7 +37,9 @@ PROVEN = 1e-9
 class ReactionsOptions(Frozen):
     """When the loads are taken."""
 
-    at: Expression | None = Field(None, description="the time at which loads that vary are taken; 0 by default")
+    at: Annotated[Expression | None, Quantity(u.TIME)] = Field(
+        None, description="the time at which loads that vary are taken; 0 by default"
+    )
 
 
 @dataclass(frozen=True)

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar, Protocol, runtime_checkable
 
 from pydantic import BaseModel
 
+from linkwright.compilation import Uses
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.places import Place
 from linkwright.notation.registry import Registry
 from linkwright.studies.sections import read_section
 from linkwright.studies.site import Site
@@ -39,7 +39,7 @@ class OfStructures(Protocol):
     place of :func:`linkwright.compilation.examine`."""
 
     def examine(
-        self, mechanism: Mechanism, folder: Path | None = None, uses: Sequence[Place] = ()
+        self, mechanism: Mechanism, folder: Path | None = None, uses: Uses = ()
     ) -> tuple[Compiled | None, list[Finding]]:
         """Compile a mechanism as far as it goes, with all findings."""
 

@@ -14,13 +14,13 @@ from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.varied import Varied
-from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import freeze
-from linkwright.model.quantities import LARGEST
+from linkwright.model.typed_fields import of_parameter
 from linkwright.model.unknown import near
 from linkwright.studies.asked import Sampling, check_outputs, check_span, one_of
 from linkwright.studies.distributions import Spread, Vary
+from linkwright.studies.numbers import constant
 from linkwright.studies.plans import PLANS, Plan
 
 PATH = ("studies", "sweep")
@@ -37,7 +37,7 @@ class SweepOptions(Sampling):
 
     study = "sweep"
 
-    vary: Annotated[dict[NameField, Vary], freeze] = Field(
+    vary: Annotated[dict[NameField, Vary], of_parameter(3), freeze] = Field(
         min_length=1, max_length=1000, description="what each varied parameter takes: steps, a list, a distribution"
     )
     plan: PlanName | None = Field(  # type: ignore[valid-type]
@@ -90,19 +90,12 @@ def _varied(compiled: Compiled, options: SweepOptions) -> Iterator[Finding]:
             data = {"name": name, "near": near(name, [*quantities.parameters])}
             yield Finding("name.unknown-parameter", path, data)
             continue
-        numbers, sound = [], True
+        dimension, numbers, wrong = quantities.dimensions.of(name), list[float](), list[Finding]()
         for place, part in entry.parts():
-            try:
-                numbers.append(quantities.value(part, quantities.dimensions.of(name)))
-            except DimensionError as error:
-                yield Finding(error.key, (*path, *place), quantities.spelt(error.data))
-                sound = False
-                continue
-            if not abs(numbers[-1]) < LARGEST:
-                yield Finding("value.not-finite", (*path, *place), {"text": part.text[:60]})
-                sound = False
-        if sound:
-            yield from (Finding(code, path, data) for code, data in entry.wrong(numbers))
+            value, faults = constant(quantities, part, dimension, (*path, *place))
+            wrong += faults
+            numbers += [] if value is None else [value]
+        yield from wrong or (Finding(code, path, data) for code, data in entry.wrong(numbers))
 
 
 def _size(compiled: Compiled, options: SweepOptions) -> Iterator[Finding]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +23,7 @@ from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.csv_text import cell, head, written
 from linkwright.model.fields import Expression, Frozen
+from linkwright.model.typed_fields import Quantity
 from linkwright.studies import Site
 from linkwright.words import say
 
@@ -36,9 +38,15 @@ INSTANT = 1e-9
 class MjcfOptions(Frozen):
     """What MuJoCo needs that a mechanism doesn't say."""
 
-    tiny_mass: Expression | None = Field(None, description="mass that links without one get; 1 g where left out")
-    timestep: Expression | None = Field(None, description="time step of MuJoCo; 1 ms where left out")
-    duration: Expression | None = Field(None, description="how long the motion lasts; that of the cycle where left out")
+    tiny_mass: Annotated[Expression | None, Quantity(u.MASS)] = Field(
+        None, description="mass that links without one get; 1 g where left out"
+    )
+    timestep: Annotated[Expression | None, Quantity(u.TIME)] = Field(
+        None, description="time step of MuJoCo; 1 ms where left out"
+    )
+    duration: Annotated[Expression | None, Quantity(u.TIME)] = Field(
+        None, description="how long the motion lasts; that of the cycle where left out"
+    )
     samples: int = Field(200, ge=1, le=100_000, description="equal steps of the motion in the table of positions")
 
 

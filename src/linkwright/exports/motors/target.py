@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from pydantic import Field
@@ -17,6 +17,8 @@ from linkwright.formulas.motor import Motor, motor, unit_of
 from linkwright.formulas.pieces import MOST, Piece, TooManyError, Unfolding
 from linkwright.kernels import Compiled
 from linkwright.model.fields import Expression, Frozen
+from linkwright.model.typed_fields import Quantity
+from linkwright.model.units import TIME
 from linkwright.studies import Site
 from linkwright.words import say
 
@@ -28,7 +30,9 @@ class MotorOptions(Frozen):
     """How the texts are written, and over which time."""
 
     dialect: Literal["creo", "radians"] = Field("creo", description="creo: sin and cos take degrees; or radians")
-    duration: Expression | None = Field(None, description="how long the motion lasts; that of the cycle where left out")
+    duration: Annotated[Expression | None, Quantity(TIME)] = Field(
+        None, description="how long the motion lasts; that of the cycle where left out"
+    )
     samples: int = Field(360, ge=1, le=100_000, description="equal steps of the table of values")
 
 

@@ -16,11 +16,13 @@ from linkwright.exports.process_simulate.mirror import Mirror
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
-from linkwright.model.dimensions import DimensionError
+from linkwright.model.cams import Following
+from linkwright.model.dimensions import DimensionError, Wanted
 from linkwright.model.fields import Expression, Frozen, FrozenDict
 from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import Interval, freeze
 from linkwright.model.quantities import LARGEST
+from linkwright.model.typed_fields import Context, Quantity, of_drive
 from linkwright.model.unknown import unknown
 from linkwright.studies.asked import one_of
 from linkwright.studies.limits import WIDEST
@@ -31,6 +33,25 @@ VALUES = {"T": u.ANGLE, "D": u.LENGTH}
 """The dimensions of what joints count."""
 
 Which = one_of("process-simulate", "dialect", [*DIALECTS], "export.choice")
+
+
+def _motor(c: Context) -> str:
+    """The one drive that isn't a cam's follower."""
+    motors = [name for name, drive in c.mechanism.drives.items() if not isinstance(drive, Following)]
+    return motors[0] if len(motors) == 1 else ""
+
+
+_MOVED = of_drive(u.ANGLE, u.LENGTH, _motor)
+
+
+def _of_stops(c: Context) -> Wanted | None:
+    """What the driving joint counts: the one named as master, else that which the drive moves."""
+    options, m = c.entry, c.mechanism
+    if options.master is None:
+        return _MOVED.dimension_at(c)
+    called = {tool: joint for joint, tool in options.names.items()}
+    meant = called.get(options.master, options.master)
+    return u.LENGTH if meant in dict(m.prismatic_joints()) else u.ANGLE
 
 
 class ProcessSimulateOptions(Frozen):
@@ -51,13 +72,13 @@ class ProcessSimulateOptions(Frozen):
     mirror: Mirror | None = Field(
         None, description="write the functions of two hinges that mirror each other and move in step, in one file"
     )
-    zero: Expression | None = Field(
+    zero: Annotated[Expression | None, _MOVED] = Field(
         None, description="the drive's value in the pose in which all joints are 0; else that at the start"
     )
-    range: Interval | None = Field(
+    range: Annotated[Interval | None, _MOVED] = Field(
         None, description="[low, high] of the drive's value; else all that it reaches from its start, short of toggles"
     )
-    stops: Interval | None = Field(
+    stops: Annotated[Interval | None, Quantity(_of_stops)] = Field(
         None,
         description="[low, high] of the driving joint since the zero pose, as the tool counts it, in place of range",
     )

@@ -16,6 +16,7 @@ from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Frozen
 from linkwright.model.parts import freeze
 from linkwright.model.quantities import LARGEST, Quantities
+from linkwright.model.typed_fields import Context, Quantity
 from linkwright.model.unknown import near
 from linkwright.model.written import Shortened
 from linkwright.studies.accuracy.allocated import Allocation
@@ -23,6 +24,7 @@ from linkwright.studies.accuracy.allocation import allocate
 from linkwright.studies.accuracy.allocation_problem import Demand, Item, Problem
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.costs import AnyCost, Processes, Stepped
+from linkwright.studies.accuracy.outputs import OutputName, of_output
 from linkwright.tolerances import NoTolerance, tolerance_class
 
 Array = NDArray[np.float64]
@@ -47,15 +49,21 @@ class Wanted(Shortened):
     method: Method | None = Field(None, description="rss or worst, instead of that of all")
 
 
+def _of_contributor(c: Context) -> str | u.Dimension:
+    """The dimension of the parameter or the change of temperature by whose name something stands."""
+    name = str(c.path[4])
+    return name if name in c.mechanism.parameters else u.PURE
+
+
 class Allocate(Frozen):
     """The cheapest tolerances for a wanted accuracy."""
 
-    targets: Annotated[dict[str, Wanted], freeze] = Field(
+    targets: Annotated[dict[OutputName, Wanted], of_output(4), freeze] = Field(
         min_length=1, max_length=100, description="by output, the half-width that is wanted"
     )
     method: Method = Field("rss", description="rss: the target is so many sigmas; worst: the linear worst case")
     sigmas: float = Field(3.0, gt=0, le=100, description="how many sigmas of an output its target means, with rss")
-    costs: Annotated[dict[str, AnyCost], freeze] = Field(
+    costs: Annotated[dict[str, AnyCost], Quantity(_of_contributor), freeze] = Field(
         min_length=1, max_length=1000, description="by parameter, its cost law; others keep their tolerances"
     )
     grades: bool = Field(False, description="round to standard grades (ISO 286); a cost table means it anyway")

@@ -29,6 +29,7 @@ from linkwright.studies.accuracy.calibration import Fit, Measurements, TooFew, U
 from linkwright.studies.accuracy.chained import derivatives, derived
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.accuracy.measured import PATH, Column, Sheet, check_sigmas, read, read_file, sigmas, times
+from linkwright.studies.accuracy.outputs import OutputName, of_output
 
 Array = NDArray[np.float64]
 
@@ -42,14 +43,14 @@ class Calibrate(Frozen):
     file: FileBeside | None = Field(
         None, description="a CSV file beside the model: columns t (or a drive's value) and outputs such as 'E.x [mm]'"
     )
-    points: tuple[Annotated[dict[str, Expression], freeze], ...] | None = Field(
+    points: tuple[Annotated[dict[OutputName, Expression], of_output(5), freeze], ...] | None = Field(
         None, min_length=1, max_length=10_000, description="the measurements themselves: [{t: 0.1 s, E.x: 712.3}, ...]"
     )
     at: Text | None = Field(None, description="the column that says where; by default t or a drive's value")
     parameters: tuple[Text, ...] | None = Field(
         None, min_length=1, max_length=1000, description="contributors to estimate; all by default"
     )
-    sigma: Annotated[dict[str, Expression], freeze] = Field(
+    sigma: Annotated[dict[OutputName, Expression], of_output(4), freeze] = Field(
         default_factory=FrozenDict,
         description="by output, the standard deviation of a measurement; else from the residuals",
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from typing import Annotated
 
 from pydantic import Field
 
@@ -16,6 +17,7 @@ from linkwright.model.fields import Expression, Name
 from linkwright.model.pins import Pin
 from linkwright.model.places import Path
 from linkwright.model.quantities import LARGEST
+from linkwright.model.typed_fields import Quantity
 from linkwright.model.units import LENGTH
 from linkwright.model.unknown import near, proposed
 from linkwright.model.written import Shortened
@@ -28,10 +30,12 @@ class Clearance(Shortened):
     main = "clearance"
     alone = "the clearance alone"
 
-    clearance: Expression = Field(
+    clearance: Annotated[Expression, Quantity(LENGTH)] = Field(
         description="of a pin: radial, half the difference of the diameters; of a guide: half the whole play across it"
     )
-    length: Expression | None = Field(None, description="of a guide: the distance of its two ends, where it bears")
+    length: Annotated[Expression | None, Quantity(LENGTH)] = Field(
+        None, description="of a guide: the distance of its two ends, where it bears"
+    )
     centre: Name | None = Field(
         None, description="of a guide: the point in the middle of its length; the second line's point by default"
     )

@@ -11,6 +11,8 @@ from linkwright.model.fields import FrozenDict, Text
 from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import freeze
 from linkwright.model.tolerances import ClassName, DistributionName
+from linkwright.model.typed_fields import Quantity
+from linkwright.model.units import PURE, TIME
 from linkwright.studies.accuracy.allocate import Allocate
 from linkwright.studies.accuracy.calibrate import Calibrate
 from linkwright.studies.accuracy.clearance_options import Clearance
@@ -27,7 +29,7 @@ class AccuracyOptions(Sampling):
     study = "accuracy"
 
     # Where it is looked.
-    positions: Annotated[dict[NameField, Text], freeze] = Field(
+    positions: Annotated[dict[NameField, Annotated[Text, Quantity(TIME)]], freeze] = Field(
         default_factory=FrozenDict,
         description="named positions at which signals are looked at: 'max E.x', 'end of WINDOW', a time",
         examples=[{"far": "max E.x", "out": "end of feed", "grip": "0.2 s"}],
@@ -45,7 +47,7 @@ class AccuracyOptions(Sampling):
     correlations: tuple[Correlation, ...] = Field(
         (), max_length=1000, description="deviations that go together, with their correlation coefficients"
     )
-    thermal: Annotated[dict[Text, Thermal], freeze] = Field(
+    thermal: Annotated[dict[Text, Thermal], Quantity(PURE), freeze] = Field(
         default_factory=FrozenDict, max_length=100, description="changes of temperature by name"
     )
 

@@ -11,13 +11,12 @@ from numpy.typing import NDArray
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
-from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression
-from linkwright.model.quantities import LARGEST
 from linkwright.model.tolerances import Spread, stated
 from linkwright.model.units import Dimension
 from linkwright.studies.accuracy.chained import derived
 from linkwright.studies.accuracy.options import AccuracyOptions
+from linkwright.studies.numbers import constant
 from linkwright.tolerances import DISTRIBUTIONS, Deviation, Limits
 
 Array = NDArray[np.float64]
@@ -62,15 +61,9 @@ class Reader:
 
     def value(self, expression: Expression, dimension: Dimension, path: Path) -> float | None:
         """The value of an expression of the study, ``None`` with a finding where it has none."""
-        try:
-            value = self.quantities.value(expression, dimension)
-        except DimensionError as error:
-            self.wrong(error.key, path, **self.quantities.spelt(error.data))
-            return None
-        if abs(value) < LARGEST:
-            return value
-        self.wrong("value.not-finite", path, text=expression.text[:60])
-        return None
+        value, faults = constant(self.quantities, expression, dimension, path)
+        self.findings += faults
+        return value
 
     def spread(
         self, path: Path, entry: Spread, default: str, limits: Limits, dimension: Dimension

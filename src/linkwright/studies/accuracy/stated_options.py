@@ -11,6 +11,8 @@ from linkwright.model.fields import Expression, Frozen, Text
 from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import Interval
 from linkwright.model.tolerances import Spread
+from linkwright.model.typed_fields import Quantity
+from linkwright.model.units import PURE
 from linkwright.model.written import Fault, unexpected
 
 
@@ -40,9 +42,13 @@ class Correlation(Frozen):
 class Thermal(Spread):
     """A change of temperature, by which lengths expand together."""
 
-    change: Interval = Field(description="[least, largest] change from the temperature of the nominal lengths, in K")
+    change: Annotated[Interval, Quantity(PURE)] = Field(
+        description="[least, largest] change from the temperature of the nominal lengths, in K"
+    )
     material: Text | None = Field(None, description="the material by name, whose expansion is known")
-    expansion: Expression | None = Field(None, description="coefficient of linear expansion in 1e-6/K, instead")
+    expansion: Annotated[Expression | None, Quantity(PURE)] = Field(
+        None, description="coefficient of linear expansion in 1e-6/K, instead"
+    )
     parameters: tuple[NameField, ...] | None = Field(
         None, min_length=1, max_length=1000, description="the lengths that expand; all that aren't derived by default"
     )

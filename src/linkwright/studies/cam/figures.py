@@ -39,6 +39,29 @@ def every(turns: bool) -> dict[str, u.Dimension]:
     return FIGURES | closed_by("conjugate", turns) | closed_by("yoke", turns)
 
 
+def along_lift(turns: bool) -> tuple[u.Dimension, u.Dimension, u.Dimension]:
+    """What inertia, rate and load along the lift are."""
+    return (u.INERTIA, u.TORSIONAL_STIFFNESS, u.TORQUE) if turns else (u.MASS, u.STIFFNESS, u.FORCE)
+
+
+def of_forces(turns: bool) -> dict[str, u.Dimension]:
+    """The figures of forces by name, with their dimensions."""
+    _, rate, load = along_lift(turns)
+    return {
+        "contact_force_min": u.FORCE,
+        "contact_force_max": u.FORCE,
+        "shaft_torque_max": u.TORQUE,
+        "hertz_pressure_max": u.PRESSURE,
+        "roller_speed_max": u.OMEGA,
+        "lift_off_speed": u.OMEGA,
+        "spring_preload_min": load,
+        "spring_rate_min": rate,
+        "second_contact_force_max": u.FORCE,
+        "second_hertz_pressure_max": u.PRESSURE,
+        "second_roller_speed_max": u.OMEGA,
+    }
+
+
 @dataclass(frozen=True)
 class Figure:
     """A figure (SI) and the cam angle (rad) at which it is taken; ``wanted`` are the least and the largest value that

@@ -8,7 +8,8 @@ from linkwright.cam.checks import Check
 from linkwright.cam.contact import NoContact
 from linkwright.findings import Finding, Term
 from linkwright.model import units as u
-from linkwright.studies.cam.force_numbers import AT, known
+from linkwright.studies.cam.figures import of_forces
+from linkwright.studies.cam.force_numbers import AT
 from linkwright.studies.cam.forces import pressed
 
 if TYPE_CHECKING:
@@ -27,7 +28,7 @@ def press(outcome: CamOutcome) -> None:
         return
     try:
         done = pressed(outcome.disc, asked)
-        outcome.add(done.figures(), known(outcome.disc))
+        outcome.add(done.figures(), of_forces(outcome.disc.follower.turns))
     except NoContact as error:
         if error.key == "cam.undercut":
             return  # of a groove's outer flank, which its check tells
@@ -45,7 +46,7 @@ def _lifts(outcome: CamOutcome) -> Finding:
     done = outcome.pressed
     assert done is not None
     assert done.preload is not None
-    figures, least, need = known(outcome.disc), done.least, done.preload
+    figures, least, need = of_forces(outcome.disc.follower.turns), done.least, done.preload
     rate = Term("no-rate")
     if done.rate is not None:
         rate = Term("or-rate", rate=_told(outcome, UP * done.rate.value, figures["spring_rate_min"]))

@@ -14,12 +14,13 @@ from linkwright.findings import Finding
 from linkwright.graph.cams import followings
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
+from linkwright.studies.cam.figures import along_lift, of_forces
 from linkwright.studies.cam.force_options import CamForces, CamMaterial
 from linkwright.studies.cam.stated_load import stated_load
 
 AT = ("studies", "cam", "forces")
 Number = Callable[..., float]
-"""Reads a constant: its expression, dimension and path; ``least`` and ``zero`` say what is let be."""
+"""Reads the constant at a path within the options of the study."""
 HARDEST = 0.5
 """Poisson's ratio of what keeps its volume."""
 
@@ -50,25 +51,23 @@ class Asked:
 def read(compiled: Compiled, name: str, disc: Disc, o: CamForces, number: Number) -> tuple[Asked, list[Finding]]:
     """All numbers, with NaN for those that are wrong; what ``number`` has no findings for."""
     found: list[Finding] = []
-    inertia, rate, load = along(disc)
+    load = along_lift(disc.follower.turns)[2]
     omega = _speed(compiled, name, o, number, found)
     low, high = 0.0, omega
     if o.speeds is not None:
-        low, high = (number(end, u.OMEGA, "forces", "speeds", i, zero=True) for i, end in enumerate(o.speeds))
+        low, high = (number("forces", "speeds", i) for i in range(2))
         if low > high:
             data = {"low": o.speeds[0].text[:60], "high": o.speeds[1].text[:60]}
             found.append(Finding("value.not-rising", (*AT, "speeds"), data))
     spring = o.spring
     stated: dict[str, float | None] = dict.fromkeys(("rate", "preload"), 0.0 if spring is None else None)
-    for key, dimension in (("rate", rate), ("preload", load)):
-        if spring is not None and (of := getattr(spring, key)) is not None:
-            stated[key] = number(of, dimension, "forces", "spring", key, zero=True)
-    process, wrong = stated_load(
-        compiled, disc, o.load, load, (*AT, "load"), lambda: number(o.load, load, "forces", "load", least=None)
-    )
+    for key in ("rate", "preload"):
+        if spring is not None and getattr(spring, key) is not None:
+            stated[key] = number("forces", "spring", key)
+    process, wrong = stated_load(compiled, disc, o.load, load, (*AT, "load"), lambda: number("forces", "load"))
     found += wrong
     loads = Loads(
-        number(o.inertia, inertia, "forces", "inertia", zero=True),
+        number("forces", "inertia"),
         stated["rate"] or 0.0,
         stated["preload"] or 0.0,
         process.load,
@@ -86,39 +85,15 @@ def read(compiled: Compiled, name: str, disc: Disc, o: CamForces, number: Number
         (min(low, omega), max(high, omega)),
         stated["rate"],
         stated["preload"],
-        number(o.contact, u.FORCE, "forces", "contact", zero=True),
-        None if o.width is None else number(o.width, u.LENGTH, "forces", "width"),
+        number("forces", "contact"),
+        None if o.width is None else number("forces", "width"),
         materials[0],
         materials[1],
-        None if limits.hertz is None else number(limits.hertz, u.PRESSURE, "forces", "limits", "hertz"),
-        None if limits.torque is None else number(limits.torque, u.TORQUE, "forces", "limits", "torque"),
+        None if limits.hertz is None else number("forces", "limits", "hertz"),
+        None if limits.torque is None else number("forces", "limits", "torque"),
         sprung="spring_preload_min" in given(compiled, name, disc, o),
     )
     return asked, found
-
-
-def along(disc: Disc) -> tuple[u.Dimension, u.Dimension, u.Dimension]:
-    """What inertia, rate and load along the lift are."""
-    turning = (u.INERTIA, u.TORSIONAL_STIFFNESS, u.TORQUE)
-    return turning if disc.follower.turns else (u.MASS, u.STIFFNESS, u.FORCE)
-
-
-def known(disc: Disc) -> dict[str, u.Dimension]:
-    """The figures of forces by name, with their dimensions."""
-    _, rate, load = along(disc)
-    return {
-        "contact_force_min": u.FORCE,
-        "contact_force_max": u.FORCE,
-        "shaft_torque_max": u.TORQUE,
-        "hertz_pressure_max": u.PRESSURE,
-        "roller_speed_max": u.OMEGA,
-        "lift_off_speed": u.OMEGA,
-        "spring_preload_min": load,
-        "spring_rate_min": rate,
-        "second_contact_force_max": u.FORCE,
-        "second_hertz_pressure_max": u.PRESSURE,
-        "second_roller_speed_max": u.OMEGA,
-    }
 
 
 def given(compiled: Compiled, name: str, disc: Disc, o: CamForces | None) -> set[str]:
@@ -133,13 +108,13 @@ def given(compiled: Compiled, name: str, disc: Disc, o: CamForces | None) -> set
         missing |= {"second_contact_force_max", "second_hertz_pressure_max", "second_roller_speed_max"}
     if closed != "force" and o.spring is None:
         missing |= {"lift_off_speed", "spring_preload_min", "spring_rate_min"}
-    return known(disc).keys() - missing
+    return of_forces(disc.follower.turns).keys() - missing
 
 
 def _speed(compiled: Compiled, name: str, o: CamForces, number: Number, found: list[Finding]) -> float:
     """That of the cam, rad/s, without its sign."""
     if o.speed is not None:
-        return abs(number(o.speed, u.OMEGA, "forces", "speed"))
+        return abs(number("forces", "speed"))
     motor = followings(compiled.quantities)[name].motor
     stated = compiled.mechanism.drives[motor].speed
     speed = 0.0 if stated is None else abs(compiled.quantities.value(stated, u.OMEGA))
@@ -152,8 +127,8 @@ def _speed(compiled: Compiled, name: str, o: CamForces, number: Number, found: l
 def _material(o: CamMaterial | None, key: str, number: Number, found: list[Finding]) -> Material:
     if o is None:
         return STEEL
-    modulus = number(o.modulus, u.PRESSURE, "forces", key, "modulus")
-    poisson = number(o.poisson, u.PURE, "forces", key, "poisson", zero=True)
+    modulus = number("forces", key, "modulus")
+    poisson = number("forces", key, "poisson")
     if poisson > HARDEST:
         found.append(Finding("cam.poisson", (*AT, key, "poisson"), {"text": o.poisson.text[:60]}))
     return Material(modulus, poisson)

@@ -16,15 +16,14 @@ from linkwright.cam.nc.posts import POSTS
 from linkwright.cam.solid import Blank
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
-from linkwright.model.dimensions import DimensionError
-from linkwright.model.fields import Expression
-from linkwright.model.quantities import LARGEST
+from linkwright.model.typed_fields import Context, Sign
 from linkwright.model.unknown import unknown
-from linkwright.studies.cam.figures import FIGURES, OF_FACE, OF_ROLLER, SECOND, Range, closed_by, every
-from linkwright.studies.cam.force_numbers import Asked, given, known, read
+from linkwright.model.walk import Site, sites
+from linkwright.studies.cam.figures import FIGURES, OF_FACE, OF_ROLLER, SECOND, Range, closed_by, every, of_forces
+from linkwright.studies.cam.force_numbers import Asked, given, read
 from linkwright.studies.cam.milled import as_finding
-from linkwright.studies.cam.options import PATH, CamNc, CamOptions
+from linkwright.studies.cam.options import PATH, CamOptions
+from linkwright.studies.numbers import constant
 
 MM, MINUTE = 1e3, 60.0
 QUARTER = 0.25
@@ -63,14 +62,18 @@ class Reader:
     closing: Closing | None = None
     findings: list[Finding] = field(default_factory=list)
 
+    def __post_init__(self) -> None:
+        stated = sites(self.options, Context(self.compiled.mechanism, PATH))
+        self.sites = {site.path[len(PATH) :]: site for site in stated}
+
     def read(self) -> Stated:
         """All numbers, with NaN for those that are wrong."""
         o, job = self.options, self._job()
         return Stated(
             self._limits(None if job is None else job.cutter / MM),
-            self._number(o.tolerance, u.LENGTH, "tolerance"),
-            self._number(o.period, u.TIME, "period"),
-            self._range(o.size.base, "size", "base") if o.size else None,
+            self._number("tolerance"),
+            self._number("period"),
+            self._range("size", "base") if o.size else None,
             self._against(),
             self._blank(),
             job,
@@ -91,64 +94,65 @@ class Reader:
         if play is not None and self.closed != "yoke":
             data = {"keys": "limits: play, closed: yoke"}
             self.findings.append(Finding("cam.together", (*PATH, "limits", "play"), data))
-        return None if play is None else self._number(play, u.LENGTH, "limits", "play", zero=True)
+        return None if play is None else self._number("limits", "play")
 
     @property
     def closed(self) -> str:
         """What keeps the follower on, as the file says."""
         return self.compiled.mechanism.cams[self.name].closed
 
-    def _number(
-        self, of: Expression, dimension: u.Dimension, *path: str | int, least: float | None = 0.0, zero: bool = False
-    ) -> float:
-        """A constant, positive unless ``zero`` is let be or ``least`` is ``None``; NaN with a finding else."""
-        at = (*PATH, *path)
-        try:
-            value = self.compiled.quantities.value(of, dimension)
-        except DimensionError as error:
-            self.findings.append(Finding(error.key, at, self.compiled.quantities.spelt(error.data)))
-            return math.nan
-        if not abs(value) < LARGEST:
-            self.findings.append(Finding("value.not-finite", at, {"text": of.text[:60]}))
-        elif least is not None and not (value >= 0 if zero else value > 0):
-            key = next(name for name in reversed(path) if isinstance(name, str))
-            data = {"key": key, "text": of.text[:60], "least": Term("cam-zero" if zero else "cam-positive")}
-            self.findings.append(Finding("cam.not-positive", at, data))
-        else:
-            return value
-        return math.nan
+    def _number(self, *path: str | int) -> float:
+        """The constant at a place of the options; NaN with a finding where it is none or has the wrong sign."""
+        site, index = self.sites.get(path), 0
+        if site is None:  # an end of an interval
+            site, index = self.sites[path[:-1]], int(path[-1])
+        return self._value(site, index, path)
 
-    def _maybe(self, of: Expression | None, dimension: u.Dimension, *path: str) -> float | None:
-        return None if of is None else self._number(of, dimension, *path)
+    def _value(self, site: Site, index: int, path: tuple[str | int, ...]) -> float:
+        (expression, of), at, quantities = site.parts[index], (*PATH, *path), self.compiled.quantities
+        wanted, sign = of.dimension_at(site.context), of.sign_at(site.context)
+        assert wanted is not None
+        value, found = constant(quantities, expression, quantities.dimensions.resolve(wanted), at)
+        self.findings += found
+        if value is None:
+            return math.nan
+        if (sign is Sign.POSITIVE and value <= 0) or (sign is Sign.NOT_NEGATIVE and value < 0):
+            key = next(name for name in reversed(path) if isinstance(name, str))
+            least = Term("cam-zero" if sign is Sign.NOT_NEGATIVE else "cam-positive")
+            data = {"key": key, "text": expression.text[:60], "least": least}
+            self.findings.append(Finding("cam.not-positive", at, data))
+            return math.nan
+        return value
+
+    def _maybe(self, *path: str) -> float | None:
+        return self._number(*path) if path in self.sites else None
 
     def _limits(self, cutter: float | None) -> Limits:
-        o = self.options.limits
-        stated = self._maybe(o.cutter, u.LENGTH, "limits", "cutter")
+        stated = self._maybe("limits", "cutter")
         return Limits(
-            self._maybe(o.pressure_rise, u.ANGLE, "limits", "pressure_rise"),
-            self._maybe(o.pressure_return, u.ANGLE, "limits", "pressure_return"),
-            self._maybe(o.pitch_over_roller, u.PURE, "limits", "pitch_over_roller"),
-            self._maybe(o.profile_radius, u.LENGTH, "limits", "profile_radius"),
+            self._maybe("limits", "pressure_rise"),
+            self._maybe("limits", "pressure_return"),
+            self._maybe("limits", "pitch_over_roller"),
+            self._maybe("limits", "profile_radius"),
             cutter if stated is None else stated,
             groove=self.closed == "groove",
         )
 
-    def _range(self, of: tuple[Expression, Expression], *path: str, least: float | None = 0.0) -> Range:
-        low, high = (self._number(end, u.LENGTH, *path, i, least=least) for i, end in enumerate(of))
+    def _range(self, *path: str) -> Range:
+        low, high = (self._number(*path, i) for i in range(2))
         if low >= high:
-            data = {"low": of[0].text[:60], "high": of[1].text[:60]}
-            self.findings.append(Finding("value.not-rising", (*PATH, *path), data))
+            texts = [expression.text[:60] for expression, _ in self.sites[path].parts]
+            self.findings.append(Finding("value.not-rising", (*PATH, *path), {"low": texts[0], "high": texts[1]}))
         return low, high
 
     def _against(self) -> tuple[str, float, float] | None:
         size = self.options.size
-        for name, ends in size.against.items() if size else ():
+        for name in size.against if size else ():
             known = [key for key in vars(self.disc.follower) if key != "base"]
             if name not in known:
                 self.findings.append(unknown("length", (*PATH, "size", "against", name), name, known))
                 continue
-            signed = name in ("offset", "face")
-            return (name, *self._range(ends, "size", "against", name, least=None if signed else 0.0))
+            return (name, *self._range("size", "against", name))
         return None
 
     def _blank(self) -> Blank | None:
@@ -157,9 +161,9 @@ class Reader:
             return None
 
         keys = ("thickness", "bore", "hub", "height", "key_width", "key_depth", "radius", "groove")
-        stated = {key: of for key in keys if (of := getattr(b, key)) is not None}
-        lengths = {key: MM * self._number(of, u.LENGTH, "blank", key) for key, of in stated.items()}
-        turned = self._number(b.key_angle, u.ANGLE, "blank", "key_angle", least=None)
+        stated = [key for key in keys if getattr(b, key) is not None]
+        lengths = {key: MM * self._number("blank", key) for key in stated}
+        turned = self._number("blank", "key_angle")
         made = Blank(**lengths, key_angle=turned)
         if made.bore and made.key_width >= 2 * made.bore:
             self.findings.append(Finding("cam.keyway", (*PATH, "blank", "key_width")))
@@ -176,39 +180,34 @@ class Reader:
         if o is None:
             return None
 
-        def length(key: str, zero: bool = False) -> float:
-            return MM * self._number(getattr(o, key), u.LENGTH, "nc", key, zero=zero)
+        def length(key: str) -> float:
+            return MM * self._number("nc", key)
 
         before = len(self.findings)
-        depth, feed = length("depth"), self._feed(o, "feed")
+        depth, feed = length("depth"), self._feed("feed")
         step = depth if o.step is None else length("step")
         if depth > MOST_PASSES * step:
             data = {"count": f"{math.ceil(depth / step):.6g}", "most": MOST_PASSES}
             self.findings.append(Finding("cam.passes", (*PATH, "nc", "step"), data))
-        lift = u.ANGLE if self.disc.follower.turns else u.LENGTH
-        start = (
-            middle_of_dwell(self.disc)
-            if o.start is None
-            else self._number(o.start, u.ANGLE, "nc", "start", least=None) % (2 * math.pi)
-        )
+        start = middle_of_dwell(self.disc) if o.start is None else self._number("nc", "start") % (2 * math.pi)
         job = Job(
             cutter=length("cutter"),
             depth=depth,
-            tolerance=self._number(o.tolerance, lift, "nc", "tolerance"),
+            tolerance=self._number("nc", "tolerance"),
             step=step,
             feed=feed,
-            plunge=QUARTER * feed if o.plunge is None else self._feed(o, "plunge"),
-            speed=30 / math.pi * self._number(o.speed, u.OMEGA, "nc", "speed"),
+            plunge=QUARTER * feed if o.plunge is None else self._feed("plunge"),
+            speed=30 / math.pi * self._number("nc", "speed"),
             start=start,
             blend=length("blend"),
-            allowance=length("allowance", zero=True),
+            allowance=length("allowance"),
             spring=o.spring,
             climb=o.climb,
             compensation=o.compensation,
             arcs=o.arcs,
             decimals=o.decimals,
             lead=length("lead"),
-            overlap=length("overlap", zero=True),
+            overlap=length("overlap"),
             clear=length("clear"),
             tool=o.tool,
             number=o.number,
@@ -224,13 +223,13 @@ class Reader:
         told = [as_finding(fault) for post in posts for fault in faults(self.disc, job, POSTS[post])]
         return (one for i, one in enumerate(told) if one.code not in CAM_ITSELF and one not in told[:i])
 
-    def _feed(self, o: CamNc, key: str) -> float:
-        return MM * MINUTE * self._number(getattr(o, key), u.SPEED, "nc", key)
+    def _feed(self, key: str) -> float:
+        return MM * MINUTE * self._number("nc", key)
 
     def _required(self) -> list[tuple[str, Range]]:
         made = []
         turns = self.disc.follower.turns
-        figures = every(turns) | known(self.disc)
+        figures = every(turns) | of_forces(turns)
         there = FIGURES.keys() | closed_by(self.closed, turns)
         there |= given(self.compiled, self.name, self.disc, self.options.forces)
         absent = OF_ROLLER if self.disc.follower.faced else OF_FACE
@@ -242,11 +241,10 @@ class Reader:
             if name not in there:
                 self.findings.append(Finding("cam.no-figure", (*PATH, "require", name), {"name": name}))
                 continue
-            low, high = (
-                end if bound is None else self._number(bound, figures[name], "require", name, least=None)
-                for bound, end in ((requirement.low, -math.inf), (requirement.high, math.inf))
-            )
-            made.append((name, (low, high)))
+            site = self.sites["require", name]
+            ends = [self._value(site, i, ("require", name)) for i in range(len(site.parts))]
+            low = -math.inf if requirement.low is None else ends[0]
+            made.append((name, (low, math.inf if requirement.high is None else ends[-1])))
         return made
 
 

@@ -21,18 +21,17 @@ from linkwright.laws import TableLaw
 from linkwright.model import units as u
 from linkwright.model.dimensions import DimensionError, argument
 from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, evaluate, nodes
-from linkwright.model.fields import Expression, FrozenDict
+from linkwright.model.fields import Expression
 from linkwright.model.names import Names
 from linkwright.model.places import Place, Scope
 from linkwright.model.quantities import LARGEST
 from linkwright.notation import Jet
 from linkwright.results.breaks import joins, knots, switches
 from linkwright.results.stationary import crossings
+from linkwright.studies.cam.force_options import ANGLE, LIFT, load_names
 
 Array = NDArray[np.float64]
 
-ANGLE, LIFT = "angle", "lift"
-"""What a load may name besides parameters: the angle of the cam in its law, and the value of the law."""
 NEAR = 1e-9
 """Joins (rad) that are nearer to each other are one."""
 MOST = 256
@@ -88,8 +87,7 @@ def _varies(node: Node) -> bool:
 class _Reader:
     def __init__(self, compiled: Compiled, disc: Disc, at: tuple[str | int, ...]) -> None:
         self.compiled, self.disc, self.at = compiled, disc, at
-        lift = u.ANGLE if disc.follower.turns else u.LENGTH
-        self.names: Mapping[str, u.Dimension] = FrozenDict({ANGLE: u.ANGLE, LIFT: lift})
+        self.names = load_names(disc.follower.turns)
 
     def unfit(self, of: Expression, dimension: u.Dimension) -> list[Finding]:
         """Names that aren't known or can't stand here."""

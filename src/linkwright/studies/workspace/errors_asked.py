@@ -4,8 +4,8 @@ if there is one."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, ClassVar, Self
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Annotated, ClassVar, Self
 
 from pydantic import Field, PrivateAttr, ValidationError, ValidationInfo, model_validator
 
@@ -13,6 +13,8 @@ from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.fields import Expression, Text
+from linkwright.model.mechanism import Mechanism
+from linkwright.model.typed_fields import Quantity
 from linkwright.model.unknown import unknown
 from linkwright.studies.accuracy.clearance import PATH as CLEARANCES
 from linkwright.studies.accuracy.clearance_options import check_clearances
@@ -36,7 +38,9 @@ class ErrorsOptions(MapsAsked):
 
     section: ClassVar[str] = "errors"
 
-    limit: Expression | None = Field(None, description="the error up to which a place counts as precise")
+    limit: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(
+        None, description="the error up to which a place counts as precise"
+    )
     contributors: tuple[Text, ...] | None = Field(
         None,
         min_length=1,
@@ -60,6 +64,9 @@ class ErrorsOptions(MapsAsked):
     def stated(self) -> AccuracyOptions | None:
         """What the file says of deviations and clearances, ``None`` where that is wrong."""
         return self._stated
+
+    def kinds_in(self, mechanism: Mechanism) -> Mapping[str, u.Dimension]:
+        return KINDS
 
     def check(self, compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
         """What is wrong with what deviates, the limit, the maps' names."""

@@ -13,9 +13,12 @@ from linkwright.model import units as u
 from linkwright.model.fields import Expression, Frozen
 from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import Vector, freeze
+from linkwright.model.typed_fields import Context, Quantity, Sign
+from linkwright.model.walk import Place, sites
 from linkwright.model.written import Fault
 from linkwright.studies.asked import one_of
-from linkwright.studies.workspace.path_options import constant, positive
+from linkwright.studies.numbers import constant
+from linkwright.studies.workspace.path_options import positive
 from linkwright.studies.workspace.wanted import Path_
 
 if TYPE_CHECKING:
@@ -32,12 +35,22 @@ Largest = one_of("workspace", "largest", ["circle", "rectangle"])
 class RequiredFit(Frozen):
     """A circle or rectangle that has to fit into a region; or the largest one is looked for."""
 
-    circle: Expression | None = Field(None, description="radius of a circle that has to fit")
-    rectangle: Vector | None = Field(None, description="[width, height] of a rectangle that has to fit")
+    circle: Annotated[Expression | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
+        None, description="radius of a circle that has to fit"
+    )
+    rectangle: Annotated[Vector | None, Quantity(u.LENGTH, Sign.POSITIVE)] = Field(
+        None, description="[width, height] of a rectangle that has to fit"
+    )
     largest: Largest | None = Field(None, description="look for the largest: circle or rectangle")  # type: ignore[valid-type]
-    centre: Vector | None = Field(None, description="[x, y] of the figure; else the best place is found")
-    angle: Expression | None = Field(None, description="of the rectangle's width to the x axis; 0 by default")
-    aspect: Expression | None = Field(None, description="width over height of the largest rectangle; 1 by default")
+    centre: Annotated[Vector | None, Quantity(u.LENGTH)] = Field(
+        None, description="[x, y] of the figure; else the best place is found"
+    )
+    angle: Annotated[Expression | None, Quantity(u.ANGLE)] = Field(
+        None, description="of the rectangle's width to the x axis; 0 by default"
+    )
+    aspect: Annotated[Expression | None, Quantity(u.PURE, Sign.POSITIVE)] = Field(
+        None, description="width over height of the largest rectangle; 1 by default"
+    )
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
@@ -53,13 +66,10 @@ class RequiredFit(Frozen):
             if kinds and key in given and not fitting:
                 yield "workspace.path-key", {"key": key, "of": of}
 
-    def placed(self, compiled: Compiled) -> Iterator[tuple[str, Expression, Any, bool]]:
-        """What it states: key, expression, dimension, whether it must be positive."""
-        yield from (("circle", self.circle, u.LENGTH, True),) if self.circle else ()
-        yield from (("rectangle", side, u.LENGTH, True) for side in self.rectangle or ())
-        yield from (("centre", place, u.LENGTH, False) for place in self.centre or ())
-        yield from (("angle", self.angle, u.ANGLE, False),) if self.angle else ()
-        yield from (("aspect", self.aspect, u.PURE, True),) if self.aspect else ()
+    def stated(self, compiled: Compiled, name: str) -> Iterator[tuple[Place, Sign]]:
+        """The numbers of the figure of this name, each with the sign that it must have."""
+        for site in sites(self, Context(compiled.mechanism, (*PATH, name))):
+            yield from ((place, site.parts[0][1].sign_at(site.context)) for place in site.places())
 
 
 class RequiredFits(RootModel[Annotated[dict[NameField, RequiredFit], freeze, Field(min_length=1, max_length=MOST)]]):
@@ -73,10 +83,9 @@ class RequiredFits(RootModel[Annotated[dict[NameField, RequiredFit], freeze, Fie
             yield Finding("workspace.section-drives", PATH, {"count": len(compiled.graph.drives)})
             return
         for name, figure in self.root.items():
-            for key, expression, dimension, over in figure.placed(compiled):
-                at = (*PATH, name, key)
-                yield from (
-                    positive(compiled, expression, dimension, at)
-                    if over
-                    else constant(compiled, expression, dimension, at)[1]
-                )
+            for place, sign in figure.stated(compiled, name):
+                dimension = compiled.quantities.dimensions.resolve(place.wanted)
+                if sign is Sign.POSITIVE:
+                    yield from positive(compiled, place.expression, dimension, place.path)
+                else:
+                    yield from constant(compiled.quantities, place.expression, dimension, place.path)[1]

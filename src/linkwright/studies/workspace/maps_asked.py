@@ -9,13 +9,20 @@ from pydantic import Field
 
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Frozen, FrozenDict, Text
+from linkwright.model.mechanism import Mechanism
 from linkwright.model.parts import freeze
-from linkwright.model.quantities import LARGEST
+from linkwright.model.typed_fields import Context, Quantity
 from linkwright.model.units import Dimension
+from linkwright.studies.numbers import constant
 
 Path = tuple[str | int, ...]
+
+
+def _of_map(c: Context) -> Dimension | None:
+    """The dimension of the map by whose name a value stands."""
+    known: Mapping[str, Dimension] = c.entry.kinds_in(c.mechanism)
+    return known.get(str(c.path[4]))
 
 
 class MapsAsked(Frozen):
@@ -25,13 +32,17 @@ class MapsAsked(Frozen):
 
     steps: int = Field(200, ge=10, le=2000, description="equal steps of each drive's range")
     show: tuple[Text, ...] | None = Field(None, max_length=20, description="the maps of which there are pictures")
-    levels: Annotated[dict[Text, Annotated[tuple[Expression, ...], Field(min_length=1, max_length=20)]], freeze] = (
-        Field(
-            default_factory=FrozenDict,
-            description="values of a map at which its picture has lines; else round ones",
-            examples=[{"condition": [2, 5, 10]}],
-        )
+    levels: Annotated[
+        dict[Text, Annotated[tuple[Expression, ...], Field(min_length=1, max_length=20)]], Quantity(_of_map), freeze
+    ] = Field(
+        default_factory=FrozenDict,
+        description="values of a map at which its picture has lines; else round ones",
+        examples=[{"condition": [2, 5, 10]}],
     )
+
+    def kinds_in(self, mechanism: Mechanism) -> Mapping[str, Dimension]:
+        """The maps that there may be, with their dimensions."""
+        return {}
 
     @property
     def path(self) -> Path:
@@ -76,12 +87,8 @@ class MapsAsked(Frozen):
 
 def number(compiled: Compiled, expression: Expression, dimension: Dimension, path: Path) -> float | Finding:
     """The value of an expression, or what is wrong with it."""
-    quantities = compiled.quantities
-    try:
-        value = quantities.value(expression, dimension)
-    except DimensionError as error:
-        return Finding(error.key, path, quantities.spelt(error.data))
-    return value if abs(value) < LARGEST else Finding("value.not-finite", path, {"text": expression.text[:60]})
+    value, faults = constant(compiled.quantities, expression, dimension, path)
+    return faults[0] if value is None else value
 
 
 def positive(

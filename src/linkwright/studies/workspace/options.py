@@ -18,9 +18,12 @@ from linkwright.model.fields import Name as NameField
 from linkwright.model.followers import no_cams
 from linkwright.model.parts import Interval, freeze
 from linkwright.model.quantities import LARGEST
+from linkwright.model.typed_fields import of_drive, of_parameter
+from linkwright.model.units import ANGLE, LENGTH
 from linkwright.model.unknown import near, unknown
 from linkwright.structure import FRAME
 from linkwright.studies.asked import one_of
+from linkwright.studies.numbers import constant
 from linkwright.studies.ranges import stroke
 from linkwright.studies.workspace.errors_asked import ErrorsOptions
 from linkwright.studies.workspace.fit_options import RequiredFits
@@ -46,13 +49,13 @@ class WorkspaceOptions(Frozen):
 
     point: NameField = Field(description="the working point: any point of a moving link")
     modes: Which = Field("all", description="all assembly modes, or the file's own")  # type: ignore[valid-type]
-    for_: Annotated[dict[NameField, tuple[Expression, ...]], freeze] = Field(
+    for_: Annotated[dict[NameField, tuple[Expression, ...]], of_parameter(3), freeze] = Field(
         default_factory=FrozenDict,
         alias="for",
         description="values of parameters; each combination has a workspace of its own",
         examples=[{"alpha": [0, 60, 90]}],
     )
-    drives: Annotated[dict[NameField, Interval], freeze] = Field(
+    drives: Annotated[dict[NameField, Interval], of_drive(ANGLE, LENGTH), freeze] = Field(
         default_factory=FrozenDict,
         description="[low, high] of a drive's value; else a whole turn, or a cylinder's stroke",
     )
@@ -159,13 +162,7 @@ def _values(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
         if not values:
             yield Finding("workspace.no-values", path, {"name": name})
         for i, value in enumerate(values):
-            try:
-                number = quantities.value(value, quantities.dimensions.of(name))
-            except DimensionError as error:
-                yield Finding(error.key, (*path, i), quantities.spelt(error.data))
-                continue
-            if not abs(number) < LARGEST:
-                yield Finding("value.not-finite", (*path, i), {"text": value.text[:60]})
+            yield from constant(quantities, value, quantities.dimensions.of(name), (*path, i))[1]
     try:
         Varied(compiled, names)
     except ModelError as error:

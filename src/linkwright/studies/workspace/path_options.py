@@ -15,15 +15,15 @@ from linkwright.kernels import Compiled
 from linkwright.laws import DEGREES
 from linkwright.model import units as u
 from linkwright.model.actions import FileBeside
-from linkwright.model.dimensions import DimensionError
 from linkwright.model.expressions import ExpressionError, evaluate
 from linkwright.model.fields import Expression, Frozen, Text
 from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import Vector, freeze
-from linkwright.model.quantities import LARGEST
+from linkwright.model.typed_fields import Quantity, of_drive
 from linkwright.model.unknown import unknown
 from linkwright.model.written import Fault
 from linkwright.studies.asked import one_of
+from linkwright.studies.numbers import constant
 from linkwright.studies.workspace.wanted import PATH, Path_, Wanted, from_csv, from_dxf, from_formula, through
 
 if TYPE_CHECKING:
@@ -42,7 +42,9 @@ Pace = one_of("workspace", "timing", ["even", "rest"])
 class WantedPath(Frozen):
     """A path that the working point is wanted to follow, and how the drives shall move along it."""
 
-    points: tuple[Vector, ...] | None = Field(None, max_length=10_000, description="[x, y] of points that it passes")
+    points: Annotated[tuple[Vector, ...] | None, Quantity(u.LENGTH)] = Field(
+        None, max_length=10_000, description="[x, y] of points that it passes"
+    )
     file: FileBeside | None = Field(None, description="a CSV file beside the model with the columns 'x [mm]', 'y [mm]'")
     drawing: FileBeside | None = Field(None, description="a DXF drawing beside the model, in the file's length unit")
     layer: Text | None = Field(None, description="the drawing's layer that holds the path alone")
@@ -50,11 +52,15 @@ class WantedPath(Frozen):
     y: Expression | None = Field(None, description="with x: a formula in u")
     between: Between = Field("cubic", description="the curve between points: linear, cubic, quintic")  # type: ignore[valid-type]
     motor: NameField = Field(description="the drive that has constant speed; the other one is the servo")
-    speed: Expression | None = Field(None, description="the motor's constant speed, e.g. 30 rpm; negative: backwards")
-    duration: Expression | None = Field(None, description="instead of speed: both drives follow the path in this time")
+    speed: Annotated[Expression | None, of_drive(u.OMEGA, u.SPEED, lambda c: c.entry.motor)] = Field(
+        None, description="the motor's constant speed, e.g. 30 rpm; negative: backwards"
+    )
+    duration: Annotated[Expression | None, Quantity(u.TIME)] = Field(
+        None, description="instead of speed: both drives follow the path in this time"
+    )
     timing: Pace = Field("even", description="with duration: even, or from rest to rest")  # type: ignore[valid-type]
     never_reverse: bool = Field(False, description="whether the servo must never turn back")
-    tolerance: Expression | None = Field(
+    tolerance: Annotated[Expression | None, Quantity(u.LENGTH)] = Field(
         None,
         description="how far the point may be off in dead positions; 1e-6 of the largest link by default",
     )
@@ -91,7 +97,7 @@ def _check(compiled: Compiled, path: WantedPath, at: Path_) -> Iterator[Finding]
     if not known:
         yield unknown("drive", (*at, "motor"), path.motor, compiled.graph.drives)
     if path.speed is not None and known:
-        speed, faults = constant(compiled, path.speed, rate_of(compiled, path.motor), (*at, "speed"))
+        speed, faults = constant(compiled.quantities, path.speed, rate_of(compiled, path.motor), (*at, "speed"))
         yield from faults
         if speed == 0:
             yield Finding("workspace.path-still", (*at, "speed"))
@@ -103,7 +109,7 @@ def _check(compiled: Compiled, path: WantedPath, at: Path_) -> Iterator[Finding]
             fault
             for i, point in enumerate(path.points)
             for k, value in enumerate(point)
-            for fault in constant(compiled, value, u.LENGTH, (*at, "points", i, k))[1]
+            for fault in constant(compiled.quantities, value, u.LENGTH, (*at, "points", i, k))[1]
         ]
         yield from wrong
         if wrong:
@@ -119,22 +125,9 @@ def rate_of(compiled: Compiled, drive: str) -> u.Dimension:
     return u.OMEGA if compiled.mechanism.prescribed(drive).turns else u.SPEED
 
 
-def constant(
-    compiled: Compiled, expression: Expression, dimension: u.Dimension, at: Path_
-) -> tuple[float | None, list[Finding]]:
-    """A value in SI, or what is wrong with it."""
-    try:
-        value = compiled.quantities.value(expression, dimension)
-    except DimensionError as error:
-        return None, [Finding(error.key, at, compiled.quantities.spelt(error.data))]
-    if not abs(value) < LARGEST:
-        return None, [Finding("value.not-finite", at, {"text": expression.text[:60]})]
-    return value, []
-
-
 def positive(compiled: Compiled, expression: Expression, dimension: u.Dimension, at: Path_) -> list[Finding]:
     """What is wrong with a value that must be positive."""
-    value, faults = constant(compiled, expression, dimension, at)
+    value, faults = constant(compiled.quantities, expression, dimension, at)
     if value is not None and value <= 0:
         return [Finding("workspace.not-positive", at, {"key": str(at[-1]), "text": expression.text[:60]})]
     return faults

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.choice import choose
 from linkwright.model import units as u
+from linkwright.model.mechanism import Mechanism
 from linkwright.model.units import Dimension
 from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.maps import Maps, mapped
@@ -97,19 +98,22 @@ def loci(sheet: Sheet, segments: Sequence[Segments]) -> tuple[Locus, ...]:
 
 def kinds(compiled: Compiled, task: Task) -> dict[str, Dimension]:
     """The maps that there are for a task, and their dimensions."""
+    absent = set() if compiled.structure.groups else {"transmission"}
+    absent |= {"speed", "speed any way"} if task.speeds is None else set()
+    absent |= {"force", "force any way"} if task.efforts is None else set()
+    absent |= {f"effort {name}" for name in compiled.graph.drives} if task.force is None else set()
+    return {name: dimension for name, dimension in possible(compiled.mechanism).items() if name not in absent}
+
+
+def possible(mechanism: Mechanism) -> dict[str, Dimension]:
+    """The maps that there may be, whatever the task, and their dimensions."""
+    turning = {drive: bool(mechanism.prescribed(drive).turns) for drive in mechanism.drives}
     area = u.LENGTH.times(u.LENGTH)
-    for drive in compiled.graph.drives:
-        area = area if _turns(compiled, drive) else area.times(u.LENGTH, -1)
-    found = {"condition": u.PURE, "manipulability": area}
-    if compiled.structure.groups:
-        found["transmission"] = u.ANGLE
-    if task.speeds is not None:
-        found |= {"speed": u.SPEED, "speed any way": u.SPEED}
-    if task.efforts is not None:
-        found |= {"force": u.FORCE, "force any way": u.FORCE}
-    if task.force is not None:
-        found |= {f"effort {name}": u.TORQUE if _turns(compiled, name) else u.FORCE for name in compiled.graph.drives}
-    return found
+    for turns in turning.values():
+        area = area if turns else area.times(u.LENGTH, -1)
+    found = {"condition": u.PURE, "manipulability": area, "transmission": u.ANGLE}
+    found |= {"speed": u.SPEED, "speed any way": u.SPEED, "force": u.FORCE, "force any way": u.FORCE}
+    return found | {f"effort {name}": u.TORQUE if turns else u.FORCE for name, turns in turning.items()}
 
 
 def better(name: str, values: Array) -> Array:

@@ -12,11 +12,13 @@ from linkwright.kernels import Compiled
 from linkwright.model import units as u
 from linkwright.model.fields import Expression, FrozenDict, Two, pair
 from linkwright.model.fields import Name as NameField
+from linkwright.model.mechanism import Mechanism
 from linkwright.model.parts import freeze
+from linkwright.model.typed_fields import Quantity, of_drive
 from linkwright.model.units import Dimension
 from linkwright.model.unknown import unknown
 from linkwright.studies.workspace.maps_asked import MapsAsked, number, positive
-from linkwright.studies.workspace.quality import Task, kinds
+from linkwright.studies.workspace.quality import Task, kinds, possible
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.options import WorkspaceOptions
@@ -34,17 +36,20 @@ class QualityOptions(MapsAsked):
 
     section: ClassVar[str] = "quality"
 
-    speeds: Limits = Field(
+    speeds: Annotated[Limits, of_drive(u.OMEGA, u.SPEED)] = Field(
         default_factory=FrozenDict, description="speed limits of both drives", examples=[{"motor": "30 rpm"}]
     )
-    efforts: Limits = Field(
+    efforts: Annotated[Limits, of_drive(u.TORQUE, u.FORCE)] = Field(
         default_factory=FrozenDict,
         description="limits of both drives' torques or forces",
         examples=[{"motor": "2 N*m"}],
     )
-    force: Force | None = Field(
+    force: Annotated[Force | None, Quantity(u.FORCE)] = Field(
         None, description="[x, y] of the point's force on the work, or its size in whatever direction"
     )
+
+    def kinds_in(self, mechanism: Mechanism) -> Mapping[str, Dimension]:
+        return possible(mechanism)
 
     def check(self, compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
         """What is wrong with the task, the maps' names and their lines."""

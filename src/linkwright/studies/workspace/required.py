@@ -146,8 +146,9 @@ def _placed(
 ) -> Placed | None:
     parameters = parameters_of(one, compiled)
     known: dict[str, list[float]] = {}
-    for key, expression, dimension, _ in figure.placed(compiled):
-        known.setdefault(key, []).append(valued(compiled, expression, dimension, parameters))
+    for place, _ in figure.stated(compiled, name):
+        dimension = compiled.quantities.dimensions.resolve(place.wanted)
+        known.setdefault(str(place.path[-1]), []).append(valued(compiled, place.expression, dimension, parameters))
     (angle,), (aspect,) = known.get("angle", [0.0]), known.get("aspect", [1.0])
     centre = (known["centre"][0], known["centre"][1]) if "centre" in known else None
     shape = reached.shape

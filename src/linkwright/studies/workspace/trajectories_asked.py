@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import Field
 
@@ -12,9 +12,13 @@ from linkwright.kernels import Compiled
 from linkwright.model.dimensions import DimensionError
 from linkwright.model.fields import Expression, Frozen
 from linkwright.model.fields import Name as NameField
+from linkwright.model.mechanism import Mechanism
+from linkwright.model.typed_fields import Context, of_drive
+from linkwright.model.units import ANGLE, LENGTH
 from linkwright.model.unknown import unknown
 from linkwright.model.written import Fault
-from linkwright.studies.workspace.path_options import constant, positive
+from linkwright.studies.numbers import constant
+from linkwright.studies.workspace.path_options import positive
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.options import WorkspaceOptions
@@ -22,6 +26,11 @@ if TYPE_CHECKING:
 PATH = ("studies", "workspace", "trajectories")
 MOST = 720
 """The most values of the held drive."""
+
+
+def _held(c: Context) -> str:
+    """The drive that is held, where there are two."""
+    return held(c.mechanism, c.entry.hold) if len(c.mechanism.drives) == 2 else ""
 
 
 class TrajectoriesAsked(Frozen):
@@ -32,7 +41,7 @@ class TrajectoriesAsked(Frozen):
         description="the drive that is held; by default the other one than that of constant speed, else the second",
     )
     steps: int | None = Field(None, ge=1, le=MOST, description="equal steps of the held drive's range; 36 by default")
-    every: Expression | None = Field(
+    every: Annotated[Expression | None, of_drive(ANGLE, LENGTH, _held)] = Field(
         None,
         description="instead of steps: the held drive's step, from the lower end of its range",
         examples=["10 deg"],
@@ -62,7 +71,7 @@ class TrajectoriesAsked(Frozen):
 
     def _step(self, compiled: Compiled, options: WorkspaceOptions, every: Expression) -> Iterator[Finding]:
         """What is wrong with the step of the held drive."""
-        drive, at = held(compiled, self.hold), (*PATH, "every")
+        drive, at = held(compiled.mechanism, self.hold), (*PATH, "every")
         dimension = compiled.quantities.drive_dimension(drive)
         if wrong := positive(compiled, every, dimension, at):
             yield from wrong
@@ -71,16 +80,16 @@ class TrajectoriesAsked(Frozen):
             ends = options.range(compiled, drive)
         except DimensionError:  # the range is told of by itself
             return
-        step = constant(compiled, every, dimension, at)[0]
+        step = constant(compiled.quantities, every, dimension, at)[0]
         if ends is not None and step is not None and (count := (ends[1] - ends[0]) / step) > MOST:
             data = {"drive": drive, "count": f"{count:.6g}", "limit": MOST}
             yield Finding("workspace.hold-many", at, data)
 
 
-def held(compiled: Compiled, named: str | None) -> str:
+def held(mechanism: Mechanism, named: str | None) -> str:
     """The drive that is held: the named one; else, of a motor of constant speed and a servo, the servo; else the
     second."""
-    drives = compiled.graph.drives
-    laws = [compiled.mechanism.prescribed(drive) for drive in drives]
+    drives = [*mechanism.drives]
+    laws = [mechanism.prescribed(drive) for drive in drives]
     servos = [d for d, law in zip(drives, laws, strict=True) if law.speed is None or law.acceleration is not None]
     return named or (servos[0] if len(servos) == 1 else drives[-1])

@@ -80,7 +80,7 @@ class TrajectoriesPart:
 def trajectories_part(options: TrajectoriesAsked, outcome: WorkspaceOutcome) -> TrajectoriesPart:
     """The trajectories in each region."""
     assert outcome.box is not None
-    drive = held(outcome.compiled, options.hold)
+    drive = held(outcome.compiled.mechanism, options.hold)
     hold = outcome.compiled.graph.drives.index(drive)
     values, chord = _values(options, outcome, drive), options.chord * outcome.compiled.graph.size
     part = TrajectoriesPart(outcome, hold, values, chord)

@@ -1,0 +1,21 @@
+"""What a cam study's options are along the lift: an angle of a follower on a pin, a length of one on a slide."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from linkwright.model.cams import Following
+from linkwright.model.typed_fields import Context, Quantity, Sign
+from linkwright.model.units import Dimension
+
+
+def turning(c: Context) -> bool | None:
+    """Whether the follower of the study's cam turns; ``None`` where it isn't clear which cam is meant."""
+    named, cams = c.entries[0].cam, [*c.mechanism.cams]
+    drive = c.mechanism.drives.get(named or (cams[0] if len(cams) == 1 else ""))
+    return bool(drive.turns) if isinstance(drive, Following) else None
+
+
+def along(dimension: Callable[[bool], Dimension], sign: Sign = Sign.ANY) -> Quantity:
+    """A quantity whose dimension follows from whether the follower turns."""
+    return Quantity(lambda c: None if (turns := turning(c)) is None else dimension(turns), sign)
