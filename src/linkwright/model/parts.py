@@ -236,7 +236,9 @@ PART_LENGTH = Quantity(u.LENGTH, Sign.NOT_NEGATIVE, "length", ends=Ends.RISING)
 
 
 class CylinderPart(Frozen):
-    """The mass of a cylinder's barrel or rod; looked at as that of the link that it becomes."""
+    """The mass of a cylinder's barrel or rod."""
+
+    # Its numbers are those of the link that it becomes, and looked at there.
 
     mass: Expression = Field(description="mass")
     com: Expression = Field(description="distance of the centre of mass from the part's own pin, towards the other")
