@@ -12,9 +12,9 @@ import linkwright as lw
 from app.models import NO_STUDY, SOUND
 from linkwright.app import examine_alone
 from linkwright.exports import TARGETS, register
+from linkwright.expressions.fields import Frozen
 from linkwright.findings import ModelError
 from linkwright.model.document import read_document
-from linkwright.model.fields import Frozen
 from linkwright.studies import STUDIES
 
 MISSING = {"sweep": [], "workspace": [], "cam": ["cam.none"], "accuracy": ["tolerance.none"]}

@@ -12,7 +12,7 @@ from helpers.random_mechanisms import DURATION, mechanisms
 from helpers.runs import EXAMPLES, edges, example_run, trees
 from linkwright.enclosures import Enclosure
 from linkwright.enclosures.bounds import evaluated
-from linkwright.model.expressions import parse
+from linkwright.expressions.language import parse
 from linkwright.results import Run
 
 NAMES = sorted(

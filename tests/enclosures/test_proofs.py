@@ -8,7 +8,7 @@ from helpers.compiled import compiled_from
 from helpers.examples import four_bar
 from helpers.runs import example_run, trees
 from linkwright.enclosures import Claim, Proof, prove, prove_all, sign
-from linkwright.model.expressions import Node, parse
+from linkwright.expressions.language import Node, parse
 from linkwright.results import Run
 
 

@@ -15,9 +15,9 @@ import linkwright as lw
 from app.models import SOUND
 from linkwright.cli import cli
 from linkwright.exports import TARGETS, Exported, register
+from linkwright.expressions.fields import Frozen
 from linkwright.findings import Finding
 from linkwright.model.document import read_document
-from linkwright.model.fields import Frozen
 
 
 class Options(Frozen):

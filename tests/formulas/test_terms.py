@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from linkwright.expressions.language import Number, parse
 from linkwright.formulas.terms import T, number, plain, scaled, text
-from linkwright.model.expressions import Number, parse
 
 
 @pytest.mark.parametrize(

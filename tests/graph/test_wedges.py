@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 
 import linkwright as lw
 from helpers.compiled import compiled_from
+from linkwright.expressions.dimensions import DimensionError
 from linkwright.kernels import Compiled
-from linkwright.model.dimensions import DimensionError
 from linkwright.results.audit import Reports
 from linkwright.results.certificate import closure, equilibrium, power, rank
 from linkwright.structure import Wedge

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from helpers.compiled import compiled_from
+from linkwright.expressions.units import LENGTH
 from linkwright.kernels import Compiled
-from linkwright.model.units import LENGTH
 from linkwright.results import Run
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.options import AccuracyOptions

@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 
 from linkwright.app.job import examine_file
+from linkwright.expressions.language import Node
 from linkwright.measures import bound
-from linkwright.model.expressions import Node
 from linkwright.results import Run
 from linkwright.studies.cycle import CycleOptions, span
 from linkwright.studies.through import carried

@@ -160,7 +160,7 @@ def test_a_drive_with_an_output() -> None:
 
 def units_of(varied: Varied) -> dict[str, str]:
     """The SI units of the varied parameters."""
-    from linkwright.model.units import si_text
+    from linkwright.expressions.units import si_text
 
     quantities = varied.compiled.quantities
     return {name: si_text(quantities.dimensions.of(name)) for name in varied.names}

@@ -12,8 +12,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from linkwright.expressions.language import FUNCTIONS
 from linkwright.measures.germs import EPS, TERMS, Germ, Undecided
-from linkwright.model.expressions import FUNCTIONS
 
 
 def s(value: float = 0.0, slope: float = 1.0) -> Germ:

@@ -275,8 +275,8 @@ def test_a_joint_ties_points_of_different_names() -> None:
 
 
 def test_every_signal_is_found_by_its_own_name() -> None:
+    from linkwright.expressions.language import parse
     from linkwright.model.document import load
-    from linkwright.model.expressions import parse
 
     signals = Signals(load(DATA / "paper_feeder.yaml"))
     listed = signals.all()

@@ -10,10 +10,10 @@ from typing import Any
 import pytest
 
 from linkwright.compilation import examine
+from linkwright.expressions.language import FUNCTIONS
+from linkwright.expressions.units import unit_words
 from linkwright.model import actions, cams, elements, motions, parts, signals
 from linkwright.model.document import Document
-from linkwright.model.expressions import FUNCTIONS
-from linkwright.model.units import unit_words
 from linkwright.model.yaml_text import read_text
 from model.given import four_bar
 

@@ -10,10 +10,10 @@ from typing import Any
 import pytest
 from pydantic import ValidationError
 
+from linkwright.expressions.fields import AssemblyRule, Expression, Position
+from linkwright.expressions.written import FrozenDict
 from linkwright.findings import Finding, ModelError, Term, raise_errors
 from linkwright.model.document import Document, load
-from linkwright.model.fields import AssemblyRule, Expression, Position
-from linkwright.model.written import FrozenDict
 from model.given import DATA, four_bar
 
 NAMES = ["five_bar", "paper_feeder", "slider_crank_gas"]

@@ -11,8 +11,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from linkwright.expressions.language import text_of
 from linkwright.model.document import Document, dump, load, parse_document, plain, read_document, save
-from linkwright.model.expressions import text_of
 from linkwright.model.output_files import write_aside
 from linkwright.model.yaml_text import read_text
 from linkwright.model.yaml_write import write_text

@@ -11,11 +11,11 @@ import pytest
 
 import linkwright as lw
 from linkwright.compilation import examine
+from linkwright.expressions.dimensions import argument, value
+from linkwright.expressions.units import ANGLE, PRESSURE, TIME
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model.dimensions import argument, value
 from linkwright.model.document import Document
-from linkwright.model.units import ANGLE, PRESSURE, TIME
 from model.given import DATA, four_bar, quantities
 
 RISE = [[0, 0], [0.5, 30], [1.0, 60], [1.5, 90]]

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 import linkwright as lw
 from linkwright.app import examine_file
 from linkwright.app.job import Job, examine_document, perform
+from linkwright.expressions.language import parse
 from linkwright.findings import Finding
-from linkwright.model.expressions import parse
 from linkwright.studies import CycleOutcome, MeasureResult
 
 Array = NDArray[np.float64]

@@ -19,12 +19,12 @@ from numpy.typing import NDArray
 
 from kernels.test_varied import class_four, platform
 from linkwright.compilation import compile_mechanism
+from linkwright.expressions.units import si_text
 from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
 from linkwright.measures import MeasureResult, bound, measure_all
 from linkwright.model.document import Document, load, replaced
 from linkwright.model.mechanism import REDUCTIONS
-from linkwright.model.units import si_text
 from linkwright.results import Run
 from linkwright.studies.cycle import CycleOptions, span
 from linkwright.studies.many import Many, Measuring, measure_many

@@ -19,6 +19,8 @@ from linkwright.app.job import USUAL, Examined, Writing, read_file
 from linkwright.app.results_folder import outdate
 from linkwright.compilation import examine
 from linkwright.exports import TARGETS, Exported
+from linkwright.expressions.units import UnitError, unit
+from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, ModelError, capped
 from linkwright.model import csv_text
 from linkwright.model.csv_file import CsvFile, finite, read_csv
@@ -28,8 +30,6 @@ from linkwright.model.origin import Origin, hashed
 from linkwright.model.plane import in_plane
 from linkwright.model.sampled import names_in
 from linkwright.model.sketch import with_sketch
-from linkwright.model.units import UnitError, unit
-from linkwright.model.unknown import near
 from linkwright.report.batch import BatchRow, batch_page
 from linkwright.words import say
 

@@ -15,14 +15,14 @@ from numpy.typing import NDArray
 
 from linkwright._machine import processors
 from linkwright.app.job import Examined
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.language import ExpressionError
+from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, ModelError, Term, raise_errors
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.spread import pool, spread, stretches
-from linkwright.model.dimensions import DimensionError
-from linkwright.model.expressions import ExpressionError
 from linkwright.model.signals import Signal
 from linkwright.model.temporary import temporary_folder
-from linkwright.model.unknown import near
 from linkwright.studies.cycle import CycleOptions, span
 
 Array = NDArray[np.float64]

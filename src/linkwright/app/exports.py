@@ -11,10 +11,10 @@ from linkwright.app.alone import examine_one
 from linkwright.app.job import USUAL, Examined, Writing, read_file, read_model
 from linkwright.app.results_folder import ResultsFolder, outdate
 from linkwright.exports import TARGETS, Exported
+from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.model.document import Document
 from linkwright.model.origin import Origin
-from linkwright.model.unknown import near
 from linkwright.model.yaml_text import read_text
 from linkwright.studies import Site
 

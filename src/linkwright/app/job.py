@@ -14,13 +14,13 @@ from linkwright.app.manifest import State
 from linkwright.app.results_folder import ResultsFolder, outdate
 from linkwright.escape import json_text, line
 from linkwright.exports import Order, read_exports
+from linkwright.expressions.unknown import likeliest, proposed
 from linkwright.findings import Finding, ModelError, Term, raise_errors
 from linkwright.kernels import Compiled
 from linkwright.model.document import Document, dump, located, read_document
 from linkwright.model.input_files import read_at_most, reason
 from linkwright.model.origin import Origin, hashed, table_hashes
 from linkwright.model.spelled import home
-from linkwright.model.unknown import likeliest, proposed
 from linkwright.model.walk import Options, option_places
 from linkwright.model.yaml_text import MAX_BYTES, Source
 from linkwright.report.build import report_data

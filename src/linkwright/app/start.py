@@ -6,10 +6,10 @@ import os
 from pathlib import Path
 
 from linkwright import gallery
+from linkwright.expressions.unknown import near
 from linkwright.findings import Finding
 from linkwright.model.input_files import reason
 from linkwright.model.output_files import write_aside
-from linkwright.model.unknown import near
 
 
 def new_table(name: str, file: Path, force: bool = False) -> list[Finding]:

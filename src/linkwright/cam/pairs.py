@@ -24,11 +24,11 @@ from linkwright.cam.followers import (
     TranslatingKnife,
     TranslatingRoller,
 )
+from linkwright.expressions import units as u
 from linkwright.graph.cams import Seat, followings, seat, sense
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.seconds import second_seat
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
 from linkwright.model.cams import Following
 from linkwright.notation import Jet
 

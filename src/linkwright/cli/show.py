@@ -18,8 +18,8 @@ from linkwright.blocks import Progress as Told
 from linkwright.cli.consoles import err, out, wide
 from linkwright.cli.progress import Bar
 from linkwright.escape import json_text, line
+from linkwright.expressions.units import TIME
 from linkwright.findings import Finding
-from linkwright.model.units import TIME
 from linkwright.report.accuracy_page import sentences as accuracy_sentences
 from linkwright.report.accuracy_tables import further, overview
 from linkwright.report.cam import cam_sentences, cam_tables

@@ -18,7 +18,7 @@ class Hinted(click.Command):
         try:
             return super().parse_args(ctx, args)
         except click.NoSuchOption as error:
-            from linkwright.model.unknown import near
+            from linkwright.expressions.unknown import near
 
             known = [name for option in self.get_params(ctx) for name in option.opts if name.startswith("--")]
             hint = near(error.option_name, known, listed=True)
@@ -43,7 +43,7 @@ def _no_command(name: str, commands: list[str]) -> str:
     """What is said of a word at the place of a command."""
     from linkwright import gallery
     from linkwright.exports import TARGETS
-    from linkwright.model.unknown import near
+    from linkwright.expressions.unknown import near
     from linkwright.studies import STUDIES
 
     if Path(name).is_file() or name.endswith((".yaml", ".yml")):

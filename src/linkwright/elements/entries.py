@@ -11,9 +11,9 @@ from functools import cache
 from importlib.metadata import entry_points
 from typing import Any, ClassVar
 
-from linkwright.model.fields import Expression, Frozen
-from linkwright.model.units import Dimension
-from linkwright.model.written import FaultWithin
+from linkwright.expressions.fields import Expression, Frozen
+from linkwright.expressions.units import Dimension
+from linkwright.expressions.written import FaultWithin
 from linkwright.notation.registry import Registry
 
 GROUP = "linkwright.elements"

@@ -32,10 +32,10 @@ from linkwright.elements.joint import (
     Reaction,
     register,
 )
-from linkwright.model import units as u
-from linkwright.model.fields import Expression, Frozen, LineOn, Name, Two, fault, pair
-from linkwright.model.typed_fields import Ends, Quantity, Sign
-from linkwright.model.written import Fault, FaultWithin, unexpected
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, Frozen, LineOn, Name, Two, fault, pair
+from linkwright.expressions.typed_fields import Ends, Quantity, Sign
+from linkwright.expressions.written import Fault, FaultWithin, unexpected
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec
 from linkwright.notation.jets import call
 from linkwright.notation.planar import unit_vector

@@ -13,7 +13,7 @@ from linkwright.enclosures.clusters import Solved
 from linkwright.enclosures.panels import MARGIN, Panels
 from linkwright.enclosures.program import Stage, taylor
 from linkwright.enclosures.taylor import TaylorModel, lift
-from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, nodes
+from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, nodes
 from linkwright.notation import Jet
 from linkwright.notation.angles import whole_turns
 from linkwright.results import Run

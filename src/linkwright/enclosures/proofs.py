@@ -12,8 +12,8 @@ from linkwright.enclosures.bounds import ROUND, above, evaluated
 from linkwright.enclosures.motion import Enclosure
 from linkwright.enclosures.panels import MARGIN, PRECISE
 from linkwright.enclosures.taylor import TaylorModel
+from linkwright.expressions.language import Node
 from linkwright.kernels.passages import GAP
-from linkwright.model.expressions import Node
 from linkwright.results import Run
 
 Array = NDArray[np.float64]

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from linkwright.exports.numbers import positive
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
 from linkwright.model.document import Document
-from linkwright.model.fields import Expression
 from linkwright.results import Run
 from linkwright.studies.cycle import CycleOptions, span
 from linkwright.studies.feasible import unassembled

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.fields import Expression
+from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model.dimensions import DimensionError
-from linkwright.model.fields import Expression
-from linkwright.model.units import Dimension
 
 
 def positive(

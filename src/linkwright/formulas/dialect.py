@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from math import pi
 
+from linkwright.expressions.language import Binary, Call, Node, Number
 from linkwright.formulas.terms import MADE, scaled, shifted, text, times
-from linkwright.model.expressions import Binary, Call, Node, Number
 
 DIALECTS = {"creo": 180 / pi, "radians": 1.0}
 """How many of its units an angle of a radian has."""

@@ -10,9 +10,9 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.language import Node, Number, parse
 from linkwright.formulas.terms import plain, plus, power, times
 from linkwright.laws import Motion, TableLaw
-from linkwright.model.expressions import Node, Number, parse
 from linkwright.notation import Jet
 
 Array = NDArray[np.float64]

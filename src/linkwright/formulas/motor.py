@@ -9,11 +9,11 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as u
 from linkwright.formulas.dialect import line
 from linkwright.formulas.evaluate import value
 from linkwright.formulas.pieces import Piece
 from linkwright.formulas.terms import number
-from linkwright.model import units as u
 from linkwright.model.quantities import Quantities
 
 Array = NDArray[np.float64]

@@ -10,10 +10,10 @@ from math import floor
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.language import Binary, Call, Node, Number, evaluate
 from linkwright.formulas.functions import Function
 from linkwright.formulas.switches import FORMULAS, SWITCHES
 from linkwright.formulas.terms import MADE, T, affine, called, plain
-from linkwright.model.expressions import Binary, Call, Node, Number, evaluate
 from linkwright.notation import Jet
 
 Array = NDArray[np.float64]

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from math import copysign, e, pi
 
+from linkwright.expressions.language import Node, Number
 from linkwright.formulas.functions import polynomial
 from linkwright.formulas.terms import MADE, called, over, plus, power, times
-from linkwright.model.expressions import Node, Number
 
 MINUS = MADE["-"]
 

@@ -10,7 +10,7 @@ from decimal import Decimal
 from functools import reduce
 from math import isfinite, pi
 
-from linkwright.model.expressions import FUNCTIONS, Binary, Call, Name, Negative, Node, Number
+from linkwright.expressions.language import FUNCTIONS, Binary, Call, Name, Negative, Node, Number
 
 T = Name("t")
 ONE = Number(1.0)

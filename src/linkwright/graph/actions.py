@@ -14,14 +14,14 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from linkwright.expressions import units as u
+from linkwright.expressions.language import FUNCTIONS, Call, Name, Node, is_signal, nodes, parse, signal_text
+from linkwright.expressions.trees import children
 from linkwright.graph.cams import followings
 from linkwright.graph.springs import spring_wrenches
-from linkwright.model import units as u
 from linkwright.model.cams import Following
-from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, is_signal, nodes, parse, signal_text
 from linkwright.model.mechanism import Load
 from linkwright.model.signals import Signal
-from linkwright.model.trees import children
 from linkwright.notation import Pair, Scalar, Wrench
 from linkwright.structure import FRAME
 

@@ -11,18 +11,18 @@ from typing import Any
 import numpy as np
 
 from linkwright.elements import OuterPin
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.fields import AssemblyRule
+from linkwright.expressions.units import LENGTH
 from linkwright.findings import Finding
 from linkwright.graph.clusters import assemble_cluster, drawn_phases, only_coordinates
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, Unknowns, solve_motion
 from linkwright.graph.wedges import Parallel
 from linkwright.groups import Dyad
-from linkwright.model.dimensions import DimensionError
-from linkwright.model.fields import AssemblyRule
 from linkwright.model.pins import Pin
 from linkwright.model.quantities import Quantities
 from linkwright.model.sketch import Drawn, drawn_rules
-from linkwright.model.units import LENGTH
 from linkwright.notation import Jet, Pair
 from linkwright.structure import Cluster, Connection, Group, Structure
 

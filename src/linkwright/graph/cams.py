@@ -18,10 +18,10 @@ from dataclasses import dataclass
 from math import atan2, pi
 from typing import TYPE_CHECKING
 
+from linkwright.expressions import units as u
+from linkwright.expressions.language import Binary, Call, Name, Node, Number
 from linkwright.graph.geometry import Geometry
-from linkwright.model import units as u
 from linkwright.model.cams import Following
-from linkwright.model.expressions import Binary, Call, Name, Node, Number
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Pair, Scalar, Wrench
 from linkwright.notation.jets import call

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Mapping
 from functools import cached_property
 from typing import Any
 
-from linkwright.model import units as u
-from linkwright.model.expressions import evaluate
-from linkwright.model.fields import Expression, LineOn, Position
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, LineOn, Position
+from linkwright.expressions.language import evaluate
 from linkwright.model.pins import Pin, pins
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Pair, Scalar

@@ -13,11 +13,11 @@ from typing import Any
 
 import casadi as ca
 
+from linkwright.expressions.language import Call, Name, parse
 from linkwright.graph.actions import Actions
 from linkwright.graph.geometry import Geometry, widest
 from linkwright.graph.program import ExpressionStage, NewtonStage, Program
 from linkwright.graph.view import LETTERS, LINK_ORDERS, SLIDE_ORDERS, View
-from linkwright.model.expressions import Call, Name, parse
 from linkwright.model.quantities import Quantities
 from linkwright.model.signals import Signal
 from linkwright.notation import MAX_ORDER

@@ -15,6 +15,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.units import LENGTH
 from linkwright.graph.clusters import newton, solve_cluster
 from linkwright.graph.geometry import Geometry, extent
 from linkwright.graph.graph import Graph
@@ -24,7 +25,6 @@ from linkwright.graph.search import many_starts
 from linkwright.graph.triads import System, coordinates, read_coordinates
 from linkwright.groups import Dyad
 from linkwright.model.quantities import Quantities
-from linkwright.model.units import LENGTH
 from linkwright.notation import MAX_ORDER, Body, Jet
 from linkwright.structure import FRAME, Cluster, Group, Step, Structure
 

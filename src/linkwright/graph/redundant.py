@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.units import LENGTH
 from linkwright.findings import Finding
 from linkwright.graph.assembly import assemble
 from linkwright.graph.circuits import Tracer
@@ -23,7 +24,6 @@ from linkwright.graph.constraints import Constraints
 from linkwright.graph.geometry import Geometry, extent
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.quantities import Quantities
-from linkwright.model.units import LENGTH
 from linkwright.structure import FRAME, Structure, decompose
 
 Array = NDArray[np.float64]

@@ -12,9 +12,9 @@ from __future__ import annotations
 from dataclasses import replace
 from math import atan2, cos, hypot, pi, sin
 
+from linkwright.expressions import units as u
 from linkwright.graph.cams import Seat, Touch, outward, seat, touch
 from linkwright.graph.geometry import Geometry
-from linkwright.model import units as u
 from linkwright.model.cams import Following
 from linkwright.notation import Pair, Scalar
 from linkwright.notation.planar import unit_vector

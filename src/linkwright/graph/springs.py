@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 import casadi as ca
 
-from linkwright.model import units as u
-from linkwright.model.expressions import Name
+from linkwright.expressions import units as u
+from linkwright.expressions.language import Name
 from linkwright.model.mechanism import Spring
 from linkwright.model.pins import spring_ends
 from linkwright.model.places import spring_dimensions

@@ -12,12 +12,12 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.units import LENGTH
 from linkwright.findings import Finding
 from linkwright.graph.assembly import assemble
 from linkwright.graph.constraints import Constraints
 from linkwright.graph.geometry import Geometry, extent
 from linkwright.model.quantities import Quantities
-from linkwright.model.units import LENGTH
 from linkwright.notation import Pair
 from linkwright.structure import FRAME, Structure
 

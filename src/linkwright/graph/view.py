@@ -9,6 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from linkwright.expressions.fields import Expression
+from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, signal_text
+from linkwright.expressions.units import Dimension
 from linkwright.graph.actions import active, load_values, wrenches
 from linkwright.graph.cams import Contact, contact
 from linkwright.graph.forces import Forces, lever, solve_forces, unit_efforts
@@ -17,10 +20,7 @@ from linkwright.graph.motion import Motion, solve_motion
 from linkwright.graph.poles import pole
 from linkwright.graph.seconds import other_side, second
 from linkwright.graph.springs import effort, elastic, raw_angle, stretch
-from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, signal_text
-from linkwright.model.fields import Expression
 from linkwright.model.signals import Signal
-from linkwright.model.units import Dimension
 from linkwright.notation import Jet, Scalar, Vec, Wrench
 from linkwright.structure import FRAME
 

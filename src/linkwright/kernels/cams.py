@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.expressions import units as u
 from linkwright.findings import Finding
 from linkwright.graph.cams import Seat, followings, seat, sense, slant, whole
 from linkwright.graph.geometry import Geometry
@@ -18,7 +19,6 @@ from linkwright.kernels.motions import StatedMotion
 from linkwright.kernels.seconds import largest, misplaced
 from linkwright.laws import Motion
 from linkwright.laws.numbers import first
-from linkwright.model import units as u
 from linkwright.model.cams import Following
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet

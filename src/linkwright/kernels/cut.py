@@ -16,6 +16,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
+from linkwright.expressions import units as u
 from linkwright.graph.cams import Seat, followings, seat, sense, slant, whole
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels.cams import CamLaw, Noting
@@ -23,7 +24,6 @@ from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.law import Parameters
 from linkwright.kernels.motions import StatedMotion
 from linkwright.laws import Motion
-from linkwright.model import units as u
 from linkwright.model.cams import Following
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet, Pair, Scalar, Vec

@@ -8,6 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.expressions import units as u
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, nodes
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels.cams import follower_law
 from linkwright.kernels.law import Array, Law, Parameters
@@ -15,11 +18,8 @@ from linkwright.kernels.motion_faults import jump
 from linkwright.kernels.motions import StatedMotion
 from linkwright.kernels.tables import StatedTable, stated_values
 from linkwright.laws import DEGREES, OutsideTable
-from linkwright.model import units as u
 from linkwright.model.cams import Following
 from linkwright.model.csv_file import CsvFile, read_csv
-from linkwright.model.dimensions import DimensionError
-from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, nodes
 from linkwright.model.mechanism import Table
 from linkwright.model.quantities import LARGEST, Quantities, column_unit
 from linkwright.notation import MAX_ORDER, Jet

@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.expressions.language import Call, nodes
 from linkwright.findings import Finding, Term
 from linkwright.kernels.cams import not_whole
 from linkwright.kernels.motions import Reader, StatedMotion, rate_unit
 from linkwright.laws import Motion, MotionError
 from linkwright.laws.motion import jumping
 from linkwright.model.cams import Following
-from linkwright.model.expressions import Call, nodes
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import Sampled

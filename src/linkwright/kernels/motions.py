@@ -11,6 +11,9 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.expressions.fields import Expression
+from linkwright.expressions.language import Binary, Call, Name, Negative, Node, Number, evaluate
+from linkwright.expressions.units import PURE, Dimension
 from linkwright.findings import Finding, Term
 from linkwright.kernels.law import Parameters
 from linkwright.laws import (
@@ -35,12 +38,9 @@ from linkwright.laws import (
 )
 from linkwright.laws.numbers import first, off, plain
 from linkwright.model import motions as stated
-from linkwright.model.expressions import Binary, Call, Name, Negative, Node, Number, evaluate
-from linkwright.model.fields import Expression
 from linkwright.model.places import Place, Scope
 from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import names_in
-from linkwright.model.units import PURE, Dimension
 from linkwright.notation import Jet, Scalar
 from linkwright.notation.duals import Dual, value_of
 

@@ -8,11 +8,11 @@ from math import isnan, pi
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as u
 from linkwright.findings import Finding
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.seconds import rest, room, second_seat
 from linkwright.laws import Motion
-from linkwright.model import units as u
 from linkwright.model.cams import Following
 
 SAMPLES = 3600

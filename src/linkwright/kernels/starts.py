@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression
 from linkwright.findings import Finding
 from linkwright.kernels.law import Law
 from linkwright.kernels.laws import values_at
-from linkwright.model import units as u
-from linkwright.model.fields import Expression
 from linkwright.model.plausible import amount
 from linkwright.model.quantities import Quantities
 from linkwright.model.spelled import Spelled

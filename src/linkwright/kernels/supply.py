@@ -9,12 +9,12 @@ from itertools import groupby
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as u
 from linkwright.graph.graph import Graph
 from linkwright.kernels.cams import CamLaw
 from linkwright.kernels.law import Law, Parameters
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.tables import StatedTable
-from linkwright.model import units as u
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet, angles
 from linkwright.notation.angles import MAX_TURN, whole_turns

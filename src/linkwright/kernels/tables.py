@@ -9,11 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.expressions.language import Node, evaluate
 from linkwright.findings import Finding
 from linkwright.kernels.law import Parameters
 from linkwright.laws import TableLaw
 from linkwright.laws.numbers import plain
-from linkwright.model.expressions import Node, evaluate
 from linkwright.model.mechanism import Table
 from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import Sampled, names_in

@@ -13,6 +13,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, raise_errors
 from linkwright.graph.cams import followings
 from linkwright.kernels.compiled import Compiled
@@ -26,7 +27,6 @@ from linkwright.kernels.turning import turns_of
 from linkwright.model.check import check_values
 from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import Sampled, dependent, names_in
-from linkwright.model.unknown import near
 from linkwright.model.values import tilts
 from linkwright.structure import Group
 

@@ -12,9 +12,9 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from enum import Enum
 
-from linkwright.model.expressions import Binary, Call, Name, Negative, Node, Number, is_signal, nodes
+from linkwright.expressions.language import Binary, Call, Name, Negative, Node, Number, is_signal, nodes
+from linkwright.expressions.trees import children
 from linkwright.model.signals import Signal
-from linkwright.model.trees import children
 from linkwright.results.breaks import switches
 
 Find = Callable[[Name | Call], Signal]

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from linkwright.expressions.units import Dimension
 from linkwright.measures.grades import SAMPLED, Grade
 from linkwright.model.mechanism import Measure
-from linkwright.model.units import Dimension
 
 
 @dataclass(frozen=True)

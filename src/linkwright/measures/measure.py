@@ -9,16 +9,16 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.language import Node, parse
+from linkwright.expressions.units import ANGLE, TIME, Dimension, unit
 from linkwright.findings import Finding
 from linkwright.measures.found import Found, MeasureResult, Unmeasured
 from linkwright.measures.grades import SAMPLED, Grade, Kind
 from linkwright.measures.probe import Probe, Search, inner
 from linkwright.measures.rules import RULES, Reducer
-from linkwright.model.expressions import Node, parse
 from linkwright.model.mechanism import Measure
 from linkwright.model.places import FIGURES, figure, measured
 from linkwright.model.quantities import Quantities
-from linkwright.model.units import ANGLE, TIME, Dimension, unit
 from linkwright.results import Run
 from linkwright.results.windows import Interval, intervals, passing
 

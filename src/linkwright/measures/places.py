@@ -14,9 +14,9 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.language import Call, Name, Node, nodes
 from linkwright.measures.features import Feature, Find, Kind, features
 from linkwright.measures.search import STILL, Pieces, Rates, turning, zeros
-from linkwright.model.expressions import Call, Name, Node, nodes
 from linkwright.results import Run
 from linkwright.results.breaks import ASIDE, argument_of, knots, law_joins, positions
 from linkwright.results.breaks import zeros as zeros_of

@@ -11,11 +11,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.language import Node
 from linkwright.measures.means import Edge, Mean, mean
 from linkwright.measures.places import Hard, Places, vague
 from linkwright.measures.search import Turning, turning
 from linkwright.measures.sides import Side, Sides
-from linkwright.model.expressions import Node
 from linkwright.notation import Jet
 from linkwright.results import Run
 from linkwright.results.breaks import ASIDE

@@ -10,14 +10,14 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Discriminator, Field, Tag, WithJsonSchema
 
-from linkwright.model.dimensions import Wanted, argument, value
-from linkwright.model.expressions import is_signal
-from linkwright.model.fields import Expression, Frozen, Name, Position, Two, fault, pair, parse_text
+from linkwright.expressions.dimensions import Wanted, argument, value
+from linkwright.expressions.fields import Expression, Frozen, Name, Position, Two, fault, pair, parse_text
+from linkwright.expressions.language import is_signal
+from linkwright.expressions.system import Unknown
+from linkwright.expressions.typed_fields import Ends, Quantity, Ref, Scope, Sign
+from linkwright.expressions.units import FORCE, LENGTH, PURE, TIME, TORQUE, Dimension, UnitError, unit
+from linkwright.expressions.written import Fault, short_text, unexpected
 from linkwright.model.parts import Interval, Vector, freeze
-from linkwright.model.system import Unknown
-from linkwright.model.typed_fields import Ends, Quantity, Ref, Scope, Sign
-from linkwright.model.units import FORCE, LENGTH, PURE, TIME, TORQUE, Dimension, UnitError, unit
-from linkwright.model.written import Fault, short_text, unexpected
 
 MAX_ROWS = 10_000
 

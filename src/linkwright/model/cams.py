@@ -7,11 +7,11 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
-from linkwright.model.fields import AssemblyRule, Expression, Frozen, LineOn, Name
+from linkwright.expressions.fields import AssemblyRule, Expression, Frozen, LineOn, Name
+from linkwright.expressions.typed_fields import ELSEWHERE, Quantity, Ref, Sign
+from linkwright.expressions.units import ANGLE, LENGTH
+from linkwright.expressions.written import Fault
 from linkwright.model.parts import Drive
-from linkwright.model.typed_fields import ELSEWHERE, Quantity, Ref, Sign
-from linkwright.model.units import ANGLE, LENGTH
-from linkwright.model.written import Fault
 
 _RADIUS = Quantity(LENGTH, Sign.POSITIVE, "radius")
 

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
+from linkwright.expressions.language import FUNCTIONS
+from linkwright.expressions.typed_fields import Context
+from linkwright.expressions.unknown import likeliest, near, unknown
 from linkwright.findings import Finding, Term
-from linkwright.model.expressions import FUNCTIONS
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.motions import ARGUMENT
 from linkwright.model.pins import homes, pins
 from linkwright.model.references import reference_faults, unknown_point
 from linkwright.model.tolerances import tolerance_faults
-from linkwright.model.typed_fields import Context
-from linkwright.model.unknown import likeliest, near, unknown
 from linkwright.model.values import check_values
 from linkwright.model.walk import references
 

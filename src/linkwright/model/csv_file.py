@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
 
+from linkwright.expressions.written import NO_TEXT
 from linkwright.findings import Finding, ModelError, capped
 from linkwright.model.input_files import read_beside
 from linkwright.model.quantities import LARGEST
-from linkwright.model.written import NO_TEXT
 
 Path_ = tuple[str | int, ...]
 

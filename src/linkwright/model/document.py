@@ -10,9 +10,11 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, BeforeValidator, Field, ValidationError
 
+from linkwright.expressions.fields import FrozenDict, Name, Text, fault, frozen
+from linkwright.expressions.unknown import near
+from linkwright.expressions.written import describe, unexpected
 from linkwright.findings import Finding, ModelError, Term, capped
 from linkwright.model.faults import findings_of
-from linkwright.model.fields import FrozenDict, Name, Text, fault, frozen
 from linkwright.model.input_files import read_at_most
 from linkwright.model.mechanism import MAX_ENTRIES, Mechanism, at_most
 from linkwright.model.output_files import write_aside
@@ -20,8 +22,6 @@ from linkwright.model.parts import freeze
 from linkwright.model.plane import in_plane
 from linkwright.model.respelled_lines import read_respelled
 from linkwright.model.sketch import with_sketch
-from linkwright.model.unknown import near
-from linkwright.model.written import describe, unexpected
 from linkwright.model.yaml_text import MAX_BYTES, MAX_FINDINGS, Source, read_text
 from linkwright.model.yaml_write import write_text
 

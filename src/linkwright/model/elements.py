@@ -7,13 +7,13 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from linkwright.model import units as u
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, Frozen, Name
+from linkwright.expressions.typed_fields import Quantity, Ref, Sign
+from linkwright.expressions.units import Dimension
+from linkwright.expressions.written import Fault
 from linkwright.model.actions import At
-from linkwright.model.fields import Expression, Frozen, Name
 from linkwright.model.parts import INERTIA, PART_LENGTH, Interval, TwoLinks
-from linkwright.model.typed_fields import Quantity, Ref, Sign
-from linkwright.model.units import Dimension
-from linkwright.model.written import Fault
 
 _BETWEEN_POINTS = ("from", "to", "in", "length", "force", "gas", "progression", "exponent")
 _AT_JOINT = ("turns", "on", "torque")

@@ -8,11 +8,11 @@ from dataclasses import replace
 from itertools import islice
 from typing import Any
 
+from linkwright.expressions.unknown import likeliest, near
+from linkwright.expressions.written import describe
 from linkwright.findings import Finding, Term
 from linkwright.model.absent import SAYS_KIND, absent
 from linkwright.model.known_keys import keys_at
-from linkwright.model.unknown import likeliest, near
-from linkwright.model.written import describe
 from linkwright.model.yaml_text import MAX_FINDINGS, Path, Source
 
 _WANTED = {

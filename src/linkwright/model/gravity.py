@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from linkwright.model.fields import Expression, TypedParts
-from linkwright.model.typed_fields import Quantity
-from linkwright.model.units import ACCELERATION
-from linkwright.model.written import Written, fault, unexpected
+from linkwright.expressions.fields import Expression, TypedParts
+from linkwright.expressions.typed_fields import Quantity
+from linkwright.expressions.units import ACCELERATION
+from linkwright.expressions.written import Written, fault, unexpected
 
 EARTH = 9.80665
 """Standard gravity (m/s^2)."""

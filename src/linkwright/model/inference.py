@@ -6,15 +6,15 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from graphlib import CycleError, TopologicalSorter
 
+from linkwright.expressions.dimensions import DimensionError, Dimensions, argument, value
+from linkwright.expressions.language import FUNCTIONS, Call, Name, Node, Number, nodes, text_of
+from linkwright.expressions.units import PURE, Dimension, unit, words_of
 from linkwright.findings import Finding
 from linkwright.model.actions import column_unit
-from linkwright.model.dimensions import DimensionError, Dimensions, argument, value
-from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, Number, nodes, text_of
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.names import Names
 from linkwright.model.places import Path, Place, Scope, figure, places
 from linkwright.model.signals import Signals
-from linkwright.model.units import PURE, Dimension, unit, words_of
 
 
 class Inference:

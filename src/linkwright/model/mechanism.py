@@ -18,10 +18,7 @@ from pydantic_core import CoreSchema, InitErrorDetails, core_schema
 
 from linkwright.elements.entries import ENTRIES, JointEntry, entry_for, load_plugins
 from linkwright.escape import line
-from linkwright.model.actions import BOUND, REDUCTIONS, Load, Measure, Table, Window
-from linkwright.model.cams import Cam
-from linkwright.model.elements import Counterweight, Spring
-from linkwright.model.fields import (
+from linkwright.expressions.fields import (
     AssemblyRule,
     Frozen,
     FrozenDict,
@@ -32,12 +29,15 @@ from linkwright.model.fields import (
     Text,
     fault,
 )
+from linkwright.expressions.typed_fields import Ref
+from linkwright.expressions.unknown import alike
+from linkwright.expressions.written import FaultWithin, unexpected
+from linkwright.model.actions import BOUND, REDUCTIONS, Load, Measure, Table, Window
+from linkwright.model.cams import Cam
+from linkwright.model.elements import Counterweight, Spring
 from linkwright.model.gravity import Gravity
 from linkwright.model.motions import MotionLaw
 from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter, Plane, Units, freeze
-from linkwright.model.typed_fields import Ref
-from linkwright.model.unknown import alike
-from linkwright.model.written import FaultWithin, unexpected
 
 __all__ = [
     "FRAME",

@@ -7,13 +7,13 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field
 
+from linkwright.expressions.fields import Expression, Frozen, FrozenDict, pair
+from linkwright.expressions.typed_fields import Quantity, Scope
+from linkwright.expressions.units import ANGLE, LENGTH, PURE, TIME, Dimension
+from linkwright.expressions.unknown import near
+from linkwright.expressions.written import Fault, fault, short_text, unexpected
 from linkwright.laws import LAWS
 from linkwright.model.actions import Row
-from linkwright.model.fields import Expression, Frozen, FrozenDict, pair
-from linkwright.model.typed_fields import Quantity, Scope
-from linkwright.model.units import ANGLE, LENGTH, PURE, TIME, Dimension
-from linkwright.model.unknown import near
-from linkwright.model.written import Fault, fault, short_text, unexpected
 
 MAX_SEGMENTS, MAX_NUMBERS = 200, 200
 MATCHED = {"velocity": 1, "acceleration": 2, "jerk": 3}

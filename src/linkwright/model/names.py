@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.language import FUNCTIONS, Call, Name, Node, is_signal, nodes, signal_text
+from linkwright.expressions.respelled import respelled
+from linkwright.expressions.trees import children
+from linkwright.expressions.units import is_unit
+from linkwright.expressions.unknown import likeliest, near, proposed
 from linkwright.findings import Finding, Term
-from linkwright.model.dimensions import DimensionError
-from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, is_signal, nodes, signal_text
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.places import Place, Scope
-from linkwright.model.respelled import respelled
 from linkwright.model.signals import Signals
-from linkwright.model.trees import children
-from linkwright.model.units import is_unit
-from linkwright.model.unknown import likeliest, near, proposed
 from linkwright.tolerances import examples
 
 # What stands where it may not: the finding of each scope.

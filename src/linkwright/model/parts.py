@@ -16,8 +16,8 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema
 
-from linkwright.model import units as u
-from linkwright.model.fields import (
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import (
     Expression,
     Frozen,
     FrozenDict,
@@ -30,9 +30,9 @@ from linkwright.model.fields import (
     Two,
     pair,
 )
+from linkwright.expressions.typed_fields import ELSEWHERE, Ends, Quantity, Scope, Sign, of_drive, of_parameter
+from linkwright.expressions.written import Fault, FaultWithin, Shortened, plain_number, unexpected
 from linkwright.model.tolerances import Tolerance
-from linkwright.model.typed_fields import ELSEWHERE, Ends, Quantity, Scope, Sign, of_drive, of_parameter
-from linkwright.model.written import Fault, FaultWithin, Shortened, plain_number, unexpected
 
 freeze = AfterValidator(FrozenDict)
 

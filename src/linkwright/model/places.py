@@ -1,6 +1,6 @@
 """Where a mechanism's expressions stand: the dimension that each place wants, and the names that may stand there.
 
-The fields of its entries say nearly all of it (:mod:`linkwright.model.typed_fields`). What is added here are
+The fields of its entries say nearly all of it (:mod:`linkwright.expressions.typed_fields`). What is added here are
 expressions that no field holds: those that an entry stands for.
 """
 
@@ -8,14 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 
-from linkwright.model import units as u
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, FrozenDict, Position
+from linkwright.expressions.typed_fields import Context, Path, Scope
+from linkwright.expressions.units import Dimension
 from linkwright.model.actions import FIGURES, Measure, crossed, figure, instant, measured
-from linkwright.model.fields import Expression, FrozenDict, Position
 from linkwright.model.mechanism import Mechanism, Spring
 from linkwright.model.motions import ARGUMENT
 from linkwright.model.pins import homes
-from linkwright.model.typed_fields import Context, Path, Scope
-from linkwright.model.units import Dimension
 from linkwright.model.walk import Place, Site, sites
 
 __all__ = [

@@ -15,15 +15,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, Place, Position
+from linkwright.expressions.language import Name, nodes
+from linkwright.expressions.written import FrozenDict
 from linkwright.findings import Finding
-from linkwright.model import units as u
-from linkwright.model.expressions import Name, nodes
-from linkwright.model.fields import Expression, Place, Position
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.parts import Link, Parameter
 from linkwright.model.pins import pins
 from linkwright.model.quantities import LARGEST, Quantities
-from linkwright.model.written import FrozenDict
 
 Array = NDArray[np.float64]
 

@@ -10,14 +10,14 @@ from collections.abc import Iterator, Mapping
 from itertools import combinations
 from typing import TypeVar
 
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, Position
+from linkwright.expressions.language import Name, Number, nodes
+from linkwright.expressions.units import Dimension, printed
 from linkwright.findings import Finding
-from linkwright.model import units as u
-from linkwright.model.expressions import Name, Number, nodes
-from linkwright.model.fields import Expression, Position
 from linkwright.model.gravity import EARTH
 from linkwright.model.places import position_parts
 from linkwright.model.quantities import Quantities
-from linkwright.model.units import Dimension, printed
 
 Key = TypeVar("Key")
 

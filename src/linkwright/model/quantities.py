@@ -8,19 +8,19 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.expressions import units as u
+from linkwright.expressions.dimensions import DimensionError, Dimensions, Wanted
+from linkwright.expressions.fields import Expression
+from linkwright.expressions.language import ExpressionError, Node, evaluate
+from linkwright.expressions.synonyms import unit_meant
+from linkwright.expressions.units import Dimension, UnitError, si_text, spelled, unit, words_of
 from linkwright.findings import Finding, Term
-from linkwright.model import units as u
 from linkwright.model.actions import column_unit
-from linkwright.model.dimensions import DimensionError, Dimensions, Wanted
-from linkwright.model.expressions import ExpressionError, Node, evaluate
-from linkwright.model.fields import Expression
 from linkwright.model.inference import Inference
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.names import Names
 from linkwright.model.places import OF_FORMULA, Place, position_parts
 from linkwright.model.signals import Signals
-from linkwright.model.synonyms import unit_meant
-from linkwright.model.units import Dimension, UnitError, si_text, spelled, unit, words_of
 
 __all__ = ["Quantities", "column_unit", "position_parts"]
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
+from linkwright.expressions.unknown import near, unknown
 from linkwright.findings import Finding
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.pins import homes
-from linkwright.model.unknown import near, unknown
 from linkwright.model.walk import Reference
 
 ELEMENTS: dict[str, Callable[[Mechanism], Mapping[str, Any]]] = {
@@ -21,7 +21,7 @@ ELEMENTS: dict[str, Callable[[Mechanism], Mapping[str, Any]]] = {
     "measure": lambda m: m.measures,
     "parameter": lambda m: m.parameters,
 }
-"""The elements of each kind that a :class:`~linkwright.model.typed_fields.Ref` may name."""
+"""The elements of each kind that a :class:`~linkwright.expressions.typed_fields.Ref` may name."""
 
 
 def reference_faults(found: Iterable[Reference]) -> Iterator[Finding]:

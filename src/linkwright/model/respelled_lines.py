@@ -9,8 +9,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 
+from linkwright.expressions.respelled import WIDE
 from linkwright.findings import Finding, Term
-from linkwright.model.respelled import WIDE
 
 ROUNDS = 6
 """How often a text is rewritten: YAML gives up at its first fault, and then only that line is known."""

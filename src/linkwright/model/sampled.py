@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.language import Name, Node, nodes
 from linkwright.findings import Finding
-from linkwright.model.expressions import Name, Node, nodes
 from linkwright.model.quantities import LARGEST, Quantities
 
 Array = NDArray[np.float64]

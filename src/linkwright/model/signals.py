@@ -6,16 +6,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from linkwright.expressions import units as u
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.language import Call, Name, signal_text
+from linkwright.expressions.units import Dimension
+from linkwright.expressions.unknown import near
 from linkwright.findings import Term
-from linkwright.model import units as u
 from linkwright.model.cams import Following
-from linkwright.model.dimensions import DimensionError
-from linkwright.model.expressions import Call, Name, signal_text
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.pins import homes, pins
 from linkwright.model.slides import in_loops
-from linkwright.model.units import Dimension
-from linkwright.model.unknown import near
 
 _PLANE = ("x", "y")
 _RATES = (("", u.LENGTH), ("v", u.SPEED), ("a", u.ACCELERATION), ("j", u.JERK))

@@ -11,14 +11,14 @@ import re
 from collections.abc import Callable, Iterator
 from itertools import chain
 
+from linkwright.expressions.fields import AssemblyRule, Expression, Position
+from linkwright.expressions.unknown import near
+from linkwright.expressions.written import RESERVED, FrozenDict
 from linkwright.findings import Finding
 from linkwright.model.cylinders import links_of, shared_pins
-from linkwright.model.fields import AssemblyRule, Expression, Position
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter
 from linkwright.model.pins import homes
-from linkwright.model.unknown import near
-from linkwright.model.written import RESERVED, FrozenDict
 
 WORD = re.compile(r"\bsketch\b")
 _SHORT = re.compile(r"[^\W\d_]\d*")

@@ -8,11 +8,11 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Discriminator, Field, Tag, WithJsonSchema
 
+from linkwright.expressions.fields import Expression, Frozen, Two, Written, pair
+from linkwright.expressions.typed_fields import Quantity
+from linkwright.expressions.units import LENGTH, PURE
+from linkwright.expressions.written import Fault, fault
 from linkwright.findings import Finding
-from linkwright.model.fields import Expression, Frozen, Two, Written, pair
-from linkwright.model.typed_fields import Quantity
-from linkwright.model.units import LENGTH, PURE
-from linkwright.model.written import Fault, fault
 from linkwright.tolerances import DISTRIBUTIONS, ToleranceClass, examples, tolerance_class
 
 

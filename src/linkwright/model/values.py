@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.expressions import units as u
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.typed_fields import Ends, Sign
 from linkwright.findings import Finding, Term
-from linkwright.model import units as u
-from linkwright.model.dimensions import DimensionError
 from linkwright.model.places import Place, Scope, mechanism_sites, position_parts
 from linkwright.model.quantities import LARGEST, Quantities
 from linkwright.model.slides import closing, pairs_of
-from linkwright.model.typed_fields import Ends, Sign
 from linkwright.model.walk import Site
 
 PARALLEL = 1e-9

@@ -15,11 +15,11 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, Union, get_args, get_
 
 from pydantic import BaseModel
 
-from linkwright.model.dimensions import Wanted
-from linkwright.model.fields import Expression, FrozenDict, Written
-from linkwright.model.typed_fields import Context, Elsewhere, Path, Quantity, Ref, Scope
-from linkwright.model.units import Dimension
-from linkwright.model.written import Shortened
+from linkwright.expressions.dimensions import Wanted
+from linkwright.expressions.fields import Expression, FrozenDict, Written
+from linkwright.expressions.typed_fields import Context, Elsewhere, Path, Quantity, Ref, Scope
+from linkwright.expressions.units import Dimension
+from linkwright.expressions.written import Shortened
 
 if TYPE_CHECKING:
     from linkwright.model.mechanism import Mechanism

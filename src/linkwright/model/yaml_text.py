@@ -9,9 +9,9 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any
 
+from linkwright.expressions.written import MAX_TEXT, NO_TEXT
 from linkwright.findings import Finding, Term
 from linkwright.model.encodings import likely_encoding
-from linkwright.model.written import MAX_TEXT, NO_TEXT
 
 MAX_BYTES = 1_000_000
 MAX_DEPTH = 24

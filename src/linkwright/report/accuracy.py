@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model.units import FORCE, LENGTH, TIME
+from linkwright.expressions.units import FORCE, LENGTH, TIME
 from linkwright.report.accuracy_design import allocation_entry, calibration_entry
 from linkwright.report.data import known, listed
 from linkwright.report.disagreement import along, disagreement

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.escape import markup
-from linkwright.model.units import TIME
+from linkwright.expressions.units import TIME
 from linkwright.report.accuracy import WIDE, ranked
 from linkwright.report.charts import LEFT, LETTER, MOST_POSES, NARROW, TOP, Axes, named, shortened, thinned
 from linkwright.report.data import Chart

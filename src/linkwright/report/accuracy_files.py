@@ -7,8 +7,8 @@ import io
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.units import TIME
 from linkwright.model.csv_text import cell, head, written
-from linkwright.model.units import TIME
 from linkwright.report.accuracy import part, per, ranked
 from linkwright.results.netcdf import described, stored, variable_name
 from linkwright.results.result import si_unit

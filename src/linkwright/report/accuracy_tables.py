@@ -7,7 +7,7 @@ from math import floor, inf, log10
 
 import numpy as np
 
-from linkwright.model.units import TIME
+from linkwright.expressions.units import TIME
 from linkwright.report.accuracy import WIDE, part, per, ranked, study_entry
 from linkwright.report.accuracy_design import design_tables
 from linkwright.report.data import Grid

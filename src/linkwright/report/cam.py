@@ -9,7 +9,7 @@ import numpy as np
 
 from linkwright.cam.checks import Check
 from linkwright.escape import markup
-from linkwright.model import units as u
+from linkwright.expressions import units as u
 from linkwright.report.cam_charts import charts, of_disc
 from linkwright.report.cam_forces import force_charts, force_entry, force_sentences
 from linkwright.report.charts import figures as charts_html

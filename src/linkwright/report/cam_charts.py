@@ -10,8 +10,8 @@ from itertools import cycle
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as u
 from linkwright.kernels.motions import rate_unit
-from linkwright.model import units as u
 from linkwright.report.cam_picture import picture, tool_path
 from linkwright.report.charts import Axes, named
 from linkwright.report.data import Chart

@@ -14,13 +14,13 @@ from linkwright.cam.nc.path import Element
 from linkwright.cam.nc.posts import POSTS
 from linkwright.cam.solid import solid, step
 from linkwright.cam.splines import Spline
+from linkwright.expressions import units as u
+from linkwright.expressions.language import Binary, Call, Number
 from linkwright.formulas.functions import OfMotion
 from linkwright.formulas.motor import motor, unit_of
 from linkwright.formulas.pieces import TooManyError, Unfolding
 from linkwright.formulas.terms import T, number
-from linkwright.model import units as u
 from linkwright.model.csv_text import cell, head, written
-from linkwright.model.expressions import Binary, Call, Number
 from linkwright.report.cam_picture import still
 from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.studies.cam.plate import Plate

@@ -8,7 +8,7 @@ from typing import Any
 from numpy import float64
 from numpy.typing import NDArray
 
-from linkwright.model import units as u
+from linkwright.expressions import units as u
 from linkwright.report.cam_charts import over
 from linkwright.report.data import Chart
 from linkwright.studies.cam.figures import along_lift

@@ -13,7 +13,7 @@ from linkwright.cam.disc import Look
 from linkwright.cam.nc.swept import ROUGH
 from linkwright.cam.nc.track import chains, pieces
 from linkwright.escape import markup
-from linkwright.model import units as u
+from linkwright.expressions import units as u
 from linkwright.report.charts import points, thinned
 from linkwright.report.plane import LEFT, TOP, Plane
 from linkwright.studies.cam.outcome import CamOutcome

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.elements import JointKind
+from linkwright.expressions import units as u
 from linkwright.kernels import Compiled
 from linkwright.kernels.motions import rate_unit
 from linkwright.laws.curve import ROUND_OFF
-from linkwright.model import units as u
 from linkwright.model.cylinders import end_of, links_of
 from linkwright.model.plane import LinkagePlane
 from linkwright.notation import MAX_ORDER

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from math import isfinite
 from typing import Any
 
-from linkwright.model.units import ANGLE, LENGTH, TIME
+from linkwright.expressions.units import ANGLE, LENGTH, TIME
 from linkwright.report.data import Grid
 from linkwright.studies.extremes import Course, Transmission
 from linkwright.studies.four_links import FourLinks

@@ -9,9 +9,9 @@ from typing import TypedDict
 import numpy as np
 
 from linkwright.escape import markup
+from linkwright.expressions import units as u
 from linkwright.graph.modes import Mode
 from linkwright.measures.paths import hull
-from linkwright.model import units as u
 from linkwright.structure import FRAME
 from linkwright.studies import ModesOutcome
 from linkwright.words import say

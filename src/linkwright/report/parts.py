@@ -7,11 +7,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from linkwright._machine import needed
+from linkwright.expressions.units import TIME
 from linkwright.findings import Finding
 from linkwright.measures import Grade, MeasureResult
 from linkwright.model.document import Document
 from linkwright.model.origin import Origin
-from linkwright.model.units import TIME
 from linkwright.report.accuracy import accuracy_entry
 from linkwright.report.accuracy_files import bands_csv as accuracy_bands_csv
 from linkwright.report.accuracy_files import contributors_csv

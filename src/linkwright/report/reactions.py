@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+from linkwright.expressions.units import ANGLE, FORCE
 from linkwright.model.csv_text import cell, written
-from linkwright.model.units import ANGLE, FORCE
 from linkwright.report.data import Grid
 from linkwright.studies.reactions import Reaction, ReactionsOutcome
 from linkwright.words import say

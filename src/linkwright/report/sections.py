@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from linkwright.escape import markup
-from linkwright.model.units import printed
+from linkwright.expressions.units import printed
 from linkwright.report.accuracy_page import section as accuracy_section
 from linkwright.report.cam import section as cam_section
 from linkwright.report.data import Check, Failure, Grid, Measure, Plot, ReportData

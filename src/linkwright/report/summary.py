@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from linkwright.expressions.units import TIME
 from linkwright.measures import Grade
-from linkwright.model.units import TIME
 from linkwright.results import Certificate, Result
 from linkwright.studies import CycleOutcome, MeasureResult
 

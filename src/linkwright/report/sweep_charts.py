@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model.units import TIME
+from linkwright.expressions.units import TIME
 from linkwright.report.charts import MOST_CHARTS, MOST_POSES, NARROW, Axes, named, thinned
 from linkwright.report.data import Chart
 from linkwright.studies import SweepOutcome

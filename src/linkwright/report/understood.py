@@ -6,12 +6,12 @@ import math
 
 import numpy as np
 
+from linkwright.expressions import units as u
+from linkwright.expressions.units import Dimension
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
 from linkwright.model.cams import Following
 from linkwright.model.parts import Drive
 from linkwright.model.plausible import amount
-from linkwright.model.units import Dimension
 from linkwright.words import say
 
 LONGEST = 60

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from linkwright.model import units as u
+from linkwright.expressions import units as u
 from linkwright.report.data import Grid, WorkspaceData
 from linkwright.report.stacks import stacks
 from linkwright.report.workspace_parts import written

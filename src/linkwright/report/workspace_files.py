@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from linkwright._machine import needed
 from linkwright.escape import json_text, layer_name
-from linkwright.model import units as u
+from linkwright.expressions import units as u
 from linkwright.model.csv_text import cell, head, written
 from linkwright.report.tiled import tiled
 from linkwright.report.workspace_parts import written as parts

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model import units as u
+from linkwright.expressions import units as u
 from linkwright.model.csv_text import cell, head, written
 from linkwright.report.charts import named
 from linkwright.report.data import Chart, Grid

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from linkwright.escape import line
-from linkwright.model import units as u
+from linkwright.expressions import units as u
 from linkwright.model.csv_text import cell, head, written
 from linkwright.model.yaml_write import write_text
 from linkwright.studies.workspace.followed import Attempt, Followed

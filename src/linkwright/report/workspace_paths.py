@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.escape import markup
-from linkwright.model import units as u
+from linkwright.expressions import units as u
 from linkwright.report.charts import LEFT, LETTER, MOST_CHARTS, MOST_POSES, TOP, Axes, named, shortened, thinned
 from linkwright.report.data import Chart, Grid
 from linkwright.report.overlay import Overlay

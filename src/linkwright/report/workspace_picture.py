@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model import units as u
+from linkwright.expressions import units as u
 from linkwright.report.charts import points
 from linkwright.report.data import Area, Chart
 from linkwright.report.overlay import Overlay

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
-from linkwright.model import units as u
+from linkwright.expressions import units as u
 from linkwright.model.csv_text import cell, head, written
 from linkwright.report.charts import named
 from linkwright.report.data import Chart, Grid

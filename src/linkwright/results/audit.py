@@ -10,16 +10,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression
+from linkwright.expressions.language import parse
+from linkwright.expressions.units import Dimension
 from linkwright.graph.actions import spread
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
 from linkwright.model.cams import Following
-from linkwright.model.expressions import parse
-from linkwright.model.fields import Expression
 from linkwright.model.mechanism import Load
 from linkwright.model.pins import spring_ends
-from linkwright.model.units import Dimension
 from linkwright.notation import Pair
 from linkwright.results.contacts import contact
 from linkwright.results.run import combined

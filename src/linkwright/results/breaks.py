@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.language import Binary, Call, Name, Node, Number, nodes
 from linkwright.graph.cams import argument, followings
 from linkwright.laws import Motion, TableLaw
-from linkwright.model.expressions import Binary, Call, Name, Node, Number, nodes
 from linkwright.results.stationary import crossings
 from linkwright.results.windows import intervals
 

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.language import Node
 from linkwright.kernels.varied import Varied
-from linkwright.model.expressions import Node
 from linkwright.model.sampled import Sampled
 from linkwright.notation import angles
 from linkwright.notation.angles import whole_turns

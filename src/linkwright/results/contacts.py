@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import LineOn
 from linkwright.kernels.seconds import largest
-from linkwright.model import units as u
 from linkwright.model.cams import Following
-from linkwright.model.fields import LineOn
 
 if TYPE_CHECKING:
     from linkwright.results.audit import Reports

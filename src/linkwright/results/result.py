@@ -13,13 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright._machine import needed
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.language import Call, ExpressionError, Name, parse
+from linkwright.expressions.respelled import syntax_fault
+from linkwright.expressions.units import PURE, Dimension
 from linkwright.findings import Finding, ModelError, Term
 from linkwright.model.csv_text import cell, head, written
-from linkwright.model.dimensions import DimensionError
-from linkwright.model.expressions import Call, ExpressionError, Name, parse
 from linkwright.model.output_files import write_aside
-from linkwright.model.respelled import syntax_fault
-from linkwright.model.units import PURE, Dimension
 from linkwright.results.certificate import Certificate
 from linkwright.results.run import Run
 
@@ -156,7 +156,7 @@ def _read(text: str) -> Iterator[None]:
 
 def si_unit(dimension: Dimension) -> str:
     """The SI unit of a dimension."""
-    from linkwright.model.units import UnitError, spelled
+    from linkwright.expressions.units import UnitError, spelled
 
     try:
         return spelled(dimension, {}, strict=False)

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, nodes
+from linkwright.expressions.units import Dimension
 from linkwright.kernels import Compiled
-from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, nodes
-from linkwright.model.units import Dimension
 from linkwright.notation import Jet, angles
 from linkwright.notation.angles import MAX_TURN, whole_turns
 from linkwright.results import breaks

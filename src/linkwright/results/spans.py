@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model import units as u
-from linkwright.model.expressions import parse
+from linkwright.expressions import units as u
+from linkwright.expressions.language import parse
 from linkwright.results.breaks import ASIDE
 from linkwright.results.bunch import Bunch, Who
 

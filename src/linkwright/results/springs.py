@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as u
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
 from linkwright.model.mechanism import Spring
 from linkwright.model.places import spring_dimensions
 from linkwright.notation import Jet

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model import units as u
-from linkwright.model.expressions import Node, parse
+from linkwright.expressions import units as u
+from linkwright.expressions.language import Node, parse
 from linkwright.results.stationary import crossings
 
 if TYPE_CHECKING:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
+from linkwright.expressions.unknown import alike
 from linkwright.findings import Finding
 from linkwright.model.mechanism import FRAME
-from linkwright.model.unknown import alike
 from linkwright.structure.freedoms import Freedoms
 from linkwright.structure.placed import Placed
 from linkwright.structure.steps import Step

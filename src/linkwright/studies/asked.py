@@ -7,17 +7,17 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
 from pydantic import BeforeValidator, Field, PrivateAttr, ValidationInfo, WithJsonSchema, model_validator
 
+from linkwright.expressions import units as u
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.fields import Expression, Frozen, fault
+from linkwright.expressions.language import Call, Name, is_signal, nodes
+from linkwright.expressions.unknown import near
+from linkwright.expressions.written import describe
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
-from linkwright.model.dimensions import DimensionError
-from linkwright.model.expressions import Call, Name, is_signal, nodes
-from linkwright.model.fields import Expression, Frozen, fault
 from linkwright.model.names import Names
 from linkwright.model.places import Place, Scope
 from linkwright.model.sampled import dependent
-from linkwright.model.unknown import near
-from linkwright.model.written import describe
 from linkwright.studies.cycle import TURNS, CycleOptions, beside, span
 
 

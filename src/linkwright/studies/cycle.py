@@ -9,14 +9,14 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import BeforeValidator, Field, ValidationError, ValidationInfo, model_validator
 
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, Frozen, fault
+from linkwright.expressions.typed_fields import Quantity
+from linkwright.expressions.unknown import unknown
+from linkwright.expressions.written import unexpected
 from linkwright.findings import Finding, ModelError, Term
 from linkwright.kernels import Compiled
 from linkwright.measures import Measurer, MeasureResult, enclose, misfit
-from linkwright.model import units as u
-from linkwright.model.fields import Expression, Frozen, fault
-from linkwright.model.typed_fields import Quantity
-from linkwright.model.unknown import unknown
-from linkwright.model.written import unexpected
 from linkwright.results import Result, Run, certify
 from linkwright.studies.acting import lifted, loose, outside, undefined, unseated
 from linkwright.studies.feasible import near, singular, strokes, travels, unassembled
@@ -178,7 +178,7 @@ def span(compiled: Compiled, options: CycleOptions) -> tuple[float, list[Finding
     key, length = ("period", options.period) if options.period is not None else ("duration", options.duration)
     assert length is not None
     path = ("studies", "cycle", key)
-    from linkwright.model.dimensions import DimensionError
+    from linkwright.expressions.dimensions import DimensionError
 
     try:
         seconds = compiled.quantities.value(length, u.TIME)

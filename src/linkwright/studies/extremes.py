@@ -9,10 +9,10 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.language import Node
+from linkwright.expressions.units import Dimension
 from linkwright.measures.features import features
 from linkwright.measures.probe import Limits, Search
-from linkwright.model.expressions import Node
-from linkwright.model.units import Dimension
 from linkwright.results import Run
 from linkwright.results.run import BLIND
 from linkwright.results.stationary import magnitude, stationary

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as u
 from linkwright.findings import Finding, Term
 from linkwright.graph.assembly import shortfall_at, shortfall_data
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
-from linkwright.model import units as u
 from linkwright.results import Run
 from linkwright.results.certificate import nearest
 from linkwright.results.stationary import stationary

@@ -9,10 +9,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.units import Dimension, unit
 from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
 from linkwright.model.places import figure
-from linkwright.model.units import Dimension, unit
 from linkwright.results import Run
 from linkwright.studies.many import LABELS, Measuring
 

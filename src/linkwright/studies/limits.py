@@ -9,20 +9,20 @@ from typing import Annotated
 
 from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
+from linkwright.expressions import units as u
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.fields import Expression, Frozen, FrozenDict
+from linkwright.expressions.fields import Name as NameField
+from linkwright.expressions.language import Call, Name, is_signal, nodes, parse, signal_text
+from linkwright.expressions.typed_fields import of_drive
+from linkwright.expressions.unknown import unknown
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
-from linkwright.model import units as u
-from linkwright.model.dimensions import DimensionError
-from linkwright.model.expressions import Call, Name, is_signal, nodes, parse, signal_text
-from linkwright.model.fields import Expression, Frozen, FrozenDict
-from linkwright.model.fields import Name as NameField
 from linkwright.model.names import Names
 from linkwright.model.parts import Interval, freeze
 from linkwright.model.places import Place, Scope
 from linkwright.model.quantities import LARGEST
-from linkwright.model.typed_fields import of_drive
-from linkwright.model.unknown import unknown
 from linkwright.results import Result, Run
 from linkwright.structure import FRAME
 from linkwright.studies.cycle import CycleOptions, beside, span

@@ -19,10 +19,10 @@ from functools import cached_property, partial
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.language import Node, parse
 from linkwright.kernels.varied import Varied
 from linkwright.measures import MeasureResult, bound, measure_all
 from linkwright.measures.features import features
-from linkwright.model.expressions import Node, parse
 from linkwright.model.mechanism import Measure
 from linkwright.results import Run
 from linkwright.results.breaks import kinks, law_joins

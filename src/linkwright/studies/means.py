@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model.expressions import Call, Node, nodes
+from linkwright.expressions.language import Call, Node, nodes
 from linkwright.results.breaks import switches
 from linkwright.results.bunch import Bunch, What, Who
 from linkwright.results.quadrature import panel_points

@@ -9,6 +9,10 @@ import numpy as np
 from pydantic import Field
 
 from linkwright.compilation import Prepared
+from linkwright.expressions import units as u
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.fields import Expression, Frozen, Name
+from linkwright.expressions.typed_fields import Quantity
 from linkwright.findings import Finding, ModelError
 from linkwright.graph.cams import followings
 from linkwright.graph.constraints import Ride
@@ -18,11 +22,7 @@ from linkwright.graph.survey import SAME, Circuit, Survey, survey
 from linkwright.kernels import Compiled
 from linkwright.kernels.cams import CamLaw
 from linkwright.kernels.laws import values_at
-from linkwright.model import units as u
-from linkwright.model.dimensions import DimensionError
-from linkwright.model.fields import Expression, Frozen, Name
 from linkwright.model.quantities import Quantities
-from linkwright.model.typed_fields import Quantity
 from linkwright.studies.registry import register
 from linkwright.studies.site import NOWHERE, Site
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.fields import Expression
+from linkwright.expressions.typed_fields import Path
+from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding
-from linkwright.model.dimensions import DimensionError
-from linkwright.model.fields import Expression
 from linkwright.model.quantities import LARGEST, Quantities
-from linkwright.model.typed_fields import Path
-from linkwright.model.units import Dimension
 
 
 def constant(

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as u
 from linkwright.findings import Finding, Term
-from linkwright.model import units as u
 from linkwright.model.plausible import amount
 from linkwright.results import Run
 from linkwright.structure import Group

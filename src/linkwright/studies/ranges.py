@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as u
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
-from linkwright.model import units as u
 from linkwright.model.cylinders import links_of
 from linkwright.results import Run
 from linkwright.results.stationary import crossings

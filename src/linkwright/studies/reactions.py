@@ -15,16 +15,16 @@ import numpy as np
 from pydantic import Field
 
 from linkwright.compilation import examine_still
+from linkwright.expressions import units as u
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.fields import Expression, Frozen
+from linkwright.expressions.typed_fields import Quantity
+from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding
 from linkwright.graph.statics import Statics
 from linkwright.kernels import Compiled, Still
-from linkwright.model import units as u
-from linkwright.model.dimensions import DimensionError
-from linkwright.model.fields import Expression, Frozen
 from linkwright.model.quantities import LARGEST
 from linkwright.model.signals import Contact
-from linkwright.model.typed_fields import Quantity
-from linkwright.model.units import Dimension
 from linkwright.results import Result, Run
 from linkwright.studies.registry import register
 from linkwright.studies.site import NOWHERE, Site

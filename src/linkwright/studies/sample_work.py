@@ -18,13 +18,13 @@ from linkwright.blocks import Cut, Fourth, Histogram, Moments, Reduction, Tallie
 from linkwright.blocks.store import Variable
 from linkwright.blocks.work import Arrays
 from linkwright.compilation import examine
+from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, parse
 from linkwright.findings import raise_errors
 from linkwright.kernels import Compiled
 from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.varied import Varied
 from linkwright.kernels.versions import versions
 from linkwright.model.document import Document, plain
-from linkwright.model.expressions import Call, Name, Node, evaluate, is_signal, parse
 from linkwright.model.places import Place
 from linkwright.model.temporary import temporary_folder
 from linkwright.notation.angles import whole_turns

@@ -7,10 +7,10 @@ from typing import Any, ClassVar, Protocol, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
+from linkwright.expressions.unknown import near
+from linkwright.expressions.written import describe
 from linkwright.findings import Finding, Term
 from linkwright.model.faults import finding_of, written
-from linkwright.model.unknown import near
-from linkwright.model.written import describe
 
 
 class Optioned(Protocol):

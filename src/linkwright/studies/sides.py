@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model.expressions import Node
+from linkwright.expressions.language import Node
 from linkwright.results.breaks import ASIDE
 from linkwright.results.bunch import Bunch, Who
 from linkwright.results.spans import Spans

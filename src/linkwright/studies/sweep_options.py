@@ -10,14 +10,14 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from linkwright.expressions.fields import Name as NameField
+from linkwright.expressions.typed_fields import of_parameter
+from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.varied import Varied
-from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import freeze
-from linkwright.model.typed_fields import of_parameter
-from linkwright.model.unknown import near
 from linkwright.studies.asked import Sampling, check_outputs, check_span, one_of
 from linkwright.studies.distributions import Spread, Vary
 from linkwright.studies.numbers import constant

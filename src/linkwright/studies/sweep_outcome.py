@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.blocks.work import Arrays
+from linkwright.expressions.language import parse
+from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
-from linkwright.model.expressions import parse
-from linkwright.model.units import Dimension
 from linkwright.results import Run
 from linkwright.studies.figures import Column
 from linkwright.studies.plans import Plan

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.language import Node
 from linkwright.measures import measure_all
-from linkwright.model.expressions import Node
 from linkwright.model.mechanism import Measure
 from linkwright.model.places import figure
 from linkwright.results.alone import alone

@@ -11,10 +11,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as u
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.kernels.passages import GAP, Passage, Passages, unwrapped
-from linkwright.model import units as u
 from linkwright.notation.angles import wrapped
 from linkwright.results import Run
 from linkwright.studies.feasible import TOUCH, drive_value, touching

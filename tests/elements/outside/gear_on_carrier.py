@@ -14,9 +14,9 @@ from pydantic import BeforeValidator, Field
 from linkwright.elements import Inner, JointKind, register
 from linkwright.elements.entries import JointEntry
 from linkwright.elements.joint import Miss, Rate
-from linkwright.model import units as u
-from linkwright.model.fields import Expression, Name
-from linkwright.model.typed_fields import Quantity, Sign
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, Name
+from linkwright.expressions.typed_fields import Quantity, Sign
 from linkwright.notation import Jet
 
 

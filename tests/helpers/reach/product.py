@@ -12,8 +12,8 @@ import linkwright as lw
 from helpers.reach.cases import Case, make
 from helpers.reach.judging import OUTCOMES, RAISED, REFUSED, Claim, Verdict, claims, judged
 from helpers.reach.raster import FIRST, raster
+from linkwright.expressions import units as u
 from linkwright.findings import ModelError
-from linkwright.model import units as u
 from linkwright.report.workspace import workspace_entry
 
 

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from scipy import stats
 
 import linkwright as lw
+from linkwright.expressions import units as u
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
 from linkwright.studies.accuracy import study as module
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.options import AccuracyOptions

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import linkwright as lw
-from linkwright.model import units as u
+from linkwright.expressions import units as u
 from linkwright.studies.accuracy.allocate import Output, allocated, problem
 from linkwright.studies.accuracy.allocation import SETTINGS
 from linkwright.studies.accuracy.allocation_problem import Problem

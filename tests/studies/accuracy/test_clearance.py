@@ -14,11 +14,11 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 from helpers.compiled import compiled_from
+from linkwright.expressions.language import Node, parse
 from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
 from linkwright.measures import measure_all
 from linkwright.model.document import load, plain
-from linkwright.model.expressions import Node, parse
 from linkwright.results import Run
 from linkwright.studies.accuracy.clearance import Plays
 from linkwright.studies.accuracy.clearance_figures import play_effects, state_plays, unaffected

@@ -7,7 +7,7 @@ from itertools import product
 import numpy as np
 import pytest
 
-from linkwright.model import units as u
+from linkwright.expressions import units as u
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.derivative import Derivative
 from linkwright.studies.accuracy.stacking import shares, spread, worst

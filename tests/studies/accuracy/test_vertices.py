@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import linkwright as lw
-from linkwright.model import units as u
+from linkwright.expressions import units as u
 from linkwright.results import Run
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.outcome import Figure, Searched

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from helpers.compiled import compiled_from
 from helpers.examples import UNITS
+from linkwright.expressions.units import LENGTH
 from linkwright.kernels import Compiled
-from linkwright.model.units import LENGTH
 from linkwright.studies.accuracy.clearance_options import Clearance
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.seats import held

@@ -13,9 +13,9 @@ from scipy.optimize import brentq
 from helpers.compiled import compiled_from
 from helpers.examples import UNITS
 from linkwright.compilation import compile_mechanism
+from linkwright.expressions.units import LENGTH
 from linkwright.kernels import Compiled
 from linkwright.model.document import load
-from linkwright.model.units import LENGTH
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.stated import contributors

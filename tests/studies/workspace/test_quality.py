@@ -9,7 +9,7 @@ import pytest
 
 from helpers.compiled import compiled_from
 from helpers.examples import UNITS
-from linkwright.model import units as u
+from linkwright.expressions import units as u
 from linkwright.studies.workspace.curves import curves
 from linkwright.studies.workspace.maps import chained
 from linkwright.studies.workspace.mesh import Box, mesh

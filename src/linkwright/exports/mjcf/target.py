@@ -18,12 +18,12 @@ from linkwright.exports.mjcf.tree import Hold, spanning
 from linkwright.exports.mjcf.write import Start, Writer
 from linkwright.exports.numbers import positive
 from linkwright.exports.registry import Exported, register
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, Frozen
+from linkwright.expressions.typed_fields import Quantity
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
 from linkwright.model.csv_text import cell, head, written
-from linkwright.model.fields import Expression, Frozen
-from linkwright.model.typed_fields import Quantity
 from linkwright.studies import Site
 from linkwright.words import say
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from linkwright.expressions import units as u
+from linkwright.expressions.language import Binary, Call, Name, Node, Number, nodes
 from linkwright.formulas.functions import Function, OfMotion, OfTable
 from linkwright.graph.cams import value
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import read_table
-from linkwright.model import units as u
 from linkwright.model.cams import Following
-from linkwright.model.expressions import Binary, Call, Name, Node, Number, nodes
 
 
 def law_of(compiled: Compiled, drive: str) -> Node:

@@ -12,13 +12,13 @@ from linkwright.exports.followed import duration
 from linkwright.exports.motors.law import functions, law_of
 from linkwright.exports.motors.write import expressions, sheet, values
 from linkwright.exports.registry import Exported, register
+from linkwright.expressions.fields import Expression, Frozen
+from linkwright.expressions.typed_fields import Quantity
+from linkwright.expressions.units import TIME
 from linkwright.findings import Finding
 from linkwright.formulas.motor import Motor, motor, unit_of
 from linkwright.formulas.pieces import MOST, Piece, TooManyError, Unfolding
 from linkwright.kernels import Compiled
-from linkwright.model.fields import Expression, Frozen
-from linkwright.model.typed_fields import Quantity
-from linkwright.model.units import TIME
 from linkwright.studies import Site
 from linkwright.words import say
 

@@ -12,14 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Frozen, Name
+from linkwright.expressions.unknown import near, unknown
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.kernels.law import Law
 from linkwright.kernels.laws import uniform, values_at
-from linkwright.model import units as u
-from linkwright.model.fields import Frozen, Name
 from linkwright.model.pins import homes
-from linkwright.model.unknown import near, unknown
 from linkwright.report.data import known
 from linkwright.structure import FRAME
 from linkwright.studies.extremes import Transmission, transmission

@@ -14,10 +14,10 @@ from linkwright.exports.process_simulate.fitting import horner, polynomial
 from linkwright.exports.process_simulate.linkage import MM
 from linkwright.exports.process_simulate.motion import Motion
 from linkwright.exports.process_simulate.trees import Tree, add, call, joint, multiply, number
+from linkwright.expressions import units as u
 from linkwright.graph.cams import followings, seat, sense, whole
 from linkwright.graph.geometry import Geometry
 from linkwright.laws.pieces import Part, Piece
-from linkwright.model import units as u
 
 FITTED, HALVED, SAMPLES = 1e-10, 6, 64
 """A formula of the file's own becomes polynomials within this (rad or mm): times it is halved, places of each part."""

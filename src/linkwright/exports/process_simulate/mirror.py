@@ -8,7 +8,7 @@ from dataclasses import replace
 from pydantic import Field
 
 from linkwright.exports.process_simulate.joints import ToolJoint
-from linkwright.model.fields import Frozen
+from linkwright.expressions.fields import Frozen
 from linkwright.studies.asked import one_of
 
 SUFFIXES = ("_l", "_r")

@@ -13,17 +13,17 @@ from linkwright.exports.process_simulate.facts import Facts, check_facts
 from linkwright.exports.process_simulate.functions import MOST, PATH, Wish
 from linkwright.exports.process_simulate.joints import ToolJoint, driving, joints_of, named
 from linkwright.exports.process_simulate.mirror import Mirror
+from linkwright.expressions import units as u
+from linkwright.expressions.dimensions import DimensionError, Wanted
+from linkwright.expressions.fields import Expression, Frozen, FrozenDict
+from linkwright.expressions.fields import Name as NameField
+from linkwright.expressions.typed_fields import Context, Quantity, of_drive
+from linkwright.expressions.unknown import unknown
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
 from linkwright.model.cams import Following
-from linkwright.model.dimensions import DimensionError, Wanted
-from linkwright.model.fields import Expression, Frozen, FrozenDict
-from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import Interval, freeze
 from linkwright.model.quantities import LARGEST
-from linkwright.model.typed_fields import Context, Quantity, of_drive
-from linkwright.model.unknown import unknown
 from linkwright.studies.asked import one_of
 from linkwright.studies.limits import WIDEST
 

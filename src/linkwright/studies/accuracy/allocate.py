@@ -10,15 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from linkwright.expressions import units as u
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.fields import Expression, Frozen
+from linkwright.expressions.typed_fields import Context, Quantity
+from linkwright.expressions.unknown import near
+from linkwright.expressions.written import Shortened
 from linkwright.findings import Finding
-from linkwright.model import units as u
-from linkwright.model.dimensions import DimensionError
-from linkwright.model.fields import Expression, Frozen
 from linkwright.model.parts import freeze
 from linkwright.model.quantities import LARGEST, Quantities
-from linkwright.model.typed_fields import Context, Quantity
-from linkwright.model.unknown import near
-from linkwright.model.written import Shortened
 from linkwright.studies.accuracy.allocated import Allocation
 from linkwright.studies.accuracy.allocation import allocate
 from linkwright.studies.accuracy.allocation_problem import Demand, Item, Problem

@@ -10,16 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, Frozen, Text
+from linkwright.expressions.unknown import near
+from linkwright.expressions.written import Fault, FrozenDict
 from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.kernels import Compiled
 from linkwright.kernels.tangents import Tangents
 from linkwright.kernels.varied import Varied
-from linkwright.model import units as u
 from linkwright.model.actions import FileBeside
-from linkwright.model.fields import Expression, Frozen, Text
 from linkwright.model.parts import freeze
-from linkwright.model.unknown import near
-from linkwright.model.written import Fault, FrozenDict
 from linkwright.notation.angles import whole_turns
 from linkwright.notation.duals import Dual, slope_of, value_of
 from linkwright.results import Run

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model.expressions import evaluate
+from linkwright.expressions.language import evaluate
 from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import names_in
 from linkwright.notation import Jet

@@ -13,9 +13,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.language import Node
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model.expressions import Node
 from linkwright.results import Run
 from linkwright.results.quadrature import gauss_points
 from linkwright.studies.accuracy.contact import joined, lost

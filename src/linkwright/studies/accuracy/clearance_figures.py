@@ -7,9 +7,9 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.language import parse
 from linkwright.findings import Finding, Term
 from linkwright.measures import bound
-from linkwright.model.expressions import parse
 from linkwright.model.mechanism import Measure
 from linkwright.results import Run
 from linkwright.results.windows import intervals

@@ -8,19 +8,19 @@ from typing import Annotated
 
 from pydantic import Field
 
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.fields import Expression, Name
+from linkwright.expressions.typed_fields import Quantity
+from linkwright.expressions.units import LENGTH
+from linkwright.expressions.unknown import near, proposed
+from linkwright.expressions.written import Shortened
 from linkwright.findings import Finding
 from linkwright.graph.cams import followings
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
-from linkwright.model.dimensions import DimensionError
-from linkwright.model.fields import Expression, Name
 from linkwright.model.pins import Pin
 from linkwright.model.places import Path
 from linkwright.model.quantities import LARGEST
-from linkwright.model.typed_fields import Quantity
-from linkwright.model.units import LENGTH
-from linkwright.model.unknown import near, proposed
-from linkwright.model.written import Shortened
 from linkwright.studies.accuracy.rollers import rollers
 
 

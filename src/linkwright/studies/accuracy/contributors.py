@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model.units import Dimension
+from linkwright.expressions.units import Dimension
 
 Array = NDArray[np.float64]
 

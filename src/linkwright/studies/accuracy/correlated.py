@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.unknown import near
 from linkwright.findings import Finding
-from linkwright.model.unknown import near
 from linkwright.studies.accuracy.stated_options import Correlation
 
 Array = NDArray[np.float64]

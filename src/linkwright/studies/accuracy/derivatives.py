@@ -14,8 +14,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.language import Node
 from linkwright.measures import Measurer, Probe
-from linkwright.model.expressions import Node
 from linkwright.model.mechanism import REDUCTIONS, Measure
 from linkwright.results import Run
 from linkwright.results.quadrature import gauss_points

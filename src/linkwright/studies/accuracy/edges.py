@@ -8,8 +8,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model import units as u
-from linkwright.model.expressions import Node, parse
+from linkwright.expressions import units as u
+from linkwright.expressions.language import Node, parse
 from linkwright.results.windows import intervals
 from linkwright.studies.accuracy.slopes import Slopes
 

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.language import parse
 from linkwright.measures import measure_all
-from linkwright.model.expressions import parse
 from linkwright.results import Run
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.accuracy.derivatives import Derivatives

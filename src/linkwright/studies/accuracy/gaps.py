@@ -10,7 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model.expressions import Node
+from linkwright.expressions.language import Node
 from linkwright.notation import Jet
 from linkwright.results import Run
 from linkwright.studies.accuracy.seats import Held

@@ -8,7 +8,7 @@ from functools import cached_property, partial
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model.expressions import Node
+from linkwright.expressions.language import Node
 from linkwright.notation.duals import value_of
 from linkwright.results.breaks import law_joins
 from linkwright.results.run import combined

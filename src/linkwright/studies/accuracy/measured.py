@@ -11,16 +11,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as u
+from linkwright.expressions.dimensions import DimensionError, declared_scale
+from linkwright.expressions.fields import Expression
+from linkwright.expressions.language import Node
+from linkwright.expressions.units import Dimension, UnitError, unit
+from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
 from linkwright.model.csv_file import finite, read_csv
-from linkwright.model.dimensions import DimensionError, declared_scale
-from linkwright.model.expressions import Node
-from linkwright.model.fields import Expression
 from linkwright.model.quantities import LARGEST
-from linkwright.model.units import Dimension, UnitError, unit
-from linkwright.model.unknown import near
 from linkwright.results import Run
 from linkwright.results.stationary import bracketed
 from linkwright.studies.asked import of_signals, signal_faults

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated
 
+from linkwright.expressions.dimensions import Wanted
+from linkwright.expressions.typed_fields import Context, Quantity, Scope
 from linkwright.model.actions import figure
-from linkwright.model.dimensions import Wanted
-from linkwright.model.typed_fields import Context, Quantity, Scope
 
 
 def _dimension(name: str, c: Context) -> Wanted:

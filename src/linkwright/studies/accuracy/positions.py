@@ -6,15 +6,15 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+from linkwright.expressions import units as u
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.fields import Expression
+from linkwright.expressions.unknown import unknown
+from linkwright.expressions.written import FrozenDict
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
 from linkwright.model.actions import Measure
-from linkwright.model.dimensions import DimensionError
 from linkwright.model.document import Document
-from linkwright.model.fields import Expression
-from linkwright.model.unknown import unknown
-from linkwright.model.written import FrozenDict
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.asked import of_signals, signal_faults
 from linkwright.studies.cycle import span

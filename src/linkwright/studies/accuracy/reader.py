@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression
+from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
-from linkwright.model.fields import Expression
 from linkwright.model.tolerances import Spread, stated
-from linkwright.model.units import Dimension
 from linkwright.studies.accuracy.chained import derived
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.numbers import constant

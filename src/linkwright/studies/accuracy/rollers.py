@@ -12,10 +12,10 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from linkwright.expressions.language import FUNCTIONS
 from linkwright.graph.cams import followings, seat, sense
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
-from linkwright.model.expressions import FUNCTIONS
 
 
 def rollers(compiled: Compiled) -> dict[str, str]:

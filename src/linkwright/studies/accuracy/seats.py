@@ -13,10 +13,10 @@ from typing import Any, ClassVar, Protocol
 
 import numpy as np
 
+from linkwright.expressions.units import LENGTH
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.model.pins import Pin
-from linkwright.model.units import LENGTH
 from linkwright.studies.accuracy.clearance_options import Clearance
 from linkwright.studies.accuracy.rollers import on_roller, rollers
 

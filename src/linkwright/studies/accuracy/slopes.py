@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.fields import Expression
+from linkwright.expressions.language import Node, evaluate
+from linkwright.expressions.units import Dimension
 from linkwright.kernels.tangents import Tangents
-from linkwright.model.expressions import Node, evaluate
-from linkwright.model.fields import Expression
-from linkwright.model.units import Dimension
 from linkwright.notation.duals import Dual, slope_of, value_of
 from linkwright.results import Run
 from linkwright.results.run import expressed

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from linkwright.expressions import units as u
+from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, raise_errors
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
-from linkwright.model.unknown import near
 from linkwright.studies.accuracy.chained import derivatives
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.correlated import check as check_correlations

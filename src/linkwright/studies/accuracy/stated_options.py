@@ -7,13 +7,13 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Discriminator, Field, FiniteFloat, Tag
 
-from linkwright.model.fields import Expression, Frozen, Text
-from linkwright.model.fields import Name as NameField
+from linkwright.expressions.fields import Expression, Frozen, Text
+from linkwright.expressions.fields import Name as NameField
+from linkwright.expressions.typed_fields import Quantity
+from linkwright.expressions.units import PURE
+from linkwright.expressions.written import Fault, unexpected
 from linkwright.model.parts import Interval
 from linkwright.model.tolerances import Spread
-from linkwright.model.typed_fields import Quantity
-from linkwright.model.units import PURE
-from linkwright.model.written import Fault, unexpected
 
 
 def _is(raw: Any) -> Any:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from linkwright.model import units as u
-from linkwright.model.unknown import near
+from linkwright.expressions import units as u
+from linkwright.expressions.unknown import near
 from linkwright.studies.accuracy.reader import PATH, Moving, Path, Reader
 from linkwright.studies.accuracy.stated_options import Thermal
 from linkwright.tolerances import EXPANSION

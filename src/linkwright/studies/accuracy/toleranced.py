@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression
 from linkwright.findings import Term
-from linkwright.model import units as u
-from linkwright.model.fields import Expression
 from linkwright.model.tolerances import ClassName
 from linkwright.studies.accuracy.reader import Moving, Path, Reader
 from linkwright.tolerances import Limits, NoTolerance

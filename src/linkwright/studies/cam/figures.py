@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from linkwright.model import units as u
+from linkwright.expressions import units as u
 
 Range = tuple[float, float]
 

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 from linkwright.cam.checks import Check
 from linkwright.cam.contact import NoContact
+from linkwright.expressions import units as u
 from linkwright.findings import Finding, Term
-from linkwright.model import units as u
 from linkwright.studies.cam.figures import of_forces
 from linkwright.studies.cam.force_numbers import AT
 from linkwright.studies.cam.forces import pressed

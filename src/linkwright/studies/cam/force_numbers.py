@@ -10,10 +10,10 @@ from linkwright.cam.contact import Side
 from linkwright.cam.disc import Disc
 from linkwright.cam.hertz import STEEL, Material
 from linkwright.cam.loads import Loads
+from linkwright.expressions import units as u
 from linkwright.findings import Finding
 from linkwright.graph.cams import followings
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
 from linkwright.studies.cam.figures import along_lift, of_forces
 from linkwright.studies.cam.force_options import CamForces, CamMaterial
 from linkwright.studies.cam.stated_load import stated_load

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from linkwright.expressions.typed_fields import Context, Quantity, Sign
+from linkwright.expressions.units import Dimension
 from linkwright.model.cams import Following
-from linkwright.model.typed_fields import Context, Quantity, Sign
-from linkwright.model.units import Dimension
 
 
 def turning(c: Context) -> bool | None:

@@ -11,10 +11,10 @@ from linkwright.cam.closing import Closing
 from linkwright.cam.disc import TURN, Disc
 from linkwright.cam.extremes import Extreme
 from linkwright.cam.sizing import Feasible
+from linkwright.expressions import units as u
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.laws import Motion
-from linkwright.model import units as u
 from linkwright.results import Result, Run
 from linkwright.studies.cam.figures import Figure
 from linkwright.studies.cam.forces import Pressed

@@ -14,10 +14,10 @@ from linkwright.cam.nc.before import faults
 from linkwright.cam.nc.job import Job
 from linkwright.cam.nc.posts import POSTS
 from linkwright.cam.solid import Blank
+from linkwright.expressions.typed_fields import Context, Sign
+from linkwright.expressions.unknown import unknown
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
-from linkwright.model.typed_fields import Context, Sign
-from linkwright.model.unknown import unknown
 from linkwright.model.walk import Site, sites
 from linkwright.studies.cam.figures import FIGURES, OF_FACE, OF_ROLLER, SECOND, Range, closed_by, every, of_forces
 from linkwright.studies.cam.force_numbers import Asked, given, read

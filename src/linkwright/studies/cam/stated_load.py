@@ -14,14 +14,14 @@ from linkwright.cam.contact import rows
 from linkwright.cam.disc import TURN, Disc, Look, inside
 from linkwright.cam.extremes import STEPS, extremes
 from linkwright.cam.loads import Load, by_both
+from linkwright.expressions import units as u
+from linkwright.expressions.dimensions import DimensionError, argument
+from linkwright.expressions.fields import Expression
+from linkwright.expressions.language import FUNCTIONS, Call, Name, Node, evaluate, nodes
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import read_table
 from linkwright.laws import TableLaw
-from linkwright.model import units as u
-from linkwright.model.dimensions import DimensionError, argument
-from linkwright.model.expressions import FUNCTIONS, Call, Name, Node, evaluate, nodes
-from linkwright.model.fields import Expression
 from linkwright.model.names import Names
 from linkwright.model.places import Place, Scope
 from linkwright.model.quantities import LARGEST

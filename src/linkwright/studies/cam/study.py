@@ -15,10 +15,10 @@ from linkwright.cam.pairs import frame
 from linkwright.cam.sizing import feasible, resized, smallest
 from linkwright.cam.solid import Blank
 from linkwright.cam.splines import splines
+from linkwright.expressions import units as u
+from linkwright.expressions.unknown import unknown
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
-from linkwright.model.unknown import unknown
 from linkwright.studies.cam.closed import held
 from linkwright.studies.cam.figures import Figure, every
 from linkwright.studies.cam.force_findings import press

@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright._machine import needed
+from linkwright.expressions.written import NO_TEXT
 from linkwright.findings import Finding, ModelError, Term
 from linkwright.model.csv_file import MAX_TOLD, finite
 from linkwright.model.input_files import read_beside
 from linkwright.model.quantities import LARGEST
-from linkwright.model.written import NO_TEXT
 
 Array = NDArray[np.float64]
 Path_ = tuple[str | int, ...]

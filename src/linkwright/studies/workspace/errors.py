@@ -14,11 +14,11 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as u
 from linkwright.graph.tangent import jacobian
 from linkwright.kernels import KERNELS
 from linkwright.kernels.choice import choose
 from linkwright.kernels.registry import Kernel
-from linkwright.model import units as u
 from linkwright.structure import Group
 from linkwright.studies.workspace.causes import Causes
 from linkwright.studies.workspace.maps import Maps, mapped

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Self
 
 from pydantic import Field, PrivateAttr, ValidationError, ValidationInfo, model_validator
 
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, Text
+from linkwright.expressions.typed_fields import Quantity
+from linkwright.expressions.unknown import unknown
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
-from linkwright.model.fields import Expression, Text
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.typed_fields import Quantity
-from linkwright.model.unknown import unknown
 from linkwright.studies.accuracy.clearance import PATH as CLEARANCES
 from linkwright.studies.accuracy.clearance_options import check_clearances
 from linkwright.studies.accuracy.options import AccuracyOptions

@@ -7,15 +7,15 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import ConfigDict, Field, RootModel
 
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, Frozen
+from linkwright.expressions.fields import Name as NameField
+from linkwright.expressions.typed_fields import Context, Quantity, Sign
+from linkwright.expressions.written import Fault
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
-from linkwright.model.fields import Expression, Frozen
-from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import Vector, freeze
-from linkwright.model.typed_fields import Context, Quantity, Sign
 from linkwright.model.walk import Place, sites
-from linkwright.model.written import Fault
 from linkwright.studies.asked import one_of
 from linkwright.studies.numbers import constant
 from linkwright.studies.workspace.path_options import positive

@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as u
+from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
-from linkwright.model.units import Dimension
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, shown
 from linkwright.studies.workspace.path_options import WantedPath, WantedPaths, rate_of, wanted
 from linkwright.studies.workspace.wanted import PATH, Wanted

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model import units as u
+from linkwright.expressions import units as u
 from linkwright.studies.workspace.maps import Extreme, Map, Maps
 from linkwright.studies.workspace.outcome import Reached, Workspace
 from linkwright.studies.workspace.shapes import figures

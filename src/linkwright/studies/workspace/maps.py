@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright._machine import processors
+from linkwright.expressions.units import Dimension
 from linkwright.kernels.spread import pool
 from linkwright.model.quantities import Quantities
-from linkwright.model.units import Dimension
 from linkwright.results.stationary import bracketed
 from linkwright.studies.workspace.mesh import Box, halves, sides_of
 

@@ -9,18 +9,18 @@ from typing import Annotated, Protocol
 
 from pydantic import Field
 
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.fields import Expression, Frozen, FrozenDict
+from linkwright.expressions.fields import Name as NameField
+from linkwright.expressions.typed_fields import of_drive, of_parameter
+from linkwright.expressions.units import ANGLE, LENGTH
+from linkwright.expressions.unknown import near, unknown
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
-from linkwright.model.dimensions import DimensionError
-from linkwright.model.fields import Expression, Frozen, FrozenDict
-from linkwright.model.fields import Name as NameField
 from linkwright.model.followers import no_cams
 from linkwright.model.parts import Interval, freeze
 from linkwright.model.quantities import LARGEST
-from linkwright.model.typed_fields import of_drive, of_parameter
-from linkwright.model.units import ANGLE, LENGTH
-from linkwright.model.unknown import near, unknown
 from linkwright.structure import FRAME
 from linkwright.studies.asked import one_of
 from linkwright.studies.numbers import constant

@@ -10,18 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ConfigDict, Field, RootModel
 
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, Frozen, Text
+from linkwright.expressions.fields import Name as NameField
+from linkwright.expressions.language import ExpressionError, evaluate
+from linkwright.expressions.typed_fields import Quantity, of_drive
+from linkwright.expressions.unknown import unknown
+from linkwright.expressions.written import Fault
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.laws import DEGREES
-from linkwright.model import units as u
 from linkwright.model.actions import FileBeside
-from linkwright.model.expressions import ExpressionError, evaluate
-from linkwright.model.fields import Expression, Frozen, Text
-from linkwright.model.fields import Name as NameField
 from linkwright.model.parts import Vector, freeze
-from linkwright.model.typed_fields import Quantity, of_drive
-from linkwright.model.unknown import unknown
-from linkwright.model.written import Fault
 from linkwright.studies.asked import one_of
 from linkwright.studies.numbers import constant
 from linkwright.studies.workspace.wanted import PATH, Path_, Wanted, from_csv, from_dxf, from_formula, through

@@ -13,11 +13,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as u
+from linkwright.expressions.units import Dimension
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.choice import choose
-from linkwright.model import units as u
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.units import Dimension
 from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.maps import Maps, mapped
 from linkwright.studies.workspace.mesh import Box

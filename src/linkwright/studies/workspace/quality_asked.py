@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from pydantic import BeforeValidator, Discriminator, Field, Tag
 
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, FrozenDict, Two, pair
+from linkwright.expressions.fields import Name as NameField
+from linkwright.expressions.typed_fields import Quantity, of_drive
+from linkwright.expressions.units import Dimension
+from linkwright.expressions.unknown import unknown
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
-from linkwright.model.fields import Expression, FrozenDict, Two, pair
-from linkwright.model.fields import Name as NameField
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.parts import freeze
-from linkwright.model.typed_fields import Quantity, of_drive
-from linkwright.model.units import Dimension
-from linkwright.model.unknown import unknown
 from linkwright.studies.workspace.maps_asked import MapsAsked, number, positive
 from linkwright.studies.workspace.quality import Task, kinds, possible
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from linkwright.model import units as u
+from linkwright.expressions import units as u
 from linkwright.studies.workspace.mapped_regions import RegionMaps
 from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.outcome import Reached, Workspace

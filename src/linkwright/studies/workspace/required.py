@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as u
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model import units as u
 from linkwright.studies.workspace.fit_options import PATH, RequiredFit, RequiredFits
 from linkwright.studies.workspace.fits import (
     Circle,

@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import Field
 
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.fields import Expression, Frozen
+from linkwright.expressions.fields import Name as NameField
+from linkwright.expressions.typed_fields import Context, of_drive
+from linkwright.expressions.units import ANGLE, LENGTH
+from linkwright.expressions.unknown import unknown
+from linkwright.expressions.written import Fault
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model.dimensions import DimensionError
-from linkwright.model.fields import Expression, Frozen
-from linkwright.model.fields import Name as NameField
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.typed_fields import Context, of_drive
-from linkwright.model.units import ANGLE, LENGTH
-from linkwright.model.unknown import unknown
-from linkwright.model.written import Fault
 from linkwright.studies.numbers import constant
 from linkwright.studies.workspace.path_options import positive
 

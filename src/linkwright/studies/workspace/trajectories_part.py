@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.model import units as u
+from linkwright.expressions import units as u
 from linkwright.studies.workspace.outcome import Reached, Workspace
 from linkwright.studies.workspace.trajectories import Trajectories, trajectories
 from linkwright.studies.workspace.trajectories_asked import TrajectoriesAsked, held

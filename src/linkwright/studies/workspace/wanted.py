@@ -13,12 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.findings import Finding, ModelError
-from linkwright.laws import DEGREES
-from linkwright.model import units as u
-from linkwright.model.csv_file import read_csv
-from linkwright.model.dimensions import DimensionError
-from linkwright.model.expressions import (
+from linkwright.expressions import units as u
+from linkwright.expressions.dimensions import DimensionError
+from linkwright.expressions.language import (
     FUNCTIONS,
     Binary,
     Call,
@@ -31,8 +28,11 @@ from linkwright.model.expressions import (
     nodes,
     parse,
 )
+from linkwright.expressions.units import UnitError, unit
+from linkwright.findings import Finding, ModelError
+from linkwright.laws import DEGREES
+from linkwright.model.csv_file import read_csv
 from linkwright.model.quantities import Quantities
-from linkwright.model.units import UnitError, unit
 from linkwright.notation import Jet
 from linkwright.studies.workspace.dxf_file import read_curve
 

@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions import units as si
 from linkwright.findings import Finding
-from linkwright.model import units as si
 from linkwright.results.stationary import bracketed, crossings
 from linkwright.studies.workspace.efforts import Efforts, efforts
 from linkwright.studies.workspace.regions import Region

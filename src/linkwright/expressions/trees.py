@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from linkwright.model.units import is_unit
+from linkwright.expressions.units import is_unit
 
 
 @dataclass(frozen=True)

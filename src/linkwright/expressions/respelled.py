@@ -9,12 +9,12 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection
 
+from linkwright.expressions.parser import reads, tokens
+from linkwright.expressions.synonyms import unit_meant
+from linkwright.expressions.units import is_unit, unit_words
+from linkwright.expressions.unknown import alike
+from linkwright.expressions.written import Fault
 from linkwright.findings import Term
-from linkwright.model.parser import reads, tokens
-from linkwright.model.synonyms import unit_meant
-from linkwright.model.units import is_unit, unit_words
-from linkwright.model.unknown import alike
-from linkwright.model.written import Fault
 
 WIDE = {code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)} | {
     0x3000: " ", 0x3001: ",", 0x3002: ".", 0x3010: "[", 0x3011: "]", 0x201C: '"', 0x201D: '"', 0x2018: "'", 0x2019: "'",

@@ -12,10 +12,10 @@ from fractions import Fraction
 from itertools import count
 from typing import Any
 
-from linkwright.model.expressions import FUNCTIONS, Binary, Call, Name, Negative, Node, Number, evaluate, nodes
-from linkwright.model.system import System, Unknown
-from linkwright.model.trees import is_signal, text_of
-from linkwright.model.units import ANGLE, PURE, TIME, Dimension, unit, words_of
+from linkwright.expressions.language import FUNCTIONS, Binary, Call, Name, Negative, Node, Number, evaluate, nodes
+from linkwright.expressions.system import System, Unknown
+from linkwright.expressions.trees import is_signal, text_of
+from linkwright.expressions.units import ANGLE, PURE, TIME, Dimension, unit, words_of
 
 _serial = count(1)
 

@@ -11,11 +11,11 @@ from pydantic import BaseModel
 from linkwright import compilation
 from linkwright.app.job import examine_document
 from linkwright.exports import TARGETS
-from linkwright.model import units as u
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, Frozen, Name
+from linkwright.expressions.typed_fields import ELSEWHERE, Context, Quantity, Ref, Sign
 from linkwright.model.document import Document
-from linkwright.model.fields import Expression, Frozen, Name
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.typed_fields import ELSEWHERE, Context, Quantity, Ref, Sign
 from linkwright.model.walk import Place, _fields, _Spec, references, sites
 from linkwright.studies import STUDIES
 from model.given import four_bar

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from linkwright.expressions import units as u
 from linkwright.findings import Finding
-from linkwright.model import units as u
 from linkwright.model.document import Document
 from linkwright.model.quantities import Quantities
 from model.given import DATA, four_bar, quantities
@@ -39,7 +39,7 @@ def point(q: Quantities, name: str = "P", link: str = "coupler") -> tuple[float,
 
 def at_one_second(q: Quantities, **values: float) -> float:
     """The value of the motor's position at t = 1 s."""
-    from linkwright.model.expressions import evaluate
+    from linkwright.expressions.language import evaluate
 
     position = q.mechanism.drives["motor"].position
     assert position is not None
@@ -139,7 +139,7 @@ def test_the_law_of_a_slide() -> None:
             drives={"raise": {"slides": "crank", "on": "frame", "position": "1100 + 20*t/(1 s)"}},
         )
     )
-    from linkwright.model.expressions import evaluate
+    from linkwright.expressions.language import evaluate
 
     position = q.mechanism.drives["raise"].position
     assert position is not None
@@ -392,8 +392,8 @@ def test_bare_numbers_follow_the_declared_units(name: str, length: float, angle:
 )
 def test_values_from_elsewhere_say_what_is_wrong_with_them(text: str, code: str) -> None:
     """Options of studies aren't the model's own: asking for their value names the fault, with units spelled."""
-    from linkwright.model.dimensions import DimensionError
-    from linkwright.model.fields import Expression
+    from linkwright.expressions.dimensions import DimensionError
+    from linkwright.expressions.fields import Expression
 
     q = model(tables={"c": {"points": [["0 s", 1], ["1 s", 2]]}})
     assert not q.findings
@@ -405,8 +405,8 @@ def test_values_from_elsewhere_say_what_is_wrong_with_them(text: str, code: str)
 
 
 def test_a_value_whose_unit_isn_t_declared() -> None:
-    from linkwright.model.dimensions import DimensionError
-    from linkwright.model.fields import Expression
+    from linkwright.expressions.dimensions import DimensionError
+    from linkwright.expressions.fields import Expression
 
     q = model(units={"length": "mm", "angle": "deg"})
     with pytest.raises(DimensionError) as caught:

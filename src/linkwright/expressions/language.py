@@ -17,9 +17,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from linkwright.laws.step import step5
-from linkwright.model.parser import ExpressionError, parse
-from linkwright.model.trees import (
+from linkwright.expressions.parser import ExpressionError, parse
+from linkwright.expressions.trees import (
     Binary,
     Call,
     Name,
@@ -31,6 +30,7 @@ from linkwright.model.trees import (
     signal_text,
     text_of,
 )
+from linkwright.laws.step import step5
 from linkwright.notation import Jet
 from linkwright.notation.jets import call
 

@@ -15,10 +15,10 @@ from __future__ import annotations
 from collections.abc import Callable, Container, Mapping
 from copy import copy
 
-from linkwright.model.expressions import FUNCTIONS, Binary, Call, Name, Negative, Node, Number, is_signal, nodes
-from linkwright.model.forms import DimensionError, Equations, Form
-from linkwright.model.system import Unknown
-from linkwright.model.units import BASES, PURE, Dimension, UnitError, spelled, unit
+from linkwright.expressions.forms import DimensionError, Equations, Form
+from linkwright.expressions.language import FUNCTIONS, Binary, Call, Name, Negative, Node, Number, is_signal, nodes
+from linkwright.expressions.system import Unknown
+from linkwright.expressions.units import BASES, PURE, Dimension, UnitError, spelled, unit
 
 __all__ = ["DimensionError", "Dimensions", "Wanted", "argument", "declared_scale", "value"]
 

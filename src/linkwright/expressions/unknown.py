@@ -7,8 +7,8 @@ from collections.abc import Iterable, Sequence
 from difflib import SequenceMatcher
 from typing import Any
 
+from linkwright.expressions.synonyms import meant, plain
 from linkwright.findings import Finding, Term
-from linkwright.model.synonyms import meant, plain
 
 MOST = 3
 """The most names that a hint proposes."""

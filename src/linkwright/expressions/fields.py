@@ -8,13 +8,12 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, WithJsonSchema
 
-from linkwright.findings import Term
-from linkwright.model.expressions import ExpressionError, Node, Number, parse
-from linkwright.model.parser import reads
-from linkwright.model.respelled import syntax_fault
-from linkwright.model.typed_fields import Quantity, Sign
-from linkwright.model.units import ANGLE, LENGTH
-from linkwright.model.written import (
+from linkwright.expressions.language import ExpressionError, Node, Number, parse
+from linkwright.expressions.parser import reads
+from linkwright.expressions.respelled import syntax_fault
+from linkwright.expressions.typed_fields import Quantity, Sign
+from linkwright.expressions.units import ANGLE, LENGTH
+from linkwright.expressions.written import (
     Frozen,
     FrozenDict,
     Written,
@@ -27,6 +26,7 @@ from linkwright.model.written import (
     short_text,
     unexpected,
 )
+from linkwright.findings import Term
 
 __all__ = [
     "AssemblyRule",

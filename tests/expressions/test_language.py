@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from linkwright.model.expressions import (
+from linkwright.expressions.language import (
     FUNCTIONS,
     Binary,
     Call,

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
+from linkwright.expressions.fields import AssemblyRule, LineOn, Position, Requirement, Shape, Written
 from linkwright.model.document import read_document
-from linkwright.model.fields import AssemblyRule, LineOn, Position, Requirement, Shape, Written
 from linkwright.model.gravity import Gravity
 from model.given import changed, codes, findings
 

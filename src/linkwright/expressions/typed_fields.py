@@ -14,14 +14,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from linkwright.model.dimensions import Wanted
-from linkwright.model.units import Dimension
-from linkwright.model.written import FrozenDict
-
-if TYPE_CHECKING:
-    from linkwright.model.mechanism import Mechanism
+from linkwright.expressions.dimensions import Wanted
+from linkwright.expressions.units import Dimension
+from linkwright.expressions.written import FrozenDict
 
 Path = tuple[str | int, ...]
 
@@ -57,7 +54,7 @@ class Ends(Enum):
 class Context:
     """Where a field stands: in which mechanism, at which path of the file, within which entries, outermost first."""
 
-    mechanism: Mechanism
+    mechanism: Any  # linkwright.model.mechanism.Mechanism, which is made of such fields
     path: Path = ()
     entries: tuple[Any, ...] = ()
 

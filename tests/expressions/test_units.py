@@ -7,8 +7,8 @@ import math
 import pint
 import pytest
 
-from linkwright.model import units as u
-from linkwright.model.units import Dimension, UnitError, si_text, spelled, unit
+from linkwright.expressions import units as u
+from linkwright.expressions.units import Dimension, UnitError, si_text, spelled, unit
 
 MM = {"length": "mm", "angle": "deg", "mass": "kg", "time": "s", "force": "N", "torque": "N*m"}
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from linkwright.model.synonyms import meant
-from linkwright.model.unknown import likeliest, near
+from linkwright.expressions.synonyms import meant
+from linkwright.expressions.unknown import likeliest, near
 
 LINKS = ["frame", "crank", "rod", "rocker"]
 DRIVE = ["turns", "slides", "extends", "on", "speed", "start", "acceleration", "position", "output"]

@@ -214,8 +214,8 @@ class Written:
         """Parse and store; raises :func:`fault`."""
 
     def quantities(self) -> Iterable[tuple[Any, Any]]:
-        """The expressions in it, each with the :class:`~linkwright.model.typed_fields.Quantity` that it is, or ``None``
-        where the field says that."""
+        """The expressions in it, each with the :class:`~linkwright.expressions.typed_fields.Quantity` that it is, or
+        ``None`` where the field says that."""
         return ()
 
     def unexpected(self, wanted: str, raw: Any) -> PydanticCustomError:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from linkwright.model.expressions import ExpressionError, parse
-from linkwright.model.respelled import respelled
+from linkwright.expressions.language import ExpressionError, parse
+from linkwright.expressions.respelled import respelled
 
 SPELLINGS = {
     "190,5": "190.5",

@@ -1,4 +1,4 @@
-"""From the text of an expression to its tree; the grammar stands in :mod:`linkwright.model.expressions`."""
+"""From the text of an expression to its tree; the grammar stands in :mod:`linkwright.expressions.language`."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
 
+from linkwright.expressions.trees import Binary, Call, Name, Negative, Node, Number, height
+from linkwright.expressions.units import is_unit
 from linkwright.findings import Term
-from linkwright.model.trees import Binary, Call, Name, Negative, Node, Number, height
-from linkwright.model.units import is_unit
 
 MAX_TEXT = 2000
 MAX_DEPTH = 60
