@@ -27,6 +27,14 @@ def test_the_keys_of_a_place(path: tuple[str | int, ...], known: set[str]) -> No
     assert known <= {*found} and bool(known) == bool(found)
 
 
+def test_those_of_the_kind_that_is_meant() -> None:
+    data = {"joints": {"a": {"pin_in_slot": ["p", "q"], "line": "A at 0 deg"}, "b": {"prismatic": ["p", "q"]}, "c": {}}}
+    slot, slide, any_joint = ({*keys_at(Document, ("joints", name), data)} for name in data["joints"])
+    assert slot == {"pin_in_slot", "pin", "straight", "arc", "curve", "flank", "travel"}
+    assert slide == {"prismatic", "line", "travel", "revolute", "at"}
+    assert any_joint >= slot | slide
+
+
 def test_those_of_several_kinds_are_joined() -> None:
     assert {"count", "normal", "sigma"} <= {*keys_at(STUDIES["sweep"].options, ("vary", "AB"))}
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cache
-from importlib.metadata import entry_points
 from typing import Any, ClassVar
 
 from linkwright.expressions.fields import Expression, Frozen
@@ -66,6 +65,8 @@ ENTRIES: Registry[type[JointEntry]] = Registry()
 @cache
 def load_plugins() -> None:
     """Load the modules by which other packages make kinds of elements known, once."""
+    from importlib.metadata import entry_points
+
     for point in sorted(entry_points(group=GROUP), key=lambda point: point.name):
         point.load()
 

@@ -80,7 +80,7 @@ def written(loc: tuple[Any, ...], data: Any) -> Path:
 def _finding(fault: Any, raw: Any, owner: Any) -> Finding:
     context, kind, path = dict(fault.get("ctx") or {}), fault["type"], written(fault["loc"], raw)
     # A key that belongs to another kind of the same section is no element that is looked for elsewhere.
-    elsewhere = kind == "extra_forbidden" and path and path[-1] not in keys_at(owner, path[:-1])
+    elsewhere = kind == "extra_forbidden" and path and path[-1] not in keys_at(owner, path[:-1], raw)
     named = absent(path[-1], fault["input"]) if elsewhere else None
     if kind in _WANTED and path[:1] == ("joints",):
         named = absent("type", fault["input"])
@@ -121,10 +121,10 @@ def finding_of(fault: Any, data: Any, owner: Any, place: Path = ()) -> Finding |
         context = dict(fault["ctx"])
         return Finding(context.pop("code"), (*place, *path), context)
     if kind == "missing":
-        keys = ", ".join(keys_at(owner, path))
+        keys = ", ".join(keys_at(owner, path, data))
         return Finding("file.missing", (*place, *path), {"name": str(fault["loc"][-1]), "known": keys})
     if kind == "extra_forbidden":
-        name, known = str(path[-1]), keys_at(owner, path[:-1])
+        name, known = str(path[-1]), keys_at(owner, path[:-1], data)
         kind = fault["input"]
         if name in SAYS_KIND and isinstance(kind, str) and likeliest(kind, known):
             return Finding("file.kind", (*place, *path), {"name": name, "kind": kind[:60], "near": near(kind, known)})

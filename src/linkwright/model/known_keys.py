@@ -3,44 +3,45 @@
 from __future__ import annotations
 
 import types
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Annotated, Any, Union, get_args, get_origin
 
 from pydantic import BaseModel
 
 
-def keys_at(owner: Any, path: Iterable[str | int]) -> list[str]:
+def keys_at(owner: Any, path: Iterable[str | int], data: Any = None) -> list[str]:
     """The keys of what stands at a path within a part of the type ``owner``; of several kinds that may stand there,
-    those of all. Empty where names are free."""
-    kinds = [*_kinds(owner)]
+    those of all, or with the part's ``data`` of the one that is meant. Empty where names are free."""
+    kinds = [*_kinds(owner, data)]
     for key in path:
-        kinds = [inner for kind in kinds for inner in _inside(kind, key)]
+        data = data.get(key) if isinstance(data, Mapping) else None
+        kinds = [inner for kind in kinds for inner in _inside(kind, key, data)]
     keys = (key for kind in kinds if _is_part(kind) for key in _fields(kind))
     return [*dict.fromkeys(keys)]
 
 
-def _kinds(annotation: Any) -> Iterator[Any]:
-    """The types that an annotation allows."""
+def _kinds(annotation: Any, value: Any) -> Iterator[Any]:
+    """The types that an annotation allows for a value."""
     origin = get_origin(annotation)
     if origin is Annotated:
         first, *said = get_args(annotation)
-        yield from _kinds(first)
-        yield from (kind for one in said for kind in getattr(one, "kinds", list)())
+        chosen = next((one.kinds(value) for one in said if hasattr(one, "kinds")), None)
+        yield from _kinds(first, value) if chosen is None else chosen
     elif origin in (Union, types.UnionType):
         for kind in get_args(annotation):
-            yield from _kinds(kind)
+            yield from _kinds(kind, value)
     else:
         yield annotation
 
 
-def _inside(kind: Any, key: str | int) -> Iterator[Any]:
-    """The types of what stands under a key of a type."""
+def _inside(kind: Any, key: str | int, value: Any) -> Iterator[Any]:
+    """The types of a value that stands under a key of a type."""
     if _is_part(kind):
         if (annotation := _fields(kind).get(str(key))) is not None:
-            yield from _kinds(annotation)
+            yield from _kinds(annotation, value)
     elif args := get_args(kind):
         for part in args[1:] if get_origin(kind) is dict else args:
-            yield from _kinds(part)
+            yield from _kinds(part, value)
 
 
 def _is_part(kind: Any) -> bool:

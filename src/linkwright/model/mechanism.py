@@ -101,9 +101,12 @@ class _AnyJoint:
             serialization=core_schema.plain_serializer_function_ser_schema(_dumped, info_arg=True),
         )
 
-    def kinds(self) -> list[type[JointEntry]]:
-        """What may stand here besides pins and slides."""
-        return [*ENTRIES.values()]
+    def kinds(self, raw: Any) -> list[type]:
+        """The entries of which a joint may be, as far as its keys tell."""
+        keys = raw.keys() if isinstance(raw, Mapping) else ()
+        if {"prismatic", "revolute"} & {*keys}:
+            return [Joint]
+        return [entry for kind, entry in ENTRIES.items() if kind in keys] or [Joint, *ENTRIES.values()]
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
         load_plugins()
