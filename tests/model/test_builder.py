@@ -187,3 +187,18 @@ def test_a_sketch_with_all_that_acts_on_it_is_the_file_s() -> None:
     assert read_document(dump(built).encode())[0] == built
     assert lw.check(built) == []
     assert lw.run(built).exit_code == 0
+
+
+def test_a_pin_in_a_slot() -> None:
+    document = (
+        Builder("yoke")
+        .frame(O=[0, 0], G=[0, 0])
+        .link("crank", O=[0, 0], B=[40, 0])
+        .link("yoke", H=[0, 0])
+        .prismatic("guide", ("frame", "G at 0 deg"), ("yoke", "H at 0 deg"))
+        .pin_in_slot("slot", ("crank", "B"), "yoke", straight="H at 90 deg", travel=[-45, 45])
+        .drive("motor", turns="crank", speed="60 rpm", start=0)
+        .build()
+    )
+    assert document.joints["slot"].links == ("crank", "yoke")
+    assert document.joints["slot"].limits is not None

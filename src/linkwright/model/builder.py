@@ -87,6 +87,11 @@ class Builder:
         """A pin between points of different names: of each of two links its name and its point."""
         return self._put("joints", name, {"revolute": [first[0], second[0]], "at": [first[1], second[1]]})
 
+    def pin_in_slot(self, name: str, first: tuple[str, str], second: str, **slot: Any) -> Self:
+        """A pin in a slot: the link that has the pin and its point, and the slotted link; ``slot`` has the keys of a
+        file, such as ``straight="C at 0 deg"`` or ``arc={"centre": "M", "radius": 50}``, ``flank`` and ``travel``."""
+        return self._put("joints", name, {"pin_in_slot": [first[0], second], "pin": first[1], **slot})
+
     def cylinder(
         self,
         name: str,
