@@ -108,10 +108,10 @@ def test_the_certificate_sees_a_slot_that_lies_elsewhere(monkeypatch: pytest.Mon
     assert certify(Run(compiled_from(lever("straight")), 0.0, 1.0, 20)).closure > 1e-6
 
 
-@pytest.mark.parametrize("slot", SLOTS)
 @pytest.mark.parametrize("kernel", every())
-def test_kernels_agree(slot: str, kernel: str) -> None:
-    compiled = compiled_from(lever(slot))
+def test_kernels_agree(kernel: str) -> None:
+    """On the curve, whose pieces are chosen by comparisons; the other slots are among the examples that kernels run."""
+    compiled = compiled_from(lever("curve"))
     program = compiled.graph.program(["lever.omega", "slot.force"], rates=True, solve=True)
     x, p = compiled.inputs(T), compiled.parameters
     plain = np.array([compiled.graph.program(["lever.omega", "slot.force"], rates=True)(pose, p) for pose in x.T]).T
