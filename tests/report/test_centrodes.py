@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from linkwright.report.centrodes import centrodes
+from linkwright.report.centrodes import _cut, centrodes
 from studies.models import cycle_of, four_bar, slider_crank, trammel
 
 
@@ -40,3 +40,10 @@ def test_no_line_across_infinity() -> None:
     assert y[known] == pytest.approx(result["pole(rod, frame).y"][known] * 1e3)
     jumps = np.flatnonzero(known[:-1] & known[1:] & (np.diff(np.sign(result["rod.omega"])) != 0))
     assert jumps.size == 0
+
+
+def test_infinite_speeds_bring_no_warnings() -> None:
+    """A pole is cut where the relative speed changes its sign, also beside a pose at which that is infinite."""
+    pole = np.zeros((4, 4))
+    cut = _cut(pole, np.array([1.0, np.inf, 0.0, -1.0]), np.zeros(2), np.ones(2))
+    assert np.isnan(cut[0]).tolist() == [False, False, True, True]

@@ -40,7 +40,8 @@ def _cut(pole: Array, omega: Array, centre: Array, reach: Array) -> Array:
     with np.errstate(invalid="ignore", divide="ignore"):
         away = np.abs(pole[:2] - centre[:, None]) / reach[:, None]
     away = np.nan_to_num(away, nan=np.inf, posinf=np.inf).max(axis=0)
-    before = np.flatnonzero(omega[:-1] * omega[1:] <= 0)
+    sign = np.sign(omega)  # of which an infinite one has its own, too
+    before = np.flatnonzero(sign[:-1] * sign[1:] <= 0)
     farther = np.where(away[before] > away[before + 1], before, before + 1)
     away[farther] = np.inf
     return np.where(away <= 1, pole, np.nan)
