@@ -11,7 +11,6 @@ import numpy as np
 from linkwright.elements.joint import (
     Array,
     Contact,
-    Inner,
     JointGeometry,
     JointKind,
     JointReports,
@@ -20,13 +19,12 @@ from linkwright.elements.joint import (
     Twist,
     register,
 )
+from linkwright.elements.lower_pair import LowerPair, Slopes
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.planar import turning_axis, unit_vector
 
 Turn = Pair
 """A position on a pin: the unit vector (cos, sin) of the link's x axis."""
-Slopes = tuple[tuple[Scalar, Scalar], tuple[Scalar, Scalar]]
-"""The slopes of two equations to a freedom of each of two links."""
 VAGUE = 1e-12
 """Sketched places nearer to the pin (m2) don't tell an angle."""
 
@@ -69,14 +67,13 @@ class OuterPin:
 
 
 @dataclass(frozen=True)
-class InnerPin(Inner):
+class InnerPin(LowerPair):
     """The two links share a pin: ``first`` and ``second`` are its coordinates in their frames."""
 
     first: Pair
     second: Pair
 
     def seen_from(self, a: Body, b: Body) -> InnerPin:
-        """The same joint by coordinates in the frames in which the two links lie as ``a`` and ``b`` say."""
         return InnerPin(a.point(self.first).now, b.point(self.second).now)
 
     def gap(self, *bodies: Body) -> tuple[Jet, Jet]:
@@ -86,21 +83,12 @@ class InnerPin(Inner):
         return difference.x, difference.y
 
     def slopes(self, a: Body, b: Body, first: Twist, second: Twist) -> Slopes:
-        """d(gap)/d(coordinates)."""
         da = first.velocity(a.point(self.first).now)
         db = second.velocity(b.point(self.second).now)
         return (da.x, -db.x), (da.y, -db.y)
 
-    def rates(self, bodies: Sequence[Body], twists: Sequence[Twist]) -> list[Scalar]:
-        return [one + other for one, other in self.slopes(bodies[0], bodies[1], twists[0], twists[1])]
-
     def action(self, a: Body, b: Body, multipliers: tuple[Scalar, Scalar]) -> Wrench:
-        """The wrench on the first link that the closure's multipliers stand for."""
         return Wrench(Pair(*multipliers), 0.0, a.point(self.first).now)
-
-    def actions(self, bodies: Sequence[Body], multipliers: Sequence[Scalar]) -> list[Wrench]:
-        own = self.action(bodies[0], bodies[1], (multipliers[0], multipliers[1]))
-        return [own, own.opposite]
 
 
 @register

@@ -10,7 +10,6 @@ import numpy as np
 from linkwright.elements.joint import (
     Array,
     Contact,
-    Inner,
     JointGeometry,
     JointKind,
     JointReports,
@@ -19,7 +18,7 @@ from linkwright.elements.joint import (
     Twist,
     register,
 )
-from linkwright.elements.pin import Slopes
+from linkwright.elements.lower_pair import LowerPair, Slopes
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 
 
@@ -64,7 +63,7 @@ class OuterLine:
 
 
 @dataclass(frozen=True)
-class InnerLine(Inner):
+class InnerLine(LowerPair):
     """A line on each link, coincident and equally directed: points and headings in the links' frames."""
 
     first: Pair
@@ -73,7 +72,6 @@ class InnerLine(Inner):
     second_heading: Pair
 
     def seen_from(self, a: Body, b: Body) -> InnerLine:
-        """The same joint by coordinates in the frames in which the two links lie as ``a`` and ``b`` say."""
         ends = (a, self.first, self.first_heading), (b, self.second, self.second_heading)
         (p, u), (q, v) = ((body.point(point).now, body.direction(heading).now) for body, point, heading in ends)
         return InnerLine(p, u, q, v)
@@ -87,7 +85,6 @@ class InnerLine(Inner):
         return between, across
 
     def slopes(self, a: Body, b: Body, first: Twist, second: Twist) -> Slopes:
-        """d(gap)/d(coordinates)."""
         normal = a.direction(self.first_heading).perp.now
         point = b.point(self.second).now
         return (-first.turn, second.turn), (
@@ -95,18 +92,10 @@ class InnerLine(Inner):
             second.velocity(point).dot(normal),
         )
 
-    def rates(self, bodies: Sequence[Body], twists: Sequence[Twist]) -> list[Scalar]:
-        return [one + other for one, other in self.slopes(bodies[0], bodies[1], twists[0], twists[1])]
-
     def action(self, a: Body, b: Body, multipliers: tuple[Scalar, Scalar]) -> Wrench:
-        """The wrench on the first link that the closure's multipliers stand for."""
         normal = a.direction(self.first_heading).perp.now
         moment, force = multipliers
         return Wrench(Pair(-force * normal.x, -force * normal.y), -moment, b.point(self.second).now)
-
-    def actions(self, bodies: Sequence[Body], multipliers: Sequence[Scalar]) -> list[Wrench]:
-        own = self.action(bodies[0], bodies[1], (multipliers[0], multipliers[1]))
-        return [own, own.opposite]
 
 
 @register

@@ -6,7 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
 
-from linkwright.elements import InnerLine, InnerPin, Twist
+from linkwright.elements import Twist
+from linkwright.elements.lower_pair import LowerPair
 from linkwright.graph.clusters import SolvedCluster, solve_cluster
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.placing import carried, driven_body, inner_joint, outer_joint
@@ -103,10 +104,10 @@ def known_determinant(motion: Motion, group: Group) -> Scalar:
     return determinant_of(_lower_pair(motion, group, meeting).slopes(a, b, *twists))
 
 
-def _lower_pair(motion: Motion, group: Group, meeting: tuple[str, str]) -> InnerPin | InnerLine:
+def _lower_pair(motion: Motion, group: Group, meeting: tuple[str, str]) -> LowerPair:
     """The joint in which the two links of a dyad meet."""
     joint = inner_joint(motion, group.inner, meeting)
-    assert isinstance(joint, InnerPin | InnerLine)  # what the dyad's signature says
+    assert isinstance(joint, LowerPair)  # what the dyad's signature says
     return joint
 
 

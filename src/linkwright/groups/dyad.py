@@ -13,15 +13,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import ClassVar
 
-from linkwright.elements import InnerLine, InnerPin, Outer, OuterLine, OuterPin, Twist
-from linkwright.elements.pin import Slopes
+from linkwright.elements import Outer, OuterLine, OuterPin, Twist
+from linkwright.elements.lower_pair import LowerPair, Slopes
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
 from linkwright.notation.jets import call
 from linkwright.notation.registry import Registry
 
 Coordinate = Scalar | Pair
-LowerPair = InnerPin | InnerLine
-"""The joints in which the two links of a dyad can meet."""
 Carry = Callable[[Body], Body]
 
 SLACK = 1e-12
