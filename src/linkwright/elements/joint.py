@@ -136,11 +136,11 @@ class JointGeometry(Protocol):
     def line(self, joint: str, link: str) -> tuple[Pair, Pair]:
         """Point and heading of a prismatic joint's line on one of its links."""
 
-    def phases(self, joint: str) -> tuple[float, ...] | None:
-        """What the joint's kind has fixed at assembly; ``None`` before that."""
-
     def seat(self, joint: str, link: str) -> tuple[Pair, Pair, Scalar]:
         """The same with the clearance included, and the heading's angle (rad)."""
+
+    def phases(self, joint: str) -> tuple[float, ...] | None:
+        """What the joint's kind has fixed at assembly; ``None`` before that."""
 
 
 class Contact(Protocol):

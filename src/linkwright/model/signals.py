@@ -156,7 +156,7 @@ class Signals:
             owners: tuple[str, ...] = (contact.link, contact.on)
             if sum(c.link == contact.link and c.on == contact.on for c in self.contacts) > 1:
                 owners = (*owners, contact.joint)
-            return "force", owners, self._of_contact(contact)
+            return "force", owners, self.of_contact(contact)
         if node.name == "com" and len(names) == 1:
             if names[0] not in self.mechanism.links or not self.mechanism.has_mass(names[0]):
                 raise DimensionError("signal.no-mass", name=names[0])
@@ -169,7 +169,7 @@ class Signals:
         """Kind and names of the signals of a named element."""
         return self.attributes(name)[0], (name,)
 
-    def _of_contact(self, contact: Contact) -> dict[str, Dimension]:
+    def of_contact(self, contact: Contact) -> dict[str, Dimension]:
         """What is known of a reaction: of a slide in a loop of slides the force alone."""
         joint = self.mechanism.joints.get(contact.joint)
         known = SLIDE_FORCE if contact.sliding else FORCE
@@ -219,7 +219,7 @@ class Signals:
             if (c.joint, c.on) in seen and c.on != c.joint:
                 continue
             seen |= {(c.joint, c.link)}
-            attributes = self._of_contact(c)
+            attributes = self.of_contact(c)
             found += [self._called(Call("force", (Name(c.link), Name(c.on), Name(c.joint)), a)) for a in attributes]
         found += [Signal("shaking", ("shaking",), a, d) for a, d in SHAKING.items()]
         found += [Signal("spring", (name,), a, d) for name in m.springs for a, d in self.attributes(name)[1].items()]

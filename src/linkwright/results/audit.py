@@ -49,7 +49,11 @@ class Reports:
         names += [f"com({link}).{rate}{axis}" for link in self.masses for rate in ("", "v", "a") for axis in "xy"]
         names += [f"{self.home(link)}.v{axis}" for link in moving for axis in "xy"]
         names += [self.force_name(c, a) for c in self.contacts for a in "xy"]
-        names += [self.force_name(c, "moment") for c in self.contacts if self.has_moment(c)]
+        names += [
+            self.force_name(c, "moment")
+            for c in self.contacts
+            if "moment" in self.compiled.quantities.signals.of_contact(c)
+        ]
         names += [f"{n}.{a}" for n, d in drives.items() for a in (d.effort, d.rate)]
         names += [f"{d.motor}.angle" for d in drives.values() if isinstance(d, Following)]
         names += [s.text for s in self.compiled.graph.actions.signals]
@@ -57,11 +61,6 @@ class Reports:
         names += [f"{n}.{a}" for n, s in self.mechanism.springs.items() for a in (s.measure, s.effort)]
         names += ["shaking.x", "shaking.y", "shaking.moment"]
         return list(dict.fromkeys(names))
-
-    def has_moment(self, contact: Any) -> bool:
-        """Whether a contact's moment is reported."""
-        entry = self.mechanism.joints.get(contact.joint)
-        return (contact.sliding and contact.joint not in self.looped) or (entry is not None and entry.couple)
 
     def force_name(self, contact: Any, attribute: str) -> str:
         """The signal of a contact's reaction."""

@@ -67,13 +67,21 @@ def lifted(run: Run) -> list[Finding]:
     for name, cam in run.compiled.mechanism.cams.items():
         if cam.closed != "force":
             continue
-        t = _times(run, [f"{name}.force"])
-        force = run.compiled.evaluate([f"{name}.force"], t)[0]
-        worst = int(np.argmin(force))
-        if force[worst] < -NEAR * np.abs(force).max():
-            data = {"cam": name, "force": f"{-force[worst] / size:.6g}", "of": unit}
-            findings.append(_at(run, "cam.lifts-off", name, float(t[worst]), "warning", "cams", **data))
+        if (pulled := _pulled(run, f"{name}.force")) is not None:
+            time, force = pulled
+            data = {"cam": name, "force": f"{force / size:.6g}", "of": unit}
+            findings.append(_at(run, "cam.lifts-off", name, time, "warning", "cams", **data))
     return findings
+
+
+def _pulled(run: Run, signal: str, sign: int = 1) -> tuple[float, float] | None:
+    """When (s) a contact force, positive where it presses times ``sign``, would have to pull hardest, and with how much
+    (N); ``None`` where it always presses."""
+    t = _times(run, [signal])
+    force = sign * run.compiled.evaluate([signal], t)[0]
+    worst = int(np.argmin(force))
+    pulls = force[worst] < -NEAR * np.abs(force).max()
+    return (float(t[worst]), -float(force[worst])) if pulls else None
 
 
 def unseated(run: Run) -> list[Finding]:
@@ -82,13 +90,11 @@ def unseated(run: Run) -> list[Finding]:
     findings = []
     for name, joint in run.compiled.mechanism.joints_but_pins():
         for attribute, sign in joint.one_sided.items():
-            t = _times(run, [f"{name}.{attribute}"])
-            force = sign * run.compiled.evaluate([f"{name}.{attribute}"], t)[0]
-            worst = int(np.argmin(force))
-            if force[worst] < -NEAR * np.abs(force).max():
+            if (pulled := _pulled(run, f"{name}.{attribute}", sign)) is not None:
+                time, force = pulled
                 flank = Term("flank-right" if sign > 0 else "flank-left")
-                data = {"joint": name, "force": f"{-force[worst] / size:.6g}", "of": unit, "flank": flank}
-                findings.append(_at(run, "joint.lifts-off", name, float(t[worst]), "warning", "joints", **data))
+                data = {"joint": name, "force": f"{force / size:.6g}", "of": unit, "flank": flank}
+                findings.append(_at(run, "joint.lifts-off", name, time, "warning", "joints", **data))
     return findings
 
 
