@@ -13,7 +13,8 @@ from helpers.differences import OFFSETS, WEIGHTS
 from linkwright.cam.disc import Disc
 from linkwright.cam.pairs import disc, frame
 from linkwright.cam.rolling import rolled
-from linkwright.graph.cams import followings, seat, whole
+from linkwright.elements.cam_contact import cam_followers
+from linkwright.elements.cam_contact.contact import seat, whole
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import cut as cut_module
 from linkwright.kernels.cut import cut
@@ -48,13 +49,13 @@ def mechanism(guide: str, touch: str, side: int = 1, sense: int = 1) -> dict[str
 
 def lifts(c: Any, value: str, side: int, values: Any) -> Any:
     """The follower's lift over time from its value, of other parameters: what it is above its own start."""
-    drive = followings(c.quantities)["rider"]
+    drive = cam_followers(c.mechanism)["rider"]
     nominal = c.quantities.parameters
     here = seat(Geometry(c.quantities, nominal | values), drive)
     found = Varied(cut(c), tuple(values))
     p = found.parameters(np.array([[v] for v in values.values()]))
     y = found.evaluate([f"rider.{value}"], p, T)[0, 0]
-    return here.sign * (y + whole(c.quantities, nominal, drive) - here.offset) - here.start
+    return here.sign * (y + whole(Geometry(c.quantities, nominal), drive) - here.offset) - here.start
 
 
 @pytest.mark.parametrize(("guide", "touch"), [("swinging", "roller"), ("swinging", "face"), ("sliding", "roller")])

@@ -10,10 +10,12 @@ from typing import Any
 import pytest
 
 from linkwright.compilation import examine
+from linkwright.elements.cam_contact import entry as cams
 from linkwright.expressions.language import FUNCTIONS
 from linkwright.expressions.units import unit_words
-from linkwright.model import actions, cams, elements, motions, parts, signals
+from linkwright.model import actions, elements, motions, parts, signals
 from linkwright.model.document import Document
+from linkwright.model.parts import Drive
 from linkwright.model.yaml_text import read_text
 from model.given import four_bar
 
@@ -67,8 +69,10 @@ def test_every_function_is_listed() -> None:
 
 
 def test_every_signal_is_listed() -> None:
-    tables = [signals.POINT, signals.LINK, signals.SLIDE, signals.SLIDE_FORCE, signals.TURNING_DRIVE]
-    tables += [signals.SLIDING_DRIVE, signals.SWINGING_CAM, signals.SHAKING, signals.ENERGY, signals.SPRING]
+    pressures = {"pressure": None, "pressure_second": None}
+    motor, servo = Drive(turns="a", on="b", position="t"), Drive(slides="a", on="b", position="t")
+    tables = [signals.POINT, signals.LINK, signals.SLIDE, signals.SLIDE_FORCE, motor.signals, servo.signals]
+    tables += [pressures, signals.SHAKING, signals.ENERGY, signals.SPRING]
     tables += [signals.TORSION_SPRING, {"elastic": None}]
     assert {attribute for table in tables for attribute in table} <= words()
 

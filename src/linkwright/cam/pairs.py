@@ -24,12 +24,12 @@ from linkwright.cam.followers import (
     TranslatingKnife,
     TranslatingRoller,
 )
+from linkwright.elements.cam_contact import CamFollower, cam_followers
+from linkwright.elements.cam_contact.contact import Seat, seat, sense
+from linkwright.elements.cam_contact.second import second_seat
 from linkwright.expressions import units as u
-from linkwright.graph.cams import Seat, followings, seat, sense
 from linkwright.graph.geometry import Geometry
-from linkwright.graph.seconds import second_seat
 from linkwright.kernels import Compiled
-from linkwright.model.cams import Following
 from linkwright.notation import Jet
 
 Array = NDArray[np.float64]
@@ -70,7 +70,7 @@ def disc(compiled: Compiled, name: str, parameters: Parameters | None = None) ->
     follower.touch(Jet.constant(0.0, 0))  # which says what it can't reach
     turns = max(1, round(2 * pi / motion.period))
     joins = [at + k * motion.period for k in range(turns) for at in motion.breaks]
-    return Disc(follower, motion.on, _mirror(drive) * sense(compiled.quantities, drive), tuple(joins))
+    return Disc(follower, motion.on, _mirror(drive) * sense(_geometry(compiled, parameters), drive), tuple(joins))
 
 
 def second(compiled: Compiled, name: str, parameters: Parameters | None = None) -> Conjugate:
@@ -101,23 +101,24 @@ def frame(compiled: Compiled, name: str, parameters: Parameters | None = None) -
     angle = atan2(way.y, way.x) - (0.0 if here.turns else pi / 2)
     phase = float(geometry.number(drive.cam.phase, u.ANGLE))
     shaft = geometry.point(drive.cam.cam, drive.shaft[0])
-    return Frame((float(shaft.x), float(shaft.y)), angle + sense(compiled.quantities, drive) * phase, _mirror(drive))
+    at = angle + sense(geometry, drive) * phase
+    return Frame((float(shaft.x), float(shaft.y)), at, _mirror(drive))
 
 
 def _geometry(compiled: Compiled, parameters: Parameters | None) -> Geometry:
     return Geometry(compiled.quantities, parameters or compiled.quantities.parameters)
 
 
-def _read(compiled: Compiled, name: str, parameters: Parameters | None) -> tuple[Following, Seat]:
-    drive = followings(compiled.quantities)[name]
+def _read(compiled: Compiled, name: str, parameters: Parameters | None) -> tuple[CamFollower, Seat]:
+    drive = cam_followers(compiled.mechanism)[name]
     return drive, seat(_geometry(compiled, parameters), drive)
 
 
-def _mirror(drive: Following) -> int:
+def _mirror(drive: CamFollower) -> int:
     return drive.side if drive.pivot is not None else 1
 
 
-def _follower(drive: Following, here: Seat) -> Follower:
+def _follower(drive: CamFollower, here: Seat) -> Follower:
     base, roller, aside, reach = (float(value) for value in (here.base, here.roller, here.aside, here.reach))
     if here.turns:
         distance = float(here.distance)

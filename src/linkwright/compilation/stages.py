@@ -11,7 +11,7 @@ from linkwright.findings import Finding
 from linkwright.graph import assembly as modes
 from linkwright.graph.assembly import Assembly
 from linkwright.graph.redundant import redundant
-from linkwright.kernels.cams import cam_faults
+from linkwright.kernels.followers import follower_faults
 from linkwright.kernels.law import Law
 from linkwright.kernels.laws import action_tables, drive_laws, values_at
 from linkwright.kernels.motions import StatedMotion, motion_laws
@@ -81,7 +81,7 @@ def laws(q: Quantities, folder: Path | None, named: bool) -> tuple[Laws, list[Fi
     motions, unmade = motion_laws(q)
     drives, unstated = drive_laws(q, folder, motions, named=named)
     tables, unread = action_tables(q, folder)
-    wrong = [*check_values(q), *unmade, *unstated, *cam_faults(q, motions, named=named)]
+    wrong = [*check_values(q), *unmade, *unstated, *follower_faults(q, motions, named=named)]
     return Laws(drives, motions, tables), [*wrong, *(fault for fault in unread if fault not in wrong)]
 
 

@@ -1,6 +1,6 @@
 """The kinds of elements that a mechanism is made of, one file each, found by name."""
 
-from linkwright.elements import pin, pin_in_slot, slide  # noqa: F401  (each registers itself)
+from linkwright.elements import cam_contact, pin, pin_in_slot, slide  # noqa: F401  (each registers itself)
 from linkwright.elements.joint import KINDS, STILL, Inner, JointGeometry, JointKind, Outer, Twist, kind, register
 from linkwright.elements.pin import InnerPin, OuterPin
 from linkwright.elements.slide import InnerLine, OuterLine

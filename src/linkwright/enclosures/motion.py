@@ -118,7 +118,7 @@ class Inputs:
 
         @cache
         def ratio(name: str) -> tuple[Any, Any]:
-            law = compiled.supply.cams[name]
+            law = compiled.supply.followers[name]
             motor = drive(law.motor)
             return law.ratio(motor.d[0], motor.d[1], law.parameters)
 

@@ -113,7 +113,7 @@ def of_drive(
 
     def dimension(c: Context) -> Dimension | None:
         name = drive(c)
-        if name not in c.mechanism.drives:
+        if name not in c.mechanism.movers:
             return None
         return turning if c.mechanism.prescribed(name).turns else sliding
 

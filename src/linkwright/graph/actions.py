@@ -7,19 +7,18 @@ the time and the whole turns of an angle that the graph knows from its axis alon
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from linkwright.elements.follower import Follower
 from linkwright.expressions import units as u
 from linkwright.expressions.language import FUNCTIONS, Call, Name, Node, is_signal, nodes, parse, signal_text
 from linkwright.expressions.trees import children
-from linkwright.graph.cams import followings
 from linkwright.graph.springs import spring_wrenches
-from linkwright.model.cams import Following
 from linkwright.model.mechanism import Load
 from linkwright.model.signals import Signal
 from linkwright.notation import Pair, Scalar, Wrench
@@ -116,19 +115,19 @@ class Actions:
         """The input rows: the time, the whole turns of each such angle, value and rate of each table's answer, of each
         cam the follower's rate over the cam's, with its rate in time, and what places a second contact."""
         tables = (f"table/{i}/{k}" for i in range(len(self.lookups)) for k in (0, 1))
-        ratios = (f"ratio/{name}/{k}" for name in self.cams for k in (0, 1))
-        totals = (f"total/{name}" for name, drive in self.cams.items() if drive.derived)
+        ratios = (f"ratio/{name}/{k}" for name in self.followers for k in (0, 1))
+        totals = (f"total/{name}" for name, drive in self.followers.items() if drive.derived)
         return (*(["t"] if self.timed else []), *(f"turns/{name}" for name in self.turning), *tables, *ratios, *totals)
 
     @cached_property
-    def cams(self) -> dict[str, Following]:
-        """The drives that stand for cams."""
-        return followings(self.graph.quantities)
+    def followers(self) -> Mapping[str, Follower]:
+        """The joints that have a link follow a drive."""
+        return self.mechanism.followers
 
     def flow(self, given: dict[str, Any]) -> list[Any]:
         """The rates of these inputs in time."""
         known = {"t": ca.SX(1)} | {f"table/{i}/0": given[f"table/{i}/1"] for i in range(len(self.lookups))}
-        known |= {f"ratio/{name}/0": given[f"ratio/{name}/1"] for name in self.cams}
+        known |= {f"ratio/{name}/0": given[f"ratio/{name}/1"] for name in self.followers}
         return [known.get(name, ca.SX(0)) for name in self.inputs]
 
     @cached_property

@@ -81,13 +81,7 @@ def unit_efforts(motion: Motion) -> Efforts:
     for name, drive in motion.geometry.mechanism.drives.items():
         if drive.output is None:
             continue
-        joint, on = motion.structure.topology.acting(name)[0].joint, motion.bodies[drive.on]
-        if drive.turns:
-            wrench = Wrench(Pair(0.0, 0.0), 1.0, ZERO)
-        else:
-            point, heading = motion.geometry.line(joint, drive.on)
-            wrench = Wrench(on.direction(heading).now, 0.0, on.point(point).now)
-        found[name] = {drive.link: wrench, drive.on: wrench.opposite}
+        found[name] = motion.unit(name)
     return found
 
 
@@ -100,11 +94,7 @@ def lever(motion: Motion, units: Efforts) -> Factor:
 
 def _added(own: dict[str, Wrench], unit: dict[str, Wrench], effort: Scalar) -> dict[str, Wrench]:
     """The links' wrenches with those of an effort."""
-    return {link: wrench.plus(_times(unit[link], effort)) if link in unit else wrench for link, wrench in own.items()}
-
-
-def _times(wrench: Wrench, factor: Scalar) -> Wrench:
-    return Wrench(Pair(wrench.force.x * factor, wrench.force.y * factor), wrench.moment * factor, wrench.about)
+    return {link: wrench.plus(unit[link].times(effort)) if link in unit else wrench for link, wrench in own.items()}
 
 
 class _Solver:

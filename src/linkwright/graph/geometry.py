@@ -9,7 +9,7 @@ from typing import Any
 
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, LineOn, Position
-from linkwright.expressions.language import evaluate
+from linkwright.expressions.language import Node, evaluate
 from linkwright.model.pins import Pin, pins
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Pair, Scalar
@@ -43,6 +43,15 @@ class Geometry:
         """The value of an expression."""
         node = self.quantities.bind(expression, dimension)
         return evaluate(node, lambda name: self.parameters[name.text])
+
+    def bound(self, expression: Expression, dimension: u.Dimension) -> Node:
+        """An expression as a tree in SI."""
+        return self.quantities.bind(expression, dimension)
+
+    @cached_property
+    def nominal(self) -> Geometry:
+        """The same at the nominal parameters, without plays."""
+        return Geometry(self.quantities, self.quantities.parameters)
 
     def position(self, position: Position) -> Pair:
         """Coordinates in a link's frame (m)."""

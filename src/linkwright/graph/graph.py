@@ -36,12 +36,12 @@ class Graph:
     @cached_property
     def drives(self) -> tuple[str, ...]:
         """The drives in the order of their inputs."""
-        return tuple(self.structure.topology.mechanism.drives)
+        return tuple(self.structure.topology.mechanism.movers)
 
     @cached_property
     def motors(self) -> tuple[str, ...]:
-        """The drives but those that stand for cams."""
-        return tuple(name for name in self.drives if name not in self.actions.cams)
+        """The drives but the followers."""
+        return tuple(self.structure.topology.mechanism.drives)
 
     @cached_property
     def branched(self) -> tuple[Any, ...]:
@@ -169,7 +169,7 @@ class Graph:
 
     def wraps(self, owner: str) -> bool:
         """Whether the angle of a link or drive comes from axes alone, so that it jumps by a turn now and then."""
-        drive, bodies = self.structure.topology.mechanism.drives.get(owner), self._bare.motion.bodies
+        drive, bodies = self.structure.topology.mechanism.movers.get(owner), self._bare.motion.bodies
         if drive is None:
             return bodies[owner].angle is None
         return drive.output is not None and None in (bodies[drive.link].angle, bodies[drive.on].angle)
@@ -178,7 +178,7 @@ class Graph:
         """Whether a signal is an angle that jumps so."""
         owner, _, attribute = name.partition(".")
         mechanism = self.structure.topology.mechanism
-        return attribute == "angle" and (owner in mechanism.links or owner in mechanism.drives) and self.wraps(owner)
+        return attribute == "angle" and (owner in mechanism.links or owner in mechanism.movers) and self.wraps(owner)
 
     @cached_property
     def _bare(self) -> View:

@@ -8,14 +8,14 @@ from functools import partial
 
 from linkwright.elements import Twist
 from linkwright.elements.lower_pair import LowerPair
+from linkwright.elements.mover import Mover
 from linkwright.graph.clusters import SolvedCluster, solve_cluster
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.placing import carried, driven_body, inner_joint, outer_joint
 from linkwright.graph.wedges import SolvedWedge, solve_wedge
 from linkwright.groups import REGISTRY, Dyad, Solved
 from linkwright.groups.dyad import determinant_of
-from linkwright.model.mechanism import Drive
-from linkwright.notation import Body, Jet, Pair, Scalar
+from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
 from linkwright.structure import FRAME, Cluster, Driven, Group, Step, Structure, Wedge
 
 Branch = Callable[[Group, Dyad], Scalar]
@@ -46,14 +46,25 @@ class Motion:
         start, end = self.bodies[a].point(first), self.bodies[b].point(second)
         return end.minus(start).dot(self.bodies[a].direction(heading))
 
-    def moved(self, drive: Drive, joint: str) -> Jet:
+    def moved(self, drive: Mover, joint: str) -> Jet:
         """The value of a drive that slides along a joint as it follows from the motion."""
         travel = self.travel(joint)
         return travel if drive.link == self.geometry.mechanism.joints[joint].links[1] else -travel
 
-    def turned(self, drive: Drive) -> Pair:
+    def turned(self, drive: Mover) -> Pair:
         """Cosine and sine of the value of a drive that turns as it follows from the motion."""
         return self.bodies[drive.link].axis.now.turned_back(self.bodies[drive.on].axis.now)
+
+    def unit(self, mover: str) -> dict[str, Wrench]:
+        """What an effort of 1 N m or 1 N of a drive or follower would do at its own joint, by link."""
+        entry = self.geometry.mechanism.movers[mover]
+        if entry.turns:
+            wrench = Wrench(Pair(0.0, 0.0), 1.0, Pair(0.0, 0.0))
+        else:
+            joint, on = self.structure.topology.acting(mover)[0].joint, self.bodies[entry.on]
+            point, heading = self.geometry.line(joint, entry.on)
+            wrench = Wrench(on.direction(heading).now, 0.0, on.point(point).now)
+        return {entry.link: wrench, entry.on: wrench.opposite}
 
 
 def solve_motion(

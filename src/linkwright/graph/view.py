@@ -9,16 +9,15 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from linkwright.elements.follower import Acting
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, signal_text
 from linkwright.expressions.units import Dimension
 from linkwright.graph.actions import active, load_values, wrenches
-from linkwright.graph.cams import Contact, contact
 from linkwright.graph.forces import Forces, lever, solve_forces, unit_efforts
 from linkwright.graph.geometry import ZERO, Geometry
 from linkwright.graph.motion import Motion, solve_motion
 from linkwright.graph.poles import pole
-from linkwright.graph.seconds import other_side, second
 from linkwright.graph.springs import effort, elastic, raw_angle, stretch
 from linkwright.model.signals import Signal
 from linkwright.notation import Jet, Scalar, Vec, Wrench
@@ -66,27 +65,24 @@ class View:
 
     @cached_property
     def forces(self) -> Forces:
-        pushes = {name: at.pushes(self.graph.actions.cams[name]) for name, at in self.contacts.items()}
-        holds = {
-            name: (at.pushes(self.graph.actions.cams[name]), self.contacts[name].reach / at.reach)
-            for name, at in self.seconds.items()
-        }
+        pushes = {name: dict(at.wrenches) for name, at in self.contacts.items()}
+        holds = {name: (dict(at.wrenches), self.contacts[name].reach / at.reach) for name, at in self.seconds.items()}
         return solve_forces(self.motion, wrenches(self), pushes, holds)
 
     @cached_property
-    def contacts(self) -> dict[str, Contact]:
-        """Where the followers of cams touch."""
-        cams = self.graph.actions.cams.items()
-        return {name: contact(self.motion, drive, self.given[f"ratio/{name}/0"]) for name, drive in cams}
+    def contacts(self) -> dict[str, Acting]:
+        """How the followers' efforts act."""
+        followers = self.graph.actions.followers.items()
+        return {name: one.acting(name, self.motion, self.given[f"ratio/{name}/0"]) for name, one in followers}
 
     @cached_property
-    def seconds(self) -> dict[str, Contact]:
-        """Where those with a second disc or a yoke touch on the other side."""
-        found: dict[str, Contact] = {}
-        for name, drive in self.graph.actions.cams.items():
-            if drive.paired:
-                what = second(self.motion.geometry, drive, self.given.get(f"total/{name}", 0.0))
-                found[name] = contact(self.motion, other_side(drive), self.given[f"ratio/{name}/0"], what)
+    def seconds(self) -> dict[str, Acting]:
+        """How those act that touch on the other side too."""
+        found: dict[str, Acting] = {}
+        for name, follower in self.graph.actions.followers.items():
+            ratio, total = self.given[f"ratio/{name}/0"], self.given.get(f"total/{name}", 0.0)
+            if (other := follower.second(name, self.motion, ratio, total)) is not None:
+                found[name] = other
         return found
 
     def row(self, name: str) -> Scalar:
@@ -136,7 +132,7 @@ class View:
         if what in mechanism.springs:
             spring = mechanism.springs[what]
             return raw_angle(self, str(spring.turns)) - raw_angle(self, str(spring.on))
-        return self.own(what, 0, whole=False) if what in mechanism.drives else raw_angle(self, what)
+        return self.own(what, 0, whole=False) if what in mechanism.movers else raw_angle(self, what)
 
     def _internal(self, owner: str, what: str) -> Scalar:
         if owner in self.motion.bodies and what in ("x", "y", "cos", "sin"):
@@ -207,16 +203,15 @@ class View:
             return self.forces.efforts[name]
         if signal.attribute == "power":
             return self.forces.efforts[name] * self.own(name, 1)
-        if signal.attribute == "pressure":
-            return self.contacts[name].pressure
-        if signal.attribute == "pressure_second":
-            return self.seconds[name].pressure
-        return self.own(name, {**LINK_ORDERS, **SLIDE_ORDERS}[signal.attribute])
+        if (order := {**LINK_ORDERS, **SLIDE_ORDERS}.get(signal.attribute)) is not None:
+            return self.own(name, order)
+        acting = self.contacts[name] if signal.attribute in self.contacts[name].signals else self.seconds[name]
+        return acting.signals[signal.attribute]
 
     def own(self, name: str, order: int, whole: bool = True) -> Scalar:
         """A drive's value or a rate of it; of one with an output, as it follows from the motion (rad, ``whole`` turns
         where they are known)."""
-        drive = self.motion.geometry.mechanism.drives[name]
+        drive = self.motion.geometry.mechanism.movers[name]
         if drive.output is None:
             return self.laws[name].d[order]
         if drive.slides:

@@ -16,15 +16,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
+from linkwright.elements.cam_contact import CamFollower, cam_followers
+from linkwright.elements.cam_contact.contact import Seat, seat, sense, slant, whole
 from linkwright.expressions import units as u
-from linkwright.graph.cams import Seat, followings, seat, sense, slant, whole
 from linkwright.graph.geometry import Geometry
-from linkwright.kernels.cams import CamLaw, Noting
 from linkwright.kernels.compiled import Compiled
+from linkwright.kernels.followers import FollowerLaw, Noting
 from linkwright.kernels.law import Parameters
 from linkwright.kernels.motions import StatedMotion
 from linkwright.laws import Motion
-from linkwright.model.cams import Following
 from linkwright.model.quantities import Quantities
 from linkwright.notation import Jet, Pair, Scalar, Vec
 from linkwright.notation.jets import call, is_zero
@@ -38,11 +38,10 @@ def cut(compiled: Compiled) -> Compiled:
     """The mechanism with all its cams cut as the nominal parameters ask for; other parameters leave them so."""
     if not compiled.mechanism.cams:
         return compiled
-    drives = followings(compiled.quantities)
     laws = dict(compiled.laws)
-    for name, law in compiled.laws.items():
-        if isinstance(law, CamLaw):
-            made = _Cut(compiled, drives[name], law)
+    for name, drive in cam_followers(compiled.mechanism).items():
+        if isinstance(law := compiled.laws[name], FollowerLaw):
+            made = _Cut(compiled, drive, law)
             laws[name] = replace(made.law, ride=made.ride, plays=made.plays).driven_by(compiled.laws[law.motor])
     return replace(compiled, laws=laws)
 
@@ -68,16 +67,16 @@ class _Pose:
 class _Cut:
     """One profile, and its follower at any parameters."""
 
-    def __init__(self, compiled: Compiled, drive: Following, law: CamLaw) -> None:
+    def __init__(self, compiled: Compiled, drive: CamFollower, law: FollowerLaw) -> None:
         self.quantities, self.drive = compiled.quantities, drive
         self.motion: StatedMotion = compiled.motions[drive.cam.law]
-        self.forward = sense(self.quantities, drive)
+        self.forward = sense(Geometry(self.quantities, self.quantities.parameters), drive)
         nominal = self.quantities.parameters
         noted = Noting(nominal)
         plain = Geometry(self.quantities, noted)
         self.plan = seat(plain, drive)
         self.slant = slant(plain, drive) if self.plan.faced and not self.plan.turns else 0.0
-        self.turn = whole(self.quantities, nominal, drive)
+        self.turn = whole(plain.nominal, drive)
         self.law, self.nominal = replace(law, names=law.names | noted.asked), nominal
         self.plays = frozenset(_plays(self.quantities, drive))
 
@@ -198,7 +197,7 @@ class _Cut:
         return _along(normal, pivot) + seat.reach, _along(normal.perp, pivot)
 
 
-def _plays(quantities: Quantities, drive: Following) -> Iterator[str]:
+def _plays(quantities: Quantities, drive: CamFollower) -> Iterator[str]:
     """The offsets of the joints that guide a cam and its follower, and of the roller's radius (m)."""
     if drive.cam.roller is not None:
         yield f"{drive.cam.touches}/roller"

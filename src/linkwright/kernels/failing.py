@@ -101,5 +101,5 @@ class OfCluster(Cause):
 
 def causes(structure: Structure) -> tuple[Cause, ...]:
     """All causes for which samples of a mechanism can fail, what comes first on a pose's way first."""
-    drives = [OfDrive(name) for name in structure.topology.mechanism.drives]
+    drives = [OfDrive(name) for name in structure.topology.mechanism.movers]
     return (Cause(), *drives, *(OfGroup(s) if isinstance(s, Group) else OfCluster(s) for s in structure.choices))

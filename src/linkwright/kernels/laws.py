@@ -12,13 +12,12 @@ from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, nodes
 from linkwright.findings import Finding, ModelError
-from linkwright.kernels.cams import follower_law
+from linkwright.kernels.followers import follower_law
 from linkwright.kernels.law import Array, Law, Parameters
 from linkwright.kernels.motion_faults import jump
 from linkwright.kernels.motions import StatedMotion
 from linkwright.kernels.tables import StatedTable, stated_values
 from linkwright.laws import DEGREES, OutsideTable
-from linkwright.model.cams import Following
 from linkwright.model.csv_file import CsvFile, read_csv
 from linkwright.model.mechanism import Table
 from linkwright.model.quantities import LARGEST, Quantities, column_unit
@@ -35,11 +34,9 @@ def drive_laws(
     ``named`` rightly there is no geometry that a cam's follower could be laid on: those are left out."""
     reader = _Reader(quantities, folder, motions)
     laws: dict[str, Law] = {}
-    for name, drive in quantities.mechanism.drives.items():
-        following = isinstance(drive, Following)
-        if following and not named:
-            continue
-        law = reader.follower(name, laws) if following else reader.law(name)
+    m = quantities.mechanism
+    for name in (*m.drives, *(m.followers if named else ())):
+        law = reader.law(name) if name in m.drives else reader.follower(name, laws)
         if law is not None:
             laws[name] = law
     return laws, reader.findings
@@ -99,13 +96,12 @@ class _Reader:
         return law
 
     def follower(self, name: str, laws: Mapping[str, Law]) -> Law | None:
-        """The law of a cam's follower, behind that of its motor."""
-        drive = self.quantities.mechanism.drives[name]
-        assert isinstance(drive, Following)
-        law, motor = drive.cam.law, laws.get(drive.motor)
-        if motor is None or not self._called(law, ("cams", name, "law")):
+        """The law of a follower, behind that of its motor."""
+        follower = self.quantities.mechanism.followers[name]
+        motor, path = laws.get(follower.motor), (follower.section, name)
+        if motor is None or not all(self._called(law, (*path, key)) for key, law in follower.laws.items()):
             return None
-        return follower_law(self.quantities, name, self.motions[law], motor)
+        return follower_law(self.quantities, name, self.motions, motor)
 
     def _law(self, of: Callable[[Array, Parameters, bool], Jet], *parts: Node) -> Law:
         every = [n for part in parts for n in nodes(part)]

@@ -7,13 +7,12 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.elements.follower import Follower
 from linkwright.expressions.language import Call, nodes
 from linkwright.findings import Finding, Term
-from linkwright.kernels.cams import not_whole
 from linkwright.kernels.motions import Reader, StatedMotion, rate_unit
 from linkwright.laws import Motion, MotionError
 from linkwright.laws.motion import jumping
-from linkwright.model.cams import Following
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.quantities import Quantities
 from linkwright.model.sampled import Sampled
@@ -54,27 +53,32 @@ def law_faults(sampled: Sampled, motions: Mapping[str, StatedMotion]) -> list[Fi
     return findings
 
 
-def asking(m: Mechanism) -> dict[str, list[tuple[str, ...]]]:
-    """Of each law, the places of the drives and cams that ask it."""
-    found: dict[str, list[tuple[str, ...]]] = {}
+Asker = tuple[tuple[str, ...], Follower | None]
+"""Where a law is asked for, and the follower that asks it, if it is one."""
+
+
+def asking(m: Mechanism) -> dict[str, list[Asker]]:
+    """Of each law, the drives and followers that ask it."""
+    found: dict[str, list[Asker]] = {}
     for name, drive in m.drives.items():
-        if isinstance(drive, Following):
-            found.setdefault(drive.cam.law, []).append(("cams", name, "law"))
-        elif drive.position is not None:
+        if drive.position is not None:
             for called in {n.name for n in nodes(drive.position.node) if isinstance(n, Call)} & m.laws.keys():
-                found.setdefault(called, []).append(("drives", name, "position"))
+                found.setdefault(called, []).append((("drives", name, "position"), None))
+    for name, follower in m.followers.items():
+        for key, law in follower.laws.items():
+            found.setdefault(law, []).append(((follower.section, name, key), follower))
     return found
 
 
 def _asked(
-    sampled: Sampled, name: str, law: StatedMotion, made: Motion, paths: list[tuple[str, ...]]
+    sampled: Sampled, name: str, law: StatedMotion, made: Motion, askers: list[Asker]
 ) -> Iterator[tuple[Finding, Any]]:
     """What is wrong with a law of samples for those that ask it, and in which samples."""
     wrong = np.broadcast_to(np.ravel(jumping(made)), sampled.samples)
-    for path in paths:
+    for path, follower in askers:
         if wrong.any():
             own = {n: np.broadcast_to(sampled.parameters[n], sampled.samples)[wrong.argmax()] for n in law.names}
             alone = law.given({n: float(value) for n, value in own.items()})
             yield from ((finding, wrong) for finding in jump(sampled, name, alone, path))
-        if path[0] == "cams":
-            yield from not_whole(sampled, name, made, path)
+        if follower is not None:
+            yield from follower.law_faults(sampled, name, made, path)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
 from linkwright.graph.graph import Graph
-from linkwright.kernels.cams import CamLaw
+from linkwright.kernels.followers import FollowerLaw
 from linkwright.kernels.law import Law, Parameters
 from linkwright.kernels.registry import KERNELS, Kernel
 from linkwright.kernels.tables import StatedTable
@@ -33,7 +33,7 @@ class Supply:
         self, graph: Graph, tables: Mapping[str, StatedTable], kernel: str, laws: Mapping[str, Law] | None = None
     ) -> None:
         self.graph, self.tables = graph, tables
-        self.cams = {name: law for name, law in (laws or {}).items() if isinstance(law, CamLaw)}
+        self.followers = {name: law for name, law in (laws or {}).items() if isinstance(law, FollowerLaw)}
         self.first = len(graph.motion_inputs)
         self.rows = {name: row for row, name in enumerate(graph.inputs)}
         actions = graph.actions
@@ -79,14 +79,14 @@ class Supply:
 
     def ride(self, x: Array, parameters: Parameters) -> None:
         """Put the ratios of cams, and what places their second contacts, into ``x`` (inputs, ...)."""
-        for name, law in self.cams.items():
+        for name, law in self.followers.items():
             motor = self.motor(law)
             for k, row in enumerate(law.ratio(x[motor], x[motor + 1], parameters)):
                 x[self.rows[f"ratio/{name}/{k}"]] = row
             if (place := self.rows.get(f"total/{name}")) is not None:
                 x[place] = law.total
 
-    def motor(self, law: CamLaw) -> int:
+    def motor(self, law: FollowerLaw) -> int:
         """The input row of the angle of a cam's motor."""
         return self.graph.drives.index(law.motor) * self.graph.width
 

@@ -103,7 +103,7 @@ class Tangents:
                     x[k] = slope_of(row)
         self._look_up(x, given)
         supply = self.compiled.supply
-        for name, cam in supply.cams.items():
+        for name, cam in supply.followers.items():
             motor = supply.motor(cam)
             angle, speed = (Dual(x[row], x[size + row]) for row in (motor, motor + 1))
             for k, row in enumerate(cam.ratio(angle, speed, given)):

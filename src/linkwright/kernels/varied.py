@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, raise_errors
-from linkwright.graph.cams import followings
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.failing import Failures, causes
 from linkwright.kernels.motion_faults import law_faults
@@ -70,11 +69,11 @@ class Varied:
             held = {part for node in fixed_parts(table) for part in names_in(node)} & self.varying
             if held:
                 yield Finding("varied.table", ("tables", name), {"table": name, "names": ", ".join(sorted(held))})
-        for name, drive in followings(quantities).items():
-            held = {*self.compiled.motions[drive.cam.law].names} & self.varying
-            if drive.derived and held:
-                data = {"law": drive.cam.law, "cam": name, "names": ", ".join(sorted(held))}
-                yield Finding("varied.second", ("cams", name), data)
+        for name, follower in quantities.mechanism.followers.items():
+            for law in follower.laws.values() if follower.derived else ():
+                if held := {*self.compiled.motions[law].names} & self.varying:
+                    data = {"law": law, "cam": name, "names": ", ".join(sorted(held))}
+                    yield Finding("varied.second", (follower.section, name), data)
 
     def parameters(self, values: Array) -> Array:
         """All parameters (parameters, samples) from the values of the varied ones, (names, samples), both in SI.

@@ -7,12 +7,12 @@ from collections.abc import Iterator
 
 from linkwright.expressions.language import FUNCTIONS
 from linkwright.expressions.typed_fields import Context
-from linkwright.expressions.unknown import likeliest, near, unknown
+from linkwright.expressions.unknown import likeliest, near, unknown, unknown_point
 from linkwright.findings import Finding, Term
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.motions import ARGUMENT
 from linkwright.model.pins import homes, pins
-from linkwright.model.references import reference_faults, unknown_point
+from linkwright.model.references import reference_faults
 from linkwright.model.tolerances import tolerance_faults
 from linkwright.model.values import check_values
 from linkwright.model.walk import references
@@ -57,7 +57,7 @@ def _collisions(m: Mechanism) -> Iterator[Finding]:
     """Names of links, points, prismatic joints and drives are owners of signals, and must differ."""
     points, slides = homes(m), dict(m.joints_but_pins())
     owners = {"shaking": Term("the-shaking"), "energy": Term("the-energies")}
-    kinds = (("link", m.links), ("point", points), ("joint", slides), ("drive", m.drives), ("spring", m.springs))
+    kinds = (("link", m.links), ("point", points), ("joint", slides), ("drive", m.movers), ("spring", m.springs))
     for kind, names in kinds:
         for name in names:
             if name in owners:
@@ -109,7 +109,7 @@ def _drives(m: Mechanism) -> Iterator[Finding]:
         yield Finding("model.no-drive", ("drives",))
     acting: dict[frozenset[str], str] = {}
     moved: dict[frozenset[str], str] = {}
-    for name, drive in m.drives.items():
+    for name, drive in m.movers.items():
         path = ("drives", name)
         for link in dict.fromkeys((drive.link, drive.on)):
             if link not in m.links:

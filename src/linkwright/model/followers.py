@@ -1,151 +1,71 @@
-"""Cams spelled out: each becomes a drive that holds its follower, named like the cam."""
+"""Joints that have a link follow a drive, as cams do: each becomes a prescribed motion, named like the joint."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import Any
 
-from linkwright.expressions.fields import AssemblyRule, FrozenDict
+from linkwright.elements.follower import FOLLOWERS, Follower, Path
 from linkwright.expressions.typed_fields import Context
 from linkwright.findings import Finding, Term
-from linkwright.model.cams import Following
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.pins import Pin, pins
-from linkwright.model.references import reference_faults, unknown_point
+from linkwright.model.pins import pins
+from linkwright.model.references import reference_faults
 from linkwright.model.walk import references
 
-Path = tuple[str | int, ...]
+_ENTRY = {"cams": "a-cam", "joints": "a-joint"}
+"""What an entry of a section is called."""
 
 
-def with_cams(m: Mechanism) -> Mechanism:
-    """The mechanism with a drive for each cam, behind the motors; what has a fault is left out."""
-    if not m.cams:
+def stated(m: Mechanism) -> Iterator[tuple[str, str, Any, type[Follower]]]:
+    """What a file says of followers: section, name, entry, kind."""
+    for section in dict.fromkeys(kind.section for kind in FOLLOWERS.values()):
+        for name, entry in getattr(m, section).items():
+            if (found := next((k for k in FOLLOWERS.values() if type(entry) is k.stated), None)) is not None:
+                yield section, name, entry, found
+
+
+def with_followers(m: Mechanism) -> Mechanism:
+    """The mechanism with its followers as prescribed motions; what has a fault is left out."""
+    every = [*stated(m)]
+    if not every:
         return m
-    found = {name: entry for name in m.cams if isinstance(entry := _Reader(m, name).read(), Following)}
-    return m.model_copy(update={"drives": FrozenDict({**m.drives, **found})})
+    found = {name: made for _, name, entry, kind in every if isinstance(made := _read(m, name, entry, kind), Follower)}
+    return m.with_followers(found, {name for section, name, _, _ in every if section == "joints"})
 
 
-def cam_faults(m: Mechanism) -> Iterator[Finding]:
-    """Faults of cams, in a mechanism whose other short forms are spelled out."""
-    for name in m.cams:
-        entry = _Reader(m, name).read()
-        if not isinstance(entry, Following):
-            yield from entry
+def follower_faults(m: Mechanism) -> Iterator[Finding]:
+    """Faults of followers, in a mechanism whose other short forms are spelled out."""
+    for _, name, entry, kind in stated(m):
+        made = _read(m, name, entry, kind)
+        yield from () if isinstance(made, Follower) else made
 
 
-def no_cams(m: Mechanism, study: str) -> Finding:
-    """That a study moves each drive on its own, which a mechanism with cams doesn't let it."""
-    return Finding("study.cams", ("cams", next(iter(m.cams))), {"study": study, "names": ", ".join(m.cams)})
+def no_followers(m: Mechanism, study: str) -> Finding:
+    """That a study moves each drive on its own, which a mechanism with followers doesn't let it."""
+    name, first = next(iter(m.followers.items()))
+    return Finding("study.cams", (first.section, name), {"study": study, "names": ", ".join(m.followers)})
 
 
-def cam_home(m: Mechanism, path: Path) -> Path | None:
-    """Where a place of a cam's drive stands in the file."""
-    if len(path) > 1 and path[0] == "drives" and path[1] in m.cams and path[1] not in m.drives:
-        return ("cams", path[1])
+def follower_home(m: Mechanism, path: Path) -> Path | None:
+    """Where a place of a follower's motion stands in the file."""
+    if len(path) > 1 and path[0] == "drives" and path[1] not in m.drives:
+        return next(((section, name) for section, name, _, _ in stated(m) if name == path[1]), None)
     return None
 
 
-class _Reader:
-    def __init__(self, m: Mechanism, name: str) -> None:
-        self.m, self.name, self.cam = m, name, m.cams[name]
-        self.path: Path = ("cams", name)
-        self.pins = pins(m)
-        self.findings: list[Finding] = []
-
-    def note(self, code: str, *key: str | int, **data: Any) -> None:
-        self.findings.append(Finding(code, (*self.path, *key), data))
-
-    def read(self) -> Following | list[Finding]:
-        """The drive, or what is wrong."""
-        cam, m = self.cam, self.m
-        if self.name in m.drives:
-            self.note("name.taken", name=self.name, first=Term("a-drive"), second=Term("a-cam"))
-        self.findings += reference_faults(references(cam, Context(m, self.path), "law"))
-        if unknowns := [*reference_faults(references(cam, Context(m, self.path), "cam", "follower", "on"))]:
-            return [*self.findings, *unknowns]
-        if len({cam.cam, cam.follower, cam.on}) < 3:
-            self.note("cam.same-link", cam=cam.cam, follower=cam.follower, on=cam.on)
-            return self.findings
-        self.touching()
-        shaft, motor = self.pin(cam.cam), self.motor()
-        pivot, slide = self.pin(cam.follower), self.slide()
-        if shaft is None:
-            self.note("cam.no-shaft", cam=cam.cam, on=cam.on)
-        elif motor is None:
-            self.note("cam.no-motor", cam=cam.cam, on=cam.on)
-        if pivot is None and slide is None:
-            self.note("cam.no-guide", follower=cam.follower, on=cam.on)
-        if pivot is not None and cam.closed == "yoke":
-            self.note("cam.yoke", "closed")
-        self.lawful("angle" if pivot is not None else "length")
-        side = self.side(shaft, pivot, slide) if shaft is not None else 1
-        if self.findings or shaft is None or motor is None:
-            return self.findings
-        data: dict[str, Any] = {"on": cam.on, "cam": cam, "motor": motor, "side": side}
-        data |= {"turned": 1 if m.drives[motor].link == cam.cam else -1}
-        data |= {"shaft": (shaft.point(cam.cam), shaft.point(cam.on))}
-        if pivot is not None:
-            return Following(turns=cam.follower, pivot=(pivot.point(cam.follower), pivot.point(cam.on)), **data)
-        return Following(slides=cam.follower, joint=slide, **data)
-
-    def touching(self) -> None:
-        """The follower's points at which it touches."""
-        key = next(key for key in ("at", "knife", "face") if getattr(self.cam, key) is not None)
-        places: dict[Path, str] = {(key,): self.cam.touches}
-        if (second := self.cam.second) is not None and (other := second.touches) is not None:
-            places["second", "at" if second.at else "face"] = other
-        points = self.m.links[self.cam.follower].points
-        for path, name in places.items():
-            if name not in points:
-                self.findings.append(unknown_point((*self.path, *path), self.cam.follower, name, points))
-
-    def pin(self, link: str) -> Pin | None:
-        """The pin that a link shares with the one that carries both."""
-        return next((pin for pin in self.pins.values() if {link, self.cam.on} <= {*pin.links}), None)
-
-    def slide(self) -> str | None:
-        wanted = {self.cam.follower, self.cam.on}
-        return next((name for name, joint in self.m.prismatic_joints() if {*joint.links} == wanted), None)
-
-    def motor(self) -> str | None:
-        """The drive that turns the cam; one whose law is an output's can't be asked for the cam's angle."""
-        wanted = {self.cam.cam, self.cam.on}
-        turning = ((n, d) for n, d in self.m.drives.items() if d.turns and d.output is None)
-        return next((name for name, drive in turning if {drive.link, drive.on} == wanted), None)
-
-    def lawful(self, value: str) -> None:
-        """The law's kind."""
-        law = self.m.laws.get(self.cam.law)
-        if law is not None and (law.over, law.of, law.beyond) != ("angle", value, "repeat"):
-            given = {"over": law.over, "of": law.of, "beyond": law.beyond}
-            self.note(
-                "cam.law", "law", law=self.cam.law, of=value, given=", ".join(f"{k}: {v}" for k, v in given.items())
-            )
-
-    def side(self, shaft: Pin, pivot: Pin | None, slide: str | None) -> int:
-        """+1 or -1, as :class:`Following` has it."""
-        rule, words = self.cam.side, {}
-        if pivot is not None:
-            words = {"left": 1, "right": -1}
-            meant = f"left of {shaft.name}-{pivot.name}"
-        else:
-            words = {"ahead": 1, "behind": -1}
-            meant = f"ahead of {shaft.name} along {slide}"
-            if rule is None:
-                return 1
-        if rule is None or rule.word not in words or not (signs := self.order(rule, shaft, pivot, slide)):
-            if pivot is not None or slide is not None:
-                self.note("cam.side", "side", given=rule.text if rule else "-", meant=meant)
-            return 1
-        return words[rule.word] * signs
-
-    def order(self, rule: AssemblyRule, shaft: Pin, pivot: Pin | None, slide: str | None) -> int:
-        """+1 where a rule names shaft and pivot in this order (or shaft and slide), -1 in the other; 0 if neither."""
-
-        def is_at(name: str, pin: Pin) -> bool:
-            return name == pin.name or name in {point for _, point in pin.members}
-
-        if pivot is None:
-            return int(is_at(rule.reference[0], shaft) and rule.along == slide)
-        first, second = rule.reference
-        return int(is_at(first, shaft) and is_at(second, pivot)) - int(is_at(first, pivot) and is_at(second, shaft))
+def _read(m: Mechanism, name: str, entry: Any, kind: type[Follower]) -> Follower | list[Finding]:
+    """The follower, or what is wrong."""
+    path, findings = (kind.section, name), []
+    if name in m.drives:
+        data = {"name": name, "first": Term("a-drive"), "second": Term(_ENTRY[kind.section])}
+        findings.append(Finding("name.taken", path, data))
+    named = [*references(entry, Context(m, path))]
+    links = [*reference_faults(one for one in named if one.ref.kind == "link")]
+    findings += reference_faults(one for one in named if one.ref.kind != "link" and one.ref.of is None)
+    if links:
+        return [*findings, *links]
+    made = kind.read(m, name, pins(m))
+    if isinstance(made, Follower):
+        return findings or made
+    return [*findings, *made]

@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from typing import Annotated, Any
+from collections.abc import Collection, Iterator, Mapping
+from typing import Annotated, Any, Self
 
 from pydantic import (
     BeforeValidator,
     Field,
     GetCoreSchemaHandler,
     GetJsonSchemaHandler,
+    PrivateAttr,
     SerializationInfo,
     ValidationError,
     ValidatorFunctionWrapHandler,
 )
 from pydantic_core import CoreSchema, InitErrorDetails, core_schema
 
+from linkwright.elements.cam_contact.entry import Cam
 from linkwright.elements.entries import ENTRIES, JointEntry, entry_for, load_plugins
+from linkwright.elements.follower import Follower
+from linkwright.elements.mover import Mover
 from linkwright.escape import line
 from linkwright.expressions.fields import (
     AssemblyRule,
@@ -33,7 +37,6 @@ from linkwright.expressions.typed_fields import Ref
 from linkwright.expressions.unknown import alike
 from linkwright.expressions.written import FaultWithin, unexpected
 from linkwright.model.actions import BOUND, REDUCTIONS, Load, Measure, Table, Window
-from linkwright.model.cams import Cam
 from linkwright.model.elements import Counterweight, Spring
 from linkwright.model.gravity import Gravity
 from linkwright.model.motions import MotionLaw
@@ -212,11 +215,36 @@ class Mechanism(Frozen):
             if isinstance(drive, Mapping) and drive.get("speed") is not None and not laws:
                 yield "drive.start", {}, "drives", str(name)
 
-    def prescribed(self, drive: str) -> Drive:
-        """A drive as it prescribes the motion: of one with an output, the same law between the output's links."""
-        entry = self.drives[drive]
-        if entry.output is None:
-            return entry
+    _followers: Mapping[str, Follower] = PrivateAttr(default_factory=FrozenDict)
+
+    @property
+    def followers(self) -> Mapping[str, Follower]:
+        """The joints that have a link follow a drive, where short forms are spelled out."""
+        return self._followers
+
+    @property
+    def movers(self) -> Mapping[str, Mover]:
+        """Whatever prescribes a motion: the drives, then the followers."""
+        return {**self.drives, **self._followers}
+
+    def with_followers(self, found: Mapping[str, Follower], joints: Collection[str]) -> Self:
+        """The same with these followers; ``joints`` are those that they stand for among the joints."""
+        left = FrozenDict({name: joint for name, joint in self.joints.items() if name not in joints})
+        made = self.model_copy(update={"joints": left} if joints else {})
+        made._followers = FrozenDict(found)
+        return made
+
+    def without_mover(self, name: str) -> Self:
+        """The same without a drive or follower."""
+        made = self.model_copy(update={"drives": FrozenDict({n: d for n, d in self.drives.items() if n != name})})
+        made._followers = FrozenDict({n: follower for n, follower in self._followers.items() if n != name})
+        return made
+
+    def prescribed(self, mover: str) -> Mover:
+        """What prescribes a motion: of a drive with an output, the same law between the output's links."""
+        entry = self.drives.get(mover)
+        if entry is None or entry.output is None:
+            return entry or self._followers[mover]
         if (joint := self.joints.get(entry.output)) is not None:
             on, link = joint.links
             return entry.model_copy(update={"turns": None, "slides": link, "on_": on})

@@ -16,6 +16,7 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema
 
+from linkwright.elements.mover import TRAVEL, TURN
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import (
     Expression,
@@ -329,3 +330,9 @@ class Drive(Frozen):
     def rate(self) -> str:
         """The signal of its speed: ``omega`` or ``v``."""
         return "omega" if self.turns else "v"
+
+    @property
+    def signals(self) -> Mapping[str, u.Dimension]:
+        """Its signals: the value with its rates, what it exerts, its power."""
+        value, effort = (TURN, u.TORQUE) if self.turns else (TRAVEL, u.FORCE)
+        return {**value, self.effort: effort, "power": u.POWER}

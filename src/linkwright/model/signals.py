@@ -6,13 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from linkwright.elements.mover import TRAVEL as SLIDE
+from linkwright.elements.mover import TURN as LINK
 from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.language import Call, Name, signal_text
 from linkwright.expressions.units import Dimension
 from linkwright.expressions.unknown import near
 from linkwright.findings import Term
-from linkwright.model.cams import Following
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.pins import homes, pins
 from linkwright.model.slides import in_loops
@@ -21,21 +22,14 @@ _PLANE = ("x", "y")
 _RATES = (("", u.LENGTH), ("v", u.SPEED), ("a", u.ACCELERATION), ("j", u.JERK))
 
 POINT = {f"{rate}{axis}": dimension for rate, dimension in _RATES for axis in _PLANE}
-LINK = {"angle": u.ANGLE, "omega": u.OMEGA, "alpha": u.ALPHA, "jerk": u.ANGULAR_JERK}
-SLIDE = {"s": u.LENGTH, "v": u.SPEED, "a": u.ACCELERATION, "j": u.JERK}
 FORCE = {"x": u.FORCE, "y": u.FORCE}
 SLIDE_FORCE = {**FORCE, "normal": u.FORCE, "moment": u.TORQUE, "arm": u.LENGTH}
-TURNING_DRIVE = {**LINK, "torque": u.TORQUE, "power": u.POWER}
-SLIDING_DRIVE = {**SLIDE, "force": u.FORCE, "power": u.POWER}
-SWINGING_CAM = {**LINK, "force": u.FORCE, "pressure": u.ANGLE}
-SLIDING_CAM = {**SLIDE, "force": u.FORCE, "pressure": u.ANGLE}
-PAIRED = {"pressure_second": u.ANGLE}
 SHAKING = {"x": u.FORCE, "y": u.FORCE, "moment": u.TORQUE}
 ENERGY = {"kinetic": u.ENERGY, "potential": u.ENERGY}
 POLE = dict.fromkeys(("x", "y", "u", "v"), u.LENGTH)
 SPRING = {"length": u.LENGTH, "v": u.SPEED, "force": u.FORCE, "power": u.POWER, "energy": u.ENERGY}
 TORSION_SPRING = {"angle": u.ANGLE, "omega": u.OMEGA, "torque": u.TORQUE, "power": u.POWER, "energy": u.ENERGY}
-_OF_FORCES = frozenset({"torque", "force", "pressure", *PAIRED, "power", "energy"})
+_OF_FORCES = frozenset({"torque", "force", "pressure", "pressure_second", "power", "energy"})
 
 
 @dataclass(frozen=True)
@@ -124,17 +118,15 @@ class Signals:
             return "point", POINT
         if (joint := m.joints.get(owner)) is not None and not joint.revolute:
             return ("slide", SLIDE) if joint.prismatic else ("joint", dict(joint.signals))
-        if isinstance(drive := m.drives.get(owner), Following):
-            return "drive", {**(SWINGING_CAM if drive.turns else SLIDING_CAM), **(PAIRED if drive.paired else {})}
-        if drive is not None:
-            return "drive", TURNING_DRIVE if drive.turns else SLIDING_DRIVE
+        if (mover := m.movers.get(owner)) is not None:
+            return "drive", dict(mover.signals)
         if owner in m.springs:
             return "spring", TORSION_SPRING if m.springs[owner].torsional else SPRING
         if owner == "shaking":
             return "shaking", SHAKING
         if owner == "energy":
             return "energy", self.energies
-        known = [*m.links, *self.homes, *m.joints, *m.drives, *m.springs, "shaking", "energy"]
+        known = [*m.links, *self.homes, *m.joints, *m.movers, *m.springs, "shaking", "energy"]
         raise DimensionError("name.unknown-element", name=owner, near=near(owner, known))
 
     def find(self, node: Name | Call) -> Signal:
@@ -212,7 +204,7 @@ class Signals:
         found += [Signal("link", (link,), a, d) for link in m.links if link != FRAME for a, d in LINK.items()]
         owners = [name for name, _ in m.joints_but_pins()]
         found += [Signal(*self._owned(name), a, d) for name in owners for a, d in self.attributes(name)[1].items()]
-        found += [Signal("drive", (name,), a, d) for name in m.drives for a, d in self.attributes(name)[1].items()]
+        found += [Signal("drive", (name,), a, d) for name in m.movers for a, d in self.attributes(name)[1].items()]
         found += [Signal("com", (n,), a, d) for n in m.links if m.has_mass(n) for a, d in POINT.items()]
         seen = set()
         for c in self.contacts:

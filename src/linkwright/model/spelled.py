@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from linkwright.findings import Finding
 from linkwright.model.cylinders import cylinder_faults, cylinder_home, with_cylinders
-from linkwright.model.followers import cam_faults, cam_home, with_cams
+from linkwright.model.followers import follower_faults, follower_home, with_followers
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.plane import LinkagePlane, in_plane
 from linkwright.model.sketch import drawn_values, sketch_faults, sketch_home, with_sketch
@@ -38,7 +38,7 @@ def home(m: Mechanism, findings: Iterable[Finding]) -> list[Finding]:
 
     What is wrong with a place of the sketch spoils the lengths derived from it too, and is told at the place alone.
     """
-    homes = (cylinder_home, sketch_home, cam_home)
+    homes = (cylinder_home, sketch_home, follower_home)
     found = [replace(f, path=next((at for of in homes if (at := of(m, f.path))), f.path)) for f in findings]
     told = {f.code for f in found if len(f.path) == 2 and f.path[0] == "sketch"}
     return [f for f in found if f.path != ("sketch",) or f.code not in told]
@@ -49,6 +49,6 @@ def spell_out(written: Mechanism) -> Spelled:
     flat = in_plane(written)
     plain = with_cylinders(with_sketch(flat.mechanism))
     wrong = tuple(finding for finding in flat.findings if finding.severity == "error")
-    findings = (*sketch_faults(written), *wrong, *cylinder_faults(written), *cam_faults(plain))
+    findings = (*sketch_faults(written), *wrong, *cylinder_faults(written), *follower_faults(plain))
     warnings = tuple(finding for finding in flat.findings if finding not in wrong)
-    return Spelled(written, with_cams(plain), findings, flat.plane, warnings, drawn_values(flat.mechanism))
+    return Spelled(written, with_followers(plain), findings, flat.plane, warnings, drawn_values(flat.mechanism))

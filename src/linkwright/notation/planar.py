@@ -166,6 +166,10 @@ class Wrench:
         force = Pair(self.force.x + moved.force.x, self.force.y + moved.force.y)
         return Wrench(force, self.moment + moved.moment, self.about)
 
+    def times(self, factor: Scalar) -> Wrench:
+        """The wrench times a number."""
+        return Wrench(Pair(self.force.x * factor, self.force.y * factor), self.moment * factor, self.about)
+
     @property
     def opposite(self) -> Wrench:
         return Wrench(Pair(-self.force.x, -self.force.y), -self.moment, self.about)

@@ -8,12 +8,11 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.expressions.units import LENGTH, TIME
+from linkwright.expressions.units import ANGLE, LENGTH, TIME
 from linkwright.findings import Finding
 from linkwright.model.document import Document, dump
 from linkwright.model.origin import Origin, hashed
 from linkwright.model.pins import spring_ends
-from linkwright.model.signals import PAIRED
 from linkwright.report.cam_shapes import cam_shapes
 from linkwright.report.centrodes import centrodes
 from linkwright.report.data import (
@@ -236,8 +235,9 @@ def _force_plots(result: Result) -> list[Plot | None]:
     sliding = [name for name in motors if name not in turning]
     found.append(_plot(result, say("plot.torque"), "force", [f"{n}.torque" for n in turning]))
     found.append(_plot(result, say("plot.effort"), "force", [f"{n}.force" for n in sliding]))
-    found.append(_plot(result, say("plot.contact"), "force", [f"{n}.force" for n in m.cams]))
-    pressures = [name for n in m.cams for a in ("pressure", *PAIRED) if (name := f"{n}.{a}") in result.names]
+    found.append(_plot(result, say("plot.contact"), "force", [f"{n}.{f.effort}" for n, f in m.followers.items()]))
+    angles = [f"{n}.{a}" for n, f in m.followers.items() for a, dimension in f.extra.items() if dimension == ANGLE]
+    pressures = [name for name in angles if name in result.names]
     found.append(_plot(result, say("plot.pressure"), "force", pressures))
     between = [name for name, spring in m.springs.items() if not spring.torsional]
     torsional = [name for name in m.springs if name not in between]

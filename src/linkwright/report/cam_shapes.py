@@ -8,11 +8,12 @@ from numpy.typing import NDArray
 from linkwright.cam.contact import NoContact
 from linkwright.cam.followers import NoFollower
 from linkwright.cam.pairs import disc, frame, second
-from linkwright.graph.cams import followings, touch
+from linkwright.elements.cam_contact import cam_followers
+from linkwright.elements.cam_contact.contact import touch
+from linkwright.elements.cam_contact.second import largest
+from linkwright.elements.cam_contact.second import second as second_touch
 from linkwright.graph.geometry import Geometry
-from linkwright.graph.seconds import second as second_touch
 from linkwright.kernels import Compiled
-from linkwright.kernels.seconds import largest
 
 Array = NDArray[np.float64]
 
@@ -32,7 +33,7 @@ def cam_shapes(compiled: Compiled, size: float) -> Shapes:
         found.setdefault(link, []).append((line.T / size).tolist())
 
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
-    for name, drive in followings(compiled.quantities).items():
+    for name, drive in cam_followers(compiled.mechanism).items():
         try:
             made, axes = disc(compiled, name), frame(compiled, name)
             plates = [(made, axes)]

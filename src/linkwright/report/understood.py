@@ -6,11 +6,10 @@ import math
 
 import numpy as np
 
+from linkwright.elements.mover import Mover
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
 from linkwright.kernels import Compiled
-from linkwright.model.cams import Following
-from linkwright.model.parts import Drive
 from linkwright.model.plausible import amount
 from linkwright.words import say
 
@@ -21,8 +20,8 @@ LONGEST = 60
 def drives(compiled: Compiled) -> list[str]:
     """Each drive: what it moves, by which law, from where; then the followers that cams hold."""
     return [
-        say("fact.drive", name=name, subject=_subject(compiled, name, drive), motion=_motion(compiled, name, drive))
-        for name, drive in compiled.mechanism.drives.items()
+        say("fact.drive", name=name, subject=_subject(compiled, name, drive), motion=_motion(compiled, name))
+        for name, drive in compiled.mechanism.movers.items()
     ]
 
 
@@ -59,11 +58,11 @@ def gravity(compiled: Compiled) -> str:
     return say("fact.gravity.text", size=f"{size:.6g} m/s²", direction=axis)
 
 
-def _subject(compiled: Compiled, name: str, drive: Drive) -> str:
+def _subject(compiled: Compiled, name: str, drive: Mover) -> str:
     """What a drive moves against what."""
     m = compiled.mechanism
-    if isinstance(drive, Following):
-        return say("fact.drive.follower", link=drive.link, on=drive.on, motor=drive.motor)
+    if (follower := m.followers.get(name)) is not None:
+        return say("fact.drive.follower", link=drive.link, on=drive.on, motor=follower.motor)
     if drive.output is not None:
         return say("fact.drive.output", link=drive.link, on=drive.on, output=drive.output)
     cylinders = [c.joint for c in compiled.structure.topology.acting(name) if c.joint in m.cylinders]
@@ -72,14 +71,16 @@ def _subject(compiled: Compiled, name: str, drive: Drive) -> str:
     return say("fact.drive.links", link=drive.link, on=drive.on)
 
 
-def _motion(compiled: Compiled, name: str, drive: Drive) -> str:
+def _motion(compiled: Compiled, name: str) -> str:
     """The law of a drive: its speed (and in rpm), its start; of other laws their text, and the speed at the start."""
     q, turning = compiled.quantities, bool(compiled.mechanism.prescribed(name).turns)
     value, rate, change = (u.ANGLE, u.OMEGA, u.ALPHA) if turning else (u.LENGTH, u.SPEED, u.ACCELERATION)
     at = [float(np.asarray(d).flat[0]) for d in compiled.laws[name](np.zeros(1)).d[:3]]
     said = {"start": amount(q, at[0], value), "speed": _speed(compiled, at[1], rate)}
-    if isinstance(drive, Following):
-        return say("fact.law.follower", law=drive.cam.law, **said)
+    if (follower := compiled.mechanism.followers.get(name)) is not None:
+        laws = ", ".join(follower.laws.values())
+        return say("fact.law.follower", law=laws, **said) if laws else say("fact.law.given", **said)
+    drive = compiled.mechanism.drives[name]
     if drive.position is not None:
         law = drive.position.text
         return say("fact.law.position", law=law, **said) if len(law) <= LONGEST else say("fact.law.given", **said)

@@ -17,11 +17,10 @@ from linkwright.expressions.units import Dimension
 from linkwright.graph.actions import spread
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
-from linkwright.model.cams import Following
+from linkwright.kernels.motions import StatedMotion
 from linkwright.model.mechanism import Load
 from linkwright.model.pins import spring_ends
 from linkwright.notation import Pair
-from linkwright.results.contacts import contact
 from linkwright.results.run import combined
 from linkwright.results.springs import damping_force, elastic_force
 from linkwright.structure import FRAME
@@ -43,7 +42,7 @@ class Reports:
         self.rows: dict[str, Array] = dict(zip(self.names, compiled.evaluate(self.names, t), strict=True))
 
     def _names(self) -> list[str]:
-        moving, drives = self.topology.moving, self.mechanism.drives
+        moving, movers = self.topology.moving, self.mechanism.movers
         names = [*self.compiled.graph.pose_rows]
         names += [f"{link}.{rate}" for link in moving for rate in ("omega", "alpha")]
         names += [f"com({link}).{rate}{axis}" for link in self.masses for rate in ("", "v", "a") for axis in "xy"]
@@ -54,8 +53,8 @@ class Reports:
             for c in self.contacts
             if "moment" in self.compiled.quantities.signals.of_contact(c)
         ]
-        names += [f"{n}.{a}" for n, d in drives.items() for a in (d.effort, d.rate)]
-        names += [f"{d.motor}.angle" for d in drives.values() if isinstance(d, Following)]
+        names += [f"{n}.{a}" for n, d in movers.items() for a in (d.effort, d.rate)]
+        names += [f"{f.motor}.{next(iter(movers[f.motor].signals))}" for f in self.mechanism.followers.values()]
         names += [s.text for s in self.compiled.graph.actions.signals]
         names += [f"window/{name}" for name in self.compiled.graph.actions.windows]
         names += [f"{n}.{a}" for n, s in self.mechanism.springs.items() for a in (s.measure, s.effort)]
@@ -95,6 +94,15 @@ class Reports:
         """Point and direction of a prismatic joint's line on one of its links."""
         point, heading = self.geometry.line(joint, link)
         return self.at(link, point), self.turned(link, heading)
+
+    @property
+    def motions(self) -> dict[str, StatedMotion]:
+        """The motion laws by name."""
+        return self.compiled.motions
+
+    def number(self, expression: Expression, dimension: Dimension) -> float:
+        """The value of an expression of the model (SI)."""
+        return self.compiled.quantities.value(expression, dimension)
 
     def size(self) -> float:
         """The mechanism's extent over all poses (m)."""
@@ -226,31 +234,25 @@ class Reports:
         return force, self.rows.get(self.force_name(contact, "moment"), 0.0)
 
     def efforts(self) -> list[Applied]:
-        """What drives and cams do to both their links."""
+        """What drives do to both their links, and followers to theirs."""
         found: list[Applied] = []
         for name, drive in self.mechanism.drives.items():
-            if isinstance(drive, Following):
-                size = self.rows[f"{name}.force"]
-                place, normal = contact(self, drive)
-                if drive.paired:  # a negative force is that of the second contact
-                    there, other = contact(self, drive, second=True)
-                    place, normal = np.where(size < 0, there, place), np.where(size < 0, -other, normal)
-                force = size * normal
-                found += [(drive.link, force, place, 0.0), (drive.cam.cam, -force, place, 0.0)]
-            elif drive.turns:
+            if drive.turns:
                 torque, nowhere = self.rows[f"{name}.torque"], np.zeros((2, self.count))
                 found += [(drive.link, nowhere, nowhere, torque), (drive.on, nowhere, nowhere, -torque)]
             else:
                 place, along = self.line(self.topology.acting(name)[0].joint, drive.on)
                 force = self.rows[f"{name}.force"] * along
                 found += [(drive.link, force, place, 0.0), (drive.on, -force, place, 0.0)]
+        for name, follower in self.mechanism.followers.items():
+            found += follower.applied(self, name)
         return found
 
     # Power.
 
     def drive_powers(self) -> list[Array]:
-        """Effort times rate of each drive (W). A cam passes power on; it gives none of its own."""
-        drives = [(n, drive) for n, drive in self.mechanism.drives.items() if not isinstance(drive, Following)]
+        """Effort times rate of each drive (W). A follower passes power on; it gives none of its own."""
+        drives = self.mechanism.drives.items()
         return [self.rows[f"{name}.{drive.effort}"] * self.rows[f"{name}.{drive.rate}"] for name, drive in drives]
 
     def powers_of(self, applied: list[Applied]) -> list[Array]:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.language import Binary, Call, Name, Node, Number, nodes
-from linkwright.graph.cams import argument, followings
+from linkwright.graph.geometry import Geometry
 from linkwright.laws import Motion, TableLaw
 from linkwright.results.stationary import crossings
 from linkwright.results.windows import intervals
@@ -59,12 +59,12 @@ def breaks(run: Run) -> Array:
 def kinks(compiled: Compiled, varied: Iterable[str] = ()) -> list[Node]:
     """What changes its sign where the law of a load, drive or cam has a kink, or another contact of a cam bears;
     ``varied`` are the names of joins that vary, as :meth:`linkwright.kernels.varied.Varied.joins` has them."""
-    quantities, m = compiled.quantities, compiled.mechanism
+    m = compiled.mechanism
     laws = [*compiled.graph.actions.laws, *positions(compiled)]
     found = dict.fromkeys(switch for law in laws for node in nodes(law) for switch in switches(node))
     found |= dict.fromkeys(law_joins(compiled, varied))
-    paired = (name for name, drive in followings(quantities).items() if drive.paired)
-    found |= dict.fromkeys(Name(f"{name}.force") for name in paired)  # the other contact bears
+    paired = ((name, follower) for name, follower in m.followers.items() if follower.paired)
+    found |= dict.fromkeys(Name(f"{name}.{follower.effort}") for name, follower in paired)  # the other contact bears
     functions = {*m.tables, *m.laws}
     asked = {node: {n.name for n in nodes(node) if isinstance(n, Call) and n.name in functions} for node in found}
     return [node for node in found if asked[node] <= {*compiled.tables}]  # not those of a drive's own table
@@ -73,9 +73,9 @@ def kinks(compiled: Compiled, varied: Iterable[str] = ()) -> list[Node]:
 def law_joins(compiled: Compiled, varied: Iterable[str] = (), rough: int = ROUGH) -> list[Node]:
     """What changes its sign where a drive or cam passes a join of its motion law whose continuity is below ``rough``,
     in every period; ``varied`` as those of :func:`kinks`."""
-    quantities = compiled.quantities
-    cams = [Call(drive.cam.law, (argument(quantities, drive),)) for drive in followings(quantities).values()]
-    calls = (node for law in (*positions(compiled), *cams) for node in nodes(law))
+    geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
+    followers = [call for follower in compiled.mechanism.followers.values() for call in follower.calls(geometry)]
+    calls = (node for law in (*positions(compiled), *followers) for node in nodes(law))
     return [way for node in calls for way in joins(compiled.motions, node, varied, rough)]
 
 

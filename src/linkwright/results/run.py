@@ -72,7 +72,7 @@ class Run:
     def _drive_rates(self) -> dict[str, Array]:
         """The magnitude of each drive's speed at times all over the run (rad/s, m/s)."""
         t, laws = self._looks, self.compiled.laws
-        return {name: np.abs(np.broadcast_to(laws[name](t).d[1], t.shape)) for name in self.compiled.mechanism.drives}
+        return {name: np.abs(np.broadcast_to(laws[name](t).d[1], t.shape)) for name in self.compiled.mechanism.movers}
 
     def travel(self, drive: str) -> float:
         """How far a drive travels over the run, to and fro (rad or m)."""

@@ -47,7 +47,7 @@ class _Search(Placed):
         return True
 
     def find_drives(self) -> None:
-        for name, own in self.topology.mechanism.drives.items():
+        for name, own in self.topology.mechanism.movers.items():
             acting, moved = (own, self.topology.acting(name)), (self.drive(name), self.topology.driven(name))
             for drive, options in [acting, moved] if own.output else [acting]:
                 if not options:
@@ -216,10 +216,8 @@ def decompose(mechanism: Mechanism) -> Structure:
 def _spare_drive(topology: Topology) -> Finding | None:
     """A finding on the last drive without which the structure is sound, where there is one."""
     mechanism = topology.mechanism
-    for name in reversed(mechanism.drives):
-        drives = {other: drive for other, drive in mechanism.drives.items() if other != name}
-        rest = mechanism.model_copy(update={"drives": drives})
-        if drives and not _Search(Topology(rest)).run().findings:
-            drive = mechanism.drives[name]
+    for name, drive in reversed([*mechanism.movers.items()]):
+        rest = mechanism.without_mover(name)
+        if rest.movers and not _Search(Topology(rest)).run().findings:
             return Finding("structure.drive-too-many", ("drives", name), {"link": drive.link, "on": drive.on})
     return None

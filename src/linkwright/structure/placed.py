@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
 
-from linkwright.model.mechanism import FRAME, Drive
+from linkwright.elements.mover import Mover
+from linkwright.model.mechanism import FRAME
 from linkwright.model.slides import closing
 from linkwright.structure.freedoms import Freedoms
 from linkwright.structure.topology import FREEDOMS, PIN, Connection, Topology
@@ -25,7 +26,7 @@ class Placed:
         """The links not placed yet."""
         return [link for link in self.topology.moving if link not in self.known]
 
-    def drive(self, name: str) -> Drive:
+    def drive(self, name: str) -> Mover:
         """A drive as it prescribes the motion."""
         return self.topology.mechanism.prescribed(name)
 

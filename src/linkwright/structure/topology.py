@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from linkwright.elements import JointKind, kind
-from linkwright.model.mechanism import FRAME, Drive, Mechanism
+from linkwright.elements.mover import Mover
+from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.pins import Pin, pins
 from linkwright.model.slides import closing, pairs_of
 
@@ -137,8 +138,8 @@ class Topology:
 
     def acting(self, drive: str) -> list[Connection]:
         """The joints at which a drive's effort can act."""
-        return self._between(self.mechanism.drives[drive])
+        return self._between(self.mechanism.movers[drive])
 
-    def _between(self, drive: Drive) -> list[Connection]:
+    def _between(self, drive: Mover) -> list[Connection]:
         turns, links = drive.turns is not None, {drive.link, drive.on}
         return [c for c in self.connections if c.kind.angular is turns and {*c.links} == links]

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.elements.cam_contact.second import sums
 from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import argument
 from linkwright.expressions.language import Call, nodes
 from linkwright.findings import Finding, Term
-from linkwright.kernels.seconds import sums
 from linkwright.results import Run
 from linkwright.results.stationary import stationary
 from linkwright.studies.feasible import drive_value

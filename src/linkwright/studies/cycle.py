@@ -203,13 +203,20 @@ def _too_long(seconds: float) -> Term:
 
 
 def _turns(compiled: Compiled, text: str) -> tuple[float, list[Finding]]:
-    drives, match = compiled.mechanism.drives, TURNS.fullmatch(text)
+    m, match = compiled.mechanism, TURNS.fullmatch(text)
     if match is None:
         return _wrong("turns", Term("turns-form", text=text[:60], drive=compiled.graph.drives[0]))
     count, name = float(match[1]), match[2]
-    if (drive := drives.get(name)) is None:
-        return 0.0, [unknown("drive", ("studies", "cycle", "turns"), name, drives)]
-    if drive.speed is None or drive.output is not None or drive.acceleration is not None or not drive.turns:
+    if name not in m.movers:
+        return 0.0, [unknown("drive", ("studies", "cycle", "turns"), name, m.movers)]
+    drive = m.drives.get(name)
+    if (
+        drive is None
+        or drive.speed is None
+        or drive.output is not None
+        or drive.acceleration is not None
+        or not drive.turns
+    ):
         return _wrong("turns", Term("turns-constant", drive=name))
     speed = compiled.quantities.value(drive.speed, u.OMEGA)
     if speed == 0 or count == 0:

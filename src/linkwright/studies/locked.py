@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.elements.cam_contact import cam_followers
 from linkwright.findings import Finding, Term
-from linkwright.graph.cams import followings
 from linkwright.kernels import Compiled
 from linkwright.results import Run
 from linkwright.studies.feasible import SINGULAR, drive_value, row_of
@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 
 def angles(compiled: Compiled) -> Iterator[tuple[str, str]]:
     """The pressure angles of all contacts, with their cams."""
-    for name, drive in followings(compiled.quantities).items():
+    for name, drive in cam_followers(compiled.mechanism).items():
         yield f"{name}.pressure", name
         if drive.paired:
             yield f"{name}.pressure_second", name

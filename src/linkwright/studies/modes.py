@@ -14,13 +14,12 @@ from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression, Frozen, Name
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.findings import Finding, ModelError
-from linkwright.graph.cams import followings
 from linkwright.graph.constraints import Ride
 from linkwright.graph.geometry import ZERO
 from linkwright.graph.modes import Mode
 from linkwright.graph.survey import SAME, Circuit, Survey, survey
 from linkwright.kernels import Compiled
-from linkwright.kernels.cams import CamLaw
+from linkwright.kernels.followers import FollowerLaw
 from linkwright.kernels.laws import values_at
 from linkwright.model.quantities import Quantities
 from linkwright.studies.registry import register
@@ -87,11 +86,11 @@ def find_modes(made: Prepared | Compiled, options: ModesOptions) -> ModesOutcome
 
 def check_options(made: Prepared | Compiled, options: ModesOptions) -> list[Finding]:
     """What is wrong with the options."""
-    drives = made.quantities.mechanism.drives
+    drives = made.quantities.mechanism.movers
     if options.drive is not None and options.drive not in drives:
         reason = f"'{options.drive}' isn't one of the drives: {', '.join(drives)}"
         return [Finding("study.options", (*PATH, "drive"), {"study": "modes", "key": "drive", "reason": reason})]
-    if options.drive is not None and isinstance(law := made.laws[options.drive], CamLaw):
+    if options.drive is not None and isinstance(law := made.laws[options.drive], FollowerLaw):
         return [Finding("study.follower", (*PATH, "drive"), {"name": options.drive, "motor": law.motor})]
     try:
         time = _time(made.quantities, options)
@@ -109,10 +108,10 @@ def check_options(made: Prepared | Compiled, options: ModesOptions) -> list[Find
 def _rides(made: Prepared | Compiled) -> dict[str, Ride]:
     """How the followers of cams move with their motors."""
     found = {}
-    for name, drive in followings(made.quantities).items():
-        law, parts = made.laws[name], made.motions[drive.cam.law].curve.parts
-        assert isinstance(law, CamLaw)
-        found[name] = Ride(law.motor, law.along, min(part.stop - part.start for part in parts) / 2)
+    for name, follower in made.quantities.mechanism.followers.items():
+        law = made.laws[name]
+        assert isinstance(law, FollowerLaw)
+        found[name] = Ride(law.motor, law.along, follower.step(made.motions))
     return found
 
 

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.kernels import Compiled
-from linkwright.kernels.cams import recomposed
 from linkwright.kernels.follow import Follower
+from linkwright.kernels.followers import recomposed
 from linkwright.kernels.law import Law
 from linkwright.kernels.laws import constant_acceleration, values_at
 from linkwright.notation.angles import whole_turns

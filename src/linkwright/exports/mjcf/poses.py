@@ -29,7 +29,7 @@ class Motor:
 def motors(compiled: Compiled, tree: Tree) -> list[Motor]:
     """The drives on their joints."""
     topology, found = compiled.structure.topology, []
-    for name, drive in compiled.mechanism.drives.items():
+    for name, drive in compiled.mechanism.movers.items():
         c = topology.acting(name)[0]
         hold = tree.of(c.joint, c.a, c.b)
         assert hold is not None

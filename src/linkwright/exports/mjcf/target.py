@@ -118,7 +118,7 @@ def _timestep(compiled: Compiled, options: MjcfOptions) -> tuple[float, list[Fin
 def _left_out(compiled: Compiled) -> list[Finding]:
     """Warnings on what acts in the mechanism and isn't written, or isn't as it is."""
     sections = {"springs": [*compiled.mechanism.springs], "loads": [*compiled.mechanism.loads]}
-    sections["cams"] = [*compiled.mechanism.cams]
+    sections["cams"] = [*compiled.mechanism.followers]
     codes = {"springs": "export.left-out", "loads": "export.left-out", "cams": "export.followers"}
     return [
         Finding(codes[section], (section,), {"names": ", ".join(entries)}, severity="warning")

@@ -59,7 +59,7 @@ def needed(topology: Topology) -> list[Connection]:
     overconstrained, which the structure refuses.
     """
     slides = [c for c in topology.connections if not c.kind.angular]
-    acting = [topology.acting(drive)[0] for drive in topology.mechanism.drives]
+    acting = [topology.acting(drive)[0] for drive in topology.mechanism.movers]
     return list(dict.fromkeys([*slides, *acting]))
 
 

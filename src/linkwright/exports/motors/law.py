@@ -7,18 +7,19 @@ from pathlib import Path
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Binary, Call, Name, Node, Number, nodes
 from linkwright.formulas.functions import Function, OfMotion, OfTable
-from linkwright.graph.cams import value
+from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import read_table
-from linkwright.model.cams import Following
 
 
-def law_of(compiled: Compiled, drive: str) -> Node:
-    """The tree of a drive's value in t, parameters, and called functions; bound to SI."""
-    entry, quantities = compiled.mechanism.drives[drive], compiled.quantities
-    dimension = quantities.drive_dimension(drive)
-    if isinstance(entry, Following):
-        return value(quantities, entry, law_of(compiled, entry.motor))
+def law_of(compiled: Compiled, drive: str) -> Node | None:
+    """The tree of a drive's value in t, parameters, and called functions; bound to SI. ``None`` for a follower that has
+    no formula."""
+    quantities, dimension = compiled.quantities, compiled.quantities.drive_dimension(drive)
+    if (follower := compiled.mechanism.followers.get(drive)) is not None:
+        motor = law_of(compiled, follower.motor)
+        return None if motor is None else follower.tree(Geometry(quantities, quantities.parameters), motor)
+    entry = compiled.mechanism.drives[drive]
     if entry.position is not None:
         return quantities.bind(entry.position, dimension)
     rate, change = (u.OMEGA, u.ALPHA) if dimension == u.ANGLE else (u.SPEED, u.ACCELERATION)

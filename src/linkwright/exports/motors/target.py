@@ -55,8 +55,10 @@ class MotorExpressions:
             return Exported(failures=findings or [Finding("export.no-duration", data={"export": self.name})])
         t = np.linspace(0.0, stop, options.samples + 1)
         table, motors, warnings = values(compiled, t), dict[str, Motor](), list[Finding]()
-        for drive in compiled.mechanism.drives:
-            law = law_of(compiled, drive)
+        for drive in compiled.mechanism.movers:
+            if (law := law_of(compiled, drive)) is None:
+                warnings.append(Finding("export.no-formula", ("drives", drive), {"drive": drive}, severity="warning"))
+                continue
             unfolding = Unfolding(stop, compiled.quantities.parameters, functions(compiled, law, site.folder))
             try:
                 motors[drive] = _motor(compiled, drive, unfolding.pieces(law), options.dialect, stop)

@@ -22,7 +22,7 @@ def sheet(compiled: Compiled, motors: Mapping[str, Motor], dialect: str, stop: f
     lines = [say("motors.title", name=name), say("motors.time", stop=number(stop)), say(f"motors.dialect.{dialect}")]
     for of, made in motors.items():
         drive = compiled.mechanism.prescribed(of)
-        key = "output" if compiled.mechanism.drives[of].output else "turns" if drive.turns else "slides"
+        key = "output" if compiled.mechanism.movers[of].output else "turns" if drive.turns else "slides"
         what = say(f"motors.{key}", link=drive.link, on=drive.on, drive=of)
         lines += ["", say("motors.head", drive=of, what=what, unit=made.unit, error=f"{made.error:.1e}"), *made.lines]
     return "\n".join(lines) + "\n"
@@ -40,7 +40,7 @@ def expressions(motors: Mapping[str, Motor]) -> str:
 
 def values(compiled: Compiled, t: Array) -> str:
     """All drives' values over time as a table."""
-    drives = list(compiled.mechanism.drives)
+    drives = list(compiled.mechanism.movers)
     units = [unit_of(compiled.quantities, compiled.quantities.drive_dimension(drive)) for drive in drives]
     columns = [
         np.broadcast_to(compiled.laws[d](t).d[0], t.shape) / size for d, (_, size) in zip(drives, units, strict=True)

@@ -198,7 +198,7 @@ def hand_force(compiled: Compiled, drive: str, handle: str, t: Array) -> Array |
     forces = m.springs or m.loads or (m.gravity is not None and any(map(m.has_mass, m.links)))
     if not forces or compiled.graph.actions.timed or compiled.structure.clusters:
         return None
-    entry = m.drives[drive]
+    entry = m.movers[drive]
     moving = sweeping(compiled, drive)
     effort = resting(compiled, drive).evaluate([f"{drive}.{entry.effort}"], t)[0]
     rate, vx, vy = moving.evaluate([f"{drive}.{entry.rate}", f"{handle}.vx", f"{handle}.vy"], t)

@@ -10,12 +10,13 @@ from math import floor, pi
 
 import numpy as np
 
+from linkwright.elements.cam_contact import cam_followers
+from linkwright.elements.cam_contact.contact import seat, sense, whole
 from linkwright.exports.process_simulate.fitting import horner, polynomial
 from linkwright.exports.process_simulate.linkage import MM
 from linkwright.exports.process_simulate.motion import Motion
 from linkwright.exports.process_simulate.trees import Tree, add, call, joint, multiply, number
 from linkwright.expressions import units as u
-from linkwright.graph.cams import followings, seat, sense, whole
 from linkwright.graph.geometry import Geometry
 from linkwright.laws.pieces import Part, Piece
 
@@ -25,7 +26,7 @@ FITTED, HALVED, SAMPLES = 1e-10, 6, 64
 
 def followers(motion: Motion) -> dict[str, Tree]:
     """The value of each follower of a cam (rad or mm, its own whole turns kept) from the driving joint's."""
-    return {name: _Follower(motion, name).tree() for name in followings(motion.compiled.quantities)}
+    return {name: _Follower(motion, name).tree() for name in cam_followers(motion.compiled.mechanism)}
 
 
 @dataclass(frozen=True)
@@ -38,15 +39,15 @@ class _Term:
 
 class _Follower:
     def __init__(self, motion: Motion, name: str) -> None:
-        quantities, drive = motion.compiled.quantities, followings(motion.compiled.quantities)[name]
+        quantities, drive = motion.compiled.quantities, cam_followers(motion.compiled.mechanism)[name]
         geometry = Geometry(quantities, quantities.parameters)
         here = seat(geometry, drive)
         self.scale = here.sign * (1.0 if here.turns else MM)
-        base = here.offset + here.sign * here.start - whole(quantities, quantities.parameters, drive)
+        base = here.offset + here.sign * here.start - whole(geometry, drive)
         self.base = float(base) * (1.0 if here.turns else MM)
         self.law = motion.compiled.motions[drive.cam.law]
         # The law's argument is ahead + way times the driving joint's value.
-        factor = sense(quantities, drive) * drive.turned
+        factor = sense(geometry, drive) * drive.turned
         self.way = factor * motion.sign
         self.ahead = factor * motion.reach.zero + float(geometry.number(drive.cam.phase, u.ANGLE))
         self.moved = joint(motion.joint.kind, motion.joint.joint)

@@ -13,13 +13,13 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.elements.cam_contact import cam_followers
 from linkwright.exports.process_simulate.joints import ToolJoint
 from linkwright.exports.process_simulate.linkage import Refused
 from linkwright.exports.process_simulate.motion import Motion
 from linkwright.exports.process_simulate.reach import SHORTER, Reach, offered
 from linkwright.exports.process_simulate.trees import Array
 from linkwright.findings import Finding
-from linkwright.graph.cams import followings
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion as Pose
 from linkwright.graph.motion import solve_motion, solve_step
@@ -97,7 +97,7 @@ def mastered(
 
     Raises :class:`Refused` where the master's value doesn't say where the mechanism is.
     """
-    if cams := [*followings(compiled.quantities)]:
+    if cams := [*cam_followers(compiled.mechanism)]:
         raise Refused(Finding("functions.master-cam", PATH, {"joint": master.name, "drives": ", ".join(cams)}))
     around = replace(reach, low=reach.zero - 2 * np.pi, high=reach.zero + 2 * np.pi) if reach.full else reach
     motion = Mastered(compiled, drive, around, master, 1.0)

@@ -21,7 +21,6 @@ from linkwright.expressions.typed_fields import Context, Quantity, of_drive
 from linkwright.expressions.unknown import unknown
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model.cams import Following
 from linkwright.model.parts import Interval, freeze
 from linkwright.model.quantities import LARGEST
 from linkwright.studies.asked import one_of
@@ -37,7 +36,7 @@ Which = one_of("process-simulate", "dialect", [*DIALECTS], "export.choice")
 
 def _motor(c: Context) -> str:
     """The one drive that isn't a cam's follower."""
-    motors = [name for name, drive in c.mechanism.drives.items() if not isinstance(drive, Following)]
+    motors = [*c.mechanism.drives]
     return motors[0] if len(motors) == 1 else ""
 
 

@@ -76,7 +76,7 @@ class Plays:
 
     def fits(self, trees: Iterable[Node]) -> bool:
         """Whether expressions hold positions only, and what drives prescribe."""
-        graph, drives = self.compiled.graph, self.compiled.mechanism.drives
+        graph, drives = self.compiled.graph, self.compiled.mechanism.movers
         for text in self.run.signals_of([*trees]):
             signal = graph.signal(text)
             drive = drives.get(signal.owners[0]) if signal.kind == "drive" else None

@@ -8,6 +8,7 @@ from typing import Annotated
 
 from pydantic import Field
 
+from linkwright.elements.cam_contact import cam_followers
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression, Name
 from linkwright.expressions.typed_fields import Quantity
@@ -15,7 +16,6 @@ from linkwright.expressions.units import LENGTH
 from linkwright.expressions.unknown import near, proposed
 from linkwright.expressions.written import Shortened
 from linkwright.findings import Finding
-from linkwright.graph.cams import followings
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.model.pins import Pin
@@ -70,7 +70,7 @@ def check_clearances(compiled: Compiled, clearances: Mapping[str, Clearance], at
 def _doubly_held(compiled: Compiled) -> dict[str, str]:
     """The joints and rollers of cams that touch on two sides, with the cam: which contact holds isn't followed."""
     found = {}
-    for cam, drive in followings(compiled.quantities).items():
+    for cam, drive in cam_followers(compiled.mechanism).items():
         if drive.cam.closed not in ("conjugate", "yoke"):
             continue
         found[drive.cam.touches] = cam
@@ -132,7 +132,7 @@ def _of_guide(
 def _of_roller(
     compiled: Compiled, cam: str, entry: Clearance, lengths: Mapping[str, float], path: Path
 ) -> Iterator[Finding]:
-    drive = followings(compiled.quantities)[cam]
+    drive = cam_followers(compiled.mechanism)[cam]
     name = drive.cam.touches
     for key, given in (("length", entry.length), ("centre", entry.centre), ("in", entry.in_)):
         if given is not None:

@@ -64,7 +64,7 @@ class Sheet:
 def driving(compiled: Compiled) -> list[str]:
     """The signals that say where a motion is: values of drives, angles of the links that they turn on the frame."""
     found = []
-    for name, drive in compiled.mechanism.drives.items():
+    for name, drive in compiled.mechanism.movers.items():
         shown = compiled.mechanism.prescribed(name)
         found.append(f"{name}.angle" if shown.turns else f"{name}.s")
         if drive.turns and drive.on == "frame":

@@ -12,15 +12,16 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from linkwright.elements.cam_contact import cam_followers
+from linkwright.elements.cam_contact.contact import seat, sense
 from linkwright.expressions.language import FUNCTIONS
-from linkwright.graph.cams import followings, seat, sense
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 
 
 def rollers(compiled: Compiled) -> dict[str, str]:
     """The points of followers at which nothing but a roller turns, with the cam that it rolls on."""
-    pins, drives = compiled.quantities.signals.pins.values(), followings(compiled.quantities)
+    pins, drives = compiled.quantities.signals.pins.values(), cam_followers(compiled.mechanism)
     pinned = {member for pin in pins for member in pin.members}
     return {
         drive.cam.touches: cam
@@ -94,7 +95,7 @@ class OnRoller:
 def on_roller(compiled: Compiled, cam: str, clearance: float) -> OnRoller:
     """The roller of a cam's follower on its pin, with a clearance (m)."""
     quantities = compiled.quantities
-    drive, geometry = followings(quantities)[cam], Geometry(quantities, quantities.parameters)
+    drive, geometry = cam_followers(quantities.mechanism)[cam], Geometry(quantities, quantities.parameters)
     lift: str | tuple[str, float, float]
     if drive.pivot is not None:
         lift = drive.pivot[0]
@@ -102,4 +103,4 @@ def on_roller(compiled: Compiled, cam: str, clearance: float) -> OnRoller:
         way = seat(geometry, drive).way
         lift = drive.on, float(way.x), float(way.y)
     links = drive.link, cam
-    return OnRoller(drive.cam.touches, links, clearance, sense(quantities, drive), drive.side, lift)
+    return OnRoller(drive.cam.touches, links, clearance, sense(geometry, drive), drive.side, lift)

@@ -10,9 +10,9 @@ from linkwright.cam.contact import Side
 from linkwright.cam.disc import Disc
 from linkwright.cam.hertz import STEEL, Material
 from linkwright.cam.loads import Loads
+from linkwright.elements.cam_contact import cam_followers
 from linkwright.expressions import units as u
 from linkwright.findings import Finding
-from linkwright.graph.cams import followings
 from linkwright.kernels import Compiled
 from linkwright.studies.cam.figures import along_lift, of_forces
 from linkwright.studies.cam.force_options import CamForces, CamMaterial
@@ -115,7 +115,7 @@ def _speed(compiled: Compiled, name: str, o: CamForces, number: Number, found: l
     """That of the cam, rad/s, without its sign."""
     if o.speed is not None:
         return abs(number("forces", "speed"))
-    motor = followings(compiled.quantities)[name].motor
+    motor = cam_followers(compiled.mechanism)[name].motor
     stated = compiled.mechanism.drives[motor].speed
     speed = 0.0 if stated is None else abs(compiled.quantities.value(stated, u.OMEGA))
     if speed > 0:

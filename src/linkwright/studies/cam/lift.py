@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from linkwright.elements.cam_contact import cam_followers
 from linkwright.expressions.typed_fields import Context, Quantity, Sign
 from linkwright.expressions.units import Dimension
-from linkwright.model.cams import Following
 
 
 def turning(c: Context) -> bool | None:
     """Whether the follower of the study's cam turns; ``None`` where it isn't clear which cam is meant."""
     named, cams = c.entries[0].cam, [*c.mechanism.cams]
-    drive = c.mechanism.drives.get(named or (cams[0] if len(cams) == 1 else ""))
-    return bool(drive.turns) if isinstance(drive, Following) else None
+    follower = cam_followers(c.mechanism).get(named or (cams[0] if len(cams) == 1 else ""))
+    return None if follower is None else follower.turning
 
 
 def along(dimension: Callable[[bool], Dimension], sign: Sign = Sign.ANY) -> Quantity:

@@ -18,7 +18,7 @@ from linkwright.expressions.unknown import near, unknown
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
-from linkwright.model.followers import no_cams
+from linkwright.model.followers import no_followers
 from linkwright.model.parts import Interval, freeze
 from linkwright.model.quantities import LARGEST
 from linkwright.structure import FRAME
@@ -121,7 +121,7 @@ def check(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
     """What is wrong with options that are well-formed."""
     drives = compiled.graph.drives
     if len(compiled.graph.motors) < len(drives):
-        yield no_cams(compiled.mechanism, "workspace")
+        yield no_followers(compiled.mechanism, "workspace")
         return
     if not 1 <= len(drives) <= 2:
         yield Finding("workspace.drives", ("drives",), {"count": len(drives), "names": ", ".join(drives) or "-"})

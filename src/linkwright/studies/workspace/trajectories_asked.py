@@ -89,7 +89,6 @@ class TrajectoriesAsked(Frozen):
 def held(mechanism: Mechanism, named: str | None) -> str:
     """The drive that is held: the named one; else, of a motor of constant speed and a servo, the servo; else the
     second."""
-    drives = [*mechanism.drives]
-    laws = [mechanism.prescribed(drive) for drive in drives]
-    servos = [d for d, law in zip(drives, laws, strict=True) if law.speed is None or law.acceleration is not None]
-    return named or (servos[0] if len(servos) == 1 else drives[-1])
+    laws = mechanism.drives.items()
+    servos = [drive for drive, law in laws if law.speed is None or law.acceleration is not None]
+    return named or (servos[0] if len(servos) == 1 else [*mechanism.drives][-1])

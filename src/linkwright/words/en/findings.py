@@ -1369,6 +1369,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The law of {drive} has more than {limit} pieces in this time; it isn't written as text.",
         "Take its values from motion.csv, or give a shorter duration.",
     ),
+    "export.no-formula": (
+        "The law of {drive} has no formula; it isn't written as text.",
+        "Take its values from motion.csv.",
+    ),
     "export.unproven": (
         "What would be written for {name} is off the model by {error} {unit}; it isn't given.",
         "Look for a law or pose that is nearly singular; else tell the authors, since this is a fault of linkwright.",
@@ -2210,6 +2214,7 @@ _TERMS: dict[str, str] = {
     "correlation": "a number, or a matrix of numbers as a list of rows",
     "two-links": "[LINK, LINK]",
     "kind-pin_in_slot": "pin in a slot",
+    "kind-cam": "cam",
     "flank-left": "left",
     "flank-right": "right",
     "slot-place": "[ALONG, ACROSS]",

@@ -1,4 +1,4 @@
-"""Cams of a model: the entry of a file, and the drive that the solver sees in its place."""
+"""What a file says of a cam."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ from linkwright.expressions.fields import AssemblyRule, Expression, Frozen, Line
 from linkwright.expressions.typed_fields import ELSEWHERE, Quantity, Ref, Sign
 from linkwright.expressions.units import ANGLE, LENGTH
 from linkwright.expressions.written import Fault
-from linkwright.model.parts import Drive
 
 _RADIUS = Quantity(LENGTH, Sign.POSITIVE, "radius")
 
@@ -117,40 +116,3 @@ class Cam(Frozen):
         name = self.at or self.knife or (self.face.point if self.face else None)
         assert name is not None
         return name
-
-
-class Following(Drive):
-    """A follower as a drive holds it; its law is that of the cam, and its effort acts in the contact with the cam.
-
-    ``shaft`` are the points of cam and carrier on the cam's pin, ``pivot`` those of follower and carrier on the
-    follower's; of a sliding follower the ``joint`` is the slide. ``turned`` is +1 where the motor's value is the cam's
-    angle on the carrier, -1 where it is the carrier's on the cam. ``side`` is +1 where the follower's contact lies left
-    of the line from shaft to pivot, or where it rises along the slide; else -1.
-    """
-
-    cam: Annotated[Cam, ELSEWHERE]
-    motor: str
-    shaft: tuple[str, str]
-    pivot: tuple[str, str] | None = None
-    joint: str | None = None
-    turned: int = 1
-    side: int = 1
-
-    @classmethod
-    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
-        yield from ()
-
-    @property
-    def paired(self) -> bool:
-        """Whether a second contact holds the follower where the first one would have to pull."""
-        return self.cam.closed in ("conjugate", "yoke")
-
-    @property
-    def derived(self) -> bool:
-        """Whether the place of this second contact follows from the first and the law, as the file doesn't give it."""
-        return self.paired and (self.cam.second is None or self.cam.second.touches is None)
-
-    @property
-    def effort(self) -> str:
-        """The signal of what it exerts: the force in the contact, not at the follower's joint."""
-        return "force"

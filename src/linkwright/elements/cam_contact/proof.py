@@ -7,29 +7,40 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.elements.cam_contact.second import largest
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import LineOn
-from linkwright.kernels.seconds import largest
-from linkwright.model.cams import Following
 
 if TYPE_CHECKING:
-    from linkwright.results.audit import Reports
+    from linkwright.elements.cam_contact.follower import CamFollower
+    from linkwright.elements.follower import Applied, FollowerReports
 
 Array = NDArray[np.float64]
 
 
-def contact(r: Reports, drive: Following, second: bool = False) -> tuple[Array, Array]:
+def applied(r: FollowerReports, drive: CamFollower, name: str) -> list[Applied]:
+    """What the reported force does to the follower and the cam; a negative one is that of the second contact."""
+    size = r.rows[f"{name}.force"]
+    place, normal = contact(r, drive)
+    if drive.paired:
+        there, other = contact(r, drive, second=True)
+        place, normal = np.where(size < 0, there, place), np.where(size < 0, -other, normal)
+    force = size * normal
+    return [(drive.link, force, place, 0.0), (drive.cam.cam, -force, place, 0.0)]
+
+
+def contact(r: FollowerReports, drive: CamFollower, second: bool = False) -> tuple[Array, Array]:
     """A place on the common normal, and this as a unit vector from the cam to the follower: (2, times) each; of the
     ``second`` contact of a conjugate pair or a yoke.
 
     It is square to the way of the follower's point past the cam; a face has its own.
     """
     cam = drive.cam
-    number = r.compiled.quantities.value
+    number = r.number
     turn = r.rows[f"{drive.motor}.angle"] * drive.turned  # of the cam on its carrier
     forward = cam.sense or ("clockwise" if _backward(r, drive) else "counter-clockwise")
     forward_sign = 1.0 if forward == "counter-clockwise" else -1.0
-    lift, asked = r.compiled.motions[cam.law], forward_sign * turn + number(cam.phase, u.ANGLE)
+    lift, asked = r.motions[cam.law], forward_sign * turn + number(cam.phase, u.ANGLE)
     slope = forward_sign * lift.at(asked, 1)  # by the cam's angle
     shaft = r.at(drive.on, r.geometry.point(drive.on, drive.shaft[1]))
     at = r.at(drive.link, r.geometry.point(drive.link, cam.touches))
@@ -56,14 +67,14 @@ def contact(r: Reports, drive: Following, second: bool = False) -> tuple[Array, 
 
 
 def _second(
-    r: Reports, drive: Following, shaft: Array, at: Array, face: Array | None, lift: Array
+    r: FollowerReports, drive: CamFollower, shaft: Array, at: Array, face: Array | None, lift: Array
 ) -> tuple[Array, Array | None]:
     """The second contact's point, and its face's direction, from those of the first and the lift."""
-    cam, stated, length = drive.cam, drive.cam.second, r.compiled.quantities.value
+    cam, stated, length = drive.cam, drive.cam.second, r.number
     if stated is not None and stated.touches is not None:
         own = r.at(drive.link, r.geometry.point(drive.link, stated.touches))
         return own, _direction(r, drive, stated.face) if stated.face is not None else None
-    left = largest(drive, r.compiled.motions[cam.law]) - lift  # by which the second contact has risen
+    left = largest(drive, r.motions[cam.law]) - lift  # by which the second contact has risen
     base = length(stated.base if stated is not None and stated.base is not None else cam.base, u.LENGTH)
     roller = stated.roller if stated is not None and stated.roller is not None else cam.roller
     pitch = base + (length(roller, u.LENGTH) if roller is not None else 0.0)
@@ -86,15 +97,15 @@ def _second(
     return (pivot + arm * beam, None) if face is None else (pivot + drive.side * arm * _quarter(beam), beam)
 
 
-def _direction(r: Reports, drive: Following, face: LineOn) -> Array:
+def _direction(r: FollowerReports, drive: CamFollower, face: LineOn) -> Array:
     """The direction of a follower's face."""
-    heading = r.compiled.quantities.value(face.angle, u.ANGLE)
+    heading = r.number(face.angle, u.ANGLE)
     return r.turned(drive.link, (np.cos(heading), np.sin(heading)))
 
 
-def _backward(r: Reports, drive: Following) -> bool:
-    speed = r.mechanism.drives[drive.motor].speed
-    return (drive.turned < 0) != (speed is not None and r.compiled.quantities.value(speed, u.OMEGA) < 0)
+def _backward(r: FollowerReports, drive: CamFollower) -> bool:
+    speed = r.geometry.mechanism.drives[drive.motor].speed
+    return (drive.turned < 0) != (speed is not None and r.number(speed, u.OMEGA) < 0)
 
 
 def _quarter(vector: Array) -> Array:

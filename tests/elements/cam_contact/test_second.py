@@ -18,8 +18,8 @@ from linkwright.cam.closing import conjugate, yoke
 from linkwright.cam.contact import Side
 from linkwright.cam.loads import Loads, forces
 from linkwright.cam.pairs import disc, frame
+from linkwright.elements.cam_contact.second import rest
 from linkwright.graph.geometry import Geometry
-from linkwright.graph.seconds import rest
 from linkwright.kernels.tangents import Tangents
 from linkwright.kernels.varied import Varied
 from linkwright.model.document import Document
@@ -223,7 +223,7 @@ def test_where_the_second_contact_rests() -> None:
         data, other = closed(guide, touch, how, -1, 1)
         c = compiled_from(data)
         first = disc(c, "rider")
-        drive, total = c.mechanism.drives["rider"], c.motions["lift"].extremes(0)[1].value
+        drive, total = c.mechanism.followers["rider"], c.motions["lift"].extremes(0)[1].value
         found = rest(Geometry(c.quantities, c.quantities.parameters), drive, total)
         follower = other(first).disc.follower
         assert found == pytest.approx((follower.start, follower.base), rel=1e-11)

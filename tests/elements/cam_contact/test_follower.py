@@ -11,9 +11,9 @@ import pytest
 from helpers.cams import pair
 from helpers.compiled import compiled_from
 from linkwright.compilation import examine
+from linkwright.elements.cam_contact import CamFollower
 from linkwright.findings import Finding, ModelError
 from linkwright.model.builder import Builder
-from linkwright.model.cams import Following
 from linkwright.model.document import Document, dump, parse_document, read_document
 from linkwright.model.spelled import spell_out
 from linkwright.report.facts import facts
@@ -45,8 +45,8 @@ def codes(guide: str = "swinging", touch: str = "roller", **changes: Any) -> lis
 
 def test_a_cam_is_spelled_out_as_a_drive_of_its_name() -> None:
     mechanism = spell_out(Document.model_validate(pair("swinging", "roller"))).mechanism
-    drive = mechanism.drives["rider"]
-    assert isinstance(drive, Following)
+    drive = mechanism.followers["rider"]
+    assert isinstance(drive, CamFollower)
     assert (drive.turns, drive.on, drive.motor, drive.shaft, drive.pivot) == (
         "arm",
         "frame",
@@ -54,7 +54,7 @@ def test_a_cam_is_spelled_out_as_a_drive_of_its_name() -> None:
         ("Q", "O"),
         ("A", "A"),
     )
-    assert list(mechanism.drives) == ["motor", "rider"]
+    assert list(mechanism.movers) == ["motor", "rider"]
 
 
 def test_the_file_keeps_it(tmp_path: Any) -> None:
@@ -62,7 +62,7 @@ def test_the_file_keeps_it(tmp_path: Any) -> None:
     again, source = read_document(dump(document).encode())
     assert not source.findings
     assert again == document
-    assert "rider" not in document.drives
+    assert not document.followers
 
 
 def test_the_builder_makes_the_same() -> None:

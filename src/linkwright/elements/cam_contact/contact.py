@@ -13,51 +13,44 @@ arrays, duals and symbols alike.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from math import atan2, pi
 from typing import TYPE_CHECKING
 
+from linkwright.elements.follower import Acting, FollowerGeometry
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Binary, Call, Name, Node, Number
-from linkwright.graph.geometry import Geometry
-from linkwright.model.cams import Following
-from linkwright.model.quantities import Quantities
 from linkwright.notation import Pair, Scalar, Wrench
 from linkwright.notation.jets import call
 from linkwright.notation.planar import unit_vector
 
 if TYPE_CHECKING:
-    from linkwright.graph.motion import Motion
+    from linkwright.elements.cam_contact.follower import CamFollower
+    from linkwright.elements.follower import Poses
 
 
-def followings(quantities: Quantities) -> dict[str, Following]:
-    """The drives that stand for cams, by name."""
-    drives = quantities.mechanism.drives.items()
-    return {name: drive for name, drive in drives if isinstance(drive, Following)}
-
-
-def sense(quantities: Quantities, drive: Following) -> int:
+def sense(geometry: FollowerGeometry, drive: CamFollower) -> int:
     """The sense of turn (+1: counter-clockwise) on the carrier in which the cam runs through its law."""
     if drive.cam.sense is not None:
         return 1 if drive.cam.sense == "counter-clockwise" else -1
-    speed = quantities.mechanism.drives[drive.motor].speed
-    forward = speed is None or quantities.value(speed, u.OMEGA) >= 0
+    speed = geometry.mechanism.drives[drive.motor].speed
+    forward = speed is None or geometry.nominal.number(speed, u.OMEGA) >= 0
     return drive.turned if forward else -drive.turned
 
 
-def argument(quantities: Quantities, drive: Following, motor: Node | None = None) -> Node:
+def argument(geometry: FollowerGeometry, drive: CamFollower, motor: Node | None = None) -> Node:
     """The angle at which the cam's law is asked (rad), as a tree in SI of the motor's angle or of what this is."""
-    factor = Number(float(sense(quantities, drive) * drive.turned))
+    factor = Number(float(sense(geometry, drive) * drive.turned))
     turned = Binary("*", factor, motor or Name(f"{drive.motor}.angle"))
-    return Binary("+", turned, quantities.bind(drive.cam.phase, u.ANGLE))
+    return Binary("+", turned, geometry.bound(drive.cam.phase, u.ANGLE))
 
 
-def value(quantities: Quantities, drive: Following, motor: Node) -> Node:
+def tree(geometry: FollowerGeometry, drive: CamFollower, motor: Node) -> Node:
     """A follower's value at the nominal lengths (rad or m), as a tree in SI of what its motor's angle is."""
-    here = seat(Geometry(quantities, quantities.parameters), drive)
-    start = here.offset + here.sign * here.start - whole(quantities, quantities.parameters, drive)
-    lift = Call(drive.cam.law, (argument(quantities, drive, motor),))
+    plain = geometry.nominal
+    here = seat(plain, drive)
+    start = here.offset + here.sign * here.start - whole(plain, drive)
+    lift = Call(drive.cam.law, (argument(geometry, drive, motor),))
     return Binary("+", Number(float(start)), Binary("*", Number(float(here.sign)), lift))
 
 
@@ -108,14 +101,14 @@ class Seat:
         return self.level if self.faced else call("sqrt", self.level)
 
 
-def seat(geometry: Geometry, drive: Following) -> Seat:
+def seat(geometry: FollowerGeometry, drive: CamFollower) -> Seat:
     """The numbers of a cam pair."""
     cam, on = drive.cam, drive.on
     shaft = geometry.pinned(on, drive.shaft[1])
     base = geometry.number(cam.base, u.LENGTH)
     roller = geometry.number(cam.roller, u.LENGTH) if cam.roller is not None else 0.0
     touching = geometry.point(drive.link, cam.touches)
-    plain = Geometry(geometry.quantities, geometry.quantities.parameters)
+    plain = geometry.nominal
     faced = cam.face is not None
     if drive.pivot is not None:
         own, pivot = geometry.pinned(drive.link, drive.pivot[0]), geometry.pinned(on, drive.pivot[1])
@@ -143,7 +136,7 @@ def _angle(vector: Pair, near: Pair) -> Scalar:
     return atan2(near.y, near.x) + call("arctan2", near.cross(vector), near.dot(vector))
 
 
-def slant(geometry: Geometry, drive: Following) -> Scalar:
+def slant(geometry: FollowerGeometry, drive: CamFollower) -> Scalar:
     """The angle (rad, within a quarter turn) by which a sliding follower's face isn't square to its slide."""
     assert drive.cam.face is not None
     assert drive.joint is not None
@@ -160,42 +153,31 @@ class Touch:
     face: Pair | None
 
 
-def touch(geometry: Geometry, drive: Following) -> Touch:
+def touch(geometry: FollowerGeometry, drive: CamFollower) -> Touch:
     """What of a follower touches."""
     face = drive.cam.face
     heading = unit_vector(geometry.number(face.angle, u.ANGLE)) if face is not None else None
     return Touch(geometry.point(drive.link, drive.cam.touches), heading)
 
 
-def outward(drive: Following, face: Pair) -> Pair:
+def outward(drive: CamFollower, face: Pair) -> Pair:
     """The normal of a pinned follower's face in some direction, away from the cam."""
     return Pair(-drive.side * face.perp.x, -drive.side * face.perp.y)
 
 
-@dataclass(frozen=True)
-class Contact:
-    """Where a follower touches, in the frame: a place on the common normal, the unit ``normal`` from the cam to the
-    follower, the pressure angle (rad, signed) from it to the follower's way as the lift grows, and the ``reach``: what
-    1 N along the normal does along the lift (N, or N m of a swinging follower)."""
+def contact(
+    poses: Poses, drive: CamFollower, rate: Scalar, what: Touch | None = None, pressure: str = "pressure"
+) -> Acting:
+    """What 1 N along the common normal, from the cam to the follower, does: from the poses and the derivative of the
+    follower's value by the cam's angle (m or 1); ``what`` of it touches, unless that of the drive.
 
-    at: Pair
-    normal: Pair
-    pressure: Scalar
-    reach: Scalar
-
-    def pushes(self, drive: Following) -> dict[str, Wrench]:
-        """A contact force of 1 N, on each of the two links."""
-        push = Wrench(self.normal, 0.0, self.at)
-        return {drive.link: push, drive.cam.cam: push.opposite}
-
-
-def contact(motion: Motion, drive: Following, rate: Scalar, what: Touch | None = None) -> Contact:
-    """Where a follower touches, from the poses and the derivative of its value by the cam's angle (m or 1); ``what`` of
-    it, unless that of the drive."""
-    geometry, bodies = motion.geometry, motion.bodies
+    Its signal is the ``pressure`` angle (rad, signed) from the normal to the follower's way as the lift grows; its
+    reach what the force does along the lift (N, or N m of a swinging follower).
+    """
+    geometry, bodies = poses.geometry, poses.bodies
     what = what or touch(geometry, drive)
     here, on = seat(geometry, drive), bodies[drive.on]
-    forward = sense(geometry.quantities, drive)
+    forward = sense(geometry, drive)
     shaft = on.point(here.shaft).now
     way = on.direction(here.way).now if not here.turns else Pair(0.0, 0.0)
     pivot = on.point(here.pivot).now
@@ -222,13 +204,14 @@ def contact(motion: Motion, drive: Following, rate: Scalar, what: Touch | None =
     rising = moved(at)
     rising = Pair(here.sign * rising.x, here.sign * rising.y)
     reach = normal.dot(rising)
-    return Contact(at, normal, call("arctan2", -forward * normal.cross(rising), reach), reach)
+    angle, push = call("arctan2", -forward * normal.cross(rising), reach), Wrench(normal, 0.0, at)
+    return Acting({drive.link: push, drive.cam.cam: push.opposite}, reach, {pressure: angle})
 
 
-def whole(quantities: Quantities, parameters: Mapping[str, float], drive: Following) -> float:
+def whole(geometry: FollowerGeometry, drive: CamFollower) -> float:
     """Whole turns (rad) by which a swinging follower's value on the base circle lies outside of -pi .. pi."""
     if drive.pivot is None:
         return 0.0
-    here = seat(Geometry(quantities, parameters), drive)
+    here = seat(geometry, drive)
     value = float(here.offset + here.sign * here.start)
     return 2 * pi * round(value / (2 * pi)) if abs(value) < 1e9 else 0.0

@@ -11,25 +11,35 @@ from __future__ import annotations
 
 from dataclasses import replace
 from math import atan2, cos, hypot, pi, sin
+from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.elements.cam_contact.contact import Seat, Touch, outward, seat, touch
 from linkwright.expressions import units as u
-from linkwright.graph.cams import Seat, Touch, outward, seat, touch
-from linkwright.graph.geometry import Geometry
-from linkwright.model.cams import Following
+from linkwright.laws import Motion
 from linkwright.notation import Pair, Scalar
 from linkwright.notation.planar import unit_vector
 
+if TYPE_CHECKING:
+    from linkwright.elements.cam_contact.follower import CamFollower
+    from linkwright.elements.follower import FollowerGeometry
 
-def other_side(drive: Following) -> Following:
+SAMPLES = 3600
+"""Places of half a turn at which sums of two lifts are looked at, besides the law's joins."""
+
+
+def other_side(drive: CamFollower) -> CamFollower:
     """The second contact as if it were the first one, on the other side; its place is right where it is stated."""
     cam, stated = drive.cam, drive.cam.second
     change = {key: value for key, value in stated or () if value is not None}
     if cam.knife is not None and "at" in change:
         change["knife"] = change.pop("at")
-    return drive.model_copy(update={"cam": cam.model_copy(update=change), "side": -drive.side})
+    return replace(drive, entry=cam.model_copy(update=change), side=-drive.side)
 
 
-def second(geometry: Geometry, drive: Following, total: Scalar) -> Touch:
+def second(geometry: FollowerGeometry, drive: CamFollower, total: Scalar) -> Touch:
     """What touches on the other side; ``total`` (rad or m) is the largest lift, or of a yoke the largest sum of two
     lifts half a turn apart."""
     other = other_side(drive)
@@ -53,7 +63,7 @@ def second(geometry: Geometry, drive: Following, total: Scalar) -> Touch:
     return Touch(at, first.face)
 
 
-def second_seat(geometry: Geometry, drive: Following) -> Seat:
+def second_seat(geometry: FollowerGeometry, drive: CamFollower) -> Seat:
     """The numbers of the second contact; ``base`` is that of its disc only where its place isn't stated."""
     if not drive.derived:
         return seat(geometry, other_side(drive))
@@ -62,7 +72,7 @@ def second_seat(geometry: Geometry, drive: Following) -> Seat:
     return replace(seat(geometry, drive), base=geometry.number(cam.base, u.LENGTH), roller=roller)
 
 
-def rest(geometry: Geometry, drive: Following, total: float) -> tuple[float, float]:
+def rest(geometry: FollowerGeometry, drive: CamFollower, total: float) -> tuple[float, float]:
     """Where the second contact stands at the largest lift ``total`` (rad or m), as it is on its own base circle, by
     plain numbers: the angle (rad, -pi .. pi) of arm or face with the line of centres or the height (m) beyond the
     shaft, and the radius (m) of the base circle."""
@@ -79,11 +89,22 @@ def rest(geometry: Geometry, drive: Following, total: float) -> tuple[float, flo
     return start, hypot(away - reach * cos(start), reach * sin(start)) - float(there.roller)
 
 
-def room(drive: Following) -> tuple[float, float]:
+def room(drive: CamFollower) -> tuple[float, float]:
     """Between what a second contact's angle or height may lie all over the lift (rad or m)."""
     if drive.pivot is None:
         return 0.0, float("inf")
     return (-pi / 2, pi / 2) if drive.cam.face is not None else (0.0, pi)
+
+
+def largest(drive: CamFollower, motion: Motion) -> float:
+    """The largest lift (rad or m), or of a yoke the largest sum of two lifts half a turn apart."""
+    return float(sums(motion).max()) if drive.cam.closed == "yoke" else motion.extremes(0)[1].value
+
+
+def sums(motion: Motion) -> NDArray[np.float64]:
+    """Sums of two lifts (m) half a turn apart, all over a turn: one number where a yoke fits without play."""
+    places = np.concatenate([np.linspace(0.0, pi, SAMPLES), motion.breaks])
+    return np.asarray(motion.at(places) + motion.at(places + pi))
 
 
 def _plus(at: Pair, by: Pair, times: Scalar = 1.0) -> Pair:

@@ -1,0 +1,258 @@
+"""What a joint is that has a link follow a drive: the contract of explicit joints, such as cams.
+
+Such a joint states one constraint: the value of its link on another one, an angle about the pin or a length along the
+line that these two share, is a function of a drive's value. No equation is left to be solved: the value is a prescribed
+motion, as that of a drive, with all its rates. What a drive would exert there the joint exerts in its contact.
+
+A kind is one registered class; an object of it is one joint of a mechanism, as it is read from its entry.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, Protocol
+
+import numpy as np
+
+from linkwright.elements.entries import ENTRIES, JointEntry
+from linkwright.elements.joint import Array, JointGeometry, JointReports
+from linkwright.elements.mover import TRAVEL, TURN
+from linkwright.expressions import units as u
+from linkwright.expressions.language import Call, Node
+from linkwright.expressions.units import Dimension
+from linkwright.findings import Finding, Term
+from linkwright.laws import Motion
+from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
+from linkwright.notation.registry import Registry
+from linkwright.words import add
+
+Path = tuple[str | int, ...]
+Motions = Mapping[str, Any]
+"""The motion laws by name: of each ``given(parameters)`` is the :class:`~linkwright.laws.Motion` at some parameters."""
+Applied = tuple[str, Array, Array, Array | float]
+"""A force (2, times) on a link at a place (2, times), with a moment (times,): (link, force, place, moment)."""
+Value = Callable[[Any, Jet], Jet]
+"""A follower's value (rad or m) with its rates, from the dimensions at some parameters and its motor's value."""
+
+
+class FollowerGeometry(JointGeometry, Protocol):
+    """The dimensions that a follower asks for."""
+
+    @property
+    def parameters(self) -> Mapping[str, Scalar]:
+        """The values of the parameters."""
+
+    @property
+    def nominal(self) -> FollowerGeometry:
+        """The same at the nominal parameters, without clearance."""
+
+    def bound(self, expression: Any, dimension: Any) -> Node:
+        """An expression as a tree in SI."""
+
+    def pinned(self, link: str, point: str) -> Pair:
+        """The place of a link that is put on the pin of one of its points, its clearance included."""
+
+
+class Poses(Protocol):
+    """The motion of all links at some order of rates."""
+
+    @property
+    def geometry(self) -> Any:
+        """The dimensions: a :class:`FollowerGeometry`."""
+
+    @property
+    def bodies(self) -> Mapping[str, Body]:
+        """The links."""
+
+    def unit(self, mover: str) -> dict[str, Wrench]:
+        """What 1 N m or 1 N of a drive or follower would do at its own joint, by link."""
+
+
+class FollowerReports(JointReports, Protocol):
+    """What a run reports."""
+
+    @property
+    def count(self) -> int:
+        """The number of times."""
+
+    @property
+    def rows(self) -> Mapping[str, Array]:
+        """The reported signals by name: those of all drives and followers among them."""
+
+    @property
+    def motions(self) -> Motions:
+        """The motion laws."""
+
+    def number(self, expression: Any, dimension: Any) -> float:
+        """The value of an expression of the entry, in SI."""
+
+
+@dataclass(frozen=True)
+class Riding:
+    """How a follower's ``value`` follows, and what ``total`` of its law places a second contact (rad or m)."""
+
+    value: Value
+    total: float = 0.0
+
+
+@dataclass(frozen=True)
+class Acting:
+    """What 1 N (1 N m) of a follower's effort does: the ``wrenches`` on the links, of which the sum is none; the work
+    ``reach`` that it does for a unit of the follower's value; and the ``signals`` of the contact."""
+
+    wrenches: Mapping[str, Wrench]
+    reach: Scalar = 1.0
+    signals: Mapping[str, Scalar] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Follower(ABC):
+    """A joint that has ``link`` follow the drive ``motor``: ``turning`` about its pin on the link ``on``, or along the
+    slide ``joint`` of both. ``turned`` is the sign by which the motor's value counts where its law is asked."""
+
+    entry: Any
+    link: str
+    on: str
+    turning: bool
+    motor: str
+    joint: str | None = None
+    turned: int = 1
+
+    kind: ClassVar[str]
+    """As files have it."""
+    stated: ClassVar[type[Any]]
+    """What a file says of one."""
+    section: ClassVar[str] = "joints"
+    """The section of a file in which it stands."""
+    words: ClassVar[Mapping[str, Mapping[str, str]]] = {}
+    """Texts that the catalogue lacks, by language and key; ``term.kind-NAME`` is what it is called."""
+    output: ClassVar[None] = None
+
+    @property
+    def title(self) -> Term:
+        """What it is called."""
+        return Term(f"kind-{self.kind}")
+
+    @classmethod
+    @abstractmethod
+    def read(cls, m: Any, name: str, pins: Mapping[str, Any]) -> Follower | list[Finding]:
+        """The joint of an entry of the mechanism ``m``, or what is wrong with it; that there are such links and laws as
+        its fields name is known. ``pins`` are those of the mechanism."""
+
+    @property
+    def turns(self) -> str | None:
+        """The link where its value is an angle."""
+        return self.link if self.turning else None
+
+    @property
+    def slides(self) -> str | None:
+        """The link where its value is a length."""
+        return None if self.turning else self.link
+
+    @property
+    def rate(self) -> str:
+        """The signal of its speed: ``omega`` or ``v``."""
+        return "omega" if self.turning else "v"
+
+    @property
+    def effort(self) -> str:
+        """The signal of what it exerts: ``torque`` or ``force``."""
+        return "torque" if self.turning else "force"
+
+    @property
+    def extra(self) -> Mapping[str, Dimension]:
+        """The signals of its contact, which the poses alone give."""
+        return {}
+
+    @property
+    def signals(self) -> Mapping[str, Dimension]:
+        """Its signals: the value with its rates, what it exerts, those of its contact."""
+        effort = {self.effort: u.TORQUE if self.effort == "torque" else u.FORCE}
+        return {**(TURN if self.turning else TRAVEL), **effort, **self.extra}
+
+    @property
+    def laws(self) -> Mapping[str, str]:
+        """The motion laws that it asks, by the entry's keys."""
+        return {}
+
+    @property
+    def paired(self) -> bool:
+        """Whether a second contact holds the link where the first one would have to pull."""
+        return False
+
+    @property
+    def derived(self) -> bool:
+        """Whether the place of this second contact follows from the first and the law."""
+        return False
+
+    @abstractmethod
+    def riding(self, geometry: FollowerGeometry, motions: Motions) -> Riding:
+        """How its value follows from that of its motor; ``geometry`` is at the nominal parameters."""
+
+    def acting(self, name: str, poses: Poses, ratio: Scalar) -> Acting:
+        """What its effort does, where the value changes by ``ratio`` with the motor's (which counts as ``turned``).
+
+        Unless a kind knows where its links touch: by duality. The effort acts at the joint of link and ``on`` and,
+        times the ratio and the other way round, at that of the motor, so that the two do no work together.
+        """
+        found = dict(poses.unit(name))
+        for link, wrench in poses.unit(self.motor).items():
+            geared = wrench.times(-(self.turned * ratio))
+            found[link] = found[link].plus(geared) if link in found else geared
+        return Acting(found)
+
+    def second(self, name: str, poses: Poses, ratio: Scalar, total: Scalar) -> Acting | None:
+        """The same of its second contact, if it has one."""
+        return None
+
+    def tree(self, geometry: FollowerGeometry, motor: Node) -> Node | None:
+        """Its value at the nominal lengths, as a tree in SI of what its motor's value is, for tools that take formulas;
+        ``None`` where there is none."""
+        return None
+
+    def calls(self, geometry: FollowerGeometry) -> list[Call]:
+        """The calls of motion laws, of signals: where these have joins, so has the value."""
+        return []
+
+    def step(self, motions: Motions) -> float:
+        """By how much (of the motor's value) one may go so that the value hardly bends."""
+        return 0.1
+
+    def faults(self, quantities: Any, geometry: FollowerGeometry, motions: Motions, path: Path) -> Iterator[Finding]:
+        """What is wrong with its numbers; ``path`` is its place in the file."""
+        yield from ()
+
+    def law_faults(self, quantities: Any, law: str, motion: Motion, path: Path) -> Iterator[tuple[Finding, Any]]:
+        """What is wrong with a motion law where this joint asks it, and in which samples."""
+        yield from ()
+
+    @abstractmethod
+    def applied(self, reports: FollowerReports, name: str) -> list[Applied]:
+        """What the reported effort does to the links: its proof, which asks none of the other methods."""
+
+
+FOLLOWERS: Registry[type[Follower]] = Registry()
+"""The kinds of followers by name."""
+
+
+def register_follower(cls: type[Follower]) -> type[Follower]:
+    """Register a kind of follower under its name; a second one of the same name is an error."""
+    FOLLOWERS[cls.kind] = cls
+    if issubclass(cls.stated, JointEntry):
+        ENTRIES[cls.kind] = cls.stated
+    for language, texts in cls.words.items():
+        add(language, texts)
+    return cls
+
+
+def at_rest(times: int) -> Array:
+    """No force, and no place: (2, times)."""
+    return np.zeros((2, times))
+
+
+__all__: Sequence[str] = [
+    "FOLLOWERS", "Acting", "Applied", "Follower", "FollowerGeometry", "FollowerReports", "Motions", "Path", "Poses",
+    "Riding", "at_rest", "register_follower",
+]  # fmt: skip

@@ -1,0 +1,50 @@
+"""What prescribes the motion of a link on another: drives, and joints that have a link follow a drive."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Protocol
+
+from linkwright.expressions import units as u
+from linkwright.expressions.units import Dimension
+
+TURN = {"angle": u.ANGLE, "omega": u.OMEGA, "alpha": u.ALPHA, "jerk": u.ANGULAR_JERK}
+"""An angle and its rates, as signals are called."""
+TRAVEL = {"s": u.LENGTH, "v": u.SPEED, "a": u.ACCELERATION, "j": u.JERK}
+"""A length and its rates."""
+
+
+class Mover(Protocol):
+    """A prescribed motion of ``link`` on ``on``: about the pin that they share, or along their line."""
+
+    @property
+    def link(self) -> str:
+        """The link that is moved."""
+
+    @property
+    def on(self) -> str:
+        """The link against which the motion is measured."""
+
+    @property
+    def turns(self) -> str | None:
+        """The link that is moved where the value is an angle."""
+
+    @property
+    def slides(self) -> str | None:
+        """The link that is moved where the value is a length."""
+
+    @property
+    def output(self) -> str | None:
+        """The joint or link that follows the law in place of its own value."""
+
+    @property
+    def effort(self) -> str:
+        """The signal of what it exerts."""
+
+    @property
+    def rate(self) -> str:
+        """The signal of its speed."""
+
+    @property
+    def signals(self) -> Mapping[str, Dimension]:
+        """The attributes of ``NAME.`` with their dimensions (SI)."""

@@ -1,0 +1,104 @@
+"""The laws of followers: how a joint has its link follow a drive."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from linkwright.findings import Finding
+from linkwright.graph.geometry import Geometry
+from linkwright.kernels.law import Array, Law, Parameters
+from linkwright.kernels.motions import StatedMotion
+from linkwright.model.quantities import Quantities
+from linkwright.notation import Jet
+
+
+@dataclass(frozen=True)
+class FollowerLaw(Law):
+    """The law of a follower; ``ride`` gives its value from that of its motor (rad or m) with its rates."""
+
+    motor: str = ""
+    turned: int = 1
+    ride: Callable[[Jet, Parameters], Jet] | None = None
+    total: float = 0.0
+    """What of a motion law places a second contact."""
+
+    def ratio(self, angle: Any, speed: Any, parameters: Parameters) -> tuple[Any, Any]:
+        """The derivative of the follower's value by the cam's angle, and its rate in time, at the motor's angle (rad)
+        and speed (rad/s); these and the parameters may be duals."""
+        assert self.ride is not None
+        with np.errstate(all="ignore"):
+            value = self.ride(Jet([angle, 1.0, 0.0]), parameters)
+            return self.turned * value.d[1], self.turned * value.d[2] * speed
+
+    def along(self, angle: float) -> tuple[float, float]:
+        """The follower's value (rad or m) and its derivative by the motor's, at a value of that (rad)."""
+        assert self.ride is not None
+        value, slope = self.ride(Jet([angle, 1.0]), self.parameters).d
+        return float(value), float(slope)
+
+    def driven_by(self, motor: Law) -> FollowerLaw:
+        """The same cam turned by another law of its motor."""
+        ride = self.ride
+        assert ride is not None
+
+        def of(t: Array, parameters: Parameters, strict: bool) -> Jet:
+            with np.errstate(all="ignore"):
+                return ride(motor.of(t, parameters, strict), parameters)
+
+        return replace(self, of=of, names=self.names | motor.names)
+
+
+def follower_law(quantities: Quantities, name: str, motions: Mapping[str, StatedMotion], motor: Law) -> FollowerLaw:
+    """The law of a follower, by the law of its motor."""
+    follower = quantities.mechanism.followers[name]
+    noted = Noting(quantities.parameters)
+    with np.errstate(all="ignore"):  # what has no start is told by :func:`follower_faults`
+        riding = follower.riding(Geometry(quantities, noted), motions)
+
+    def ride(value: Jet, parameters: Parameters) -> Jet:
+        return riding.value(Geometry(quantities, parameters), value)
+
+    with np.errstate(all="ignore"):
+        ride(Jet.constant(0.0, 1), noted)
+    names, turned = frozenset(noted.asked), follower.turned
+    made = FollowerLaw(motor.of, quantities.parameters, names, follower.motor, turned, ride, riding.total)
+    return made.driven_by(motor)
+
+
+def follower_faults(
+    quantities: Quantities, motions: Mapping[str, StatedMotion], named: bool = True
+) -> Iterator[Finding]:
+    """What is wrong with the laws and numbers of followers. Unless all elements are ``named`` rightly there is no
+    geometry: with the laws alone then."""
+    geometry = Geometry(quantities, quantities.parameters)
+    for name, follower in quantities.mechanism.followers.items():
+        path = (follower.section, name)
+        for key, law in follower.laws.items():
+            if law in motions:
+                faults = follower.law_faults(quantities, law, motions[law], (*path, key))
+                yield from (finding for finding, _ in faults)
+        if named:
+            yield from follower.faults(quantities, geometry, motions, path)
+
+
+def recomposed(laws: Mapping[str, Law], motors: Mapping[str, Law]) -> dict[str, Law]:
+    """Other laws of the motors, and those of the followers that they move."""
+    return {
+        n: law.driven_by(motors[law.motor]) if isinstance(law, FollowerLaw) else motors[n] for n, law in laws.items()
+    }
+
+
+class Noting(dict[str, float]):
+    """Parameters that note which of them are asked."""
+
+    def __init__(self, parameters: Mapping[str, float]) -> None:
+        super().__init__(parameters)
+        self.asked: set[str] = set()
+
+    def __getitem__(self, name: str) -> float:
+        self.asked.add(name)
+        return super().__getitem__(name)
