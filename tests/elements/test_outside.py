@@ -43,7 +43,9 @@ def linkwright(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
     info = folder / "outside-1.0.dist-info"
     info.mkdir(exist_ok=True)
     (info / "METADATA").write_text("Metadata-Version: 2.1\nName: outside\nVersion: 1.0\n", encoding="utf-8")
-    (info / "entry_points.txt").write_text("[linkwright.elements]\ngears = gear_on_carrier\n", encoding="utf-8")
+    (info / "entry_points.txt").write_text(
+        "[linkwright.elements]\ngears = gear_on_carrier\nbarrels = indexer\n", encoding="utf-8"
+    )
     path = [str(folder), str(HERE), *filter(None, [os.environ.get("PYTHONPATH")])]
     return subprocess.run(
         [sys.executable, "-m", "linkwright", *words],
@@ -86,7 +88,7 @@ def test_a_kind_from_outside_runs_and_is_proven(folder: Path) -> None:
 def table(path: Path) -> tuple[dict[str, Any], Any]:
     """The columns of a CSV file by their heads, and the time (s)."""
     heads, *rows = csv.reader(io.StringIO(path.read_text(encoding="utf-8-sig")))
-    values = np.array(rows, dtype=float).T
+    values = np.array([[cell or "nan" for cell in row] for row in rows], dtype=float).T
     columns = dict(zip(heads, values, strict=True))
     return columns, columns["t [s]"]
 

@@ -138,8 +138,8 @@ class Follower(ABC):
     @classmethod
     @abstractmethod
     def read(cls, m: Any, name: str, pins: Mapping[str, Any]) -> Follower | list[Finding]:
-        """The joint of an entry of the mechanism ``m``, or what is wrong with it; that there are such links and laws as
-        its fields name is known. ``pins`` are those of the mechanism."""
+        """The joint of an entry of the mechanism ``m``, or what is wrong with it; that there are such links and
+        drives as its fields name is known. ``pins`` are those of the mechanism."""
 
     @property
     def turns(self) -> str | None:

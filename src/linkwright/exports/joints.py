@@ -8,6 +8,14 @@ from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 
 
+def unfollowed(compiled: Compiled, target: str) -> Iterator[Finding]:
+    """A finding for each follower but those of cams, for formats that write these in a way of their own."""
+    for name, follower in compiled.mechanism.followers.items():
+        if name not in compiled.mechanism.cams:
+            data = {"name": target, "joint": name, "kind": follower.title}
+            yield Finding("export.joint", (follower.section, name), data)
+
+
 def unwritten(compiled: Compiled, target: str) -> Iterator[Finding]:
     """A finding for each joint by which no link can be placed, for formats that are trees of joints."""
     for c in compiled.structure.topology.but_pins:

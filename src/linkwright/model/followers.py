@@ -61,10 +61,10 @@ def _read(m: Mechanism, name: str, entry: Any, kind: type[Follower]) -> Follower
         data = {"name": name, "first": Term("a-drive"), "second": Term(_ENTRY[kind.section])}
         findings.append(Finding("name.taken", path, data))
     named = [*references(entry, Context(m, path))]
-    links = [*reference_faults(one for one in named if one.ref.kind == "link")]
-    findings += reference_faults(one for one in named if one.ref.kind != "link" and one.ref.of is None)
-    if links:
-        return [*findings, *links]
+    missing = [*reference_faults(one for one in named if one.ref.kind != "law" and one.ref.of is None)]
+    findings += reference_faults(one for one in named if one.ref.kind == "law")
+    if missing:
+        return [*findings, *missing]
     made = kind.read(m, name, pins(m))
     if isinstance(made, Follower):
         return findings or made

@@ -65,7 +65,7 @@ def facts(compiled: Compiled) -> list[Fact]:
         mobility=topology.gruebler,
         moving=len(topology.moving),
         joints=topology.joint_count,
-        drives=say("fact.mobility.cams", drives=motors, cams=len(m.followers)) if m.followers else motors,
+        drives=say("fact.mobility.followers", drives=motors, followers=len(m.followers)) if m.followers else motors,
         loops=topology.loops,
     )
     if motors:
@@ -135,9 +135,12 @@ def _order(compiled: Compiled) -> list[str]:
     lines = []
     for step in compiled.structure.steps:
         if isinstance(step, Driven):
-            key = "output" if compiled.mechanism.movers[step.drive].output else "driven"
-            key = "cam" if step.drive in compiled.mechanism.followers else key
-            lines.append(say(f"fact.order.{key}", link=step.link, drive=step.drive, base=step.base))
+            said = {"link": step.link, "drive": step.drive, "base": step.base}
+            if (follower := compiled.mechanism.followers.get(step.drive)) is not None:
+                lines.append(say("fact.order.follower", kind=follower.title, **said))
+                continue
+            key = "output" if compiled.mechanism.drives[step.drive].output else "driven"
+            lines.append(say(f"fact.order.{key}", **said))
             continue
         links = ", ".join(step.links)
         mode = compiled.assembly.rules.get(step, "") if isinstance(step, Group) else ""

@@ -62,7 +62,7 @@ def _subject(compiled: Compiled, name: str, drive: Mover) -> str:
     """What a drive moves against what."""
     m = compiled.mechanism
     if (follower := m.followers.get(name)) is not None:
-        return say("fact.drive.follower", link=drive.link, on=drive.on, motor=follower.motor)
+        return say("fact.drive.follower", link=drive.link, on=drive.on, motor=follower.motor, kind=follower.title)
     if drive.output is not None:
         return say("fact.drive.output", link=drive.link, on=drive.on, output=drive.output)
     cylinders = [c.joint for c in compiled.structure.topology.acting(name) if c.joint in m.cylinders]

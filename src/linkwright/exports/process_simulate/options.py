@@ -8,6 +8,7 @@ from typing import Annotated
 
 from pydantic import Field
 
+from linkwright.exports.joints import unfollowed
 from linkwright.exports.process_simulate.dialects import DIALECTS
 from linkwright.exports.process_simulate.facts import Facts, check_facts
 from linkwright.exports.process_simulate.functions import MOST, PATH, Wish
@@ -143,6 +144,7 @@ def check(compiled: Compiled, options: ProcessSimulateOptions) -> Iterator[Findi
         yield Finding(code, (*PATH, "left_out"), {"joint": moved.joint, "drive": drives[0]})
     if not any(j != moved and j.joint not in options.left_out for j in joints):
         yield Finding("functions.no-dependent", ("joints",), {"drive": drives[0]})
+    yield from unfollowed(compiled, "process-simulate")
     yield from _values(compiled, options, drives[0], moved)
     yield from check_facts(compiled, options.sheet, (*PATH, "sheet"))
 
