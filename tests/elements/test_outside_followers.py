@@ -152,6 +152,17 @@ def test_a_wrong_sign_in_its_action_fails_the_audit(folder: Path) -> None:
     assert "motion.unproven" in done.stderr
 
 
+def test_a_follower_without_a_formula_is_left_out_of_motor_expressions(folder: Path) -> None:
+    text = (HERE / "indexer.py").read_text(encoding="utf-8")
+    without = text.replace("    def tree(", "    def other(")
+    assert without != text
+    (folder / "indexer.py").write_text(without, encoding="utf-8")
+    done = run(folder, MODELS["alone"], "export", "model.yaml", "--to", "motor-expressions", "--out", "motors")
+    assert done.returncode == 0, done.stderr
+    assert "The law of step has no formula" in done.stderr
+    assert "step," not in (folder / "motors" / "motors.csv").read_text(encoding="utf-8-sig")
+
+
 def test_what_is_wrong_with_it_is_told(folder: Path) -> None:
     model = changed(joints={"step": {"indexer": ["barrel", "table"], "motor": "moter", "law": "indx"}})
     done = run(folder, model, "check", "model.yaml")
