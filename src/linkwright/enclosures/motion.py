@@ -14,6 +14,7 @@ from linkwright.enclosures.panels import MARGIN, Panels
 from linkwright.enclosures.program import Stage, taylor
 from linkwright.enclosures.taylor import TaylorModel, lift
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, nodes
+from linkwright.graph.rows import TableArgument
 from linkwright.notation import Jet
 from linkwright.notation.angles import whole_turns
 from linkwright.results import Run
@@ -150,7 +151,7 @@ class Inputs:
         if kind == "table":
             number, which = (int(part) for part in rest.split("/"))
             if number not in self.lookups:
-                program = graph.program([f"argument/{number}"], rates=True)
+                program = graph.program([TableArgument(number)], rates=True)
                 self.lookups[number] = Stage(
                     program.block, compiled.parameters, (0, 1), taylor(self.strict, self.dtype)
                 )
