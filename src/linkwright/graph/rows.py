@@ -27,12 +27,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Row(ABC):
-    """One output row of a program."""
+    """One output row of a program; ``called`` is its label, with its fields in braces."""
+
+    called: ClassVar[str]
 
     @property
-    @abstractmethod
     def label(self) -> str:
         """What it is called among a program's outputs; no two rows of a mechanism share it."""
+        return self.called.format(**vars(self))
 
     def order(self, graph: Graph) -> int:
         """The order of derivatives that it needs."""
@@ -52,10 +54,7 @@ class SignalRow(Row):
     """A signal."""
 
     signal: Signal
-
-    @property
-    def label(self) -> str:
-        return self.signal.text
+    called = "{signal.text}"
 
     def order(self, graph: Graph) -> int:
         return ORDERS[self.signal.kind](graph, self.signal)
@@ -69,21 +68,17 @@ class SignalRow(Row):
 
 @dataclass(frozen=True)
 class GroupRow(Row):
-    """Something of a ``group``, called ``word:GROUP``."""
+    """Something of a group."""
 
     group: str
-    word: ClassVar[str]
-
-    @property
-    def label(self) -> str:
-        return f"{self.word}:{self.group}"
 
 
 @dataclass(frozen=True)
 class Reach(GroupRow):
-    """A dyad's reach: 1 in its best pose, 0 where its two modes meet, negative where it can't be assembled."""
+    """A dyad's reach: what stands under its root over the square of its size, 0 where its two modes meet, negative
+    where it can't be assembled; 1 where there is no root to take."""
 
-    word = "reach"
+    called = "reach:{group}"
 
     def expression(self, view: View) -> Scalar:
         return view.motion.dyad(self.group)[1].reach
@@ -91,9 +86,9 @@ class Reach(GroupRow):
 
 @dataclass(frozen=True)
 class Span(GroupRow):
-    """The distance of a dyad's two outer pins (m), where it has two; 1 elsewhere."""
+    """The distance (m) whose vanishing makes a dyad's pose vague (:meth:`Dyad.span`), 1 where there is none."""
 
-    word = "span"
+    called = "span:{group}"
 
     def expression(self, view: View) -> Scalar:
         span = view.motion.dyad(self.group)[0].span()
@@ -104,7 +99,7 @@ class Span(GroupRow):
 class Radicand(GroupRow):
     """What stands under a dyad's root (m^2), where it has one; 1 elsewhere."""
 
-    word = "room"
+    called = "room:{group}"
 
     def expression(self, view: View) -> Scalar:
         room = view.motion.dyad(self.group)[0].room()
@@ -115,7 +110,7 @@ class Radicand(GroupRow):
 class Determinant(GroupRow):
     """The normalised determinant of a group or cluster: 0 singular, 1 best."""
 
-    word = "determinant"
+    called = "determinant:{group}"
 
     def expression(self, view: View) -> Scalar:
         return view.motion.determinant(self.group)
@@ -127,16 +122,12 @@ class ClusterRow(GroupRow):
 
     index: int
 
-    @property
-    def label(self) -> str:
-        return f"{super().label}:{self.index}"
-
 
 @dataclass(frozen=True)
 class Gap(ClusterRow):
     """What one of a cluster's closures misses."""
 
-    word = "gap"
+    called = "gap:{group}:{index}"
 
     def expression(self, view: View) -> Scalar:
         return view.motion.cluster(self.group).gaps[self.index]
@@ -146,7 +137,7 @@ class Gap(ClusterRow):
 class Slope(ClusterRow):
     """The derivative of a cluster's closure by one of its coordinates, numbered row by row."""
 
-    word = "slope"
+    called = "slope:{group}:{index}"
 
     def expression(self, view: View) -> Scalar:
         slopes = view.motion.cluster(self.group).slopes
@@ -158,7 +149,7 @@ class Slope(ClusterRow):
 class CoordinateRate(ClusterRow):
     """The rate in time of one of a cluster's coordinates."""
 
-    word = "rate"
+    called = "rate:{group}:{index}"
 
     def order(self, graph: Graph) -> int:
         return 1
@@ -173,7 +164,7 @@ def reaches(structure: Structure) -> list[Reach]:
 
 
 def spans(structure: Structure) -> list[Span]:
-    """The distances of outer pins, of all groups whose pose is vague where they meet."""
+    """The spans of all groups that have one."""
     return [Span(group.label) for group in structure.groups if group.has_span]
 
 
@@ -199,10 +190,7 @@ class BodyPlace(Row):
 
     link: str
     part: str
-
-    @property
-    def label(self) -> str:
-        return f"{self.link}:{self.part}"
+    called = "{link}:{part}"
 
     def expression(self, view: View) -> Scalar:
         return _PARTS[self.part](view.motion.bodies[self.link])
@@ -215,11 +203,10 @@ class BodyPlace(Row):
 
 @dataclass(frozen=True)
 class OutputLever(Row):
-    """The determinant of the drives' rates over those of the outputs that prescribe them."""
+    """The determinant of the drives' rates over those of their outputs, to its sign: zero where the drives can't move
+    them."""
 
-    @property
-    def label(self) -> str:
-        return "drives over outputs:"
+    called = "drives over outputs:"
 
     def expression(self, view: View) -> Scalar:
         return lever(view.motion, unit_efforts(view.motion)).determinant()
@@ -230,10 +217,7 @@ class RawAngle(Row):
     """The angle (rad) of a link, drive or torsional spring without whole turns."""
 
     owner: str
-
-    @property
-    def label(self) -> str:
-        return f"raw/{self.owner}"
+    called = "raw/{owner}"
 
     def expression(self, view: View) -> Scalar:
         mechanism = view.graph.quantities.mechanism
@@ -257,10 +241,7 @@ class LoadRow(ActionRow):
     """The sum of a load's values: their signs and finiteness are looked at."""
 
     name: str
-
-    @property
-    def label(self) -> str:
-        return f"load/{self.name}"
+    called = "load/{name}"
 
     def expression(self, view: View) -> Scalar:
         force, torque = load_values(view, view.graph.quantities.mechanism.loads[self.name])
@@ -272,10 +253,7 @@ class WindowRow(ActionRow):
     """1 inside a window, 0 outside."""
 
     name: str
-
-    @property
-    def label(self) -> str:
-        return f"window/{self.name}"
+    called = "window/{name}"
 
     def expression(self, view: View) -> Scalar:
         return active(view, self.name)
@@ -286,10 +264,7 @@ class TableArgument(ActionRow):
     """What a table is asked for, by the number of the lookup (:attr:`linkwright.graph.actions.Actions.lookups`)."""
 
     index: int
-
-    @property
-    def label(self) -> str:
-        return f"argument/{self.index}"
+    called = "argument/{index}"
 
     def expression(self, view: View) -> Scalar:
         return view.evaluate(view.graph.actions.lookups[self.index].argument)
