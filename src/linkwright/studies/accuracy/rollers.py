@@ -15,7 +15,7 @@ import numpy as np
 from linkwright.expressions.language import FUNCTIONS
 from linkwright.graph.cams import followings, seat, sense
 from linkwright.graph.geometry import Geometry
-from linkwright.graph.rows import Named
+from linkwright.graph.rows import BodyPlace, Named
 from linkwright.kernels import Compiled
 
 
@@ -53,7 +53,7 @@ class OnRoller:
     @property
     def rows(self) -> tuple[Named, ...]:
         ends = [self.joint, self.lift] if isinstance(self.lift, str) else []
-        turned = [] if isinstance(self.lift, str) else [f"{self.lift[0]}:cos", f"{self.lift[0]}:sin"]
+        turned = [] if isinstance(self.lift, str) else [BodyPlace(self.lift[0], part) for part in ("cos", "sin")]
         where = (f"{point}.{axis}" for point in ends for axis in "xy")
         return f"{self.links[1]}.force", f"{self.links[1]}.pressure", *turned, *where
 
