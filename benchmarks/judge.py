@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from sketches import FRAME, Drive, Sketch
 
+from linkwright.graph.rows import BodyPlace
 from linkwright.kernels import Compiled
 
 Array = NDArray[np.float64]
@@ -38,7 +39,7 @@ class Poses:
 
 def poses(compiled: Compiled, links: list[str], t: Array) -> Poses:
     """The reported poses at times ``t``."""
-    names = [f"{link}:{row}" for link in links for row in ("x", "y", "cos", "sin")]
+    names = [row for link in links for row in BodyPlace.all(link)]
     y = compiled.evaluate(names, t, rates=True)
     still, ones = np.zeros((4, t.size)), np.ones(t.size)
     now, rate = {FRAME: np.array([0 * ones, 0 * ones, ones, 0 * ones])}, {FRAME: still}

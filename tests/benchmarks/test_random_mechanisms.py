@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from sketches import GROUPS, PERIOD, Sketch, sketch
 
 from linkwright.compilation import compile_mechanism
+from linkwright.graph.rows import BodyPlace, Named
 from linkwright.kernels import Compiled
 from linkwright.model.document import Document
 
@@ -68,7 +69,7 @@ def faults(s: Sketch, c: Compiled) -> str:
     return "; ".join(Judge(s, c).faults(T))
 
 
-def lie(monkeypatch: pytest.MonkeyPatch, wrong: Callable[[str, Array, Array], Array]) -> None:
+def lie(monkeypatch: pytest.MonkeyPatch, wrong: Callable[[Named, Array, Array], Array]) -> None:
     """From now on the values of each row are reported as ``wrong`` makes them of name, times and values."""
     honest = Compiled.evaluate
 
@@ -87,7 +88,7 @@ def test_nothing_is_wrong_with_a_four_bar() -> None:
 
 
 def test_a_joint_that_misses(monkeypatch: pytest.MonkeyPatch) -> None:
-    lie(monkeypatch, lambda name, t, y: y + 1e-9 if name == "L2:x" else y)
+    lie(monkeypatch, lambda name, t, y: y + 1e-9 if name == BodyPlace("L2", "x") else y)
     assert faults(*compiled()).startswith("closure")
 
 
@@ -127,7 +128,7 @@ def test_the_other_mode_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_motion_that_does_not_come_back(monkeypatch: pytest.MonkeyPatch) -> None:
     s, c = compiled()
     judge = Judge(s, c)
-    lie(monkeypatch, lambda name, t, y: y + 1e-6 * t if name == "L2:x" else y)
+    lie(monkeypatch, lambda name, t, y: y + 1e-6 * t if name == BodyPlace("L2", "x") else y)
     assert any(fault.startswith("doesn't come back") for fault in judge.faults(T))
 
 
@@ -138,7 +139,7 @@ def test_a_pose_that_is_no_number(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_forces_out_of_balance_are_faults(monkeypatch: pytest.MonkeyPatch) -> None:
     seed = next(seed for seed in range(60) if script.judged(seed).figures.get("equilibrium"))
-    lie(monkeypatch, lambda name, t, y: y * (1 + 1e-6) if name.startswith("force(") else y)
+    lie(monkeypatch, lambda name, t, y: y * (1 + 1e-6) if str(name).startswith("force(") else y)
     assert any(fault.startswith("equilibrium") for fault in script.judged(seed).faults)
 
 

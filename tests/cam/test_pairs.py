@@ -14,6 +14,7 @@ from helpers.compiled import compiled_from
 from linkwright.cam.contact import NoContact
 from linkwright.cam.followers import NoFollower
 from linkwright.cam.pairs import disc, frame, second
+from linkwright.graph.rows import BodyPlace
 
 EVERY = [*product(GUIDES, FOLLOWERS, (1, -1), (1, -1))]
 
@@ -21,7 +22,7 @@ EVERY = [*product(GUIDES, FOLLOWERS, (1, -1), (1, -1))]
 def seen(c: Any, t: Any, point: str = "B") -> tuple[Any, Any]:
     """The follower's point in the cam's link, and the direction of its x axis there, as complex numbers."""
     own = f"{point}.x", f"{point}.y"
-    rows = ("disc:x", "disc:y", "disc:cos", "disc:sin", "arm:x", "arm:y", "arm:cos", "arm:sin", *own)
+    rows = (*BodyPlace.all("disc"), *BodyPlace.all("arm"), *own)
     v = c.evaluate(rows, t)
     own = v[2] - 1j * v[3]
     return (v[8] - v[0] + 1j * (v[9] - v[1])) * own, (v[6] + 1j * v[7]) * own

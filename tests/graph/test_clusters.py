@@ -11,6 +11,7 @@ from helpers.compiled import compiled_from
 from helpers.expected import expected_forces, expected_motion, oracle_states, worst
 from helpers.plain import plain_of
 from linkwright.compilation import examine
+from linkwright.graph.rows import BodyPlace
 from linkwright.model.document import Document
 from linkwright.results import Run, certify
 from linkwright.structure import Cluster
@@ -157,9 +158,8 @@ def test_motion_and_forces_agree_with_the_full_equations(name: str) -> None:
     compiled = compiled_from(data)
     beyond = any(isinstance(step, Cluster) for step in compiled.structure.steps)
     assert beyond == (name not in ("cylinder", "loader", "coupler_drive"))  # those are dyads of held links
-    rows = ("x", "y", "cos", "sin")
     moving = compiled.structure.topology.moving
-    x0 = compiled.evaluate([f"{link}:{row}" for link in moving for row in rows], np.zeros(1))[:, 0].reshape(-1, 4)
+    x0 = compiled.evaluate([row for link in moving for row in BodyPlace.all(link)], np.zeros(1))[:, 0].reshape(-1, 4)
     start = {link: (x, y, float(np.arctan2(s, c))) for link, (x, y, c, s) in zip(moving, x0.tolist(), strict=True)}
     oracle, states = oracle_states(plain_of(data, start), T)
     expected = [*expected_motion(oracle, states).values(), expected_forces(oracle, states)]

@@ -18,7 +18,8 @@ from helpers.compiled import compiled_from
 from helpers.examples import UNITS
 from helpers.reach import Chain, FiveBar, Guide, TwoCylinders, TwoSlides
 from helpers.reach.mechanisms import Mechanism
-from linkwright.graph.inverse import carried, inverse
+from linkwright.graph.inverse import Closure, DriveValue, carried, inverse
+from linkwright.graph.rows import Determinant, Radicand
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.structure import decompose
 from linkwright.studies.workspace.sheet import Sheet
@@ -69,7 +70,7 @@ def compiled_case(name: str) -> tuple[Compiled, Array]:
     return compiled, q * np.where(turns, 1.0, MM)[:, None]
 
 
-def rows_at(compiled: Compiled, point: str, at: Array) -> tuple[dict[str, Array], Array]:
+def rows_at(compiled: Compiled, point: str, at: Array) -> tuple[dict[Any, Array], Array]:
     """The inverse's rows at places (2, n), (branches, n) each, and its branches."""
     found = inverse(compiled.graph, point)
     assert found is not None
@@ -78,17 +79,17 @@ def rows_at(compiled: Compiled, point: str, at: Array) -> tuple[dict[str, Array]
     x = np.concatenate([np.tile(at, count), np.repeat(branches, n, axis=0).T])
     with np.errstate(all="ignore"):
         rows = KERNELS["numpy"](found.program).run(x, compiled.parameters).reshape(-1, count, n)
-    return dict(zip(found.names, rows, strict=True)), branches
+    return dict(zip(found.rows, rows, strict=True)), branches
 
 
-def matches(compiled: Compiled, rows: dict[str, Array], q: Array) -> NDArray[np.bool_]:
+def matches(compiled: Compiled, rows: dict[Any, Array], q: Array) -> NDArray[np.bool_]:
     """In which branches the inverse's poses are those of the drives' values ``q`` (2, n): (branches, n)."""
     found = np.array(True)
     for drive, value in zip(compiled.graph.drives, q, strict=True):
         if compiled.mechanism.prescribed(drive).turns:
-            off = np.abs(rows[f"{drive}:cos"] + 1j * rows[f"{drive}:sin"] - np.exp(1j * value))
+            off = np.abs(rows[DriveValue(drive, "cos")] + 1j * rows[DriveValue(drive, "sin")] - np.exp(1j * value))
         else:
-            off = np.abs(rows[f"{drive}:travel"] - value)
+            off = np.abs(rows[DriveValue(drive, "travel")] - value)
         found = found & (off < 1e-9)
     return found
 
@@ -108,11 +109,11 @@ def held(compiled: Compiled, point: str, q: Array) -> int:
         rows, _ = rows_at(compiled, point, at[:, good])
         same = matches(compiled, rows, q[:, good])
         for label in labels:
-            program = graph.program([f"determinant:{label}"])
+            program = graph.program([Determinant(label)])
             forward = KERNELS["numpy"](program).run(sheet.inputs(q[:, good]), compiled.parameters)[0]
-            same &= rows[f"closure:{label}"] * forward > 0
-        for name, row in rows.items():
-            same &= (row > 0) | (not name.startswith("room:"))
+            same &= rows[Closure(label)] * forward > 0
+        for what, row in rows.items():
+            same &= (row > 0) | (not isinstance(what, Radicand))
         assert (same.sum(axis=0) == 1).all()
         total += int(good.sum())
     return total
@@ -167,7 +168,7 @@ def test_slopes_are_the_derivatives() -> None:
     rows, slopes = (KERNELS["numpy"](one) for one in (found.program, found.slopes))
     step = 1e-7
     with np.errstate(all="ignore"):
-        told = slopes.run(x, compiled.parameters).reshape(2, len(found.names), -1)
+        told = slopes.run(x, compiled.parameters).reshape(2, len(found.rows), -1)
         for k in range(2):
             up, down = x.copy(), x.copy()
             up[k] += step
@@ -227,8 +228,9 @@ def test_names_that_are_taken_are_left_alone() -> None:
     at = np.random.default_rng(4).uniform(-0.05, 0.05, (2, 50))
     first, second = rows_at(one, "P", at)[0], rows_at(other, "P", at)[0]
     for drive in one.graph.drives:
-        np.testing.assert_array_equal(first[f"{drive}:travel"], second[f"{drive}:travel"])
-    assert np.isfinite(first["first:travel"]).sum() > 10
+        travel = DriveValue(drive, "travel")
+        np.testing.assert_array_equal(first[travel], second[travel])
+    assert np.isfinite(first[DriveValue("first", "travel")]).sum() > 10
 
 
 def renamed(data: Any, names: dict[str, str]) -> Any:
@@ -257,8 +259,8 @@ def test_angles_between_branches_mirror_each_other() -> None:
     }
     rows, branches = rows_at(compiled_from(data), "P", np.array([[0.9], [0.8]]))
     assert len(branches) == 2
-    shoulder = np.arctan2(rows["shoulder:sin"], rows["shoulder:cos"])[:, 0]
-    elbow = np.arctan2(rows["elbow:sin"], rows["elbow:cos"])[:, 0]
+    shoulder = np.arctan2(*(rows[DriveValue("shoulder", part)] for part in ("sin", "cos")))[:, 0]
+    elbow = np.arctan2(*(rows[DriveValue("elbow", part)] for part in ("sin", "cos")))[:, 0]
     far = math.hypot(0.9, 0.8)
     bent = math.acos((far**2 - 1 - 0.49) / 1.4)  # the rule of cosines
     aside = math.acos((1 + far**2 - 0.49) / (2 * far))

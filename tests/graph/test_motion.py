@@ -13,6 +13,7 @@ from helpers.compiled import compiled_from, compiled_of, regular
 from helpers.differences import misfit
 from helpers.expected import expected_angles, expected_motion, oracle_states, worst
 from helpers.random_mechanisms import DURATION, RECIPES, mechanisms
+from linkwright.graph.rows import BodyPlace
 from linkwright.results.run import Run
 
 T = np.linspace(0.0, DURATION, 4)
@@ -46,7 +47,7 @@ def test_the_pose_at_the_start_is_the_sketch() -> None:
     def check(plain: Any) -> None:
         compiled = compiled_of(plain)
         regular(compiled, np.zeros(1), 0.2)
-        names = [f"{link}:{row}" for link in plain.moving for row in ("x", "y", "cos", "sin")]
+        names = [row for link in plain.moving for row in BodyPlace.all(link)]
         found = compiled.evaluate(names, np.zeros(1))[:, 0].reshape(-1, 4)
         x, y, angle = np.array([plain.start[link] for link in plain.moving]).T
         assert np.abs(found - np.array([x, y, np.cos(angle), np.sin(angle)]).T).max() < 1e-10
@@ -116,4 +117,4 @@ def test_a_link_may_be_called_like_a_row_of_the_program(name: str) -> None:
         "links": {"frame": {"points": {"A": [0, 0]}}, name: {"points": {"A": [0, 0], "B": ["1 m", 0]}}},
         "drives": {"motor": {"turns": name, "on": "frame", "speed": "1 rad/s", "start": 0}},
     }
-    assert compiled_from(data).evaluate([f"{name}:cos"], np.zeros(1))[0] == 1.0
+    assert compiled_from(data).evaluate([BodyPlace(name, "cos")], np.zeros(1))[0] == 1.0

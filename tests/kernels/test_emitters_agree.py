@@ -19,6 +19,7 @@ from helpers.kernels import every
 from helpers.random_mechanisms import DURATION, RECIPES, Seeded, build
 from linkwright.compilation import compile_mechanism
 from linkwright.graph.program import Program
+from linkwright.graph.rows import determinants
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.model.document import load
 from linkwright.studies.cycle import CycleOptions, span
@@ -47,7 +48,7 @@ def names_of(compiled: Compiled) -> list[str]:
 def case_of(compiled: Compiled, names: list[str], t: np.ndarray, rates: bool = True) -> Case:
     """A program that solves what it can itself, its inputs at regular poses, CasADi's figures, the bounds of errors."""
     program = compiled.graph.program(names, rates=rates, solve=True)
-    labels = [f"determinant:{each.label}" for each in (*compiled.structure.groups, *compiled.structure.clusters)]
+    labels = determinants(compiled.structure)
     x, p, d = compiled.inputs(t), compiled.parameters, np.ones(t.size)
     if labels:
         d = np.abs(compiled.closed(labels, t)).min(axis=0)

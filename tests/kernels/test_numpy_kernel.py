@@ -15,6 +15,7 @@ from helpers.examples import feeder, four_bar, heavy_four_bar
 from helpers.kernels import every, examples
 from helpers.random_mechanisms import DURATION, mechanisms
 from linkwright.compilation import compile_mechanism
+from linkwright.graph.rows import Determinant, LoadRow, Named, Reach, WindowRow
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.numpy_blocks import BLOCK
 from linkwright.kernels.registry import register
@@ -23,10 +24,10 @@ from linkwright.model.document import load
 T = np.linspace(0.0, DURATION, 5)
 
 
-def all_names(compiled: Compiled) -> list[str]:
-    names = [signal.text for signal in compiled.quantities.signals.all() if signal.attribute != "arm"]
+def all_names(compiled: Compiled) -> list[Named]:
+    names: list[Named] = [signal.text for signal in compiled.quantities.signals.all() if signal.attribute != "arm"]
     for group in compiled.structure.groups:
-        names += [f"determinant:{group.label}", f"reach:{group.label}"]
+        names += [Determinant(group.label), Reach(group.label)]
     return names
 
 
@@ -54,7 +55,7 @@ def test_kernel_agrees_with_casadi_on_loads_and_springs(kernel: str) -> None:
     """Windows, tables, whole turns, functions: to 1e-12 of the row's size or of 1."""
     compiled = compile_mechanism(load(Path(__file__).parents[1] / "model" / "data" / "sprung.yaml"))
     t = np.linspace(0.003, 0.79, 40)
-    rows = [f"window/{name}" for name in compiled.graph.actions.windows] + [f"load/{name}" for name in "abc"]
+    rows = [*map(WindowRow, compiled.graph.actions.windows), *map(LoadRow, "abc")]
     program = compiled.graph.program([*all_names(compiled), *rows], rates=True)
     x, p = compiled.inputs(t), compiled.parameters
     found = KERNELS[kernel](program).run(x, p)
@@ -139,7 +140,7 @@ def test_one_kernel_serves_other_parameters(kernel: str) -> None:
 def test_a_pose_that_cannot_close_is_nan_alone(kernel: str) -> None:
     """A rocker too short to be reached: NaN there and a negative reach, no warning, other poses untouched."""
     compiled = compiled_from(four_bar(2, 3, 1.2, 4))
-    names = ["C.x", "rocker.omega", "reach:coupler-rocker", "B.x"]
+    names = ["C.x", "rocker.omega", Reach("coupler-rocker"), "B.x"]
     t = np.linspace(0.0, 2 * np.pi, 200)
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -16,6 +16,7 @@ from helpers.compiled import compiled_from, compiled_of, regular
 from helpers.examples import UNITS, feeder, four_bar, heavy_four_bar, slider_crank
 from helpers.random_mechanisms import DURATION, RECIPES, mechanisms
 from linkwright.compilation import compile_mechanism
+from linkwright.graph.rows import BodyPlace, Named
 from linkwright.kernels import Compiled
 from linkwright.model.document import load
 from linkwright.results.certificate import Certificate, certify
@@ -137,9 +138,9 @@ def test_a_mechanism_without_groups_has_no_nearest() -> None:
 # Lies.
 
 
-def lie(monkeypatch: pytest.MonkeyPatch, row: str, wrong: Callable[[Array], Array]) -> list[str]:
+def lie(monkeypatch: pytest.MonkeyPatch, row: Named, wrong: Callable[[Array], Array]) -> list[Named]:
     """From now on one row is reported as ``wrong`` makes it. Returns a list that notes each time it happens."""
-    honest, told = Compiled.evaluate, []
+    honest, told = Compiled.evaluate, list[Named]()
 
     def evaluate(compiled: Compiled, names: Any, t: Array, rates: bool = False) -> Array:
         y = honest(compiled, names, t, rates)
@@ -154,7 +155,7 @@ def lie(monkeypatch: pytest.MonkeyPatch, row: str, wrong: Callable[[Array], Arra
 
 
 BY = 1e-6
-FEEDER_LIES = {
+FEEDER_LIES: dict[Named, str] = {
     "force(frame, crank, A).x": "equilibrium",
     "force(coupler, rocker, C).y": "equilibrium",
     "force(rocker, coupler, C).x": "equilibrium",
@@ -166,17 +167,17 @@ FEEDER_LIES = {
     "shaking.x": "equilibrium",
     "shaking.moment": "equilibrium",
     "motor.torque": "equilibrium",
-    "coupler:x": "closure",
-    "rocker:x": "closure",
-    "rocker:cos": "closure",
-    "guide:sin": "closure",
-    "slider:x": "closure",
+    BodyPlace("coupler", "x"): "closure",
+    BodyPlace("rocker", "x"): "closure",
+    BodyPlace("rocker", "cos"): "closure",
+    BodyPlace("guide", "sin"): "closure",
+    BodyPlace("slider", "x"): "closure",
     "motor.omega": "power",
     "rocker.omega": "power",
     "E.vx": "power",
     "energy.kinetic": "work",
 }
-ZERO_ROWS = {"guide:sin"}
+ZERO_ROWS: set[Named] = {BodyPlace("guide", "sin")}
 """Rows that are zero throughout, which no factor makes wrong."""
 
 
@@ -187,7 +188,7 @@ def residual(certificate: Certificate, name: str) -> float:
 
 
 @pytest.mark.parametrize(("row", "which"), FEEDER_LIES.items())
-def test_a_report_a_millionth_wrong_is_caught(row: str, which: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_report_a_millionth_wrong_is_caught(row: Named, which: str, monkeypatch: pytest.MonkeyPatch) -> None:
     run = Run(compiled_from(feeder()), 0.0, 1.3, 60)
     honest = residual(certify(run), which)
     nought = row in ZERO_ROWS
@@ -200,7 +201,7 @@ def test_a_report_a_millionth_wrong_is_caught(row: str, which: str, monkeypatch:
 
 
 @pytest.mark.parametrize(("row", "which"), [("push.force", "equilibrium"), ("push.v", "power")])
-def test_a_sliding_drive_is_audited_too(row: str, which: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_sliding_drive_is_audited_too(row: Named, which: str, monkeypatch: pytest.MonkeyPatch) -> None:
     data = slider_crank(gravity=[0, -9.81])
     data["links"]["rod"] |= {"mass": 2, "shape": "rod B-C"}
     data["links"]["crank"] |= {"mass": 1, "shape": "rod A-B"}
@@ -213,8 +214,8 @@ def test_a_sliding_drive_is_audited_too(row: str, which: str, monkeypatch: pytes
     assert told
 
 
-@pytest.mark.parametrize("row", ["force(frame, crank, A).x", "coupler:x", "E.vx", "motor.torque"])
-def test_a_report_that_is_not_a_number_is_not_sound(row: str, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("row", ["force(frame, crank, A).x", BodyPlace("coupler", "x"), "E.vx", "motor.torque"])
+def test_a_report_that_is_not_a_number_is_not_sound(row: Named, monkeypatch: pytest.MonkeyPatch) -> None:
     run = Run(compiled_from(feeder()), 0.0, 1.3, 20)
     lie(monkeypatch, row, lambda y: np.nan * y)
     assert not certify(run).sound()
@@ -225,13 +226,13 @@ def test_a_wrong_branch_for_an_instant_is_caught(monkeypatch: pytest.MonkeyPatch
     compiled = compiled_from(heavy_four_bar())
     other = compiled_from(heavy_four_bar(assembly={"C": "right of B-D"}))
     run = Run(compiled, 0.0, 1.0, 30)
-    for row in ("rocker:cos", "rocker:sin"):
+    for row in (BodyPlace("rocker", "cos"), BodyPlace("rocker", "sin")):
         there = other.evaluate([row], run.t)[0]
         lie(monkeypatch, row, lambda y, there=there: np.where(np.arange(y.size) == 15, there[15], y))
     assert certify(run).closure > 0.01
 
 
-SPRUNG_LIES = {
+SPRUNG_LIES: dict[Named, str] = {
     "pull.force": "equilibrium",
     "lift.force": "equilibrium",
     "wound.torque": "equilibrium",
@@ -243,7 +244,7 @@ SPRUNG_LIES = {
 
 @pytest.mark.parametrize(("row", "which"), SPRUNG_LIES.items())
 def test_a_lie_about_springs_and_what_loads_follow_is_caught(
-    row: str, which: str, monkeypatch: pytest.MonkeyPatch
+    row: Named, which: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     run = Run(compile_mechanism(load(SPRUNG)), 0.0, 0.8, 60)
     assert residual(certify(run), which) < 1e-12

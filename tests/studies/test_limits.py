@@ -12,6 +12,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import linkwright as lw
+from linkwright.graph.rows import Determinant
 from linkwright.studies.extremes import Course
 from linkwright.studies.limits import LimitsOutcome, Stretch
 from linkwright.studies.ranges import Range
@@ -485,7 +486,7 @@ def test_the_transmission_angle_is_that_of_force_and_motion() -> None:
     names = ("force(coupler, rocker).x", "force(coupler, rocker).y", "B.vx", "B.vy")
     fx, fy, vx, vy = (result[name] for name in names)
     sine = np.abs(fx * vx + fy * vy) / np.hypot(fx, fy) / np.hypot(vx, vy)
-    determinant = np.abs(result.run.compiled.evaluate(["determinant:coupler-rocker"], result.t)[0])
+    determinant = np.abs(result.run.compiled.evaluate([Determinant("coupler-rocker")], result.t)[0])
     np.testing.assert_allclose(sine, determinant, atol=1e-9)
 
 
@@ -501,7 +502,7 @@ def test_the_transmission_angle_of_sliding_groups(offset: float) -> None:
     compiled, t = result.run.compiled, result.t
     # RRP: the rod's force on the ram, which moves along x.
     fx, fy = result["force(rod, ram).x"], result["force(rod, ram).y"]
-    rows = compiled.evaluate(["determinant:rod-ram", "determinant:block-arm"], t)
+    rows = compiled.evaluate([Determinant("rod-ram"), Determinant("block-arm")], t)
     np.testing.assert_allclose(np.abs(fx) / np.hypot(fx, fy), np.abs(rows[0]), atol=1e-9)
     # RPR: the block's force on the arm acts through A, where the arm moves across A - O4.
     fx, fy = result["force(block, arm).x"], result["force(block, arm).y"]
@@ -552,7 +553,7 @@ def test_the_transmission_angle_of_groups_with_one_mode(signature: str, data: An
     (group,) = result.run.compiled.structure.groups
     assert group.signature == signature
     fx, fy = result["force(block, bar).x"], result["force(block, bar).y"]
-    rows = result.run.compiled.evaluate([f"determinant:{group.label}"], result.t)
+    rows = result.run.compiled.evaluate([Determinant(group.label)], result.t)
     np.testing.assert_allclose(np.abs(fx) / np.hypot(fx, fy), np.abs(rows[0]), atol=1e-12)
     (angle,) = only(limits_of(data, ranges={"motor": [60, 110]}))[1].transmission
     assert angle.angle == pytest.approx(np.arcsin(np.abs(rows[0]).min()), abs=1e-6)

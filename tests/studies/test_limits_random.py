@@ -12,6 +12,7 @@ from hypothesis import assume, given, settings
 from helpers.compiled import compiled_of
 from helpers.plain import Plain, document_of
 from helpers.random_mechanisms import Seeded, build, driven_elsewhere, mechanisms, sketched
+from linkwright.graph.rows import Determinant, Reach
 from linkwright.model.document import Document
 from linkwright.structure import decompose
 from linkwright.studies.limits import Limits, LimitsOptions, Stretch
@@ -25,7 +26,7 @@ def holds(found: Range, stretch: Stretch, shares: Any) -> None:
     run, groups = found.sweep, found.sweep.compiled.structure.groups
     pole = "pole" in (found.low.kind, found.high.kind)  # what hangs on a slide that runs away has few digits left
     t = run.place(shares * 0.99 + 0.005 if pole else shares)[0]
-    rows = [f"{row}:{group.label}" for row in ("reach", "determinant") for group in groups]
+    rows = [row(group.label) for row in (Reach, Determinant) for group in groups]
     if rows:
         values = run.compiled.evaluate(rows, t)
         assert np.isfinite(values).all()
@@ -52,8 +53,8 @@ def ends(found: Range) -> None:
     run, past = found.sweep, 1e-6 * (found.sweep.stop - found.sweep.start)
     for end, time in ((found.low, run.start - past), (found.high, run.stop + past)):
         if end.kind == "group":
-            assert run.compiled.evaluate([f"reach:{end.group}"], np.array([time]))[0, 0] < 0
-            assert abs(run.compiled.evaluate([f"reach:{end.group}"], np.array([end.value - run.origin]))[0, 0]) < 1e-12
+            assert run.compiled.evaluate([Reach(end.group)], np.array([time]))[0, 0] < 0
+            assert abs(run.compiled.evaluate([Reach(end.group)], np.array([end.value - run.origin]))[0, 0]) < 1e-12
 
 
 @settings(max_examples=20, deadline=None)

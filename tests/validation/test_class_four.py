@@ -20,6 +20,7 @@ from scipy.optimize import fsolve
 import linkwright as lw
 from helpers.expected import expected_forces, oracle_states, worst
 from helpers.plain import plain_of
+from linkwright.graph.rows import BodyPlace
 from linkwright.model.document import plain
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "class_four.yaml"
@@ -93,7 +94,7 @@ def test_positions_and_rates_over_the_turn(compiled: lw.Compiled) -> None:
 def test_forces_over_the_turn(compiled: lw.Compiled) -> None:
     t = np.linspace(0.0, 1.0, 9)
     moving = compiled.structure.topology.moving
-    x = compiled.evaluate([f"{link}:{row}" for link in moving for row in ("x", "y", "cos", "sin")], np.zeros(1))
+    x = compiled.evaluate([row for link in moving for row in BodyPlace.all(link)], np.zeros(1))
     start = {link: (x, y, math.atan2(s, c)) for link, (x, y, c, s) in zip(moving, x.reshape(-1, 4), strict=True)}
     oracle, states = oracle_states(plain_of(plain(lw.load(EXAMPLE)), start), t)
     expectation = expected_forces(oracle, states)

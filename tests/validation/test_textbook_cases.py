@@ -14,12 +14,13 @@ import pytest
 
 from helpers.compiled import compiled_from
 from helpers.examples import four_bar, slider_crank
+from linkwright.graph.rows import Determinant, Named
 
 NOW = np.zeros(1)
 OWN = {"rel": 1e-12, "abs": 1e-12}
 
 
-def at_start(data: dict[str, Any], *names: str) -> list[float]:
+def at_start(data: dict[str, Any], *names: Named) -> list[float]:
     return [float(v) for v in compiled_from(data).evaluate(names, NOW)[:, 0]]
 
 
@@ -116,7 +117,7 @@ def test_transmission_angle_of_norton_4_1_by_the_law_of_cosines() -> None:
     data = four_bar(40, 120, 80, 100)
     data["units"] |= {"length": "mm", "angle": "deg"}
     data["drives"]["motor"] |= {"start": 40}
-    (determinant,) = at_start(data, "determinant:coupler-rocker")
+    (determinant,) = at_start(data, Determinant("coupler-rocker"))
     z2 = 40**2 + 100**2 - 2 * 40 * 100 * math.cos(math.radians(40))
     mu = math.acos((120**2 + 80**2 - z2) / (2 * 120 * 80))
     assert abs(determinant) == pytest.approx(math.sin(mu), rel=1e-13)

@@ -78,8 +78,8 @@ class FollowerReports(JointReports, Protocol):
         """The number of times."""
 
     @property
-    def rows(self) -> Mapping[str, Array]:
-        """The reported signals by name: those of all drives and followers among them."""
+    def rows(self) -> Mapping[Any, Array]:
+        """The reported signals by their texts: those of all drives and followers among them."""
 
     @property
     def motions(self) -> Motions:

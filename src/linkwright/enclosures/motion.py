@@ -14,6 +14,7 @@ from linkwright.enclosures.panels import MARGIN, Panels
 from linkwright.enclosures.program import Stage, taylor
 from linkwright.enclosures.taylor import TaylorModel, lift
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, nodes
+from linkwright.graph.rows import TableArgument
 from linkwright.notation import Jet
 from linkwright.notation.angles import whole_turns
 from linkwright.results import Run
@@ -90,7 +91,11 @@ class Inputs:
 
     def __init__(self, run: Run, strict: bool, dtype: Any) -> None:
         self.compiled, self.strict, self.dtype = run.compiled, strict, dtype
-        self.rows = self.compiled.graph.inputs
+        graph, rows = self.compiled.graph, self.compiled.supply.rows
+        self.time = rows.get("t")
+        self.driven = len(graph.drives) * graph.width  # the rows of drives come first
+        self.answers = {rows[f"table/{i}/{k}"]: (i, k) for i in range(len(graph.actions.lookups)) for k in (0, 1)}
+        self.ratios = {rows[f"ratio/{name}/{k}"]: (name, k) for name in graph.actions.followers for k in (0, 1)}
         self.lookups: dict[int, Stage] = {}
         self.solved: dict[int, Solved] = {}
         for cluster in self.compiled.structure.clusters:
@@ -99,7 +104,7 @@ class Inputs:
 
     def over(self, on: Panels) -> Any:
         """The rows over panels, each made when it is asked for."""
-        compiled = self.compiled
+        compiled, graph = self.compiled, self.compiled.graph
         made: dict[int, TaylorModel] = {}
         time = TaylorModel.time(on)
 
@@ -126,15 +131,16 @@ class Inputs:
             if row in self.solved:
                 made.update(self.solved[row](x, on))
                 return made[row]
-            name = self.rows[row]
-            kind, _, rest = name.partition("/")
-            if rest:
-                return self.action(kind, rest, row, x, ratio, same)
-            if name == "t":
+            if row < self.driven:
+                which, order = divmod(row, graph.width)
+                return lift(drive(graph.drives[which]).d[order])
+            if row == self.time:
                 return time
-            owner, _, last = name.rpartition(":")
-            if owner in compiled.laws and last.isdigit():
-                return lift(drive(owner).d[int(last)])
+            if row in self.answers:
+                return self.answer(*self.answers[row], x)
+            if row in self.ratios:
+                name, k = self.ratios[row]
+                return lift(ratio(name)[k])
             return lift(same(row))
 
         def x(row: int) -> TaylorModel:
@@ -144,21 +150,13 @@ class Inputs:
 
         return x
 
-    def action(self, kind: str, rest: str, row: int, x: Any, ratio: Any, same: Any) -> TaylorModel:
-        """An input of loads and springs."""
+    def answer(self, number: int, order: int, x: Any) -> TaylorModel:
+        """What a table answers, or its rate."""
         compiled, graph = self.compiled, self.compiled.graph
-        if kind == "table":
-            number, which = (int(part) for part in rest.split("/"))
-            if number not in self.lookups:
-                program = graph.program([f"argument/{number}"], rates=True)
-                self.lookups[number] = Stage(
-                    program.block, compiled.parameters, (0, 1), taylor(self.strict, self.dtype)
-                )
-            lookup = graph.actions.lookups[number]
-            table = compiled.tables[lookup.table]
-            argument = Jet(self.lookups[number](x))
-            return lift((table.integral if lookup.integral else table.or_nan)(argument).d[which])
-        if kind == "ratio":
-            name, _, k = rest.rpartition("/")
-            return lift(ratio(name)[int(k)])
-        return lift(same(row))
+        if number not in self.lookups:
+            program = graph.program([TableArgument(number)], rates=True)
+            self.lookups[number] = Stage(program.block, compiled.parameters, (0, 1), taylor(self.strict, self.dtype))
+        lookup = graph.actions.lookups[number]
+        table = compiled.tables[lookup.table]
+        argument = Jet(self.lookups[number](x))
+        return lift((table.integral if lookup.integral else table.or_nan)(argument).d[order])

@@ -133,7 +133,7 @@ class Actions:
     @cached_property
     def order(self) -> int:
         """The order of derivatives that the loads' values need."""
-        return max((self.graph.order_of(signal.text) for signal in self.signals), default=0)
+        return self.graph.order(signal.text for signal in self.signals)
 
 
 def is_table(call: Call) -> bool:

@@ -6,7 +6,7 @@ all poses. Signals are made when they are asked for.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -17,7 +17,8 @@ from linkwright.expressions.language import Call, Name, parse
 from linkwright.graph.actions import Actions
 from linkwright.graph.geometry import Geometry, widest
 from linkwright.graph.program import ExpressionStage, NewtonStage, Program
-from linkwright.graph.view import LETTERS, LINK_ORDERS, SLIDE_ORDERS, View
+from linkwright.graph.rows import BodyPlace, CoordinateRate, Gap, Named, Row, SignalRow, Slope
+from linkwright.graph.view import View
 from linkwright.model.quantities import Quantities
 from linkwright.model.signals import Signal
 from linkwright.notation import MAX_ORDER
@@ -31,7 +32,8 @@ class Graph:
     quantities: Quantities
     structure: Structure
     _views: dict[int, View] = field(default_factory=dict)
-    _programs: dict[tuple[tuple[str, ...], bool, bool], Program] = field(default_factory=dict)
+    _programs: dict[tuple[tuple[Named, ...], bool, bool], Program] = field(default_factory=dict)
+    _read: dict[str, SignalRow] = field(default_factory=dict)
 
     @cached_property
     def drives(self) -> tuple[str, ...]:
@@ -77,19 +79,22 @@ class Graph:
         return MAX_ORDER + 2
 
     @cached_property
-    def pose_rows(self) -> tuple[str, ...]:
+    def pose_rows(self) -> tuple[BodyPlace, ...]:
         """The output rows of all moving links' poses: place of the origin (m), cosine and sine, link by link."""
-        links = self.structure.topology.moving
-        return tuple(f"{link}:{row}" for link in links for row in ("x", "y", "cos", "sin"))
+        return tuple(row for link in self.structure.topology.moving for row in BodyPlace.all(link))
 
     def coordinates(self, cluster: Cluster) -> list[int]:
         """The input rows of a cluster's coordinates."""
         return [self.inputs.index(f"u:{cluster.label}:{i}") for i in range(len(cluster.free))]
 
-    def closure(self, cluster: Cluster) -> list[str]:
+    def closure(self, cluster: Cluster) -> list[Row]:
         """The output rows of a cluster's closures: what each misses, then its slopes to each coordinate."""
         n, label = len(cluster.free), cluster.label
-        return [f"gap:{label}:{i}" for i in range(n)] + [f"slope:{label}:{i}" for i in range(n * n)]
+        return [*(Gap(label, i) for i in range(n)), *(Slope(label, i) for i in range(n * n))]
+
+    def coordinate_rates(self, cluster: Cluster) -> list[CoordinateRate]:
+        """The output rows of the rates of a cluster's coordinates."""
+        return [CoordinateRate(cluster.label, i) for i in range(len(cluster.free))]
 
     @cached_property
     def parameters(self) -> tuple[str, ...]:
@@ -102,14 +107,33 @@ class Graph:
         assert isinstance(node, Name | Call)
         return self.quantities.signals.find(node)
 
-    def program(self, names: Sequence[str], rates: bool = False, solve: bool = False) -> Program:
-        """The program of the named signals; with ``rates``, each followed by its time derivative.
+    def row(self, named: Named) -> Row:
+        """A row as it is, or that of a signal's text."""
+        if isinstance(named, Row):
+            return named
+        if named not in self._read:
+            self._read[named] = SignalRow(self.signal(named))
+        return self._read[named]
+
+    def signals(self, named: Iterable[Named]) -> list[Signal | None]:
+        """The signals of some rows; ``None`` for a row of another kind."""
+        rows = map(self.row, named)
+        return [row.signal if isinstance(row, SignalRow) else None for row in rows]
+
+    def labels(self, named: Iterable[Named]) -> list[str]:
+        """What rows are called among outputs: a signal as it was asked for."""
+        return [one if isinstance(one, str) else one.label for one in named]
+
+    def order(self, named: Iterable[Named]) -> int:
+        """The order of derivatives that some rows need."""
+        return max((self.row(one).order(self) for one in named), default=0)
+
+    def program(self, named: Sequence[Named], rates: bool = False, solve: bool = False) -> Program:
+        """The program of some rows; with ``rates``, each followed by its time derivative.
 
         The inputs have the clusters' coordinates, or with ``solve`` only starts from which the program solves them.
-        Names are signals, or the internal rows ``reach:GROUP``, ``room:GROUP``, ``determinant:GROUP``, ``LINK:cos``,
-        ``LINK:sin``, ``load/NAME``, ``window/NAME``, ``argument/NUMBER``, ``raw/NAME``.
         """
-        key = (tuple(names), rates, solve)
+        key = (tuple(named), rates, solve)
         if key not in self._programs:
             self._programs[key] = self._build(*key)
         return self._programs[key]
@@ -124,7 +148,7 @@ class Graph:
     def newton(self, cluster: Cluster) -> NewtonStage:
         """The stage that solves a cluster."""
         view = self._view(0)
-        closure = ExpressionStage.from_rows(view.x, view.p, [view.row(name) for name in self.closure(cluster)])
+        closure = ExpressionStage.from_rows(view.x, view.p, [row.expression(view) for row in self.closure(cluster)])
         sliding = tuple(not turns for turns in cluster.turning)
         return NewtonStage(tuple(self.coordinates(cluster)), closure, tuple(cluster.units(self.size or 1.0)), sliding)
 
@@ -138,10 +162,10 @@ class Graph:
                 used |= kept[0].closure.used[0]
         return tuple(kept)
 
-    def _build(self, names: tuple[str, ...], rates: bool, solve: bool) -> Program:
-        order = max((self.order_of(name) for name in names), default=0)
+    def _build(self, named: tuple[Named, ...], rates: bool, solve: bool) -> Program:
+        order, names = self.order(named), self.labels(named)
         view = self._view(max(order, 1) if rates and self.structure.clusters else order)
-        rows = [ca.SX(view.row(name)) for name in names]
+        rows = [ca.SX(view.row(one)) for one in named]
         if rates:
             slopes = ca.jtimes(ca.vertcat(*rows), view.x, self.flow(view))
             rows = [part for i, row in enumerate(rows) for part in (row, slopes[i])]
@@ -174,38 +198,20 @@ class Graph:
             return bodies[owner].angle is None
         return drive.output is not None and None in (bodies[drive.link].angle, bodies[drive.on].angle)
 
-    def wrapped(self, name: str) -> bool:
-        """Whether a signal is an angle that jumps so."""
-        owner, _, attribute = name.partition(".")
-        mechanism = self.structure.topology.mechanism
-        return attribute == "angle" and (owner in mechanism.links or owner in mechanism.movers) and self.wraps(owner)
+    def wrapped(self, named: Named) -> bool:
+        """Whether a row is an angle that jumps so."""
+        (signal,) = self.signals([named])
+        return (
+            signal is not None
+            and signal.kind in ("link", "drive")
+            and signal.attribute == "angle"
+            and self.wraps(signal.owners[0])
+        )
 
     @cached_property
     def _bare(self) -> View:
         """The motion alone, to order 0."""
         return View.build(self, 0, self.motion_inputs)
-
-    def order_of(self, name: str) -> int:
-        """The order of derivatives that a row needs."""
-        if "/" in name:
-            return 0 if name.startswith("raw/") else self.actions.order
-        if ":" in name:
-            return 1 if name.startswith("rate:") else 0
-        signal = self.signal(name)
-        if signal.kind == "joint":
-            order = self.structure.topology.kind_of(signal.owners[0]).orders[signal.attribute]
-            return order if signal.kinematic else max(order, self.actions.order)
-        if signal.kind in ("force", "shaking") or signal.attribute in ("torque", "force", "power"):
-            return max(2, self.actions.order) if signal.kind != "spring" else 1
-        if signal.attribute in ("pressure", "pressure_second"):
-            return 0
-        if signal.kind in ("energy", "pole"):
-            return 1
-        if signal.kind == "spring":
-            return int(signal.attribute in ("v", "omega"))
-        orders = {"link": LINK_ORDERS, "drive": {**LINK_ORDERS, **SLIDE_ORDERS}, "slide": SLIDE_ORDERS}
-        known = orders.get(signal.kind)
-        return known[signal.attribute] if known else LETTERS[signal.attribute[:-1]]
 
     def _view(self, order: int) -> View:
         if order not in self._views:

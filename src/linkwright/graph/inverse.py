@@ -23,6 +23,7 @@ from linkwright.graph.graph import Graph
 from linkwright.graph.legs import triad
 from linkwright.graph.motion import Motion, known_determinant, solve_step
 from linkwright.graph.program import ExpressionStage, Program
+from linkwright.graph.rows import Radicand
 from linkwright.graph.triads import System, place_links
 from linkwright.model.mechanism import FRAME, Drive, Joint, Link, Mechanism
 from linkwright.notation import Body, Jet, Pair, Scalar
@@ -48,6 +49,31 @@ class Platform:
     place: Program
     rooms: Program
     misses: Program
+
+
+@dataclass(frozen=True)
+class Closure:
+    """A row of the inverse: the determinant of one of the mechanism's own groups, whose sign tells the mode."""
+
+    group: str
+
+    @property
+    def label(self) -> str:
+        """What it is called among the program's outputs."""
+        return f"closure:{self.group}"
+
+
+@dataclass(frozen=True)
+class DriveValue:
+    """A row of the inverse: the ``cos`` or ``sin`` of a drive's angle, or its ``travel`` (m)."""
+
+    drive: str
+    part: str
+
+    @property
+    def label(self) -> str:
+        """What it is called among the program's outputs."""
+        return f"{self.drive}:{self.part}"
 
 
 @dataclass(frozen=True)
@@ -88,13 +114,14 @@ class Inverse:
         return found
 
     @cached_property
-    def names(self) -> tuple[str, ...]:
+    def rows(self) -> tuple[Radicand | Closure | DriveValue, ...]:
         """The rows of the program: rooms (m^2), closures, then of each drive its cosine and sine or its travel (m)."""
-        rows = [f"room:{group.label}" for group in self.groups]
-        rows += [f"closure:{group.label}" for group in self.modes]
-        for drive in self.drives:
-            rows += [f"{drive}:cos", f"{drive}:sin"] if self.turns(drive) else [f"{drive}:travel"]
-        return tuple(rows)
+        parts = ((drive, ("cos", "sin") if self.turns(drive) else ("travel",)) for drive in self.drives)
+        return (
+            *(Radicand(group.label) for group in self.groups),
+            *(Closure(group.label) for group in self.modes),
+            *(DriveValue(drive, part) for drive, own in parts for part in own),
+        )
 
     @cached_property
     def _symbols(self) -> tuple[Any, Any, Any, Any]:
@@ -131,8 +158,8 @@ class Inverse:
 
     @cached_property
     def program(self) -> Program:
-        """The rows :attr:`names` of inputs x, y (m), the branches, and each platform's cosine, sine, x and y."""
-        return self._program(self._symbols[2], self.names)
+        """The :attr:`rows` of inputs x, y (m), the branches, and each platform's cosine, sine, x and y."""
+        return self._program(self._symbols[2], tuple(row.label for row in self.rows))
 
     @cached_property
     def platforms(self) -> tuple[Platform, ...]:
@@ -161,9 +188,9 @@ class Inverse:
 
     @cached_property
     def slopes(self) -> Program:
-        """The derivatives of the rows :attr:`names` by x, then those by y, where there are dyads alone."""
+        """The derivatives of the :attr:`rows` by x, then those by y, where there are dyads alone."""
         x, _, rows, _ = self._symbols
-        names = [f"d({name})/d({axis})" for axis in AXES for name in self.names]
+        names = [f"d({row.label})/d({axis})" for axis in AXES for row in self.rows]
         return self._program(ca.reshape(ca.densify(ca.jacobian(rows, x[:2])), -1, 1), tuple(names))
 
     def _numbered(self, name: str, rows: Any) -> Program:

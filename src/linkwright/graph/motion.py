@@ -35,6 +35,19 @@ class Motion:
     wedges: dict[Wedge, SolvedWedge] = field(default_factory=dict)
     twists: dict[Driven, Twist] = field(default_factory=dict)
 
+    def dyad(self, label: str) -> tuple[Dyad, Solved]:
+        """A solved dyad by its label."""
+        return next(found for group, found in self.dyads.items() if group.label == label)
+
+    def cluster(self, label: str) -> SolvedCluster:
+        """A solved cluster by its label."""
+        return next(found for cluster, found in self.clusters.items() if cluster.label == label)
+
+    def determinant(self, label: str) -> Scalar:
+        """The normalised determinant of a dyad or cluster."""
+        dyads = {group.label: solved.determinant for group, (_, solved) in self.dyads.items()}
+        return dyads[label] if label in dyads else self.cluster(label).determinant()
+
     def point(self, link: str, name: str) -> Pair:
         """Coordinates of a link's point in its frame."""
         return self.geometry.point(link, name)

@@ -16,6 +16,7 @@ from linkwright.graph.geometry import ZERO, Geometry
 from linkwright.graph.graph import Graph
 from linkwright.graph.motion import Motion
 from linkwright.graph.program import ExpressionStage, Program
+from linkwright.graph.rows import Named
 from linkwright.graph.view import View
 from linkwright.notation import MAX_ORDER, Body, Jet, Pair, Vec, Wrench
 from linkwright.structure import FRAME
@@ -51,7 +52,7 @@ class StillGraph(Graph):
     def _bare(self) -> View:
         return self._view(0)
 
-    def wrapped(self, name: str) -> bool:
+    def wrapped(self, named: Named) -> bool:
         """No angle jumps where nothing moves."""
         return False
 

@@ -18,18 +18,19 @@ from linkwright.graph.view import View
 
 if TYPE_CHECKING:
     from linkwright.graph.graph import Graph
+    from linkwright.graph.rows import Named
 
 
-def tangent(graph: Graph, names: Sequence[str], rates: bool = False, plays: Sequence[str] = ()) -> Program:
-    """The program of the named signals with their derivatives along a direction.
+def tangent(graph: Graph, named: Sequence[Named], rates: bool = False, plays: Sequence[str] = ()) -> Program:
+    """The program of some rows with their derivatives along a direction.
 
-    Each name has two outputs, or with ``rates`` four: value (and time derivative), then the tangents of these. Inputs
+    Each has two outputs, or with ``rates`` four: value (and time derivative), then the tangents of these. Inputs
     are the graph's and their tangents (those of drives and tables count), parameters the graph's, their tangents, and
     those of the ``plays`` (see :class:`Geometry`), which are 0 themselves.
     """
-    order = max((graph.order_of(name) for name in names), default=0)
+    order, names = graph.order(named), graph.labels(named)
     view = View.build(graph, max(order, 1) if rates else order, graph.inputs, plays)
-    rows = ca.vertcat(*(ca.SX(view.row(name)) for name in names))
+    rows = ca.vertcat(*(ca.SX(view.row(one)) for one in named))
     if rates:
         rows = ca.vertcat(rows, ca.jtimes(rows, view.x, graph.flow(view)))
     symbols = [ca.SX.sym(f"d({name})") for name in graph.inputs]
@@ -63,20 +64,20 @@ def tangent(graph: Graph, names: Sequence[str], rates: bool = False, plays: Sequ
 
 
 def jacobian(
-    graph: Graph, names: Sequence[str], by: Sequence[str], others: Sequence[str] = (), plays: Sequence[str] = ()
+    graph: Graph, named: Sequence[Named], by: Sequence[str], others: Sequence[Named] = (), plays: Sequence[str] = ()
 ) -> Program:
-    """The program of the named signals of a mechanism of dyads, then of the derivatives of each by some inputs,
-    parameters and ``plays`` of joints, which are 0 themselves: all of one signal, then all of the next; then
+    """The program of some rows of a mechanism of dyads, then of the derivatives of each by some inputs,
+    parameters and ``plays`` of joints, which are 0 themselves: all of one row, then all of the next; then
     ``others``, without derivatives. They share what they have in common."""
-    order = max((graph.order_of(name) for name in (*names, *others)), default=0)
-    view = View.build(graph, order, graph.inputs, plays)
+    view = View.build(graph, graph.order((*named, *others)), graph.inputs, plays)
     free = ca.vertsplit(ca.vertcat(view.x, view.p, *view.plays))
     symbols = dict(zip((*graph.inputs, *graph.parameters, *plays), free, strict=True))
-    rows = ca.vertcat(*(ca.SX(view.row(name)) for name in names))
+    rows = ca.vertcat(*(ca.SX(view.row(one)) for one in named))
     slopes = ca.densify(ca.jacobian(rows, ca.vertcat(*(symbols[name] for name in by))))
-    every = ca.vertcat(rows, ca.reshape(slopes.T, -1, 1), *(ca.SX(view.row(name)) for name in others))
+    every = ca.vertcat(rows, ca.reshape(slopes.T, -1, 1), *(ca.SX(view.row(one)) for one in others))
     if plays:
         every = ca.substitute(every, ca.vertcat(*view.plays), ca.DM.zeros(len(plays)))
     block = ExpressionStage.from_rows(view.x, view.p, [every])
-    outputs = (*names, *(f"d({name})/d({other})" for name in names for other in by), *others)
+    names, rest = graph.labels(named), graph.labels(others)
+    outputs = (*names, *(f"d({name})/d({other})" for name in names for other in by), *rest)
     return Program((), block, graph.inputs, graph.parameters, outputs)

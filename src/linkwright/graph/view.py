@@ -1,4 +1,4 @@
-"""The expressions of a mechanism carried to one order of derivatives: every signal, and the rows that kernels need."""
+"""A mechanism's expressions carried to one order of derivatives: what rows are made of, and every signal."""
 
 from __future__ import annotations
 
@@ -13,10 +13,11 @@ from linkwright.elements.follower import Acting
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, signal_text
 from linkwright.expressions.units import Dimension
-from linkwright.graph.actions import active, load_values, wrenches
-from linkwright.graph.forces import Forces, lever, solve_forces, unit_efforts
-from linkwright.graph.geometry import ZERO, Geometry
+from linkwright.graph.actions import wrenches
+from linkwright.graph.forces import Forces, solve_forces
+from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, solve_motion
+from linkwright.graph.orders import DRIVE_ORDERS, LETTERS, LINK_ORDERS, SLIDE_ORDERS
 from linkwright.graph.poles import pole
 from linkwright.graph.springs import effort, elastic, raw_angle, stretch
 from linkwright.model.signals import Signal
@@ -25,10 +26,7 @@ from linkwright.structure import FRAME
 
 if TYPE_CHECKING:
     from linkwright.graph.graph import Graph
-
-LETTERS = {"": 0, "v": 1, "a": 2, "j": 3}
-LINK_ORDERS = {"angle": 0, "omega": 1, "alpha": 2, "jerk": 3}
-SLIDE_ORDERS = {"s": 0, "v": 1, "a": 2, "j": 3}
+    from linkwright.graph.rows import Named
 
 
 @dataclass
@@ -85,16 +83,13 @@ class View:
                 found[name] = other
         return found
 
-    def row(self, name: str) -> Scalar:
+    def row(self, named: Named) -> Scalar:
         """The expression of one output row."""
-        kind, slash, what = name.partition("/")
-        if slash:
-            return self._of_action(kind, what)
-        owner, colon, what = name.rpartition(":")
-        if colon:
-            return self._internal(owner, what)
-        signal = self.graph.signal(name)
-        return _ROWS[signal.kind](self, signal)
+        return self.graph.row(named).expression(self)
+
+    def signal(self, signal: Signal) -> Scalar:
+        """The expression of a signal."""
+        return _SIGNALS[signal.kind](self, signal)
 
     def value(self, expression: Expression, dimension: Dimension) -> Scalar:
         """The value of an expression in parameters, the time, tables and signals."""
@@ -117,49 +112,6 @@ class View:
         """A table's answer, an input of the pose."""
         known = ((k.table, k.argument, k.integral) for k in self.graph.actions.lookups)
         return self.given[f"table/{list(known).index((table, argument, integral))}/0"]
-
-    def _of_action(self, kind: str, what: str) -> Scalar:
-        """Rows of loads and springs: the sum of a load's values, whether a window holds, the argument that a table
-        is asked for, an angle without whole turns."""
-        mechanism = self.graph.quantities.mechanism
-        if kind == "load":
-            force, torque = load_values(self, mechanism.loads[what])
-            return force.x + force.y + torque
-        if kind == "window":
-            return active(self, what)
-        if kind == "argument":
-            return self.evaluate(self.graph.actions.lookups[int(what)].argument)
-        if what in mechanism.springs:
-            spring = mechanism.springs[what]
-            return raw_angle(self, str(spring.turns)) - raw_angle(self, str(spring.on))
-        return self.own(what, 0, whole=False) if what in mechanism.movers else raw_angle(self, what)
-
-    def _internal(self, owner: str, what: str) -> Scalar:
-        if owner in self.motion.bodies and what in ("x", "y", "cos", "sin"):
-            body = self.motion.bodies[owner]
-            start = body.point(ZERO).now
-            return {"cos": body.axis.x.d[0], "sin": body.axis.y.d[0], "x": start.x, "y": start.y}[what]
-        if owner == "drives over outputs":
-            return lever(self.motion, unit_efforts(self.motion)).determinant()
-        if owner in ("span", "room"):
-            dyad = next(dyad for group, (dyad, _) in self.motion.dyads.items() if group.label == what)
-            found = dyad.span() if owner == "span" else dyad.room()
-            return 1.0 if found is None else found
-        if owner in ("reach", "determinant"):
-            cluster = next((s for c, s in self.motion.clusters.items() if c.label == what), None)
-            if cluster is not None:
-                return cluster.determinant()
-            solved = next(s for group, (_, s) in self.motion.dyads.items() if group.label == what)
-            return solved.reach if owner == "reach" else solved.determinant
-        kind, _, label = owner.partition(":")
-        return self._of_cluster(kind, label, int(what))
-
-    def _of_cluster(self, what: str, label: str, index: int) -> Scalar:
-        """Rows of a cluster: what closure i misses, d(closure)/d(coordinate) row by row, coordinate i's rate."""
-        solved = next(s for cluster, s in self.motion.clusters.items() if cluster.label == label)
-        if what == "slope":
-            return solved.slopes[index // len(solved.slopes)][index % len(solved.slopes)]
-        return solved.gaps[index] if what == "gap" else solved.rates[index][0]
 
     def link(self, signal: Signal) -> Scalar:
         body = self.motion.bodies[signal.owners[0]]
@@ -203,7 +155,7 @@ class View:
             return self.forces.efforts[name]
         if signal.attribute == "power":
             return self.forces.efforts[name] * self.own(name, 1)
-        if (order := {**LINK_ORDERS, **SLIDE_ORDERS}.get(signal.attribute)) is not None:
+        if (order := DRIVE_ORDERS.get(signal.attribute)) is not None:
             return self.own(name, order)
         acting = self.contacts[name] if signal.attribute in self.contacts[name].signals else self.seconds[name]
         return acting.signals[signal.attribute]
@@ -266,4 +218,4 @@ def _component(at: Vec, signal: Signal) -> Scalar:
 
 
 _KINDS = ("link", "point", "com", "slide", "joint", "drive", "spring", "force", "shaking", "energy")
-_ROWS: dict[str, Callable[[View, Signal], Scalar]] = {kind: getattr(View, kind) for kind in _KINDS} | {"pole": pole}
+_SIGNALS: dict[str, Callable[[View, Signal], Scalar]] = {kind: getattr(View, kind) for kind in _KINDS} | {"pole": pole}

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from linkwright.graph.assembly import Assembly
 from linkwright.graph.graph import Graph
+from linkwright.graph.rows import Named
 from linkwright.kernels.follow import Follower
 from linkwright.kernels.law import Law
 from linkwright.kernels.motions import StatedMotion
@@ -27,6 +28,7 @@ from linkwright.kernels.tables import StatedTable
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.plane import LinkagePlane
 from linkwright.model.quantities import Quantities
+from linkwright.model.signals import Signal
 from linkwright.structure import Cluster, Group, Structure
 
 Array = NDArray[np.float64]
@@ -48,8 +50,8 @@ class Compiled:
     passages: Passages = field(default_factory=Passages)
     plane: LinkagePlane | None = None  # where a sketch of three coordinates lies in the vehicle
     folder: Path | None = None  # where the files of its tables lie
-    _kernels: dict[tuple[tuple[str, ...], bool], Kernel] = field(default_factory=dict)
-    _nodes: dict[tuple[Passage, tuple[str, ...], bool], Array] = field(default_factory=dict, init=False)
+    _kernels: dict[tuple[tuple[Named, ...], bool], Kernel] = field(default_factory=dict)
+    _nodes: dict[tuple[Passage, tuple[Named, ...], bool], Array] = field(default_factory=dict, init=False)
     _kept: dict[object, Any] = field(default_factory=dict, init=False)
 
     def __post_init__(self) -> None:
@@ -98,8 +100,8 @@ class Compiled:
         x = self.inputs(np.array([time]))[:, 0]
         return {follower.cluster: x[follower.rows].tolist() for follower in self.followers}
 
-    def evaluate(self, names: Sequence[str], t: Array, rates: bool = False) -> Array:
-        """The named rows at times ``t``: (names, poses) in SI, or (names, 2, poses) with their rates.
+    def evaluate(self, names: Sequence[Named], t: Array, rates: bool = False) -> Array:
+        """Signals by name, or other rows, at times ``t``: (rows, poses) in SI, or (rows, 2, poses) with their rates.
 
         Angles of links come out in -pi..pi where the graph doesn't know them exactly; see
         :class:`linkwright.results.Run` for continuous ones.
@@ -111,12 +113,12 @@ class Compiled:
                 y[:, inside] = self._limits(passage, tuple(names), t[inside], rates)
         return y.reshape(len(names), 2, t.size) if rates else y
 
-    def rates(self, names: Sequence[str], t: Array) -> tuple[Array, Array]:
-        """The named rows and their rates at times ``t``, as they come out of :meth:`evaluate`."""
+    def rates(self, names: Sequence[Named], t: Array) -> tuple[Array, Array]:
+        """Such rows and their rates at times ``t``, as they come out of :meth:`evaluate`."""
         y = self.evaluate(names, t, rates=True)
         return y[:, 0], y[:, 1]
 
-    def closed(self, names: Sequence[str], t: Array, rates: bool = False) -> Array:
+    def closed(self, names: Sequence[Named], t: Array, rates: bool = False) -> Array:
         """The program's rows at times ``t`` by their closed forms alone, each followed by its rate if asked for."""
         key = (tuple(names), rates)
         if key not in self._kernels:
@@ -125,7 +127,7 @@ class Compiled:
         actions = any(row >= self.supply.first for row in program.used[0])
         return self._kernels[key].run(self.inputs(t, actions=actions), self.parameters)
 
-    def _limits(self, passage: Passage, names: tuple[str, ...], t: Array, rates: bool) -> Array:
+    def _limits(self, passage: Passage, names: tuple[Named, ...], t: Array, rates: bool) -> Array:
         """The program's rows in a passage's band."""
         step = 2 if rates else 1
         key = (passage, names, rates)
@@ -133,28 +135,29 @@ class Compiled:
             turning = [step * i for i, name in enumerate(names) if self.graph.wrapped(name)]
             self._nodes[key] = unwrapped(self.closed(names, passage.nodes, rates), turning)
         values = self._nodes[key]
-        poles = [self._pole(passage, name) for name in names]
+        signals = self.graph.signals(names)
+        poles = [self._pole(passage, signal) for signal in signals]
         powers = [power + (k if power else 0) for power in poles for k in range(step)]
         y = passage.between(t, values, np.array(powers, dtype=int))
-        if any(name.startswith("pole(") for name in names):  # these may be at infinity anywhere
+        centres = [signal is not None and signal.kind == "pole" for signal in signals]
+        if any(centres):  # these may be at infinity anywhere
             off = passage.between(passage.proof, values) - self.closed(names, passage.proof, rates)
             far = ~(np.abs(off) <= 1e-7 * np.abs(values).max(axis=1, keepdims=True)).all(axis=1)
-            y[far & np.repeat([name.startswith("pole(") for name in names], step)] = np.nan
-        for i, name in enumerate(names):
-            if name.endswith(").arm"):
-                parts = [name[: -len("arm")] + part for part in ("moment", "normal")]
-                (m, n) = self._limits(passage, tuple(parts), t, rates).reshape(2, step, t.size)
+            y[far & np.repeat(centres, step)] = np.nan
+        for i, signal in enumerate(signals):
+            if signal is not None and signal.attribute == "arm":
+                parts = tuple(replace(signal, attribute=part).text for part in ("moment", "normal"))
+                (m, n) = self._limits(passage, parts, t, rates).reshape(2, step, t.size)
                 with np.errstate(all="ignore"):
                     y[step * i] = m[0] / n[0]
                     if rates:
                         y[step * i + 1] = (m[1] - y[step * i] * n[1]) / n[0]
         return y
 
-    def _pole(self, passage: Passage, name: str) -> int:
-        """The power by which a row grows without bound; a reaction by that of its opposite."""
-        if not passage.poles or ":" in name or "/" in name:
+    def _pole(self, passage: Passage, signal: Signal | None) -> int:
+        """The power by which a signal grows without bound; a reaction by that of its opposite."""
+        if not passage.poles or signal is None:
             return 0
-        signal = self.graph.signal(name)
         opposite = replace(signal, owners=(*signal.owners[1::-1], *signal.owners[2:]))
         return max(passage.poles.get(s.text, 0) for s in (signal, opposite))
 

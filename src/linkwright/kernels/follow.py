@@ -74,7 +74,7 @@ class Follower(Corrector):
     @cached_property
     def motion(self) -> Kernel:
         """What gives the rates of the coordinates."""
-        return KERNELS[self.kernel](self.graph.program([f"rate:{self.cluster.label}:{i}" for i in range(self.n)]))
+        return KERNELS[self.kernel](self.graph.program(self.graph.coordinate_rates(self.cluster)))
 
     def solve(self, x: Array, t: Array, p: Array, at: Callable[[Array], Array]) -> Array:
         """The coordinates at times ``t``: (coordinates, times), NaN past the path's end. ``at`` gives inputs."""

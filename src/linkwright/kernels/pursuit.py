@@ -65,7 +65,7 @@ class Pursuit:
         self.joined = [_Joined(graph, cluster, size, kernel) for cluster in clusters]
         self.rows = [row for joined in self.joined for row in joined.rows]
         self.scales = [pair for joined in self.joined for pair in zip(joined.scale, joined.slides, strict=True)]
-        rates = [f"rate{graph.inputs[row].removeprefix('u')}" for row in self.rows]
+        rates = [row for cluster in clusters for row in graph.coordinate_rates(cluster)]
         self.motion: Kernel = KERNELS[kernel](graph.program(rates))
 
     def solve(self, x: Array, p: Array) -> Array:

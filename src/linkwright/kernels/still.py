@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.graph.constraints import Constraints
+from linkwright.graph.rows import Named
 from linkwright.graph.statics import Statics
 from linkwright.graph.still import StillGraph
 from linkwright.kernels.compiled import Compiled
@@ -47,14 +48,12 @@ class Still(Compiled):
         rows = KERNELS["numpy"](program).run(self.inputs(t), self.parameters)[:, 0].reshape(-1, 3)
         return Statics(self.system, self.z, dict(zip((FRAME, *self.system.links), rows, strict=True)))
 
-    def evaluate(self, names: Sequence[str], t: Array, rates: bool = False) -> Array:
+    def evaluate(self, names: Sequence[Named], t: Array, rates: bool = False) -> Array:
         """The named rows at times ``t`` (s): all that isn't a force; those of forces are NaN."""
-        still = [name for name in names if not self._of_forces(name)]
+        signals = zip(names, self.graph.signals(names), strict=True)
+        still = [name for name, signal in signals if signal is None or signal.kind not in ("force", "shaking")]
         y = np.full((len(names), 2 if rates else 1, t.size), np.nan)
         if still:
             known = super().evaluate(still, t, rates)
             y[[name in still for name in names]] = known.reshape(len(still), -1, t.size)
         return y if rates else y[:, 0]
-
-    def _of_forces(self, name: str) -> bool:
-        return ":" not in name and "/" not in name and self.graph.signal(name).kind in ("force", "shaking")

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
 from linkwright.graph.graph import Graph
+from linkwright.graph.rows import RawAngle, TableArgument
 from linkwright.kernels.followers import FollowerLaw
 from linkwright.kernels.law import Law, Parameters
 from linkwright.kernels.registry import KERNELS, Kernel
@@ -42,7 +43,7 @@ class Supply:
         self.levels: list[tuple[list[int], Kernel]] = []
         for _, group in groupby(numbered, key=lambda lookup: lookup[1].level):
             which = [i for i, _ in group]
-            program = graph.program([f"argument/{i}" for i in which], rates=True)
+            program = graph.program([TableArgument(i) for i in which], rates=True)
             self.levels.append((which, KERNELS[kernel](program)))
 
     def home(self, name: str, quantities: Quantities | None = None) -> float | None:
@@ -98,7 +99,7 @@ class Turns:
     """
 
     def __init__(self, graph: Graph, name: str, home: float | None, kernel: str) -> None:
-        self.kernel: Kernel = KERNELS[kernel](graph.program([f"raw/{name}"], rates=True))
+        self.kernel: Kernel = KERNELS[kernel](graph.program([RawAngle(name)], rates=True))
         self.home = home
         self.t, self.angle = np.empty(0), np.empty(0)
 

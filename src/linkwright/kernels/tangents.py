@@ -8,6 +8,7 @@ from copy import copy
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.graph.rows import Named, TableArgument
 from linkwright.graph.tangent import tangent
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.registry import KERNELS, Kernel
@@ -36,7 +37,7 @@ class Tangents:
         along[:parameters, :many], along[parameters:, many:] = directions, np.eye(len(plays))
         self.along = along[:parameters]
         self.p = self._with(along)
-        self._kernels: dict[tuple[tuple[str, ...], bool], Kernel] = {}
+        self._kernels: dict[tuple[tuple[Named, ...], bool], Kernel] = {}
 
     def _with(self, along: Array) -> Array:
         """The parameters with each direction: (2 parameters + plays, directions)."""
@@ -64,7 +65,7 @@ class Tangents:
         units = np.eye(self.count)[self.count - len(self.plays) :]
         return own | {play: Dual(0.0, unit[:, None]) for play, unit in zip(self.plays, units, strict=True)}
 
-    def evaluate(self, names: Sequence[str], t: Array, rates: bool = False) -> tuple[Array, Array]:
+    def evaluate(self, names: Sequence[Named], t: Array, rates: bool = False) -> tuple[Array, Array]:
         """Signals at times ``t`` (s) and their derivatives: (names, times) and (names, directions, times) in SI; with
         ``rates`` each with its time derivative, (names, 2, times) and (names, 2, directions, times)."""
         kinds = 2 if rates else 1
@@ -82,7 +83,7 @@ class Tangents:
             values[..., some], slopes[..., some] = y[:, 0, :, 0], y[:, 1]
         return (values, slopes) if rates else (values[:, 0], slopes[:, 0])
 
-    def _engine(self, names: tuple[str, ...], rates: bool) -> Kernel:
+    def _engine(self, names: tuple[Named, ...], rates: bool) -> Kernel:
         if (names, rates) not in self._kernels:
             program = tangent(self.graph, names, rates, self.plays)
             self._kernels[names, rates] = KERNELS[self.kernel](program)
@@ -120,7 +121,7 @@ class Tangents:
         """Put the tangents of what tables answer into the inputs."""
         graph, supply, size = self.graph, self.compiled.supply, len(self.graph.inputs)
         for which, _ in supply.levels:
-            y = self._engine(tuple(f"argument/{i}" for i in which), True).over(x, self.p)
+            y = self._engine(tuple(map(TableArgument, which)), True).over(x, self.p)
             for i, (value, rate, slope, twist) in zip(which, y.reshape(len(which), 4, *x.shape[1:]), strict=True):
                 lookup = graph.actions.lookups[i]
                 table = supply.tables[lookup.table].given(given)

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, raise_errors
+from linkwright.graph.rows import Named, Reach
 from linkwright.kernels.compiled import Compiled
 from linkwright.kernels.failing import Failures, causes
 from linkwright.kernels.motion_faults import law_faults
@@ -50,7 +51,7 @@ class Varied:
         raise_errors(self._refused())
         self.causes = causes(compiled.structure)
         self.row = {name: i for i, name in enumerate(self.graph.parameters)}
-        self._kernels: dict[tuple[tuple[str, ...], bool, str], Kernel] = {}
+        self._kernels: dict[tuple[tuple[Named, ...], bool, str], Kernel] = {}
         self._pursued: dict[str, Pursued] = {}
         self._supplies: dict[str, Supply] = {}
 
@@ -108,14 +109,14 @@ class Varied:
         given = dict(zip(self.names, np.asarray(values, dtype=float), strict=True))
         return Sampled(self.compiled.quantities, given, np.shape(values)[1])
 
-    def kernel(self, signals: Sequence[str], rates: bool = False, kernel: str = "numpy") -> Kernel:
-        """The kernel of some signals, kept."""
+    def kernel(self, signals: Sequence[Named], rates: bool = False, kernel: str = "numpy") -> Kernel:
+        """The kernel of some signals or other rows, kept."""
         key = (tuple(signals), rates, kernel)
         return _kept(self._kernels, key, lambda: KERNELS[kernel](self.graph.program(*key[:2])))
 
     def evaluate(
         self,
-        signals: Sequence[str],
+        signals: Sequence[Named],
         p: Array,
         t: Array,
         rates: bool = False,
@@ -129,7 +130,7 @@ class Varied:
         """
         return self._evaluate(self.kernel(signals, rates, kernel), p, np.asarray(t, dtype=float), out)
 
-    def at(self, signals: Sequence[str], p: Array, t: Array, rates: bool = False, kernel: str = "numpy") -> Array:
+    def at(self, signals: Sequence[Named], p: Array, t: Array, rates: bool = False, kernel: str = "numpy") -> Array:
         """Signals of each sample at its own times ``t`` (samples, times): (signals, samples, times), or with rates
         (signals, 2, samples, times)."""
         found = self._evaluate(self.kernel(signals, rates, kernel), p, np.asarray(t, dtype=float), None)
@@ -142,7 +143,7 @@ class Varied:
         first[0, np.isnan(p).any(axis=0)] = t[0] if t.size else 0.0
         if t.size:
             labels = [cause.of.label for cause in self.causes if isinstance(cause.of, Group)]
-            engine = self.kernel([f"reach:{label}" for label in labels], kernel=kernel) if labels else None
+            engine = self.kernel([Reach(label) for label in labels], kernel=kernel) if labels else None
             used = frozenset(range(len(self.graph.motion_inputs)))
             self._gather(p, used, kernel)
             for some in _chunks(p.shape[1], t.size):

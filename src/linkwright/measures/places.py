@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.language import Call, Name, Node, nodes
+from linkwright.graph.rows import Determinant, Reach, Row, spans
 from linkwright.measures.features import Feature, Find, Kind, features
 from linkwright.measures.search import STILL, Pieces, Rates, turning, zeros
 from linkwright.results import Run
@@ -112,7 +113,7 @@ class Places:
             self._level(now, rows)
             rows = []
 
-    def _level(self, some: list[Feature], rows: list[str]) -> None:
+    def _level(self, some: list[Feature], rows: list[Row]) -> None:
         run, pieces = self.run, self._pieces()
         trees = [f.node for f in some]
 
@@ -231,12 +232,11 @@ def _values(run: Run, node: Node, t: Array) -> Array:
     return np.asarray(run.jets(node, t.ravel()).d[0]).reshape(t.shape)
 
 
-def _groups(run: Run) -> list[str]:
+def _groups(run: Run) -> list[Row]:
     """The rows that vanish where a group is singular: rates and forces are divided by them."""
     structure = run.compiled.structure
-    rows = [f"reach:{g.label}" if g.modes > 1 else f"determinant:{g.label}" for g in structure.groups]
-    rows += [f"span:{g.label}" for g in structure.groups if g.has_span]
-    return rows + [f"determinant:{cluster.label}" for cluster in structure.clusters]
+    rows = [(Reach if group.modes > 1 else Determinant)(group.label) for group in structure.groups]
+    return [*rows, *spans(structure), *(Determinant(cluster.label) for cluster in structure.clusters)]
 
 
 def _acting(run: Run) -> Iterator[Node]:

@@ -8,6 +8,7 @@ from copy import copy
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.graph.rows import Named
 from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
 from linkwright.results.run import Run
@@ -27,7 +28,7 @@ class _Sample(Compiled):
             self.motions = {name: law.given(own) for name, law in self.motions.items()}  # type: ignore[misc]
         self.varied, self.parameters, self.kernel = varied, p, kernel
 
-    def evaluate(self, names: Sequence[str], t: Array, rates: bool = False) -> Array:
+    def evaluate(self, names: Sequence[Named], t: Array, rates: bool = False) -> Array:
         """The named rows at times ``t``, as :class:`Varied` gives them."""
         shape = (len(names), 2, t.size) if rates else (len(names), t.size)
         return self.varied.at(names, self.parameters[:, None], t[None], rates, self.kernel).reshape(shape)

@@ -16,6 +16,7 @@ from linkwright.expressions.language import parse
 from linkwright.expressions.units import Dimension
 from linkwright.graph.actions import spread
 from linkwright.graph.geometry import Geometry
+from linkwright.graph.rows import BodyPlace, Named, WindowRow
 from linkwright.kernels import Compiled
 from linkwright.kernels.motions import StatedMotion
 from linkwright.model.mechanism import Load
@@ -39,11 +40,11 @@ class Reports:
         self.geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
         self.contacts, self.looped = compiled.quantities.signals.contacts, compiled.quantities.signals.looped
         self.names = self._names()
-        self.rows: dict[str, Array] = dict(zip(self.names, compiled.evaluate(self.names, t), strict=True))
+        self.rows: dict[Named, Array] = dict(zip(self.names, compiled.evaluate(self.names, t), strict=True))
 
-    def _names(self) -> list[str]:
+    def _names(self) -> list[Named]:
         moving, movers = self.topology.moving, self.mechanism.movers
-        names = [*self.compiled.graph.pose_rows]
+        names: list[Named] = [*self.compiled.graph.pose_rows]
         names += [f"{link}.{rate}" for link in moving for rate in ("omega", "alpha")]
         names += [f"com({link}).{rate}{axis}" for link in self.masses for rate in ("", "v", "a") for axis in "xy"]
         names += [f"{self.home(link)}.v{axis}" for link in moving for axis in "xy"]
@@ -56,7 +57,7 @@ class Reports:
         names += [f"{n}.{a}" for n, d in movers.items() for a in (d.effort, d.rate)]
         names += [f"{f.motor}.{next(iter(movers[f.motor].signals))}" for f in self.mechanism.followers.values()]
         names += [s.text for s in self.compiled.graph.actions.signals]
-        names += [f"window/{name}" for name in self.compiled.graph.actions.windows]
+        names += [WindowRow(name) for name in self.compiled.graph.actions.windows]
         names += [f"{n}.{a}" for n, s in self.mechanism.springs.items() for a in (s.measure, s.effort)]
         names += ["shaking.x", "shaking.y", "shaking.moment"]
         return list(dict.fromkeys(names))
@@ -74,21 +75,25 @@ class Reports:
         """Some point of a link."""
         return next(iter(self.mechanism.links[link].points))
 
-    def vector(self, name: str, axes: tuple[str, str] = ("x", "y")) -> Array:
-        """Two rows as a vector."""
-        return np.array([self.rows[f"{name}{axis}"] for axis in axes])
+    def vector(self, name: str) -> Array:
+        """The signals ``name`` x and ``name`` y as a vector."""
+        return np.array([self.rows[f"{name}{axis}"] for axis in "xy"])
+
+    def of_body(self, link: str, *parts: str) -> Array:
+        """Parts of a moving link's pose: (parts, times)."""
+        return np.array([self.rows[BodyPlace(link, part)] for part in parts])
 
     # Places.
 
     def turned(self, link: str, local: Any) -> Array:
         """A vector fixed in a link, in the frame."""
-        c, s = (np.ones(self.count), np.zeros(self.count)) if link == FRAME else self.vector(link, (":cos", ":sin"))
+        c, s = (np.ones(self.count), np.zeros(self.count)) if link == FRAME else self.of_body(link, "cos", "sin")
         return np.array([c * local[0] - s * local[1], s * local[0] + c * local[1]])
 
     def at(self, link: str, local: Any) -> Array:
         """A link's point in the frame (m)."""
         turned = self.turned(link, local)
-        return turned if link == FRAME else self.vector(link, (":x", ":y")) + turned
+        return turned if link == FRAME else self.of_body(link, "x", "y") + turned
 
     def line(self, joint: str, link: str) -> tuple[Array, Array]:
         """Point and direction of a prismatic joint's line on one of its links."""
@@ -153,7 +158,7 @@ class Reports:
     def value(self, expression: Expression, dimension: Dimension) -> Array:
         """An expression in parameters, the time, tables and reported signals."""
         node = self.compiled.quantities.bind(expression, dimension)
-        rows = {name: (row,) for name, row in self.rows.items()}
+        rows = {name: (row,) for name, row in self.rows.items() if isinstance(name, str)}
         return np.asarray(combined(self.compiled, node, self.t, rows, 0).d[0])
 
     def inside(self, load: Load) -> Array | bool:
@@ -173,7 +178,7 @@ class Reports:
         if dimension == u.ANGLE:
             over = np.mod(over + slack, 2 * np.pi) - slack
         vague = (np.abs(over) < slack) | (np.abs(over - (high - low)) < slack)
-        return np.where(vague, self.rows[f"window/{load.window}"] != 0, (over >= 0) & (over <= high - low))
+        return np.where(vague, self.rows[WindowRow(load.window)] != 0, (over >= 0) & (over <= high - low))
 
     def springs(self, damping: bool = False) -> list[Applied]:
         """What springs do to both their links, from the reported poses and rates; of their damping alone."""

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions.language import Binary, Call, Name, Node, Number, nodes
 from linkwright.graph.geometry import Geometry
+from linkwright.graph.rows import TableArgument, WindowRow
 from linkwright.laws import Motion, TableLaw
 from linkwright.results.stationary import crossings
 from linkwright.results.windows import intervals
@@ -37,7 +38,7 @@ def jumps(run: Run) -> Array:
             for share in ASIDE:
                 aside = share * (run.stop - run.start)
                 sides = np.clip([edge - aside, edge + aside], run.start, run.stop)
-                before, after = run.compiled.evaluate([f"window/{name}"], sides)[0]
+                before, after = run.compiled.evaluate([WindowRow(name)], sides)[0]
                 if before != after:
                     found.append((float(sides[0]), float(sides[1])))
                     break
@@ -122,7 +123,7 @@ def argument_of(run: Run, lookup: int) -> Callable[[Array], Array]:
     """What a table is asked for, at times."""
 
     def argument(t: Array) -> Array:
-        return np.asarray(run.compiled.evaluate([f"argument/{lookup}"], t.ravel())[0].reshape(t.shape))
+        return np.asarray(run.compiled.evaluate([TableArgument(lookup)], t.ravel())[0].reshape(t.shape))
 
     return argument
 

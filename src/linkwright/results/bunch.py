@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.language import Node
+from linkwright.graph.rows import Named
 from linkwright.kernels.varied import Varied
 from linkwright.model.sampled import Sampled
 from linkwright.notation import angles
@@ -24,8 +25,8 @@ from linkwright.results.stationary import NOISE, bracketed
 
 Array = NDArray[np.float64]
 Who = NDArray[np.intp]
-What = Node | str
-"""An expression bound to SI, or a row of the program such as ``reach:GROUP``."""
+What = Node | Named
+"""An expression bound to SI, or a row of the program."""
 
 MOST_TURN = 1.5
 """A sample of which an angle turns further (rad) between two places of the grid can't be made continuous on it."""
@@ -59,8 +60,8 @@ class Bunch:
             varied.compiled.quantities, {n: rows[n] for n in rows if n in varied.varying}, self.samples
         )
         self.quantities.parameters |= varied.joins(p)  # type: ignore[arg-type]
-        self._rows: dict[str, tuple[Array, Array]] = {}
-        self._angles: dict[str, Array] = {}
+        self._rows: dict[Named, tuple[Array, Array]] = {}
+        self._angles: dict[Named, Array] = {}
         self.fast = np.zeros(self.samples, dtype=bool)
         """Which samples turn further than :data:`MOST_TURN`: their angles are NaN."""
 
@@ -77,7 +78,7 @@ class Bunch:
         else:
             y = self.varied.at(names, self.p, np.ascontiguousarray(self.t), True, self.kernel)
         for name, (value, rate) in zip(names, y, strict=True):
-            if self._wrapped(name):
+            if self.varied.graph.wrapped(name):
                 value = self._track(name, value, rate)
             self._rows[name] = value, rate
 
@@ -108,12 +109,12 @@ class Bunch:
             return (t,) * (order + 1)
         return self._combined(what, t, self._looked([what], who, t, order), self._given(who), order)
 
-    def _looked(self, what: Sequence[What], who: Who, t: Array, order: int) -> dict[str, tuple[Array, ...]]:
+    def _looked(self, what: Sequence[What], who: Who, t: Array, order: int) -> dict[Named, tuple[Array, ...]]:
         """The rows that some curves are made of, at times of some samples."""
-        names, rows = self.names(what), {}
+        names, rows = self.names(what), dict[Named, tuple[Array, ...]]()
         if names:
             for name, row in zip(names, self._asked(names, who, t, bool(order)), strict=True):
-                if self._wrapped(name):
+                if self.varied.graph.wrapped(name):
                     row[0] += 2 * np.pi * whole_turns(row[0], self._near(name, who, t))
                 rows[name] = tuple(row)
         return rows
@@ -123,7 +124,7 @@ class Bunch:
         own = self.quantities.parameters.items()
         return {name: value[who] if isinstance(value, np.ndarray) else value for name, value in own}
 
-    def _asked(self, names: Sequence[str], who: Who, t: Array, rates: bool) -> Array:
+    def _asked(self, names: Sequence[Named], who: Who, t: Array, rates: bool) -> Array:
         """Rows at times of some samples: (names, 1 or 2, n)."""
         shape = (len(names), 2 if rates else 1, -1)
         if not self._pursued:
@@ -145,22 +146,19 @@ class Bunch:
         compiled = self.run.compiled
         return bool(compiled.structure.clusters) or bool(compiled.graph.actions.turning)
 
-    def names(self, what: Sequence[What]) -> list[str]:
+    def names(self, what: Sequence[What]) -> list[Named]:
         """The rows that some curves are made of."""
-        trees = [one for one in what if not isinstance(one, str)]
-        return list(dict.fromkeys([*(one for one in what if isinstance(one, str)), *self.run.signals_of(trees)]))
+        trees = [one for one in what if not isinstance(one, Named)]
+        return list(dict.fromkeys([*(one for one in what if isinstance(one, Named)), *self.run.signals_of(trees)]))
 
     def _combined(
-        self, what: What, t: Array, rows: Mapping[str, tuple[Array, ...]], given: Mapping[str, Any], order: int
+        self, what: What, t: Array, rows: Mapping[Any, tuple[Array, ...]], given: Mapping[str, Any], order: int
     ) -> tuple[Array, ...]:
-        return rows[what] if isinstance(what, str) else combined(self.run.compiled, what, t, rows, order, given).d
+        return rows[what] if isinstance(what, Named) else combined(self.run.compiled, what, t, rows, order, given).d
 
     # Continuous angles.
 
-    def _wrapped(self, name: str) -> bool:
-        return not {":", "/"} & {*name} and self.run.compiled.graph.wrapped(name)
-
-    def _track(self, name: str, angle: Array, rate: Array) -> Array:
+    def _track(self, name: Named, angle: Array, rate: Array) -> Array:
         """An angle on the grid without jumps from its value at the start; NaN of a sample that turns too fast."""
         turned, _ = angles.steps(self.t, angle, rate)
         near = np.concatenate([angle[:, :1], angle[:, :1] + np.cumsum(turned, axis=1)], axis=1)
@@ -169,7 +167,7 @@ class Bunch:
         self._angles[name] = np.where(fast[:, None], np.nan, near)
         return np.asarray(angle + 2 * np.pi * whole_turns(angle, self._angles[name]))
 
-    def _near(self, name: str, who: Who, t: Array) -> Array:
+    def _near(self, name: Named, who: Who, t: Array) -> Array:
         """A continuous angle between the places of the grid."""
         self.watch([name])
         at = (t - self.start) / (self.stop[who] - self.start) * self.steps

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from linkwright.elements.joint import Rate
 from linkwright.findings import Term
+from linkwright.graph.rows import determinants, spans
 from linkwright.kernels.choice import Choice, choose
 from linkwright.results.audit import Reports
 from linkwright.results.quadrature import panel_points
@@ -245,29 +246,27 @@ def nearest(run: Run) -> Nearest | None:
     points through which a group is carried are left out: its determinant is zero there.
     """
     structure = run.compiled.structure
-    groups = [*(group.label for group in structure.groups), *(cluster.label for cluster in structure.clusters)]
-    names = [f"determinant:{group}" for group in groups]
-    spanning = [group.label for group in structure.groups if group.has_span]
-    groups, names = groups + spanning, names + [f"span:{group}" for group in spanning]
-    largest = np.ones(len(names))
+    spanning = spans(structure)
+    rows = [*determinants(structure), *spanning]
+    largest = np.ones(len(rows))
     if spanning:
-        largest[-len(spanning) :] = np.nanmax(run.compiled.evaluate(names[-len(spanning) :], run.t), axis=1)
+        largest[-len(spanning) :] = np.nanmax(run.compiled.evaluate(spanning, run.t), axis=1)
 
     def rates(t: Array) -> tuple[Array, Array]:
-        values, slopes = magnitude(*run.compiled.rates(names, t))
+        values, slopes = magnitude(*run.compiled.rates(rows, t))
         return values / largest[:, None], slopes / largest[:, None]
 
     found = []
-    turning = stationary(rates, run.start, run.stop, run.grid) if groups else []
+    turning = stationary(rates, run.start, run.stop, run.grid) if rows else []
     every = np.unique(np.concatenate([[run.start, run.stop], *turning]))
-    at_all = np.abs(run.compiled.evaluate(names, every)) / largest[:, None] if groups else np.empty((0, every.size))
-    for group, own, row in zip(groups, turning, at_all, strict=True):
+    at_all = np.abs(run.compiled.evaluate(rows, every)) / largest[:, None] if rows else np.empty((0, every.size))
+    for row, own, size in zip(rows, turning, at_all, strict=True):
         times = np.concatenate([own, [run.start, run.stop]])
-        times = times[run.compiled.passages.outside(times, group)]
+        times = times[run.compiled.passages.outside(times, row.group)]
         if not times.size:
             continue
-        values = row[np.searchsorted(every, times)]
-        found.append(Nearest(group, float(values.min()), float(times[values.argmin()])))
+        values = size[np.searchsorted(every, times)]
+        found.append(Nearest(row.group, float(values.min()), float(times[values.argmin()])))
     return min(found, key=lambda near: near.determinant, default=None)
 
 

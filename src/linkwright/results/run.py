@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, nodes
 from linkwright.expressions.units import Dimension
+from linkwright.graph.rows import LoadRow, Named
 from linkwright.kernels import Compiled
 from linkwright.notation import Jet, angles
 from linkwright.notation.angles import MAX_TURN, whole_turns
@@ -32,7 +33,7 @@ class Run:
 
     def __init__(self, compiled: Compiled, start: float, stop: float, steps: int) -> None:
         self.compiled, self.start, self.stop, self.steps = compiled, start, stop, steps
-        self.rows: dict[str, tuple[Array, Array]] = {}
+        self.rows: dict[Named, tuple[Array, Array]] = {}
         """Rows that were looked at closely: times with all turning points, and values."""
         self.change_points: tuple[float, ...] = ()
         self.lost: set[str] = set()
@@ -59,7 +60,7 @@ class Run:
                 shortest = int(np.diff(np.concatenate([[0], changes, [LOOK]])).min(initial=LOOK, where=True))
                 steps.append(min(10 * LOOK // max(shortest, 1), LOOK // 2))
         if self.compiled.graph.actions.timed:
-            rows = [f"load/{name}" for name in self.compiled.mechanism.loads]
+            rows = [LoadRow(name) for name in self.compiled.mechanism.loads]
             signs = np.sign(self.compiled.rates(rows, t)[1])
             steps.append(min(4 * int((signs[:, 1:] != signs[:, :-1]).sum(axis=1).max()), LOOK // 2))
         return max(steps)

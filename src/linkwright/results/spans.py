@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
 from linkwright.expressions.language import parse
+from linkwright.graph.rows import WindowRow
 from linkwright.results.breaks import ASIDE
 from linkwright.results.bunch import Bunch, Who
 
@@ -85,7 +86,7 @@ def gaps(bunch: Bunch) -> Spans:
         for share in ASIDE:
             aside = share * bunch.length[who]
             before, after = np.maximum(t - aside, bunch.start), np.minimum(t + aside, bunch.stop[who])
-            left, right = (bunch.values(f"window/{name}", who, side) for side in (before, after))
+            left, right = (bunch.values(WindowRow(name), who, side) for side in (before, after))
             differ = left != right
             parts.append((who[differ], before[differ], after[differ]))
             who, t = who[~differ], t[~differ]

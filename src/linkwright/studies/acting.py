@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
@@ -13,6 +14,7 @@ from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import argument
 from linkwright.expressions.language import Call, nodes
 from linkwright.findings import Finding, Term
+from linkwright.graph.rows import LoadRow, Named, TableArgument
 from linkwright.results import Run
 from linkwright.results.stationary import stationary
 from linkwright.studies.feasible import drive_value
@@ -27,12 +29,12 @@ def undefined(run: Run) -> list[Finding]:
     """Loads and springs that have no value somewhere, and springs whose ends meet."""
     m, actions = run.compiled.mechanism, run.compiled.graph.actions
     findings = [_at(run, "spring.no-direction", name, t) for name, t in _meeting(run)]
-    rows = {("loads", name): f"load/{name}" for name in m.loads}
+    rows: dict[tuple[str, str], Named] = {("loads", name): LoadRow(name) for name in m.loads}
     rows |= {("springs", name): f"{name}.{spring.effort}" for name, spring in m.springs.items()}
     if findings or not rows:
         return findings
     open_ = [i for i, k in enumerate(actions.lookups) if run.compiled.tables[k.table].period is None]
-    t = _times(run, [f"argument/{i}" for i in open_])
+    t = _times(run, [TableArgument(i) for i in open_])
     for path, values in zip(rows, run.compiled.evaluate(list(rows.values()), t), strict=True):
         bad = t[~np.isfinite(values)]
         if bad.size:
@@ -124,7 +126,7 @@ def _meeting(run: Run) -> list[tuple[str, float]]:
     return found
 
 
-def _times(run: Run, rows: list[str]) -> Array:
+def _times(run: Run, rows: Sequence[Named]) -> Array:
     """Times that tell where rows are smallest and largest."""
     turning = stationary(partial(run.compiled.rates, rows), run.start, run.stop, run.grid) if rows else []
     grid = np.linspace(run.start, run.stop, run.grid + 1)
@@ -144,7 +146,7 @@ def _explained(run: Run, path: tuple[str, str], bad: Array) -> Finding:
         table = compiled.tables[lookup.table]
         if lookup.table not in tables or table.period is not None:
             continue
-        asked = compiled.evaluate([f"argument/{i}"], bad)[0]
+        asked = compiled.evaluate([TableArgument(i)], bad)[0]
         over = np.maximum(table.x[0] - asked, asked - table.x[-1])
         if np.max(over, initial=0.0) > 0:
             worst = int(np.argmax(over))

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions.language import Node
 from linkwright.expressions.units import Dimension
+from linkwright.graph.rows import Determinant, Span, reaches
 from linkwright.measures.features import features
 from linkwright.measures.probe import Limits, Search
 from linkwright.results import Run
@@ -140,25 +141,25 @@ def _usual(rows: Array) -> Array:
 
 def touches(run: Run) -> list[Touch]:
     """The change points of a run: where the reach of a group touches zero, or its two outer pins meet."""
-    groups = [group.label for group in run.compiled.structure.groups if group.modes > 1]
-    names = [f"{row}:{group}" for row in ("reach", "span") for group in groups]
-    if not names:
+    closing = reaches(run.compiled.structure)
+    apart = [Span(row.group) for row in closing]
+    if not closing:
         return []
 
-    places, found = turning(run, partial(run.compiled.rates, names)), []
-    spans = np.abs(run.compiled.evaluate(names[len(groups) :], run.place(np.linspace(0, 1, 65))[0]))
-    for i, group in enumerate(groups):
-        times = np.union1d(places[i], places[len(groups) + i])
-        reach, span = np.abs(run.compiled.evaluate([names[i], names[len(groups) + i]], times))
+    places, found = turning(run, partial(run.compiled.rates, [*closing, *apart])), []
+    spans = np.abs(run.compiled.evaluate(apart, run.place(np.linspace(0, 1, 65))[0]))
+    for i, rows in enumerate(zip(closing, apart, strict=True)):
+        times = np.union1d(places[i], places[len(closing) + i])
+        reach, span = np.abs(run.compiled.evaluate(rows, times))
         meet = (reach <= TOUCH) | (span <= SINGULAR * spans[i].max())
-        found += [Touch(group, float(time)) for time in times[meet]]
+        found += [Touch(rows[0].group, float(time)) for time in times[meet]]
     return found
 
 
 def transmission(run: Run, flat: Sequence[tuple[str, float]] = ()) -> list[Transmission]:
     """The least transmission angle of each dyad. ``flat``: groups known to be stretched or folded, and when."""
     groups = run.compiled.structure.groups
-    names = [f"determinant:{group.label}" for group in groups]
+    names = [Determinant(group.label) for group in groups]
     if not names:
         return []
 

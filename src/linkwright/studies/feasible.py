@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from linkwright.expressions import units as u
 from linkwright.findings import Finding, Term
 from linkwright.graph.assembly import shortfall_at, shortfall_data
+from linkwright.graph.rows import Determinant, Named, Reach, Span, reaches, spans
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
 from linkwright.results import Run
@@ -35,12 +36,12 @@ def unassembled(run: Run) -> list[Finding]:
     """Each interval of the run in which a group can't be assembled, by the group that fails first."""
     findings: list[Finding] = stuck(run)
     taken: list[tuple[float, float]] = [(f.data["start"], f.data["stop"]) for f in findings]
-    look_at(run, [f"reach:{group.label}" for group in run.compiled.structure.groups if group.modes > 1])
+    look_at(run, reaches(run.compiled.structure))
     for group in run.compiled.structure.groups:
         if group.modes < 2:
             continue
         ends = [end for gap in taken for end in gap]
-        found = gaps(run, f"reach:{group.label}", ends)
+        found = gaps(run, Reach(group.label), ends)
         for start, stop, worst in islice(found, MANY):
             if not any(a <= start and stop <= b for a, b in taken):
                 taken.append((start, stop))
@@ -64,7 +65,7 @@ def stuck(run: Run) -> list[Finding]:
     return findings
 
 
-def look_at(run: Run, rows: Sequence[str]) -> None:
+def look_at(run: Run, rows: Sequence[Named]) -> None:
     """Look closely at rows, all at once, so that :func:`row_of` has them at hand: what many groups share is computed
     once."""
     rows = [row for row in rows if row not in run.rows]
@@ -85,7 +86,7 @@ def look_at(run: Run, rows: Sequence[str]) -> None:
         run.rows[row] = t[at], values[at]
 
 
-def row_of(run: Run, row: str, more: Sequence[float] = ()) -> tuple[Array, Array]:
+def row_of(run: Run, row: Named, more: Sequence[float] = ()) -> tuple[Array, Array]:
     """Times and values of a row, on a grid that holds its turning points and some more times."""
     look_at(run, [row])
     t, values = run.rows[row]
@@ -95,7 +96,7 @@ def row_of(run: Run, row: str, more: Sequence[float] = ()) -> tuple[Array, Array
     return t, run.compiled.evaluate([row], t)[0]
 
 
-def gaps(run: Run, row: str, ends: Sequence[float]) -> Iterator[tuple[float, float, float]]:
+def gaps(run: Run, row: Reach, ends: Sequence[float]) -> Iterator[tuple[float, float, float]]:
     """Intervals in which a reach is negative, with the time of its least value; each is looked at as it is asked for.
 
     ``ends`` are those of the gaps of earlier groups, where this one's reach may stop while it is negative.
@@ -109,7 +110,7 @@ def gaps(run: Run, row: str, ends: Sequence[float]) -> Iterator[tuple[float, flo
         yield start, stop, float(t[first + int(np.argmin(reach[first:after]))])
 
 
-def _edge(run: Run, row: str, bad: float, good: float, limit: float = 0.0, sign: int = 1) -> float:
+def _edge(run: Run, row: Named, bad: float, good: float, limit: float = 0.0, sign: int = 1) -> float:
     """The time at which a reach turns negative, or a row passes a limit (upwards with ``sign`` -1), by bisection to
     round-off."""
     for _ in range(60):
@@ -164,11 +165,11 @@ def singular(run: Run, code: str = "motion.singular") -> list[Finding]:
     """
     findings = []
     groups = [group for group in run.compiled.structure.groups if group.modes > 1]
-    look_at(run, [f"span:{group.label}" for group in groups if group.has_span])
+    look_at(run, spans(run.compiled.structure))
     for group in groups:
         vague: list[float] = []
         if group.has_span:
-            s, span = row_of(run, f"span:{group.label}")
+            s, span = row_of(run, Span(group.label))
             vague = [float(s[i]) for i in _lowest(span, SINGULAR * span.max())]
         touches = [time for time, _ in touching(run, group.label) if not _passed(run, group.label, time)]
         findings += [_singular(run, code, group.label, time, 0.0) for time in sorted({*touches, *vague})]
@@ -248,7 +249,7 @@ def _passed(run: Run, group: str, time: float) -> bool:
 
 def touching(run: Run, group: str, limit: float = TOUCH) -> list[tuple[float, float]]:
     """Where a group's reach comes within a limit of zero: time and reach at the lowest place of each such stretch."""
-    t, reach = row_of(run, f"reach:{group}")
+    t, reach = row_of(run, Reach(group))
     return [(float(t[i]), float(reach[i])) for i in _lowest(reach, limit)]
 
 
@@ -260,7 +261,7 @@ def _lowest(values: Array, limit: float) -> list[int]:
 
 
 def _near(run: Run, group: str, time: float) -> Finding:
-    determinant = abs(float(run.compiled.evaluate([f"determinant:{group}"], np.array([time]))[0, 0]))
+    determinant = abs(float(run.compiled.evaluate([Determinant(group)], np.array([time]))[0, 0]))
     data = {"group": group, "time": f"{time:.6g}", "determinant": f"{determinant:.2g}"}
     path = ("links", group.split("-")[0])
     return Finding("motion.near-change-point", path, data | drive_value(run, time), severity="warning")

@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.language import Node, parse
+from linkwright.graph.rows import determinants, reaches, spans
 from linkwright.kernels.varied import Varied
 from linkwright.measures import MeasureResult, bound, measure_all
 from linkwright.measures.features import features
@@ -66,7 +67,9 @@ class Measuring:
         measures = self.quantities.mechanism.measures
         self.measures = {name: measures[name] for name in (measures if names is None else names)}
         self.trees = {key: tree for name in self.measures for key, tree in bound(self.quantities, name).items()}
-        self.rows, self.pressures = self._rows(), [row for row, _ in angles(run.compiled)]
+        structure = run.compiled.structure
+        self.reaches, self.spans, self.determinants = reaches(structure), spans(structure), determinants(structure)
+        self.pressures = [row for row, _ in angles(run.compiled)]
         varying = varied.joins(run.compiled.parameters[:, None])
         self.kinks, self.joins = kinks(run.compiled, varying), law_joins(run.compiled, varying)
         self.single = [name for name, measure in self.measures.items() if self._singly(name, measure)]
@@ -76,14 +79,6 @@ class Measuring:
         self.single += self._apart()
 
     # What the nominal run tells.
-
-    def _rows(self) -> list[str]:
-        """The rows that tell whether a sample can be followed."""
-        structure = self.run.compiled.structure
-        found = [f"reach:{group.label}" for group in structure.groups if group.modes > 1]
-        found += [f"span:{group.label}" for group in structure.groups if group.has_span]
-        labels = [*(group.label for group in structure.groups), *(cluster.label for cluster in structure.clusters)]
-        return found + [f"determinant:{label}" for label in labels]
 
     def _of(self, name: str) -> list[Node]:
         """The expressions of a measure, that of its window among them."""
@@ -189,7 +184,8 @@ class Measuring:
         """All curves that are looked at on the grid."""
         trees = [tree for name in self.measures if name not in self.single for tree in self._of(name)]
         breaking = [node for name in self.measures if name not in self.single for node in self.hard(name)]
-        return [*dict.fromkeys([*trees, *breaking]), *self.rows, *self.pressures]
+        followed = (*self.reaches, *self.spans, *self.determinants)  # they tell whether a sample can be followed
+        return [*dict.fromkeys([*trees, *breaking]), *followed, *self.pressures]
 
 
 def _alike(own: MeasureResult, found: dict[str, Figures], size: float) -> bool:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.findings import Finding
+from linkwright.graph.rows import OutputLever
 from linkwright.results import Run
 from linkwright.results.stationary import crossings, stationary
 from linkwright.studies.feasible import SINGULAR, drive_value
@@ -23,7 +24,7 @@ def powerless(run: Run) -> list[Finding]:
     outputs = [name for name, drive in run.compiled.mechanism.drives.items() if drive.output]
     if not outputs:
         return []
-    row = ["drives over outputs:"]
+    row = [OutputLever()]
 
     def lever(t: Array) -> Array:
         return np.asarray(run.compiled.evaluate(row, t)[0])

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
 from linkwright.findings import Finding
+from linkwright.graph.rows import Determinant, Reach
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
 from linkwright.model.cylinders import links_of
@@ -178,7 +179,7 @@ class _Search:
         for group in self.compiled.structure.groups:
             if group.modes > 1:
                 edges = [edge for gap in found for edge in (gap.start, gap.stop)]
-                for start, stop, worst in gaps(run, f"reach:{group.label}", edges):
+                for start, stop, worst in gaps(run, Reach(group.label), edges):
                     found.append(_Gap(start, stop, "group", group, worst))
             else:
                 found += [_Gap(at, at, "pole", group) for at in self.poles(run, group)]
@@ -186,7 +187,7 @@ class _Search:
 
     def poles(self, run: Run, group: Group) -> list[float]:
         """Where the two lines of a dyad of one mode become parallel, so that its slide runs away."""
-        row = [f"determinant:{group.label}"]
+        row = [Determinant(group.label)]
         shares = crossings(lambda share: self.compiled.evaluate(row, run.place(share)[0])[0], 0.0, 1.0, run.grid)
         at = run.place(shares)[0]
         known = np.abs(self.compiled.evaluate(row, at)[0]) < 1e-9 if at.size else np.empty(0, bool)

@@ -73,7 +73,7 @@ class Taken:
         for name, measure in asked.measures.items():
             many.figures[name] = self.blank(measure) if name in asked.single else self.figures(name, measure)
         self.singly(many, asked.single, ~many.failed)
-        near = self.bunch.fast | self.close([row for row in asked.rows if not row.startswith("span:")])
+        near = self.bunch.fast | self.close([*asked.reaches, *asked.determinants])
         for name in asked.measures:
             if name not in asked.single:
                 some = near | self.close(asked.hard(name)) | self.coarse.get(name, False)
@@ -100,19 +100,21 @@ class Taken:
 
     def failed(self) -> Mask:
         """Which samples can't be assembled all along their run, or come to a singular pose."""
-        bunch = self.bunch
+        asked, bunch = self.measuring, self.bunch
         whole = spans(bunch, None)
         failed = np.asarray(np.isnan(bunch.p).any(axis=0))
-        for row in self.measuring.rows:
+        for row in (*asked.reaches, *asked.spans, *asked.determinants):
             value, _ = bunch.on_grid(row)
-            least, limit = np.abs(value).min(axis=1), SINGULAR
-            if row.startswith("reach:"):
-                least, limit = peaks(bunch, row, [(whole, -1.0)])[0].values, TOUCH
-            elif row.startswith("span:"):
-                limit = SINGULAR * value.max(axis=1)
-            failed |= ~(least > limit) | ((value > 0).any(axis=1) & (value < 0).any(axis=1))
-        for row in self.measuring.pressures:
-            failed |= square(bunch.on_grid(row)[0]).any(axis=1)
+            failed |= (value > 0).any(axis=1) & (value < 0).any(axis=1)
+        for reach in asked.reaches:
+            failed |= ~(peaks(bunch, reach, [(whole, -1.0)])[0].values > TOUCH)
+        for span in asked.spans:
+            size = bunch.on_grid(span)[0]
+            failed |= ~(np.abs(size).min(axis=1) > SINGULAR * size.max(axis=1))
+        for determinant in asked.determinants:
+            failed |= ~(np.abs(bunch.on_grid(determinant)[0]).min(axis=1) > SINGULAR)
+        for pressure in asked.pressures:
+            failed |= square(bunch.on_grid(pressure)[0]).any(axis=1)
         return failed
 
     def all_extremes(self) -> dict[tuple[Node, str | None, float], Figures]:

@@ -6,13 +6,16 @@ motion goes over from one to the other: the root of the reach changes sign.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
+from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, ModelError
+from linkwright.graph.rows import Named, Reach
 from linkwright.kernels import Compiled
 from linkwright.kernels.passages import GAP, Passage, Passages, unwrapped
 from linkwright.notation.angles import wrapped
@@ -49,7 +52,7 @@ def carried(run: Run) -> tuple[Run, list[Finding]]:
     touches: list[_Touch] = []
     for group in run.compiled.structure.groups:
         if group.modes > 1:
-            here, failed = _through(run, touches, [f"reach:{group.label}"])
+            here, failed = _through(run, touches, [Reach(group.label)])
             if failed:
                 return here, failed
             touches += _touches(here, group.label)
@@ -81,7 +84,7 @@ def _finding(run: Run, code: str, passage: Passage, severity: str, **data: objec
 
 
 def _touches(run: Run, group: str) -> list[_Touch]:
-    row, length = [f"reach:{group}"], run.stop - run.start
+    row, length = [Reach(group)], run.stop - run.start
     found = []
     for time, _ in touching(run, group):
         room, last = 1e-5 * length, 0.0
@@ -92,7 +95,7 @@ def _touches(run: Run, group: str) -> list[_Touch]:
     return found
 
 
-def _least(compiled: Compiled, row: list[str], t: Array) -> float:
+def _least(compiled: Compiled, row: list[Reach], t: Array) -> float:
     """The least value of a row; NaN where a law has none."""
     try:
         return float(compiled.evaluate(row, t).min())
@@ -100,7 +103,7 @@ def _least(compiled: Compiled, row: list[str], t: Array) -> float:
         return float("nan")
 
 
-def _polished(compiled: Compiled, row: list[str], time: float, near: float) -> float:
+def _polished(compiled: Compiled, row: list[Reach], time: float, near: float) -> float:
     """The time at which the reach's rate is zero; at the ends of the run that may be a trifle outside of it."""
     from scipy.optimize import brentq
 
@@ -113,7 +116,7 @@ def _polished(compiled: Compiled, row: list[str], time: float, near: float) -> f
         return time
 
 
-def _through(run: Run, touches: list[_Touch], names: list[str]) -> tuple[Run, list[Finding]]:
+def _through(run: Run, touches: list[_Touch], names: Sequence[Named]) -> tuple[Run, list[Finding]]:
     """The run through some touches, and the passages in whose bands the rows of some names can't be told."""
     if not touches:
         return run, []
@@ -145,11 +148,11 @@ def _through(run: Run, touches: list[_Touch], names: list[str]) -> tuple[Run, li
     return Run(compiled, run.start, run.stop, run.steps), failed
 
 
-def _settled(compiled: Compiled, passage: Passage, names: list[str]) -> dict[str, int] | None:
+def _settled(compiled: Compiled, passage: Passage, names: Sequence[Named]) -> dict[str, int] | None:
     """The signals that grow without bound and the power by which; ``None`` where the band doesn't hold."""
     t = passage.time + GAP * passage.width * np.array([-1.0, -0.5, 0.5, 1.0])
     try:
-        reach = compiled.closed([f"reach:{group}" for group in passage.groups], t)
+        reach = compiled.closed([Reach(group) for group in passage.groups], t)
         if not reach.min() > TOUCH:
             return None
         growth = np.log2(reach[:, [0, 3]] / reach[:, [1, 2]])  # fourfold at twice the time
@@ -160,12 +163,14 @@ def _settled(compiled: Compiled, passage: Passage, names: list[str]) -> dict[str
         return None
 
 
-def _proven(compiled: Compiled, passage: Passage, names: list[str], most: int) -> dict[str, int] | None:
+def _proven(compiled: Compiled, passage: Passage, names: Sequence[Named], most: int) -> dict[str, int] | None:
     """The powers of the signals that grow without bound; ``None`` where some aren't told by the poses around."""
     t = passage.proof
     angles = [i for i, name in enumerate(names) if compiled.graph.wrapped(name)]
     values, exact = unwrapped(compiled.closed(names, passage.nodes), angles), compiled.closed(names, t)
-    allowed = _allowed(compiled, passage, names, np.abs(values).max(axis=1))
+    signals = compiled.graph.signals(names)
+    dimensions = [u.PURE if signal is None else signal.dimension for signal in signals]
+    allowed = _allowed(compiled, passage, dimensions, np.abs(values).max(axis=1))
     poles: dict[str, int] = {}
     left = np.arange(len(names))
     for power in range(most + 1):
@@ -174,25 +179,20 @@ def _proven(compiled: Compiled, passage: Passage, names: list[str], most: int) -
         off[turning] = wrapped(off[turning])
         size = np.maximum(allowed[left, None], FORCE * np.abs(exact[left]) if power else 0.0)
         bad = ~(np.abs(off) <= size).all(axis=1)
-        poles |= {names[i]: power for i in left[~bad] if power}
+        poles |= {compiled.graph.row(names[i]).label: power for i in left[~bad] if power}
         left = left[bad]
-        if not all(_force(compiled, names[i]) for i in left):
+        # Forces may grow without bound, motion never.
+        if not all(dimensions[i] in (u.FORCE, u.TORQUE, u.POWER) for i in left):
             return None
     return None if left.size else poles
 
 
-def _force(compiled: Compiled, name: str) -> bool:
-    """Whether a row is one that may grow without bound: forces may, motion never."""
-    return ":" not in name and compiled.graph.signal(name).dimension in (u.FORCE, u.TORQUE, u.POWER)
-
-
-def _allowed(compiled: Compiled, passage: Passage, names: list[str], largest: Array) -> Array:
+def _allowed(compiled: Compiled, passage: Passage, dimensions: Sequence[Dimension], largest: Array) -> Array:
     """How far each row's interpolation may be off, from the largest values near by."""
     size, rate = compiled.assembly.size(), 0.4 / passage.width
     moving = {u.LENGTH: (size, 0), u.SPEED: (size, 1), u.ACCELERATION: (size, 2), u.JERK: (size, 3)}
     moving |= {u.ANGLE: (1.0, 0), u.OMEGA: (1.0, 1), u.ALPHA: (1.0, 2), u.ANGULAR_JERK: (1.0, 3)}
     loads = {u.FORCE: 1.0, u.TORQUE: size, u.POWER: size * rate, u.ENERGY: size}
-    dimensions = [u.PURE if ":" in name else compiled.graph.signal(name).dimension for name in names]
     most = max((v / loads[d] for d, v in zip(dimensions, largest, strict=True) if d in loads), default=0.0)
     found = []
     for dimension, value in zip(dimensions, largest, strict=True):

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from helpers.compiled import compiled_from
 from linkwright import load
 from linkwright.compilation import compile_mechanism
+from linkwright.graph.rows import Radicand, Reach
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.sheet import Sheet
@@ -115,7 +116,7 @@ def test_the_room_is_the_paper_s_discriminant(five_bar: Compiled) -> None:
     16 d^2 (l2^2 + l3^2) reach with d the distance of the outer pins."""
     rng = np.random.default_rng(1)
     group = five_bar.structure.groups[0].label
-    engine = KERNELS["numpy"](five_bar.graph.program([f"room:{group}", f"reach:{group}"]))
+    engine = KERNELS["numpy"](five_bar.graph.program([Radicand(group), Reach(group)]))
     for _ in range(5):
         lengths, q = rng.uniform(0.5, 3, 5), rng.uniform(0, TURN, (2, 200))
         sheet = sheets(five_bar, parameters=lengths)[0]

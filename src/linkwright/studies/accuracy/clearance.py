@@ -81,7 +81,7 @@ class Plays:
             signal = graph.signal(text)
             drive = drives.get(signal.owners[0]) if signal.kind == "drive" else None
             prescribed = drive is not None and drive.output is None
-            if not signal.kinematic or not (prescribed or graph.order_of(text) == 0):
+            if not signal.kinematic or not (prescribed or graph.order([text]) == 0):
                 return False
         return True
 

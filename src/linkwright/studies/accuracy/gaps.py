@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.language import Node
+from linkwright.graph.rows import Named
 from linkwright.notation import Jet
 from linkwright.results import Run
 from linkwright.studies.accuracy.seats import Held
@@ -31,7 +32,7 @@ class Gaps(Slopes):
         self.held = tuple(held)
         self.rows = tuple(dict.fromkeys(row for one in held for row in one.rows))
 
-    def known(self, t: Array) -> dict[str, Jet]:
+    def known(self, t: Array) -> dict[Named, Jet]:
         """What the joints need to know of times, with rates."""
         values, rates = self.run.compiled.rates(self.rows, t)
         return {name: Jet(pair) for name, *pair in zip(self.rows, values, rates, strict=True)}
@@ -79,7 +80,7 @@ class Resting(Slopes):
         return Local(gaps.value, gaps.rate, slope, twist)
 
     @staticmethod
-    def directions(one: Held, load: float, rows: dict[str, Jet]) -> list[list[Jet]]:
+    def directions(one: Held, load: float, rows: dict[Named, Jet]) -> list[list[Jet]]:
         """Unit vectors of the forces at a joint's contacts; 0 where there is no force."""
         found = []
         for seat in one.forces(rows):

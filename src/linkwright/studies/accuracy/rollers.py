@@ -16,6 +16,7 @@ from linkwright.elements.cam_contact import cam_followers
 from linkwright.elements.cam_contact.contact import seat, sense
 from linkwright.expressions.language import FUNCTIONS
 from linkwright.graph.geometry import Geometry
+from linkwright.graph.rows import BodyPlace, Named
 from linkwright.kernels import Compiled
 
 
@@ -51,17 +52,17 @@ class OnRoller:
         return f"{self.joint}/roller", f"{self.joint}/-"  # the second one moves nothing
 
     @property
-    def rows(self) -> tuple[str, ...]:
+    def rows(self) -> tuple[Named, ...]:
         ends = [self.joint, self.lift] if isinstance(self.lift, str) else []
-        turned = [] if isinstance(self.lift, str) else [f"{self.lift[0]}:cos", f"{self.lift[0]}:sin"]
+        turned = [] if isinstance(self.lift, str) else [BodyPlace(self.lift[0], part) for part in ("cos", "sin")]
         where = (f"{point}.{axis}" for point in ends for axis in "xy")
         return f"{self.links[1]}.force", f"{self.links[1]}.pressure", *turned, *where
 
     @property
-    def places(self) -> tuple[str, ...]:
+    def places(self) -> tuple[Named, ...]:
         return self.rows[1:]
 
-    def normal(self, rows: Mapping[str, Any]) -> tuple[Any, Any]:
+    def normal(self, rows: Mapping[Named, Any]) -> tuple[Any, Any]:
         """From the cam to the follower: the follower's way as the lift grows, turned back by the pressure angle."""
         _, pressure, *where = (rows[name] for name in self.rows)
         if isinstance(self.lift, str):
@@ -75,11 +76,11 @@ class OnRoller:
         c, s = FUNCTIONS["cos"].apply(pressure), FUNCTIONS["sin"].apply(pressure) * self.forward
         return c * x - s * y, s * x + c * y
 
-    def forces(self, rows: Mapping[str, Any]) -> list[tuple[Any, ...]]:
+    def forces(self, rows: Mapping[Named, Any]) -> list[tuple[Any, ...]]:
         force, (x, y) = rows[self.rows[0]], self.normal(rows)
         return [(force * x, force * y)]
 
-    def gradients(self, x: Any, y: Any, rows: Mapping[str, Any]) -> list[tuple[Any, ...]]:
+    def gradients(self, x: Any, y: Any, rows: Mapping[Named, Any]) -> list[tuple[Any, ...]]:
         # A roller that goes towards the follower lets this down on the cam, as a smaller one does.
         across, up = self.normal(rows)
         return [(-(x * across), -(x * up))]

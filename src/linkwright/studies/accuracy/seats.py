@@ -15,12 +15,13 @@ import numpy as np
 
 from linkwright.expressions.units import LENGTH
 from linkwright.graph.geometry import Geometry
+from linkwright.graph.rows import BodyPlace, Named
 from linkwright.kernels import Compiled
 from linkwright.model.pins import Pin
 from linkwright.studies.accuracy.clearance_options import Clearance
 from linkwright.studies.accuracy.rollers import on_roller, rollers
 
-Rows = Mapping[str, Any]
+Rows = Mapping[Named, Any]
 Seats = list[tuple[Any, ...]]
 """For each contact the components of a vector: arrays over poses, or jets of such."""
 
@@ -54,11 +55,11 @@ class Held(Protocol):
         """Whether its two displacements are one vector of any direction; else each is one on its own."""
 
     @property
-    def rows(self) -> tuple[str, ...]:
+    def rows(self) -> tuple[Named, ...]:
         """Names of the rows that the methods need."""
 
     @property
-    def places(self) -> tuple[str, ...]:
+    def places(self) -> tuple[Named, ...]:
         """Those of them that the gradients need: of positions alone."""
 
     def forces(self, rows: Rows) -> Seats:
@@ -93,13 +94,13 @@ class OnPin:
         return f"{self.joint}/{link}/x", f"{self.joint}/{link}/y"
 
     @property
-    def rows(self) -> tuple[str, ...]:
+    def rows(self) -> tuple[Named, ...]:
         on, link = self.links
         return (*(f"force({link}, {on}, {self.joint}).{axis}" for axis in "xy"), *self.places)
 
     @property
-    def places(self) -> tuple[str, ...]:
-        return f"{self.links[1]}:cos", f"{self.links[1]}:sin"
+    def places(self) -> tuple[Named, ...]:
+        return BodyPlace(self.links[1], "cos"), BodyPlace(self.links[1], "sin")
 
     def forces(self, rows: Rows) -> Seats:
         return [(rows[self.rows[0]], rows[self.rows[1]])]
@@ -137,16 +138,16 @@ class InGuide:
         return f"{self.joint}/normal", f"{self.joint}/tilt"
 
     @cached_property
-    def rows(self) -> tuple[str, ...]:
+    def rows(self) -> tuple[Named, ...]:
         first, second = self.links
         force = f"force({second}, {first}, {self.joint})"
         return (f"{force}.normal", f"{force}.moment", *self.places)
 
     @cached_property
-    def places(self) -> tuple[str, ...]:
+    def places(self) -> tuple[Named, ...]:
         first = self.links[0]
         points = (f"{point}.{axis}" for point in (self.centre, self.foot) for axis in "xy")
-        return (f"{first}:cos", f"{first}:sin", *points)
+        return (BodyPlace(first, "cos"), BodyPlace(first, "sin"), *points)
 
     def _ahead(self, rows: Rows) -> Any:
         """How far the centre lies ahead of the foot along the line (m)."""

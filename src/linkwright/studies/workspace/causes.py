@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.graph.rows import Named
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.accuracy.seats import Held
 from linkwright.studies.workspace.farthest import farthest
@@ -46,8 +47,8 @@ class Causes:
         return [play for one in self.held for play in one.plays]
 
     @property
-    def places(self) -> list[str]:
-        """Names of the rows that :meth:`columns` needs."""
+    def places(self) -> list[Named]:
+        """The rows that :meth:`columns` needs."""
         return [*dict.fromkeys(row for one in self.held for row in one.places)]
 
     def columns(self, by: Array, plays: Array, places: Array) -> Array:

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
+from linkwright.graph.rows import Named, reaches
 from linkwright.graph.tangent import jacobian
 from linkwright.kernels import KERNELS
 from linkwright.kernels.choice import choose
@@ -47,10 +48,10 @@ class Errors:
         self.sheet, self.causes = sheet, causes
         self.graph = sheet.compiled.graph
         groups = sheet.compiled.structure.groups
-        closed = [f"reach:{group.label}" for group in groups if group.modes > 1]
+        closed = reaches(sheet.compiled.structure)
         poses = [row for group in groups if group.signature in POSES for row in POSES[group.signature](group)]
         self.reaches, self.poses = slice(2, 2 + len(closed)), slice(2 + len(closed), None)
-        self.names = [f"{sheet.point}.x", f"{sheet.point}.y", *closed, *poses]
+        self.names: list[Named] = [f"{sheet.point}.x", f"{sheet.point}.y", *closed, *poses]
         directions = causes.contributors.directions
         moving = np.flatnonzero(directions.any(axis=1))
         self.directions = directions[moving]

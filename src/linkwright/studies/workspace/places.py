@@ -20,7 +20,8 @@ from numpy.typing import NDArray
 
 from linkwright.enclosures.forms import FEW, Form
 from linkwright.enclosures.program import BOXES, Stage
-from linkwright.graph.inverse import Inverse, inverse
+from linkwright.graph.inverse import Closure, DriveValue, Inverse, inverse
+from linkwright.graph.rows import Determinant, Radicand
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.registry import Kernel
 from linkwright.studies.workspace.mesh import Box
@@ -64,7 +65,7 @@ def _poses(compiled: Compiled, point: str) -> Poses | None:
 def _signs(compiled: Compiled) -> tuple[float, ...] | None:
     """The sign that each group's determinant has in branch +1; ``None`` where some has both or none."""
     graph, rng = compiled.graph, np.random.default_rng(0)
-    rows = [f"determinant:{group.label}" for group in graph.branched]
+    rows = [Determinant(group.label) for group in graph.branched]
     x = np.zeros((len(graph.inputs), LOOKS))
     for i, drive in enumerate(graph.drives):
         turns = compiled.mechanism.prescribed(drive).turns
@@ -116,22 +117,25 @@ class Places:
 
     def _combined(self) -> tuple[list[Array], list[str]]:
         """Each function as coefficients of the program's rows, the rooms of platforms, and of 1; and its kind."""
-        platforms = [f"room:{one.label}" for one in self.inverse.triads]
-        names = [*self.inverse.names, *platforms, ""]
-        unit = dict(zip(names, np.eye(len(names)), strict=True))
-        rows = [unit[name] for name in (*(f"room:{one.label}" for one in self.inverse.groups), *platforms)]
+        platforms = [Radicand(triad.label) for triad in self.inverse.triads]
+        known = [*self.inverse.rows, *platforms]
+        *units, one = np.eye(len(known) + 1)
+        unit = dict(zip(known, units, strict=True))
+        rows = [unit[room] for room in (*(Radicand(group.label) for group in self.inverse.groups), *platforms)]
         kinds = [FOLD] * len(rows)
         for group, own, sign in zip(self.inverse.modes, self.poses.signs, self.sheet.branches, strict=True):
-            rows.append(own * sign * unit[f"closure:{group.label}"])
+            rows.append(own * sign * unit[Closure(group.label)])
             kinds.append(MODES)
         for k, drive in enumerate(self.inverse.drives):
             low, high = self.box.low[k], self.box.high[k]
             if self.inverse.turns(drive):
                 middle, half = (low + high) / 2, (high - low) / 2
-                found = [math.cos(middle) * unit[f"{drive}:cos"] + math.sin(middle) * unit[f"{drive}:sin"]]
-                found = [] if self.box.turns[k] else [found[0] - math.cos(half) * unit[""]]
+                cos, sin = (unit[DriveValue(drive, part)] for part in ("cos", "sin"))
+                inside = math.cos(middle) * cos + math.sin(middle) * sin - math.cos(half) * one
+                found = [] if self.box.turns[k] else [inside]
             else:
-                found = [way * (unit[f"{drive}:travel"] - end * unit[""]) for way, end in ((1.0, low), (-1.0, high))]
+                travel = unit[DriveValue(drive, "travel")]
+                found = [way * (travel - end * one) for way, end in ((1.0, low), (-1.0, high))]
             rows += found
             kinds += [LIMIT] * len(found)
         return rows, kinds
@@ -181,14 +185,14 @@ class Places:
         """The drives' values (rad or m) at places (2, n) in all poses, (poses, 2, n), and the least function of each,
         (poses, n)."""
         found = self._everywhere(at)
-        names = self.inverse.names
+        known = dict(zip(self.inverse.rows, found, strict=False))  # the rooms of platforms stand behind them
         values = []
         for k, drive in enumerate(self.inverse.drives):
             if self.inverse.turns(drive):
-                angle = np.arctan2(found[names.index(f"{drive}:sin")], found[names.index(f"{drive}:cos")])
+                angle = np.arctan2(*(known[DriveValue(drive, part)] for part in ("sin", "cos")))
                 values.append(self.box.low[k] + (angle - self.box.low[k]) % (2 * np.pi))
             else:
-                values.append(found[names.index(f"{drive}:travel")])
+                values.append(known[DriveValue(drive, "travel")])
         return np.stack(values, axis=1), self._least(self._functions(found))
 
     @cached_property

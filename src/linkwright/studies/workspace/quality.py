@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
+from linkwright.graph.rows import Determinant, reaches
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.choice import choose
 from linkwright.model.mechanism import Mechanism
@@ -133,8 +134,8 @@ class _Measuring:
     def __init__(self, sheet: Sheet, task: Task, poses: int) -> None:
         self.sheet, self.task = sheet, task
         graph, structure, point = sheet.compiled.graph, sheet.compiled.structure, sheet.point
-        self.closed = [f"reach:{group.label}" for group in structure.groups if group.modes > 1]
-        determinants = [f"determinant:{group.label}" for group in structure.groups]
+        self.closed = reaches(structure)
+        determinants = [Determinant(group.label) for group in structure.groups]
         program = graph.program([*(f"{point}.{row}" for row in ("x", "y", "vx", "vy")), *self.closed, *determinants])
         self.engine = KERNELS[choose(program, 2 * poses, os.cpu_count() or 1).kernel](program)
         self.rows = [graph.drives.index(drive) * graph.width for drive in sheet.drives]

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.graph.rows import Determinant, Named, reaches, spans
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.registry import Kernel
 
@@ -64,12 +65,10 @@ class Sheet:
         self.compiled, self.point, self.drives, self.branches = compiled, point, drives, tuple(branches)
         self.parameters = compiled.parameters if parameters is None else parameters
         graph, structure = compiled.graph, compiled.structure
-        labels = [group.label for group in structure.groups if group.modes > 1]
-        self._closed = [f"reach:{label}" for label in labels]
-        self._rows = [f"{point}.{name}" for name in ("x", "y", "vx", "vy")]
-        spans = [f"span:{group.label}" for group in structure.groups if group.has_span]
-        self._rows += [*self._closed, *(f"determinant:{label}" for label in labels), *spans]
-        self._scale = graph.size ** len(spans)
+        self._closed, apart = reaches(structure), spans(structure)
+        self._rows: list[Named] = [f"{point}.{name}" for name in ("x", "y", "vx", "vy")]
+        self._rows += [*self._closed, *(Determinant(group.label) for group in graph.branched), *apart]
+        self._scale = graph.size ** len(apart)
         self._inputs = [graph.drives.index(drive) * graph.width for drive in drives]
         self._engines: dict[bool, Kernel] = {}
         self.kernel = kernel

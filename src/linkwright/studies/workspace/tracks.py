@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.graph.rows import Determinant
 from linkwright.kernels import KERNELS
 from linkwright.results.stationary import bracketed
 from linkwright.studies.workspace.mesh import Box
@@ -63,9 +64,9 @@ class Mover:
     def __init__(self, sheet: Sheet) -> None:
         self.sheet = sheet
         graph = sheet.compiled.graph
-        labels = [group.label for group in sheet.compiled.structure.groups if group.modes > 1]
+        closures = [Determinant(group.label) for group in graph.branched]
         rows = [f"{sheet.point}.{name}" for name in ("x", "y", "vx", "vy", "ax", "ay")]
-        self._engine = KERNELS[sheet.kernel](graph.program([*rows, *(f"determinant:{label}" for label in labels)]))
+        self._engine = KERNELS[sheet.kernel](graph.program([*rows, *closures]))
         self.rows = [graph.drives.index(drive) * graph.width for drive in sheet.drives]
 
     def look(self, q: Array, rates: Array) -> Rates:

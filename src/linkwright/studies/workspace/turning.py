@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.graph.rows import Determinant, Radicand
 from linkwright.kernels import KERNELS
 from linkwright.model.quantities import Quantities
 from linkwright.results.stationary import bracketed
@@ -90,8 +91,8 @@ class _Margin:
         self.sheet, self.k, self.low, self.high = sheet, k, box.low[k], box.high[k]
         self.rate = graph.drives.index(sheet.drives[k]) * graph.width + 1
         self.size = graph.size
-        rooms = [f"room:{group.label}" for group in groups if group.modes > 1]
-        slides = [f"determinant:{group.label}" for group in groups if group.modes == 1]
+        rooms = [Radicand(group.label) for group in groups if group.modes > 1]
+        slides = [Determinant(group.label) for group in groups if group.modes == 1]
         self.rooms, self.count = len(rooms), len(rooms) + len(slides)
         self.mode: dict[str, int] = {}
         if self.count:

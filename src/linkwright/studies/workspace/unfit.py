@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.findings import Finding
+from linkwright.graph.rows import Determinant
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.varied import Varied
 from linkwright.studies.workspace.mesh import SMALL, Box, found_pits
@@ -52,10 +53,10 @@ def unfit(compiled: Compiled, options: WorkspaceOptions, path: tuple[str, ...]) 
 
 def _parallel(sheet: Sheet, q: Array) -> Array | None:
     """Drive values (2,) near which the guides of a group become parallel, so that its links run away."""
-    labels = [group.label for group in sheet.compiled.structure.groups if group.modes == 1]
-    if not labels:
+    slides = [Determinant(group.label) for group in sheet.compiled.structure.groups if group.modes == 1]
+    if not slides:
         return None
-    program = sheet.compiled.graph.program([f"determinant:{label}" for label in labels])
+    program = sheet.compiled.graph.program(slides)
     with np.errstate(all="ignore"):
         rows = KERNELS[sheet.kernel](program).run(sheet.inputs(q.reshape(2, -1)), sheet.parameters)
     for row in rows[np.isfinite(rows).any(axis=1)]:

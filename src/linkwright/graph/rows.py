@@ -1,0 +1,270 @@
+"""The output rows of programs: signals, and what only kernels, proofs and studies need besides.
+
+A row says itself what it is called, which order of derivatives it needs and what its expression is. Callers hand in
+rows, or the texts of signals, which :meth:`linkwright.graph.graph.Graph.signal` reads.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from linkwright.graph.actions import active, load_values
+from linkwright.graph.forces import lever, unit_efforts
+from linkwright.graph.geometry import ZERO
+from linkwright.graph.orders import ORDERS
+from linkwright.graph.springs import raw_angle
+from linkwright.model.signals import Signal
+from linkwright.notation import Body, Scalar
+from linkwright.structure import Structure
+
+if TYPE_CHECKING:
+    from linkwright.graph.graph import Graph
+    from linkwright.graph.view import View
+
+
+@dataclass(frozen=True)
+class Row(ABC):
+    """One output row of a program; ``called`` is its label, with its fields in braces."""
+
+    called: ClassVar[str]
+
+    @property
+    def label(self) -> str:
+        """What it is called among a program's outputs; no two rows of a mechanism share it."""
+        return self.called.format(**vars(self))
+
+    def order(self, graph: Graph) -> int:
+        """The order of derivatives that it needs."""
+        return 0
+
+    @abstractmethod
+    def expression(self, view: View) -> Scalar:
+        """Its expression, in SI."""
+
+
+Named = str | Row
+"""A row, or the text of a signal."""
+
+
+@dataclass(frozen=True)
+class SignalRow(Row):
+    """A signal."""
+
+    signal: Signal
+    called = "{signal.text}"
+
+    def order(self, graph: Graph) -> int:
+        return ORDERS[self.signal.kind](graph, self.signal)
+
+    def expression(self, view: View) -> Scalar:
+        return view.signal(self.signal)
+
+
+# Groups and clusters, each by its label.
+
+
+@dataclass(frozen=True)
+class GroupRow(Row):
+    """Something of a group."""
+
+    group: str
+
+
+@dataclass(frozen=True)
+class Reach(GroupRow):
+    """A dyad's reach: what stands under its root over the square of its size, 0 where its two modes meet, negative
+    where it can't be assembled; 1 where there is no root to take."""
+
+    called = "reach:{group}"
+
+    def expression(self, view: View) -> Scalar:
+        return view.motion.dyad(self.group)[1].reach
+
+
+@dataclass(frozen=True)
+class Span(GroupRow):
+    """The distance (m) whose vanishing makes a dyad's pose vague (:meth:`Dyad.span`), 1 where there is none."""
+
+    called = "span:{group}"
+
+    def expression(self, view: View) -> Scalar:
+        span = view.motion.dyad(self.group)[0].span()
+        return 1.0 if span is None else span
+
+
+@dataclass(frozen=True)
+class Radicand(GroupRow):
+    """What stands under a dyad's root (m^2), where it has one; 1 elsewhere."""
+
+    called = "room:{group}"
+
+    def expression(self, view: View) -> Scalar:
+        room = view.motion.dyad(self.group)[0].room()
+        return 1.0 if room is None else room
+
+
+@dataclass(frozen=True)
+class Determinant(GroupRow):
+    """The normalised determinant of a group or cluster: 0 singular, 1 best."""
+
+    called = "determinant:{group}"
+
+    def expression(self, view: View) -> Scalar:
+        return view.motion.determinant(self.group)
+
+
+@dataclass(frozen=True)
+class ClusterRow(GroupRow):
+    """The entry ``index`` of something of a cluster."""
+
+    index: int
+
+
+@dataclass(frozen=True)
+class Gap(ClusterRow):
+    """What one of a cluster's closures misses."""
+
+    called = "gap:{group}:{index}"
+
+    def expression(self, view: View) -> Scalar:
+        return view.motion.cluster(self.group).gaps[self.index]
+
+
+@dataclass(frozen=True)
+class Slope(ClusterRow):
+    """The derivative of a cluster's closure by one of its coordinates, numbered row by row."""
+
+    called = "slope:{group}:{index}"
+
+    def expression(self, view: View) -> Scalar:
+        slopes = view.motion.cluster(self.group).slopes
+        closure, coordinate = divmod(self.index, len(slopes))
+        return slopes[closure][coordinate]
+
+
+@dataclass(frozen=True)
+class CoordinateRate(ClusterRow):
+    """The rate in time of one of a cluster's coordinates."""
+
+    called = "rate:{group}:{index}"
+
+    def order(self, graph: Graph) -> int:
+        return 1
+
+    def expression(self, view: View) -> Scalar:
+        return view.motion.cluster(self.group).rates[self.index][0]
+
+
+def reaches(structure: Structure) -> list[Reach]:
+    """The reaches of all groups with two modes."""
+    return [Reach(group.label) for group in structure.groups if group.modes > 1]
+
+
+def spans(structure: Structure) -> list[Span]:
+    """The spans of all groups that have one."""
+    return [Span(group.label) for group in structure.groups if group.has_span]
+
+
+def determinants(structure: Structure) -> list[Determinant]:
+    """The determinants of all groups, then of all clusters."""
+    labels = [*(group.label for group in structure.groups), *(cluster.label for cluster in structure.clusters)]
+    return [Determinant(label) for label in labels]
+
+
+# Links and drives.
+
+_PARTS: dict[str, Callable[[Body], Scalar]] = {
+    "x": lambda body: body.point(ZERO).now.x,
+    "y": lambda body: body.point(ZERO).now.y,
+    "cos": lambda body: body.axis.x.d[0],
+    "sin": lambda body: body.axis.y.d[0],
+}
+
+
+@dataclass(frozen=True)
+class BodyPlace(Row):
+    """``x`` or ``y`` of a link's origin (m), or the ``cos`` or ``sin`` of its angle."""
+
+    link: str
+    part: str
+    called = "{link}:{part}"
+
+    def expression(self, view: View) -> Scalar:
+        return _PARTS[self.part](view.motion.bodies[self.link])
+
+    @classmethod
+    def all(cls, link: str) -> list[BodyPlace]:
+        """The rows of a link's pose: x, y, cos, sin."""
+        return [cls(link, part) for part in _PARTS]
+
+
+@dataclass(frozen=True)
+class OutputLever(Row):
+    """The determinant of the drives' rates over those of their outputs, to its sign: zero where the drives can't move
+    them."""
+
+    called = "drives over outputs:"
+
+    def expression(self, view: View) -> Scalar:
+        return lever(view.motion, unit_efforts(view.motion)).determinant()
+
+
+@dataclass(frozen=True)
+class RawAngle(Row):
+    """The angle (rad) of a link, drive or torsional spring without whole turns."""
+
+    owner: str
+    called = "raw/{owner}"
+
+    def expression(self, view: View) -> Scalar:
+        mechanism = view.graph.quantities.mechanism
+        if (spring := mechanism.springs.get(self.owner)) is not None:
+            return raw_angle(view, str(spring.turns)) - raw_angle(view, str(spring.on))
+        return view.own(self.owner, 0, whole=False) if self.owner in mechanism.movers else raw_angle(view, self.owner)
+
+
+# Loads.
+
+
+class ActionRow(Row):
+    """A row that needs the signals on which loads depend."""
+
+    def order(self, graph: Graph) -> int:
+        return graph.actions.order
+
+
+@dataclass(frozen=True)
+class LoadRow(ActionRow):
+    """The sum of a load's values: their signs and finiteness are looked at."""
+
+    name: str
+    called = "load/{name}"
+
+    def expression(self, view: View) -> Scalar:
+        force, torque = load_values(view, view.graph.quantities.mechanism.loads[self.name])
+        return force.x + force.y + torque
+
+
+@dataclass(frozen=True)
+class WindowRow(ActionRow):
+    """1 inside a window, 0 outside."""
+
+    name: str
+    called = "window/{name}"
+
+    def expression(self, view: View) -> Scalar:
+        return active(view, self.name)
+
+
+@dataclass(frozen=True)
+class TableArgument(ActionRow):
+    """What a table is asked for, by the number of the lookup (:attr:`linkwright.graph.actions.Actions.lookups`)."""
+
+    index: int
+    called = "argument/{index}"
+
+    def expression(self, view: View) -> Scalar:
+        return view.evaluate(view.graph.actions.lookups[self.index].argument)
