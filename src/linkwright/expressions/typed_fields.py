@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
-from typing import Any
+from typing import Any, NamedTuple
 
 from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.units import Dimension
@@ -50,8 +50,7 @@ class Ends(Enum):
     ORDERED = "low <= high"
 
 
-@dataclass(frozen=True)
-class Context:
+class Context(NamedTuple):
     """Where a field stands: in which mechanism, at which path of the file, within which entries, outermost first."""
 
     mechanism: Any  # linkwright.model.mechanism.Mechanism, which is made of such fields
@@ -127,11 +126,21 @@ def of_parameter(place: int) -> Quantity:
 
 @dataclass(frozen=True)
 class Ref:
-    """That a text names an element of a ``kind`` ("link", "window", ...); ``of`` is the entry's key for the link on
-    which a point lies."""
+    """That a text names an element of a ``kind`` ("link", "window", ...).
+
+    ``of`` is the entry's attribute for the link on which a point lies, or for the two links of two points; or a
+    function that tells the link. Without one, or where it gives ``None``, the point may lie on any link.
+    """
 
     kind: str
-    of: str | None = None
+    of: str | Callable[[Context], str | None] | None = None
+
+    def link_at(self, context: Context) -> str | None:
+        """The link on which a point that stands at a place must lie."""
+        if self.of is None or callable(self.of):
+            return self.of and self.of(context)
+        links: str | tuple[str, ...] | None = getattr(context.entry, self.of)
+        return links[int(context.path[-1])] if isinstance(links, tuple) else links
 
 
 @dataclass(frozen=True)
