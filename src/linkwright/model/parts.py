@@ -39,6 +39,9 @@ freeze = AfterValidator(FrozenDict)
 Vector = Annotated[Two, BeforeValidator(pair("vector"))]
 Interval = Annotated[Two, BeforeValidator(pair("interval"))]
 LinkName = Annotated[Name, Ref("link")]
+PointName = Annotated[Name, Ref("point")]
+DriveName = Annotated[Name, Ref("drive")]
+ParameterName = Annotated[Name, Ref("parameter")]
 TwoLinks = Annotated[tuple[LinkName, LinkName], BeforeValidator(pair("two-links"))]
 TwoPoints = Annotated[tuple[Name, Name], BeforeValidator(pair("two-points"))]
 TwoLines = Annotated[tuple[LineOn, LineOn], BeforeValidator(pair("two-lines"))]
@@ -255,8 +258,8 @@ class CylinderPart(Frozen):
 class Cylinder(Frozen):
     """A cylinder or linear actuator between two points: barrel, rod and their slide, whose value is the distance."""
 
-    from_: Annotated[Name, Ref("point")] = Field(alias="from", description="the point at which the barrel is pinned")
-    to: Annotated[Name, Ref("point")] = Field(description="the point at which the rod is pinned")
+    from_: PointName = Field(alias="from", description="the point at which the barrel is pinned")
+    to: PointName = Field(description="the point at which the rod is pinned")
     length: Annotated[Interval | None, PART_LENGTH] = Field(
         None, description="[shortest, longest] distance of the two pins; a run beyond is a finding"
     )

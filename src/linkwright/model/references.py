@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, NamedTuple
 
+from pydantic import BaseModel
+
+from linkwright.expressions.typed_fields import Context, Path
 from linkwright.expressions.unknown import near, unknown
 from linkwright.findings import Finding
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.pins import homes, shared_pins
-from linkwright.model.walk import Reference
+from linkwright.model.walk import Reference, references
 
 
 class Kind(NamedTuple):
@@ -29,6 +32,7 @@ def _slides(m: Mechanism) -> list[str]:
 
 KINDS: Mapping[str, Kind] = {
     "link": Kind(lambda m: m.links, "links", "link"),
+    "moving": Kind(lambda m: [link for link in m.links if link != FRAME], "links", "link"),
     "point": Kind(lambda m: [*homes(m), *shared_pins(m)], "links", "point"),
     "pivot": Kind(lambda m: [*homes(m), *(n for n, joint in m.joints.items() if joint.revolute)], "links", "point"),
     "slide": Kind(_slides, "joints", "slide"),
@@ -37,6 +41,7 @@ KINDS: Mapping[str, Kind] = {
         lambda m: [*_slides(m), *(link for link in m.links if link != FRAME)], "joints", code="drive.output"
     ),
     "drive": Kind(lambda m: m.drives, "drives", "drive"),
+    "motor": Kind(lambda m: [drive for drive in m.drives if drive not in m.cams], "drives", "drive"),
     "law": Kind(lambda m: m.laws, "laws", "law"),
     "cam": Kind(lambda m: m.cams, "cams", "cam"),
     "window": Kind(lambda m: m.windows, "windows", "window"),
@@ -44,6 +49,11 @@ KINDS: Mapping[str, Kind] = {
     "parameter": Kind(lambda m: m.parameters, "parameters", code="name.unknown-parameter"),
 }
 """The kinds by name."""
+
+
+def option_faults(mechanism: Mechanism, options: BaseModel, path: Path) -> list[Finding]:
+    """The names among the options of a study or an export, at their ``path``, that no element has."""
+    return reference_faults(references(options, Context(mechanism, path)))
 
 
 def reference_faults(found: Iterable[Reference]) -> list[Finding]:

@@ -10,14 +10,12 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.typed_fields import of_parameter
-from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.varied import Varied
-from linkwright.model.parts import freeze
+from linkwright.model.parts import ParameterName, freeze
 from linkwright.studies.asked import Sampling, check_outputs, check_span, one_of
 from linkwright.studies.distributions import Spread, Vary
 from linkwright.studies.numbers import constant
@@ -37,7 +35,7 @@ class SweepOptions(Sampling):
 
     study = "sweep"
 
-    vary: Annotated[dict[NameField, Vary], of_parameter(3), freeze] = Field(
+    vary: Annotated[dict[ParameterName, Vary], of_parameter(3), freeze] = Field(
         min_length=1, max_length=1000, description="what each varied parameter takes: steps, a list, a distribution"
     )
     plan: PlanName | None = Field(  # type: ignore[valid-type]
@@ -72,7 +70,7 @@ def check(compiled: Compiled, options: SweepOptions) -> Iterator[Finding]:
     """What is wrong with options that are well-formed."""
     varied = list(_varied(compiled, options))
     yield from varied
-    if not varied:
+    if not varied and options.vary.keys() <= compiled.quantities.parameters.keys():
         yield from _size(compiled, options)
         try:
             Varied(compiled, tuple(options.vary))
@@ -87,8 +85,6 @@ def _varied(compiled: Compiled, options: SweepOptions) -> Iterator[Finding]:
     for name, entry in options.vary.items():
         path = (*PATH, "vary", name)
         if name not in quantities.parameters:
-            data = {"name": name, "near": near(name, [*quantities.parameters])}
-            yield Finding("name.unknown-parameter", path, data)
             continue
         dimension, numbers, wrong = quantities.dimensions.of(name), list[float](), list[Finding]()
         for place, part in entry.parts():
