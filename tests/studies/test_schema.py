@@ -10,6 +10,10 @@ from typing import Any
 import pytest
 
 from linkwright.exports.schema import file_schema
+from linkwright.expressions.dimensions import DimensionError, Dimensions
+from linkwright.expressions.field_schema import QUANTITIES
+from linkwright.expressions.language import Node, parse
+from linkwright.expressions.units import PURE, Dimension
 from linkwright.model.yaml_text import read_text
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.yaml"))
@@ -47,3 +51,32 @@ def test_the_examples_are_valid(path: Path, validator: Any) -> None:
 def test_mistakes_are_marked(key: str, value: Any, validator: Any) -> None:
     data = read_text(EXAMPLES[0].read_bytes()).data
     assert list(validator.iter_errors({**data, key: value}))
+
+
+def test_fields_say_their_quantity_with_an_example_and_where_names_stand() -> None:
+    schema = file_schema()
+    drive = schema["$defs"]["Drive"]["properties"]
+    assert (drive["speed"]["x-quantity"], drive["speed"]["examples"]) == (
+        "angular speed or speed",
+        ["60 rpm", "400 mm/s"],
+    )
+    assert drive["on"]["x-names"] == "links"
+    assert schema["properties"]["require"]["propertyNames"] == {"x-names": "measures"}
+    limits = schema["properties"]["studies"]["properties"]["limits"]["properties"]
+    assert limits["ranges"]["propertyNames"] == {"x-names": "drives"}
+
+
+@pytest.mark.parametrize("dimension", QUANTITIES, ids=str)
+def test_the_example_of_a_quantity_is_one(dimension: Dimension) -> None:
+    dimensions = Dimensions({}, {}, lambda node: PURE)
+    node = parse(QUANTITIES[dimension][1])
+    assert dimensions.bind(node, dimension) is not None
+    assert [other for other in QUANTITIES if other.physical != dimension.physical and _fits(node, other)] == []
+
+
+def _fits(node: Node, dimension: Dimension) -> bool:
+    try:
+        Dimensions({}, {}, lambda node: PURE).bind(node, dimension)
+    except DimensionError:
+        return False
+    return True

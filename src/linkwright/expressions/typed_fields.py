@@ -16,7 +16,11 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import Any, NamedTuple
 
+from pydantic import GetJsonSchemaHandler
+from pydantic_core import CoreSchema
+
 from linkwright.expressions.dimensions import Wanted
+from linkwright.expressions.field_schema import with_kind, with_quantity
 from linkwright.expressions.units import Dimension
 from linkwright.expressions.written import FrozenDict
 
@@ -87,6 +91,12 @@ class Quantity:
     scope: Scope = Scope.CONSTANT
     names: Mapping[str, Dimension] | Callable[[Context], Mapping[str, Dimension]] = field(default_factory=FrozenDict)
     ends: Ends = Ends.ANY
+    choices: tuple[Dimension, ...] = ()
+    """The dimensions that it may turn out to have, where that depends on where it stands."""
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        known = (self.dimension,) if isinstance(self.dimension, Dimension) else self.choices
+        return with_quantity(handler(schema), known)
 
     def dimension_at(self, context: Context) -> Wanted | None:
         """The dimension wanted at a place."""
@@ -116,7 +126,7 @@ def of_drive(
             return None
         return turning if c.mechanism.prescribed(name).turns else sliding
 
-    return Quantity(dimension, scope=scope)
+    return Quantity(dimension, scope=scope, choices=(turning, sliding))
 
 
 def of_parameter(place: int) -> Quantity:
@@ -134,6 +144,9 @@ class Ref:
 
     kind: str
     of: str | Callable[[Context], str | None] | None = None
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        return with_kind(handler(schema), self.kind)
 
     def link_at(self, context: Context) -> str | None:
         """The link on which a point that stands at a place must lie."""

@@ -16,9 +16,9 @@ from linkwright.model.walk import Reference, references
 
 
 class Kind(NamedTuple):
-    """The elements that a :class:`~linkwright.expressions.typed_fields.Ref` may name, by the ``section`` of the file
-    that has most of them; a finding on another name speaks of them as ``called``, or is one with a ``code`` of its
-    own."""
+    """The elements that a :class:`~linkwright.expressions.typed_fields.Ref` may name: those that are ``known`` in a
+    mechanism, and the ``section`` of the file where they mostly stand. A finding on another name says that it is none
+    of what is ``called`` so, or has a ``code`` of its own."""
 
     known: Callable[[Mechanism], Iterable[str]]
     section: str
@@ -33,8 +33,10 @@ def _slides(m: Mechanism) -> list[str]:
 KINDS: Mapping[str, Kind] = {
     "link": Kind(lambda m: m.links, "links", "link"),
     "moving": Kind(lambda m: [link for link in m.links if link != FRAME], "links", "link"),
-    "point": Kind(lambda m: [*homes(m), *shared_pins(m)], "links", "point"),
-    "pivot": Kind(lambda m: [*homes(m), *(n for n, joint in m.joints.items() if joint.revolute)], "links", "point"),
+    "point": Kind(lambda m: [*homes(m), *shared_pins(m)], "links.points", "point"),
+    "pivot": Kind(
+        lambda m: [*homes(m), *(n for n, joint in m.joints.items() if joint.revolute)], "links.points", "point"
+    ),
     "slide": Kind(_slides, "joints", "slide"),
     "extended": Kind(lambda m: [*_slides(m), *m.cylinders], "cylinders", "slide"),
     "output": Kind(
