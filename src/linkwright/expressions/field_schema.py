@@ -10,6 +10,11 @@ from linkwright.expressions.units import Dimension
 
 Schema = dict[str, Any]
 
+# Editors match patterns as ECMAScript does, where \w knows ASCII only: say what a name doesn't hold.
+_NO_WORD = r"\s.,:;+*/^()\[\]{}'\"<>=!?|&%@`#-"
+NAME = {"type": "string", "pattern": f"^[^0-9{_NO_WORD}][^{_NO_WORD}]*$"}
+"""A name."""
+
 QUANTITIES: dict[Dimension, tuple[str, str]] = {
     u.PURE: ("number", "1.5"),
     u.LENGTH: ("length", "120 mm"),
@@ -31,7 +36,7 @@ QUANTITIES: dict[Dimension, tuple[str, str]] = {
 }
 """The quantities by their dimensions, each with an example as a file has it."""
 
-_WITHIN = ("anyOf", "prefixItems")
+_WITHIN = ("anyOf", "oneOf", "prefixItems")
 
 
 def with_quantity(schema: Schema, dimensions: Iterable[Dimension]) -> Schema:
@@ -42,8 +47,8 @@ def with_quantity(schema: Schema, dimensions: Iterable[Dimension]) -> Schema:
 
 
 def with_kind(schema: Schema, kind: str) -> Schema:
-    """A field's schema whose texts say which kind of element they name."""
-    return _noted(schema, lambda leaf: leaf.get("type") == "string", {"x-names": kind})
+    """A field's schema whose names say which kind of element they name."""
+    return _noted(schema, lambda leaf: leaf.get("pattern") == NAME["pattern"], {"x-names": kind})
 
 
 def _noted(schema: Schema, meant: Callable[[Schema], bool], said: Schema) -> Schema:

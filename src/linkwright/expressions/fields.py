@@ -8,6 +8,7 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, WithJsonSchema
 
+from linkwright.expressions.field_schema import NAME
 from linkwright.expressions.language import ExpressionError, Node, Number, parse
 from linkwright.expressions.parser import reads
 from linkwright.expressions.respelled import syntax_fault
@@ -51,13 +52,7 @@ __all__ = [
     "parse_text",
 ]
 
-# Editors match patterns as ECMAScript does, where \w knows ASCII only: say what a name doesn't hold.
-_NO_WORD = r"\s.,:;+*/^()\[\]{}'\"<>=!?|&%@`#-"
-Name = Annotated[
-    str,
-    BeforeValidator(check_name),
-    WithJsonSchema({"type": "string", "pattern": f"^[^0-9{_NO_WORD}][^{_NO_WORD}]*$"}),
-]
+Name = Annotated[str, BeforeValidator(check_name), WithJsonSchema(NAME)]
 
 _NOT_NUMBERS = frozenset({"nan", "inf", "infinity", ".nan", ".inf"})
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from functools import cache, partial
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Union, get_args, get_origin
 
-from pydantic import BaseModel
+from pydantic import BaseModel, RootModel
 
 from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.fields import Expression, FrozenDict, Written
@@ -147,7 +147,8 @@ def _entry(entry: BaseModel, at: Context, of: Quantity | None, found: list[Found
     for key in keys or fields:
         name, spec = fields[key]
         if (value := getattr(entry, name)) is not None:
-            main = isinstance(entry, Shortened) and key == entry.main  # in a file mostly without its key
+            # In a file mostly, or always, without its key.
+            main = isinstance(entry, RootModel) or (isinstance(entry, Shortened) and key == entry.main)
             _walk(value, inside if main else inside.at(key), spec, of, None, found)
 
 

@@ -16,6 +16,7 @@ from linkwright.kernels import Compiled
 from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.varied import Varied
 from linkwright.model.parts import ParameterName, freeze
+from linkwright.model.references import option_faults
 from linkwright.studies.asked import Sampling, check_outputs, check_span, one_of
 from linkwright.studies.distributions import Spread, Vary
 from linkwright.studies.numbers import constant
@@ -68,9 +69,9 @@ class SweepOptions(Sampling):
 
 def check(compiled: Compiled, options: SweepOptions) -> Iterator[Finding]:
     """What is wrong with options that are well-formed."""
-    varied = list(_varied(compiled, options))
-    yield from varied
-    if not varied and options.vary.keys() <= compiled.quantities.parameters.keys():
+    wrong = [*option_faults(compiled.mechanism, options, PATH), *_varied(compiled, options)]
+    yield from wrong
+    if not wrong:
         yield from _size(compiled, options)
         try:
             Varied(compiled, tuple(options.vary))

@@ -18,6 +18,7 @@ from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
 from linkwright.model.followers import no_cams
 from linkwright.model.parts import DriveName, Interval, ParameterName, PointName, freeze
+from linkwright.model.references import option_faults
 from linkwright.structure import FRAME
 from linkwright.studies.asked import one_of
 from linkwright.studies.numbers import constant, interval
@@ -133,13 +134,15 @@ def check(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
         clusters = compiled.structure.clusters
         data = {"groups": "; ".join(c.label for c in clusters)}
         yield Finding("workspace.cluster", ("links", clusters[0].links[0]), data)
+    unnamed = option_faults(compiled.mechanism, options, PATH)
+    yield from unnamed
     yield from _point(compiled, options.point)
     for _, section in sections(options):
         yield from section.check(compiled, options)
     wrong = [*_values(compiled, options)]
     yield from wrong
     yield from _drives(compiled, options)
-    if not wrong and options.for_.keys() <= compiled.quantities.parameters.keys():
+    if not wrong and not unnamed:
         count = math.prod(map(len, options.for_.values())) * len(combinations(compiled, options.modes))
         if count > MOST:
             yield Finding("workspace.too-many", PATH, {"count": count, "limit": MOST})
