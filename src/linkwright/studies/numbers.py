@@ -39,7 +39,8 @@ def interval(
     """The two ends of an interval (SI), or what is wrong with them; the first must be the lower one."""
     (low, found), (high, more) = (constant(quantities, end, dimension, path) for end in ends)
     if low is None or high is None:
-        return None, found or more
+        told = {one.code for one in found}
+        return None, [*found, *(one for one in more if one.code not in told)]
     if low < high:
         return (low, high), []
     return None, [Finding("value.not-rising", path, {"low": ends[0].text[:40], "high": ends[1].text[:40]})]
