@@ -64,12 +64,12 @@ def test_the_examples_are_sound(name: str) -> None:
         (
             {"joints": {"rail": {"prismatic": ["frame", "guid"], "line": ["A at 0", "A at 0"]}}},
             "name.unknown",
-            "joints.rail",
+            "joints.rail.prismatic.1",
         ),
         (
             {"joints": {"rail": {"prismatic": ["frame", "rocker"], "line": ["D at 0", "Q at 0"]}}},
             "name.unknown-point",
-            "joints.rail",
+            "joints.rail.line.1",
         ),
         (
             {"joints": {"rail": {"prismatic": ["rocker", "rocker"], "line": ["D at 0", "C at 0"]}}},
@@ -79,7 +79,7 @@ def test_the_examples_are_sound(name: str) -> None:
         ({"joints": {"J": {"revolute": ["crank", "rocker"], "at": ["B", "C"]}}}, "joint.pin-twice", "joints.J"),
         ({"joints": {"D": {"revolute": ["crank", "coupler"], "at": ["B", "B"]}}}, "name.taken", "joints.D"),
         # Drives.
-        ({"drives": {"m": {**DRIVE, "turns": "crnk"}}}, "name.unknown", "drives.m"),
+        ({"drives": {"m": {**DRIVE, "turns": "crnk"}}}, "name.unknown", "drives.m.turns"),
         ({"drives": {"m": {**DRIVE, "on": "crank"}}}, "joint.same-link", "drives.m"),
         ({"drives": {"m": DRIVE, "n": {**DRIVE, "turns": "frame", "on": "crank"}}}, "drive.twice", "drives.n"),
         (
@@ -113,7 +113,8 @@ def test_the_examples_are_sound(name: str) -> None:
         ),
         # Springs and counterweights.
         ({"springs": {"s": {**PULL, "to": "Q"}}}, "name.unknown", "springs.s.to"),
-        ({"springs": {"s": {**PULL, "in": ["frame", "rokker"]}}}, "name.unknown", "springs.s.in"),
+        ({"springs": {"s": {**PULL, "in": ["frame", "rokker"]}}}, "name.unknown", "springs.s.in.1"),
+        ({"drives": {"m": {**DRIVE, "output": "frame"}}}, "drive.output", "drives.m.output"),
         ({"springs": {"s": {**PULL, "in": ["frame", "crank"]}}}, "name.unknown-point", "springs.s.to"),
         ({"springs": {"s": {**PULL, "to": "D"}}}, "spring.same-link", "springs.s"),
         ({"springs": {"s": {**TWIST, "on": "crank"}}}, "spring.same-link", "springs.s"),
@@ -187,6 +188,7 @@ def test_the_examples_are_sound(name: str) -> None:
             "measures.m.where",
         ),
         ({"require": {"m": ">= 3"}}, "name.unknown", "require.m"),
+        ({"require": {"m": "2 .. 3"}}, "name.unknown", "require.m"),
         ({"measures": {"m": {"max": "B.x"}}, "require": {"m": ">= 3 kg"}}, "expression.units-conflict", "require.m"),
         ({"measures": {"m": {"max": "B.x"}}, "require": {"m": ">= B.y"}}, "expression.not-constant", "require.m"),
         ({"measures": {"m": {"max": "B.x"}}, "require": {"m": "3 .. 2"}}, "value.not-rising", "require.m"),
@@ -224,9 +226,9 @@ def test_unknown_names_come_with_the_likeliest_ones() -> None:
     assert [(f.line, f.element, f.data["name"], f.data["near"].likely[0]) for f in findings(text)] == [
         (7, "links.frame.points.D", "ADD", "AD"),
         (8, "links.crank.shape", "BB", "B"),
-        (14, "joints.rail", "giude", "guide"),
+        (14, "joints.rail.prismatic.1", "giude", "guide"),
         (16, "assembly.C", "DD", "D"),
-        (18, "drives.motor", "cranck", "crank"),
+        (18, "drives.motor.turns", "cranck", "crank"),
         (21, "measures.stroke.span", "EE", "E"),
         (24, "measures.feed_speed_max.window", "fed", "feed"),
     ]

@@ -13,13 +13,14 @@ from linkwright import compilation, gallery
 from linkwright.app.manifest import State
 from linkwright.app.results_folder import ResultsFolder, outdate
 from linkwright.escape import json_text, line
-from linkwright.exports import Order, read_exports
+from linkwright.exports import Order, Target, read_exports
 from linkwright.expressions.unknown import likeliest, proposed
 from linkwright.findings import Finding, ModelError, Term, raise_errors
 from linkwright.kernels import Compiled
 from linkwright.model.document import Document, dump, located, read_document
 from linkwright.model.input_files import read_at_most, reason
 from linkwright.model.origin import Origin, hashed, table_hashes
+from linkwright.model.references import option_faults
 from linkwright.model.spelled import home
 from linkwright.model.walk import Options, option_places
 from linkwright.model.yaml_text import MAX_BYTES, Source
@@ -34,6 +35,7 @@ from linkwright.studies import (
     ModesOutcome,
     Site,
     Stopped,
+    Study,
     SweepOutcome,
     Task,
     read_studies,
@@ -180,8 +182,13 @@ def _checked(compiled: Compiled | None, tasks: list[Task], orders: list[Order]) 
     """What is wrong with the options of studies and exports."""
     if compiled is None:
         return []
-    checked = [finding for task in tasks for finding in task.study.check(compiled, task.options)]
-    return checked + [finding for order in orders for finding in order.target.check(compiled, order.options)]
+    asked: list[tuple[str, Study | Target, Any]] = [("studies", task.study, task.options) for task in tasks]
+    asked += [("exports", order.target, order.options) for order in orders]
+    checked = []
+    for section, owner, options in asked:
+        checked += option_faults(compiled.mechanism, options, (section, owner.name))
+        checked += owner.check(compiled, options)
+    return checked
 
 
 @dataclass

@@ -48,7 +48,7 @@ def desugar(mechanism: Mechanism) -> Spelled:
 def check(spelled: Spelled, driven: bool = True) -> list[Finding]:
     """What is wrong with names and references. One that needn't be ``driven`` needs no drive."""
     missing = "model.no-drive" if spelled.findings or not driven else ""  # a drive with a fault is one
-    found = [*spelled.findings, *(f for f in check_names(spelled.mechanism) if f.code != missing)]
+    found = [*spelled.findings, *(f for f in check_names(spelled.mechanism, spelled.fields) if f.code != missing)]
     if [finding.code for finding in found] == ["model.no-drive"]:
         return _immobile(Topology(spelled.mechanism)) or found
     return found
@@ -64,7 +64,7 @@ def _immobile(topology: Topology) -> list[Finding]:
 def quantities(spelled: Spelled, uses: Uses, reported: Sequence[Finding]) -> tuple[Quantities, list[Finding]]:
     """The numbers in SI, and what is wrong with their dimensions besides what is ``reported``."""
     m = spelled.mechanism
-    made = Quantities(m, uses(m) if callable(uses) else uses)
+    made = Quantities(m, uses(m) if callable(uses) else uses, spelled.fields)
     return made, [finding for finding in made.findings if not _is_reported(finding, reported)]
 
 

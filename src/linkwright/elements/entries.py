@@ -20,7 +20,8 @@ GROUP = "linkwright.elements"
 
 
 class JointEntry(Frozen):
-    """Base of the entries of kinds beyond pins and slides. The key that is named after the kind has the links."""
+    """Base of the entries of kinds beyond pins and slides. The key that is named after the kind has the links. Which
+    of its texts name links and points say :class:`~linkwright.expressions.typed_fields.Ref` s, as for other entries."""
 
     kind: ClassVar[str]
     """The name of the kind."""

@@ -34,7 +34,7 @@ from linkwright.elements.joint import (
 )
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, LineOn, Name, Two, fault, pair
-from linkwright.expressions.typed_fields import Ends, Quantity, Sign
+from linkwright.expressions.typed_fields import Context, Ends, Quantity, Ref, Sign
 from linkwright.expressions.written import Fault, FaultWithin, unexpected
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec
 from linkwright.notation.jets import call
@@ -42,6 +42,14 @@ from linkwright.notation.planar import unit_vector
 
 MOST = 60
 """The most places that a curve may be given by."""
+
+
+def _of_slot(c: Context) -> str:
+    """The link that has the slot."""
+    return str(next(entry for entry in c.entries if isinstance(entry, PinInSlotEntry)).pin_in_slot[1])
+
+
+_IN_SLOT = Ref("point", of=_of_slot)
 
 
 def _places(raw: Any) -> Any:
@@ -55,7 +63,7 @@ def _places(raw: Any) -> Any:
 class Arc(Frozen):
     """A slot along a circle about a point of the link that has it."""
 
-    centre: Name = Field(description="the point of the slotted link about which the slot runs")
+    centre: Annotated[Name, _IN_SLOT] = Field(description="the point of the slotted link about which the slot runs")
     radius: Annotated[Expression, Quantity(u.LENGTH, Sign.POSITIVE, "slot-radius")] = Field(
         description="radius of the slot's centre line"
     )
@@ -67,7 +75,9 @@ class Arc(Frozen):
 class Curve(Frozen):
     """A slot through places over a line: natural cubic spline."""
 
-    along: LineOn = Field(description="the line of the slotted link over which the slot runs, e.g. C at 0 deg")
+    along: Annotated[LineOn, _IN_SLOT] = Field(
+        description="the line of the slotted link over which the slot runs, e.g. C at 0 deg"
+    )
     through: Annotated[
         tuple[Annotated[Two, BeforeValidator(pair("slot-place"))], ...],
         BeforeValidator(_places),
@@ -81,11 +91,15 @@ class PinInSlotEntry(JointEntry):
     kind: ClassVar[str] = "pin_in_slot"
     signals = {"s": u.LENGTH, "v": u.SPEED, "a": u.ACCELERATION, "j": u.JERK, "force": u.FORCE}
 
-    pin_in_slot: Annotated[tuple[Name, Name], BeforeValidator(pair("two-links"))] = Field(
-        description="the link with the pin, and the link with the slot"
+    pin_in_slot: Annotated[
+        tuple[Annotated[Name, Ref("link")], Annotated[Name, Ref("link")]], BeforeValidator(pair("two-links"))
+    ] = Field(description="the link with the pin, and the link with the slot")
+    pin: Annotated[Name, Ref("point", of=lambda c: c.entry.pin_in_slot[0])] = Field(
+        description="the point of the first link that is in the slot"
     )
-    pin: Name = Field(description="the point of the first link that is in the slot")
-    straight: LineOn | None = Field(None, description="a straight slot: a line of the second link, e.g. C at 0 deg")
+    straight: Annotated[LineOn | None, _IN_SLOT] = Field(
+        None, description="a straight slot: a line of the second link, e.g. C at 0 deg"
+    )
     arc: Arc | None = Field(None, description="a slot along a circular arc")
     curve: Curve | None = Field(None, description="a slot through places over a line")
     flank: Literal["both", "left", "right"] = Field(

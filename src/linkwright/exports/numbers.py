@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
+from linkwright.studies.numbers import constant
 
 
 def positive(
@@ -15,11 +15,9 @@ def positive(
     """The value (SI) of an option that must be positive, and what is wrong with it; else the ``default``."""
     if given is None:
         return default, []
-    path = ("exports", to, key)
-    try:
-        value = compiled.quantities.value(given, dimension)
-    except DimensionError as error:
-        return default, [Finding(error.key, path, error.data)]
+    value, found = constant(compiled.quantities, given, dimension, path := ("exports", to, key))
+    if value is None:
+        return default, found
     if not 0 < value < 1e12:
         return default, [Finding("export.options", path, {"export": to, "key": key, "reason": "must be positive"})]
     return value, []

@@ -5,9 +5,23 @@ from __future__ import annotations
 from typing import Any
 
 from linkwright.exports.registry import TARGETS
+from linkwright.model.references import KINDS
 from linkwright.studies.schema import studies_schema, with_section
 
 
 def file_schema() -> dict[str, Any]:
     """The schema that editors complete from."""
-    return with_section(studies_schema(), "exports", "what to write for other tools, by target", TARGETS)
+    schema = with_section(studies_schema(), "exports", "what to write for other tools, by target", TARGETS)
+    return dict(_with_sections(schema))
+
+
+def _with_sections(schema: Any) -> Any:
+    """The schema in which names say in which section of the file that stands which they name."""
+    if isinstance(schema, list):
+        return [_with_sections(part) for part in schema]
+    if not isinstance(schema, dict):
+        return schema
+    made = {key: _with_sections(part) for key, part in schema.items()}
+    if isinstance(kind := made.get("x-names"), str):
+        made["x-names"] = KINDS[kind].section
+    return made

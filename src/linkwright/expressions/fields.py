@@ -8,10 +8,11 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, WithJsonSchema
 
+from linkwright.expressions.field_schema import NAME
 from linkwright.expressions.language import ExpressionError, Node, Number, parse
 from linkwright.expressions.parser import reads
 from linkwright.expressions.respelled import syntax_fault
-from linkwright.expressions.typed_fields import Quantity, Sign
+from linkwright.expressions.typed_fields import Quantity, Ref, Sign
 from linkwright.expressions.units import ANGLE, LENGTH
 from linkwright.expressions.written import (
     Frozen,
@@ -51,13 +52,7 @@ __all__ = [
     "parse_text",
 ]
 
-# Editors match patterns as ECMAScript does, where \w knows ASCII only: say what a name doesn't hold.
-_NO_WORD = r"\s.,:;+*/^()\[\]{}'\"<>=!?|&%@`#-"
-Name = Annotated[
-    str,
-    BeforeValidator(check_name),
-    WithJsonSchema({"type": "string", "pattern": f"^[^0-9{_NO_WORD}][^{_NO_WORD}]*$"}),
-]
+Name = Annotated[str, BeforeValidator(check_name), WithJsonSchema(NAME)]
 
 _NOT_NUMBERS = frozenset({"nan", "inf", "infinity", ".nan", ".inf"})
 
@@ -68,6 +63,9 @@ LongText = Annotated[str, BeforeValidator(free_text), WithJsonSchema({"type": "s
 
 TypedParts = Iterable[tuple["Expression", Quantity | None]]
 """Expressions with what they are; ``None`` where the field says that."""
+
+Names = Iterable[tuple[str, Ref | None]]
+"""Names with what they are; ``None`` where the field says that."""
 
 _LENGTH, _ANGLE = Quantity(LENGTH), Quantity(ANGLE)
 
@@ -210,6 +208,9 @@ class LineOn(Written):
     def quantities(self) -> TypedParts:
         return ((self.angle, _ANGLE),)
 
+    def names(self) -> Names:
+        return ((self.point, None),)
+
 
 _TWO = r"\s+(?!of\b)(\w+)\s*(?:-|–|,|\s|\band\b|\bto\b)\s*(\w+)"
 """Two points in other spellings of A-B."""
@@ -242,6 +243,9 @@ class Shape(Written):
 
     def quantities(self) -> TypedParts:
         return ((self.radius, Quantity(LENGTH, Sign.POSITIVE, "radius")),) if self.radius else ()
+
+    def names(self) -> Names:
+        return ((point, None) for point in self.points)
 
 
 class AssemblyRule(Written):
@@ -292,6 +296,11 @@ class AssemblyRule(Written):
 
     def quantities(self) -> TypedParts:
         return () if self.sketch is None else self.sketch.quantities()
+
+    def names(self) -> Names:
+        yield from ((point, Ref("pivot")) for point in self.reference)
+        if self.along is not None:
+            yield self.along, Ref("slide")
 
     def _put(self, word: str, reference: tuple[str, ...], along: str | None, sketch: Position | None) -> None:
         self.put("word", word)

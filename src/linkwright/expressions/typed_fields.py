@@ -14,9 +14,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
-from typing import Any
+from typing import Any, NamedTuple
+
+from pydantic import GetJsonSchemaHandler
+from pydantic_core import CoreSchema
 
 from linkwright.expressions.dimensions import Wanted
+from linkwright.expressions.field_schema import with_kind, with_quantity
 from linkwright.expressions.units import Dimension
 from linkwright.expressions.written import FrozenDict
 
@@ -50,8 +54,7 @@ class Ends(Enum):
     ORDERED = "low <= high"
 
 
-@dataclass(frozen=True)
-class Context:
+class Context(NamedTuple):
     """Where a field stands: in which mechanism, at which path of the file, within which entries, outermost first."""
 
     mechanism: Any  # linkwright.model.mechanism.Mechanism, which is made of such fields
@@ -88,6 +91,12 @@ class Quantity:
     scope: Scope = Scope.CONSTANT
     names: Mapping[str, Dimension] | Callable[[Context], Mapping[str, Dimension]] = field(default_factory=FrozenDict)
     ends: Ends = Ends.ANY
+    choices: tuple[Dimension, ...] = ()
+    """The dimensions that it may turn out to have, where that depends on where it stands."""
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        known = (self.dimension,) if isinstance(self.dimension, Dimension) else self.choices
+        return with_quantity(handler(schema), known)
 
     def dimension_at(self, context: Context) -> Wanted | None:
         """The dimension wanted at a place."""
@@ -117,7 +126,7 @@ def of_drive(
             return None
         return turning if c.mechanism.prescribed(name).turns else sliding
 
-    return Quantity(dimension, scope=scope)
+    return Quantity(dimension, scope=scope, choices=(turning, sliding))
 
 
 def of_parameter(place: int) -> Quantity:
@@ -127,11 +136,24 @@ def of_parameter(place: int) -> Quantity:
 
 @dataclass(frozen=True)
 class Ref:
-    """That a text names an element of a ``kind`` ("link", "window", ...); ``of`` is the entry's key for the link on
-    which a point lies."""
+    """That a text names an element of a ``kind`` ("link", "window", ...).
+
+    ``of`` is the entry's attribute for the link on which a point lies, or for the two links of two points; or a
+    function that tells the link. Without one, or where it gives ``None``, the point may lie on any link.
+    """
 
     kind: str
-    of: str | None = None
+    of: str | Callable[[Context], str | None] | None = None
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        return with_kind(handler(schema), self.kind)
+
+    def link_at(self, context: Context) -> str | None:
+        """The link on which a point that stands at a place must lie."""
+        if self.of is None or callable(self.of):
+            return self.of and self.of(context)
+        links: str | tuple[str, ...] | None = getattr(context.entry, self.of)
+        return links[int(context.path[-1])] if isinstance(links, tuple) else links
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import re
 from fractions import Fraction
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Any, NamedTuple
 
 # Accepted words and the pint unit each stands for. "r" is a revolution, as in r/min.
@@ -189,6 +189,7 @@ def squared(unit: str) -> str:
     return printed(f"{unit}^2") if unit else ""
 
 
+@cache
 def _composed(dimension: Dimension) -> str | None:
     """The recipe of a dimension without mass in whole powers; with mass it could go by force or by mass."""
     whole = all(Fraction(p).denominator == 1 and abs(Fraction(p)) <= MAX_POWER for p in dimension)

@@ -218,6 +218,11 @@ class Written:
         ``None`` where the field says that."""
         return ()
 
+    def names(self) -> Iterable[tuple[str, Any]]:
+        """The names of elements in it, each with the :class:`~linkwright.expressions.typed_fields.Ref` that it is, or
+        ``None`` where the field says that."""
+        return ()
+
     def unexpected(self, wanted: str, raw: Any) -> PydanticCustomError:
         """A fault: something else is wanted, with what is meant where it is in another spelling."""
         given = str(raw).strip() if isinstance(raw, str | int | float) and not isinstance(raw, bool) else ""

@@ -3,26 +3,28 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from linkwright.expressions.language import FUNCTIONS
-from linkwright.expressions.typed_fields import Context
-from linkwright.expressions.unknown import likeliest, near, unknown, unknown_point
+from linkwright.expressions.unknown import likeliest
 from linkwright.findings import Finding, Term
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.motions import ARGUMENT
 from linkwright.model.pins import homes, pins
-from linkwright.model.references import reference_faults
+from linkwright.model.places import stated
+from linkwright.model.references import KINDS, reference_faults
 from linkwright.model.tolerances import tolerance_faults
 from linkwright.model.values import check_values
-from linkwright.model.walk import references
+from linkwright.model.walk import Found, Reference
 
 __all__ = ["FRAME", "check_names", "check_values"]
 
 
-def check_names(m: Mechanism) -> list[Finding]:
-    """All faults of names and references in a mechanism."""
-    found = [finding for part in _PARTS for finding in part(m)]
+def check_names(m: Mechanism, fields: Sequence[Found] | None = None) -> list[Finding]:
+    """All faults of names and references in a mechanism; ``fields`` is what its typed fields hold. Those of its short
+    forms are told by these."""
+    named = [one for one in fields or stated(m) if isinstance(one, Reference) and one.context.path[0] not in _SHORT]
+    found = [*reference_faults(named), *(finding for part in _PARTS for finding in part(m))]
     if FRAME in m.links:
         return found
     return [f for f in found if f.code != "name.unknown" or f.data["name"] != FRAME]  # follows from its absence
@@ -40,7 +42,6 @@ def _links(m: Mechanism) -> Iterator[Finding]:
     elif m.links[FRAME].mass is not None:
         yield Finding("model.frame-mass", ("links", FRAME, "mass"))
     for name, weight in m.counterweights.items():
-        yield from reference_faults(references(weight, Context(m, ("counterweights", name))))
         if weight.on == FRAME:
             yield Finding("model.frame-mass", ("counterweights", name))
     if not any(name != FRAME for name in m.links):
@@ -48,9 +49,6 @@ def _links(m: Mechanism) -> Iterator[Finding]:
     for name, link in m.links.items():
         if not link.points:
             yield Finding("model.no-points", ("links", name), {"name": name})
-        for point in dict.fromkeys(link.shape.points) if link.shape else ():
-            if point not in link.points:
-                yield unknown_point(("links", name, "shape"), name, point, link.points)
 
 
 def _collisions(m: Mechanism) -> Iterator[Finding]:
@@ -85,11 +83,6 @@ def _joints(m: Mechanism) -> Iterator[Finding]:
         ends = joint.ends
         if len({*joint.links}) < len(joint.links):
             yield Finding("joint.same-link", ("joints", name), {"name": joint.links[0]})
-        for link, point in zip(joint.links, ends, strict=True):
-            if link not in m.links:
-                yield unknown("link", ("joints", name), link, m.links)
-            elif point not in m.links[link].points:
-                yield unknown_point(("joints", name), link, point, m.links[link].points)
         if joint.revolute and name in points and name not in ends:
             data = {"name": name, "first": Term("a-point"), "second": Term("a-joint")}
             yield Finding("name.taken", ("joints", name), data)
@@ -111,14 +104,16 @@ def _drives(m: Mechanism) -> Iterator[Finding]:
     moved: dict[frozenset[str], str] = {}
     for name, drive in m.movers.items():
         path = ("drives", name)
-        for link in dict.fromkeys((drive.link, drive.on)):
-            if link not in m.links:
-                yield unknown("link", path, link, m.links)
         if drive.link == drive.on:
             yield Finding("joint.same-link", path, {"name": drive.link})
-        if drive.output is not None and (fault := _output(m, name)) is not None:
-            yield fault
-            continue
+        if drive.output is not None:
+            if drive.output not in KINDS["output"].known(m):
+                continue
+            entry = m.prescribed(name)
+            if {entry.link, entry.on} == {drive.link, drive.on}:
+                data = {"name": drive.output, "link": drive.link, "on": drive.on}
+                yield Finding("drive.output-own", (*path, "output"), data)
+                continue
         for seen, entry in ((acting, drive), (moved, m.prescribed(name))):
             pair = frozenset((entry.link, entry.on))
             if pair in seen:
@@ -127,58 +122,21 @@ def _drives(m: Mechanism) -> Iterator[Finding]:
             seen[pair] = name
 
 
-def _output(m: Mechanism, name: str) -> Finding | None:
-    """What is wrong with the output of a drive."""
-    drive, slides = m.drives[name], dict(m.prismatic_joints())
-    path, output = ("drives", name, "output"), m.drives[name].output
-    assert output is not None
-    if output not in slides and (output not in m.links or output == FRAME):
-        return Finding("drive.output", path, {"name": output, "near": near(output, [*slides, *m.links])})
-    moved = m.prescribed(name)
-    if {moved.link, moved.on} == {drive.link, drive.on}:
-        return Finding("drive.output-own", path, {"name": output, "link": drive.link, "on": drive.on})
-    return None
-
-
 def _springs(m: Mechanism) -> Iterator[Finding]:
     points = homes(m)
     for name, spring in m.springs.items():
-        path = ("springs", name)
-        yield from reference_faults(references(spring, Context(m, path)))
         ends: tuple[str | None, str | None] = (spring.turns, spring.on)
         if not spring.torsional:
             ends = spring.in_ or (points.get(str(spring.from_)), points.get(str(spring.to)))
-            for key, point, link in zip(("from", "to"), (spring.from_, spring.to), ends, strict=True):
-                if point not in points:
-                    continue
-                if link not in m.links:
-                    yield unknown("link", (*path, "in"), str(link), m.links)
-                elif point not in m.links[link].points:
-                    yield unknown_point((*path, key), link, point, m.links[link].points)
         if ends[0] is not None and ends[0] == ends[1]:
-            yield Finding("spring.same-link", path, {"name": ends[0]})
+            yield Finding("spring.same-link", ("springs", name), {"name": ends[0]})
 
 
 def _loads(m: Mechanism) -> Iterator[Finding]:
     for name, load in m.loads.items():
-        yield from reference_faults(references(load, Context(m, ("loads", name))))
         if load.against == load.on:
             yield Finding("load.against-itself", ("loads", name), {"name": load.on})
 
 
-def _assembly(m: Mechanism) -> Iterator[Finding]:
-    slides = dict(m.prismatic_joints())
-    pivots = {**homes(m), **{name: "" for name, joint in m.joints.items() if joint.revolute}}
-    for name, rule in m.assembly.items():
-        for point in dict.fromkeys((name, *rule.reference)):
-            if point not in pivots:
-                yield unknown("point", ("assembly", name), point, pivots)
-        if rule.along and rule.along not in slides:
-            yield unknown("slide", ("assembly", name), rule.along, slides)
-
-
-def _measures(m: Mechanism) -> Iterator[Finding]:
-    return reference_faults(references(m, Context(m), "measures", "require"))
-
-
-_PARTS = (_parameters, _links, _collisions, _joints, _pins, _drives, _loads, _springs, _assembly, _measures)
+_PARTS = (_parameters, _links, _collisions, _joints, _pins, _drives, _loads, _springs)
+_SHORT = ("cylinders", "cams")

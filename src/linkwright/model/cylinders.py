@@ -6,17 +6,18 @@ A cylinder ``lift`` from the point K to the point M becomes the links ``lift_bar
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator
 from typing import Any
 
 from linkwright.expressions.fields import Expression
-from linkwright.expressions.unknown import unknown
+from linkwright.expressions.typed_fields import Context
 from linkwright.expressions.written import FrozenDict
 from linkwright.findings import Finding, Term
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.parts import CylinderPart, Drive, Joint, Link
-from linkwright.model.pins import homes
+from linkwright.model.pins import homes, shared_pins
+from linkwright.model.references import reference_faults
+from linkwright.model.walk import references
 
 Path = tuple[str | int, ...]
 
@@ -81,21 +82,12 @@ def _sliding(drive: Drive, joints: dict[str, Joint]) -> Drive:
     return drive.model_copy(update={"extends": None, "slides": link, "on_": on})
 
 
-def shared_pins(m: Mechanism) -> list[str]:
-    """The points that only cylinders name, several of them: pins between their barrels and rods."""
-    named = Counter(point for cylinder in m.cylinders.values() for point in {cylinder.from_, cylinder.to})
-    links = homes(m)
-    return [point for point, count in named.items() if count > 1 and point not in links]
-
-
 def cylinder_faults(m: Mechanism) -> Iterator[Finding]:
     """Faults of cylinders, and of drives that extend them, before they are spelled out."""
+    yield from reference_faults(references(m, Context(m), "cylinders"))
     points = [*homes(m), *shared_pins(m)]
     for name, cylinder in m.cylinders.items():
         path: Path = ("cylinders", name)
-        for key, point in (("from", cylinder.from_), ("to", cylinder.to)):
-            if point not in points:
-                yield unknown("point", (*path, key), point, points)
         if cylinder.from_ == cylinder.to:
             yield Finding("cylinder.same-point", path, {"point": cylinder.to})
         if name in m.joints:
@@ -105,10 +97,8 @@ def cylinder_faults(m: Mechanism) -> Iterator[Finding]:
                 yield _taken(path, link, "a-link")
             if _uniform(part) and end_of(link) in points:
                 yield _taken(path, end_of(link), "a-point")
-    slides = [*(name for name, _ in m.prismatic_joints()), *m.cylinders]
     for name, drive in m.drives.items():
-        if drive.extends is not None and drive.extends not in slides:
-            yield unknown("slide", ("drives", name, "extends"), drive.extends, slides)
+        yield from reference_faults(references(drive, Context(m, ("drives", name)), "extends"))
 
 
 def _taken(path: Path, name: str, by: str) -> Finding:

@@ -20,6 +20,11 @@ _AT_JOINT = ("turns", "on", "torque")
 _LINEAR, _GAS = ("free", "preload"), ("progression", "exponent")
 
 
+def _end(place: int) -> Ref:
+    """A point of the link that stands at this place under `in`, where that is given."""
+    return Ref("point", of=lambda c: None if c.entry.in_ is None else str(c.entry.in_[place]))
+
+
 def _law(linear: Dimension, torsional: Dimension, sign: Sign = Sign.NOT_NEGATIVE) -> Quantity:
     """A quantity of a spring between two points, and of a torsional one."""
     return Quantity(lambda c: torsional if c.entry.torsional else linear, sign)
@@ -34,10 +39,8 @@ _FREE = Quantity(
 class Spring(Frozen):
     """A spring, damper or gas spring: between two points along the line that joins them, or torsional between links."""
 
-    from_: Annotated[Name | None, Ref("point")] = Field(
-        None, alias="from", description="the point where one end is fixed"
-    )
-    to: Annotated[Name | None, Ref("point")] = Field(None, description="the point where the other end is fixed")
+    from_: Annotated[Name | None, _end(0)] = Field(None, alias="from", description="the point where one end is fixed")
+    to: Annotated[Name | None, _end(1)] = Field(None, description="the point where the other end is fixed")
     in_: TwoLinks | None = Field(
         None, alias="in", description="the links of the two points, where a point name lies on several links"
     )

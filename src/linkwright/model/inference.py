@@ -15,23 +15,30 @@ from linkwright.model.mechanism import Mechanism
 from linkwright.model.names import Names
 from linkwright.model.places import Path, Place, Scope, figure, places
 from linkwright.model.signals import Signals
+from linkwright.model.walk import Found
 
 
 class Inference:
     """The dimensions of a mechanism's parameters and tables, the order of its parameters, and all findings.
 
-    ``sound`` are the places whose names and dimensions fit. ``uses`` are expressions elsewhere (in the options of
-    studies): what the mechanism leaves open takes its unit from them; what is wrong with them is told there. Those are
-    kept that name something open, with those on which their dimensions hang.
+    ``fields`` is what the mechanism's typed fields hold; ``sound`` are the places whose names and dimensions fit.
+    ``uses`` are expressions elsewhere (in the options of studies): what the mechanism leaves open takes its unit from
+    them; what is wrong with them is told there. Those are kept that name something open, with those on which their
+    dimensions hang.
     """
 
     def __init__(
-        self, mechanism: Mechanism, signals: Signals, declared: Mapping[str, str], uses: Sequence[Place] = ()
+        self,
+        mechanism: Mechanism,
+        signals: Signals,
+        declared: Mapping[str, str],
+        fields: Sequence[Found],
+        uses: Sequence[Place],
     ) -> None:
         self.mechanism = mechanism
         self.findings: list[Finding] = []
         self.dimensions = Dimensions(declared, mechanism.parameters, lambda node: signals.find(node).dimension)
-        self.places = list(places(mechanism))
+        self.places = list(places(mechanism, fields))
         self.order = self._order()
         names = Names(mechanism, signals)
         self.sound = [place for place in self.places if self._known(names, place)]

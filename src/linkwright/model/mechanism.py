@@ -171,7 +171,7 @@ class Mechanism(Frozen):
         default_factory=FrozenDict,
         description="cylinders and linear actuators: barrel, rod and their slide in one line",
     )
-    assembly: Annotated[dict[Name, AssemblyRule], _bound, freeze] = Field(
+    assembly: Annotated[dict[Annotated[Name, Ref("pivot")], AssemblyRule], _bound, freeze] = Field(
         default_factory=FrozenDict,
         description="on which side each group of links is put together, e.g. C: left of B-D",
     )

@@ -31,7 +31,7 @@ from linkwright.expressions.fields import (
     Two,
     pair,
 )
-from linkwright.expressions.typed_fields import ELSEWHERE, Ends, Quantity, Scope, Sign, of_drive, of_parameter
+from linkwright.expressions.typed_fields import ELSEWHERE, Ends, Quantity, Ref, Scope, Sign, of_drive, of_parameter
 from linkwright.expressions.written import Fault, FaultWithin, Shortened, plain_number, unexpected
 from linkwright.model.tolerances import Tolerance
 
@@ -39,7 +39,11 @@ freeze = AfterValidator(FrozenDict)
 
 Vector = Annotated[Two, BeforeValidator(pair("vector"))]
 Interval = Annotated[Two, BeforeValidator(pair("interval"))]
-TwoLinks = Annotated[tuple[Name, Name], BeforeValidator(pair("two-links"))]
+LinkName = Annotated[Name, Ref("link")]
+PointName = Annotated[Name, Ref("point")]
+DriveName = Annotated[Name, Ref("drive")]
+ParameterName = Annotated[Name, Ref("parameter")]
+TwoLinks = Annotated[tuple[LinkName, LinkName], BeforeValidator(pair("two-links"))]
 TwoPoints = Annotated[tuple[Name, Name], BeforeValidator(pair("two-points"))]
 TwoLines = Annotated[tuple[LineOn, LineOn], BeforeValidator(pair("two-lines"))]
 
@@ -163,7 +167,7 @@ class Link(Frozen):
     inertia: Annotated[Expression | None, INERTIA] = Field(
         None, description="moment of inertia about the centre of mass"
     )
-    shape: Shape | None = Field(
+    shape: Annotated[Shape | None, Ref("point", of=lambda c: c.name)] = Field(
         None, description="'rod A-B', 'disc RADIUS at A' or 'point A', instead of com and inertia"
     )
 
@@ -183,12 +187,16 @@ class Joint(Frozen):
     """A prismatic joint (a line on each of two links), or a revolute one between points of different names."""
 
     prismatic: TwoLinks | None = Field(None, description="the two links that slide on each other; with line")
-    line: TwoLines | None = Field(None, description="the line on each of the two links, e.g. [H at 0 deg, G at 0 deg]")
+    line: Annotated[TwoLines | None, Ref("point", of="prismatic")] = Field(
+        None, description="the line on each of the two links, e.g. [H at 0 deg, G at 0 deg]"
+    )
     travel: Annotated[Interval | None, Quantity(u.LENGTH, ends=Ends.RISING)] = Field(
         None, description="[lowest, highest] travel (the signal NAME.s) of a prismatic joint; a run beyond is an error"
     )
     revolute: TwoLinks | None = Field(None, description="the two links that are pinned; with at")
-    at: TwoPoints | None = Field(None, description="the pinned point of each of the two links")
+    at: Annotated[TwoPoints | None, Ref("point", of="revolute")] = Field(
+        None, description="the pinned point of each of the two links"
+    )
 
     @classmethod
     def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
@@ -251,8 +259,8 @@ class CylinderPart(Frozen):
 class Cylinder(Frozen):
     """A cylinder or linear actuator between two points: barrel, rod and their slide, whose value is the distance."""
 
-    from_: Name = Field(alias="from", description="the point at which the barrel is pinned")
-    to: Name = Field(description="the point at which the rod is pinned")
+    from_: PointName = Field(alias="from", description="the point at which the barrel is pinned")
+    to: PointName = Field(description="the point at which the rod is pinned")
     length: Annotated[Interval | None, PART_LENGTH] = Field(
         None, description="[shortest, longest] distance of the two pins; a run beyond is a finding"
     )
@@ -271,10 +279,12 @@ class Drive(Frozen):
     # Said for editors here, by `faults` to the reader: either on which link, or what is extended.
     model_config = ConfigDict(json_schema_extra={"anyOf": [{"required": ["on"]}, {"required": ["extends"]}]})
 
-    turns: Name | None = Field(None, description="the link that is turned, about the pin that it shares with on")
-    slides: Name | None = Field(None, description="the link that is moved along the line that it shares with on")
-    extends: Name | None = Field(None, description="the cylinder or prismatic joint whose value the drive prescribes")
-    on_: Name | None = Field(
+    turns: LinkName | None = Field(None, description="the link that is turned, about the pin that it shares with on")
+    slides: LinkName | None = Field(None, description="the link that is moved along the line that it shares with on")
+    extends: Annotated[Name | None, Ref("extended")] = Field(
+        None, description="the cylinder or prismatic joint whose value the drive prescribes"
+    )
+    on_: LinkName | None = Field(
         None, alias="on", description="the link against which the motion is measured, e.g. frame; not with extends"
     )
     speed: Annotated[Expression | None, _driven(u.OMEGA, u.SPEED)] = Field(
@@ -289,7 +299,7 @@ class Drive(Frozen):
     position: Annotated[Expression | None, _driven(u.ANGLE, u.LENGTH, scope=Scope.TIME)] = Field(
         None, description="value as an expression in t, e.g. 20 deg*sin(180 deg*t/(1 s)); may call tables"
     )
-    output: Name | None = Field(
+    output: Annotated[Name | None, Ref("output")] = Field(
         None,
         description="the prismatic joint, or the link hinged on the frame, that is to follow the law; "
         "the drive's own motion and effort follow from it",

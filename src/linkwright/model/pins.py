@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -55,6 +56,13 @@ def homes(mechanism: Mechanism) -> dict[str, str]:
         for point in entry.points:
             found.setdefault(point, link)
     return found
+
+
+def shared_pins(m: Mechanism) -> list[str]:
+    """The points that only cylinders name, several of them: pins between their barrels and rods."""
+    named = Counter(point for cylinder in m.cylinders.values() for point in {cylinder.from_, cylinder.to})
+    links = homes(m)
+    return [point for point, count in named.items() if count > 1 and point not in links]
 
 
 def spring_ends(mechanism: Mechanism, spring: Spring) -> tuple[tuple[str, str], tuple[str, str]]:

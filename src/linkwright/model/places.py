@@ -7,6 +7,7 @@ expressions that no field holds: those that an entry stands for.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from itertools import chain
 
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, FrozenDict, Position
@@ -16,7 +17,7 @@ from linkwright.model.actions import FIGURES, Measure, crossed, figure, instant,
 from linkwright.model.mechanism import Mechanism, Spring
 from linkwright.model.motions import ARGUMENT
 from linkwright.model.pins import homes
-from linkwright.model.walk import Place, Site, sites
+from linkwright.model.walk import Found, Place, Site, sites, walk
 
 __all__ = [
     "FIGURES",
@@ -27,10 +28,10 @@ __all__ = [
     "crossed",
     "figure",
     "measured",
-    "mechanism_sites",
     "places",
     "position_parts",
     "spring_dimensions",
+    "stated",
 ]
 
 OF_FORMULA = FrozenDict({ARGUMENT: u.PURE})
@@ -55,33 +56,32 @@ def spring_dimensions(spring: Spring) -> dict[str, Dimension]:
     return {key: wanted for key, wanted in found if isinstance(wanted, Dimension)}
 
 
-def mechanism_sites(m: Mechanism) -> Iterator[Site]:
-    """Every quantity that the fields of a mechanism hold, whose short forms are spelled out."""
-    return sites(m, Context(m), *SECTIONS, "measures", "require")
+def stated(m: Mechanism) -> list[Found]:
+    """What the typed fields of a mechanism hold whose short forms are spelled out: one walk, for all that asks."""
+    return walk(m, Context(m), *SECTIONS, "measures", "require")
 
 
-def places(m: Mechanism) -> Iterator[Place]:
-    """Every expression of a mechanism, the definitions of its parameters first."""
+def places(m: Mechanism, found: Iterable[Found]) -> Iterator[Place]:
+    """Every expression of a mechanism, the definitions of its parameters first; ``found`` is what is :func:`stated`."""
+    by_entry: dict[str, dict[Path, list[Place]]] = {}
+    for one in found:
+        if isinstance(one, Site):
+            by_entry.setdefault(str(one.path[0]), {}).setdefault(one.path[1:2], []).extend(one.places())
     for section in SECTIONS:
+        own = by_entry.get(section, {})
         if section not in _BESIDES:
-            yield from _places(sites(m, Context(m), section))
+            yield from chain.from_iterable(own.values())
             continue
-        for name, entry in getattr(m, section).items():
-            yield from _places(sites(entry, Context(m, (section, name))))
+        for name in getattr(m, section):
+            yield from own.get((name,), ())
             yield from _BESIDES[section](m, name)
-    bounds: dict[str, list[Site]] = {}
-    for site in sites(m, Context(m), "require"):
-        bounds.setdefault(site.context.name, []).append(site)
+    own, bounds = by_entry.get("measures", {}), by_entry.get("require", {})
     for name, measure in m.measures.items():
         yield from _path(m, name, measure)
-        yield from _places(sites(measure, Context(m, ("measures", name))))
+        yield from own.get((name,), ())
         if (when := measure.instant) and when.expression:
             yield Place(("measures", name, "where"), Expression(when.expression), instant(name), Scope.SIGNALS)
-        yield from _places(bounds.get(name, ()))
-
-
-def _places(found: Iterable[Site]) -> Iterator[Place]:
-    return (place for site in found for place in site.places())
+        yield from bounds.get((name,), ())
 
 
 def _window(m: Mechanism, name: str) -> Iterator[Place]:

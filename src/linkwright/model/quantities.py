@@ -19,8 +19,9 @@ from linkwright.model.actions import column_unit
 from linkwright.model.inference import Inference
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.names import Names
-from linkwright.model.places import OF_FORMULA, Place, position_parts
+from linkwright.model.places import OF_FORMULA, Place, position_parts, stated
 from linkwright.model.signals import Signals
+from linkwright.model.walk import Found
 
 __all__ = ["Quantities", "column_unit", "position_parts"]
 
@@ -32,17 +33,18 @@ class Quantities:
     """Binds a mechanism's expressions to SI. ``findings`` says what doesn't fit; values need none of them.
 
     ``uses`` are expressions from elsewhere, of which those are kept that tell the units of what the mechanism leaves
-    open.
+    open; ``fields`` is what its typed fields hold, where that is known already.
     """
 
     samples: int | None = None  # of how many sets of parameter values
 
-    def __init__(self, mechanism: Mechanism, uses: Sequence[Place] = ()) -> None:
+    def __init__(self, mechanism: Mechanism, uses: Sequence[Place] = (), fields: Sequence[Found] | None = None) -> None:
         self.mechanism = mechanism
         self.signals = Signals(mechanism)
         self.findings: list[Finding] = []
         self.declared = self._declared()
-        inference = Inference(mechanism, self.signals, self.declared, uses)
+        self.fields = stated(mechanism) if fields is None else fields
+        inference = Inference(mechanism, self.signals, self.declared, self.fields, uses)
         self.dimensions: Dimensions = inference.dimensions
         self.places: list[Place] = inference.places
         self.order, self.uses = inference.order, inference.uses

@@ -2,35 +2,80 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import Any
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, NamedTuple
 
-from linkwright.expressions.unknown import unknown, unknown_point
+from pydantic import BaseModel
+
+from linkwright.expressions.typed_fields import Context, Path
+from linkwright.expressions.unknown import near, unknown, unknown_point
 from linkwright.findings import Finding
-from linkwright.model.mechanism import Mechanism
-from linkwright.model.pins import homes
-from linkwright.model.walk import Reference
+from linkwright.model.mechanism import FRAME, Mechanism
+from linkwright.model.pins import homes, shared_pins
+from linkwright.model.walk import Reference, references
 
-ELEMENTS: dict[str, Callable[[Mechanism], Mapping[str, Any]]] = {
-    "link": lambda m: m.links,
-    "point": homes,
-    "slide": lambda m: dict(m.prismatic_joints()),
-    "drive": lambda m: m.movers,
-    "law": lambda m: m.laws,
-    "window": lambda m: m.windows,
-    "measure": lambda m: m.measures,
-    "parameter": lambda m: m.parameters,
+
+class Kind(NamedTuple):
+    """The elements that a :class:`~linkwright.expressions.typed_fields.Ref` may name: those that are ``known`` in a
+    mechanism, and the ``section`` of the file where they mostly stand. A finding on another name says that it is none
+    of what is ``called`` so, or has a ``code`` of its own."""
+
+    known: Callable[[Mechanism], Iterable[str]]
+    section: str
+    called: str = ""
+    code: str = ""
+
+
+def _slides(m: Mechanism) -> list[str]:
+    return [name for name, _ in m.prismatic_joints()]
+
+
+KINDS: Mapping[str, Kind] = {
+    "link": Kind(lambda m: m.links, "links", "link"),
+    "moving": Kind(lambda m: [link for link in m.links if link != FRAME], "links", "link"),
+    "point": Kind(lambda m: [*homes(m), *shared_pins(m)], "links.points", "point"),
+    "pivot": Kind(
+        lambda m: [*homes(m), *(n for n, joint in m.joints.items() if joint.revolute)], "links.points", "point"
+    ),
+    "slide": Kind(_slides, "joints", "slide"),
+    "extended": Kind(lambda m: [*_slides(m), *m.cylinders], "cylinders", "slide"),
+    "output": Kind(
+        lambda m: [*_slides(m), *(link for link in m.links if link != FRAME)], "joints", code="drive.output"
+    ),
+    "drive": Kind(lambda m: m.movers, "drives", "drive"),
+    "motor": Kind(lambda m: m.drives, "drives", "drive"),
+    "law": Kind(lambda m: m.laws, "laws", "law"),
+    "cam": Kind(lambda m: m.cams, "cams", "cam"),
+    "window": Kind(lambda m: m.windows, "windows", "window"),
+    "measure": Kind(lambda m: m.measures, "measures", "measure"),
+    "parameter": Kind(lambda m: m.parameters, "parameters", code="name.unknown-parameter"),
 }
-"""The elements of each kind that a :class:`~linkwright.expressions.typed_fields.Ref` may name."""
+"""The kinds by name."""
 
 
-def reference_faults(found: Iterable[Reference]) -> Iterator[Finding]:
-    """The names that no element has; of a point of a link that isn't known, the link alone is told."""
-    for one in found:
-        m, path = one.context.mechanism, one.context.path
-        if one.ref.of is not None:
-            link = getattr(one.context.entry, one.ref.of)
-            if link in m.links and one.name not in m.links[link].points:
-                yield unknown_point(path, link, one.name, m.links[link].points)
-        elif one.name not in (known := ELEMENTS[one.ref.kind](m)):
-            yield unknown(one.ref.kind, path, one.name, known)
+def option_faults(mechanism: Mechanism, options: BaseModel, path: Path) -> list[Finding]:
+    """The names among the options of a study or an export, at their ``path``, that no element has."""
+    return reference_faults(references(options, Context(mechanism, path)))
+
+
+def reference_faults(found: Iterable[Reference]) -> list[Finding]:
+    """The names that no element has, each told once; of a point of a link that isn't known, the link alone is told."""
+    faults: dict[tuple[Any, ...], Finding] = {}
+    known: dict[str, tuple[str, ...]] = {}
+    for context, name, ref in found:
+        m, path, kind = context.mechanism, context.path, KINDS[ref.kind]
+        if (link := ref.link_at(context)) is not None:
+            if link in m.links and name not in m.links[link].points:
+                faults.setdefault((path, name), unknown_point(path, link, name, m.links[link].points))
+            continue
+        if ref.kind not in known:
+            known[ref.kind] = tuple(kind.known(m))
+        if name not in known[ref.kind]:
+            faults.setdefault((path, name), _fault(kind, path, name, known[ref.kind]))
+    return [*faults.values()]
+
+
+def _fault(kind: Kind, path: tuple[Any, ...], name: str, known: Iterable[str]) -> Finding:
+    if not kind.code:
+        return unknown(kind.called, path, name, known)
+    return Finding(kind.code, path, {"name": name[:60], "near": near(name, known)})

@@ -15,10 +15,10 @@ from linkwright.expressions.fields import AssemblyRule, Expression, Position
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import RESERVED, FrozenDict
 from linkwright.findings import Finding
-from linkwright.model.cylinders import links_of, shared_pins
+from linkwright.model.cylinders import links_of
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter
-from linkwright.model.pins import homes
+from linkwright.model.pins import homes, shared_pins
 
 WORD = re.compile(r"\bsketch\b")
 _SHORT = re.compile(r"[^\W\d_]\d*")

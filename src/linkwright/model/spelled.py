@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from linkwright.findings import Finding
 from linkwright.model.cylinders import cylinder_faults, cylinder_home, with_cylinders
 from linkwright.model.followers import follower_faults, follower_home, with_followers
 from linkwright.model.mechanism import Mechanism
+from linkwright.model.places import stated
 from linkwright.model.plane import LinkagePlane, in_plane
 from linkwright.model.sketch import drawn_values, sketch_faults, sketch_home, with_sketch
+from linkwright.model.walk import Found
 
 
 @dataclass(frozen=True)
@@ -27,6 +30,11 @@ class Spelled:
     plane: LinkagePlane | None = None
     warnings: tuple[Finding, ...] = ()
     drawn: Mapping[str, str] = field(default_factory=dict)
+
+    @cached_property
+    def fields(self) -> list[Found]:
+        """What the typed fields of the mechanism hold."""
+        return stated(self.mechanism)
 
     def home(self, findings: Iterable[Finding]) -> list[Finding]:
         """Findings with their places as the file has them."""

@@ -11,7 +11,7 @@ from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.typed_fields import Ends, Sign
 from linkwright.findings import Finding, Term
-from linkwright.model.places import Place, Scope, mechanism_sites, position_parts
+from linkwright.model.places import Place, Scope, position_parts
 from linkwright.model.quantities import LARGEST, Quantities
 from linkwright.model.slides import closing, pairs_of
 from linkwright.model.walk import Site
@@ -28,7 +28,7 @@ def check_values(quantities: Quantities) -> list[Finding]:
     bad = [finding for place in constant for finding in _finite(quantities, place)]
     if bad and quantities.samples is None:
         return bad
-    stated = [*mechanism_sites(quantities.mechanism)]
+    stated = [found for found in quantities.fields if isinstance(found, Site)]
     signs = (finding for site in stated for finding in sign_faults(quantities, site))
     special = (finding for part in (_progressions, _rods, _slides, _joints) for finding in part(quantities))
     return [*bad, *signs, *special, *(finding for site in stated for finding in _ends(quantities, site))]
@@ -61,7 +61,10 @@ def _ends(q: Quantities, site: Site) -> Iterator[Finding]:
     ends = site.parts[0][1].ends
     if ends is Ends.ANY or len(site.parts) != 2:
         return
-    low, high = (q.value(place.expression, q.dimensions.resolve(place.wanted)) for place in site.places())
+    values = [q.value(place.expression, q.dimensions.resolve(place.wanted)) for place in site.places()]
+    if len(values) < 2:
+        return
+    low, high = values
     if q.bad(np.logical_not(low <= high if ends is Ends.ORDERED else low < high)):
         texts = (expression.text[:40] for expression, _ in site.parts)
         yield Finding("value.not-rising", site.path, dict(zip(("low", "high"), texts, strict=True)))

@@ -11,9 +11,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache, partial
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Union, get_args, get_origin
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Union, get_args, get_origin
 
-from pydantic import BaseModel
+from pydantic import BaseModel, RootModel
 
 from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.fields import Expression, FrozenDict, Written
@@ -25,8 +25,7 @@ if TYPE_CHECKING:
     from linkwright.model.mechanism import Mechanism
 
 
-@dataclass(frozen=True)
-class Place:
+class Place(NamedTuple):
     """One expression of a file: its path, the dimension wanted there, and what it may name; ``names`` has what the
     place itself gives a meaning, with its dimension."""
 
@@ -37,8 +36,7 @@ class Place:
     names: Mapping[str, Dimension] = FrozenDict()
 
 
-@dataclass(frozen=True)
-class Site:
+class Site(NamedTuple):
     """A quantity as it is written at one place: an expression, or the two of an interval or a position."""
 
     context: Context
@@ -56,8 +54,7 @@ class Site:
                 yield Place(self.path, expression, wanted, of.scope, of.names_at(self.context))
 
 
-@dataclass(frozen=True)
-class Reference:
+class Reference(NamedTuple):
     """A name of an element where it is written."""
 
     context: Context
@@ -79,7 +76,7 @@ class _Spec:
     @property
     def holds(self) -> bool:
         """Whether what it describes may hold quantities or names."""
-        if self.ref is not None or self.quantity is not None or (self.key is not None and self.key.holds):
+        if self.ref is not None or self.quantity is not None or self.key is not None:
             return True
         return any(issubclass(kind, BaseModel | Written) for kind in self.kinds) or any(s.holds for s in self.inner)
 
@@ -111,7 +108,8 @@ def _spec(annotation: Any, metadata: Any = ()) -> _Spec:
         inner = tuple(_spec(arg) for arg in (args[:1] if every else args))
         return made((tuple,), inner=inner, form="list" if every else "items")
     if origin is dict:
-        return made((dict,), key=_spec(args[0]), inner=(_spec(args[1]),), form="mapping")
+        key = _spec(args[0])
+        return made((dict,), key=key if key.holds else None, inner=(_spec(args[1]),), form="mapping")
     return made((annotation,) if isinstance(annotation, type) else ())
 
 
@@ -126,10 +124,12 @@ def _fields(entry: type[BaseModel]) -> dict[str, tuple[str, _Spec]]:
 Found = Site | Reference
 
 
-def walk(entry: BaseModel, context: Context, *keys: str) -> Iterator[Found]:
+def walk(entry: BaseModel, context: Context, *keys: str) -> list[Found]:
     """All quantities and names of an entry that stands at ``context``, in the order of its fields; with ``keys``, those
     of these alone, in their order."""
-    return _entry(entry, context, None, keys)
+    found: list[Found] = []
+    _entry(entry, context, None, found, keys)
+    return found
 
 
 def sites(entry: BaseModel, context: Context, *keys: str) -> Iterator[Site]:
@@ -142,47 +142,53 @@ def references(entry: BaseModel, context: Context, *keys: str) -> Iterator[Refer
     return (found for found in walk(entry, context, *keys) if isinstance(found, Reference))
 
 
-def _entry(entry: BaseModel, at: Context, of: Quantity | None, keys: Sequence[str] = ()) -> Iterator[Found]:
+def _entry(entry: BaseModel, at: Context, of: Quantity | None, found: list[Found], keys: Sequence[str] = ()) -> None:
     inside, fields = Context(at.mechanism, at.path, (*at.entries, entry)), _fields(type(entry))
     for key in keys or fields:
         name, spec = fields[key]
         if (value := getattr(entry, name)) is not None:
-            main = isinstance(entry, Shortened) and key == entry.main  # in a file mostly without its key
-            yield from _walk(value, inside if main else inside.at(key), spec, of, None)
+            # In a file mostly, or always, without its key.
+            main = isinstance(entry, RootModel) or (isinstance(entry, Shortened) and key == entry.main)
+            _walk(value, inside if main else inside.at(key), spec, of, None, found)
 
 
-def _walk(value: Any, at: Context, spec: _Spec, of: Quantity | None, ref: Ref | None) -> Iterator[Found]:
-    """What a value holds; ``of`` and ``ref`` are what is said around it."""
+def _walk(value: Any, at: Context, spec: _Spec, of: Quantity | None, ref: Ref | None, found: list[Found]) -> None:
+    """Add what a value holds; ``of`` and ``ref`` are what is said around it."""
     while spec.form == "union":
         of, ref, spec = spec.quantity or of, spec.ref or ref, spec.branch(value)
     of, ref = spec.quantity or of, spec.ref or ref
     if isinstance(value, Written):
-        yield from _site(at, value.quantities(), of)
+        found += (Reference(at, name, said) for name, own in value.names() if (said := own or ref) is not None)
+        _site(at, value.quantities(), of, found)
     elif isinstance(value, str):
         if ref is not None:
-            yield Reference(at, value, ref)
+            found.append(Reference(at, value, ref))
         if of is not None:
             with suppress(ValueError):  # told by the one who reads it
-                yield Site(at, ((Expression(value), of),))
+                found.append(Site(at, ((Expression(value), of),)))
     elif isinstance(value, BaseModel):
-        yield from _entry(value, at, of)
+        _entry(value, at, of, found)
     elif isinstance(value, Mapping):
+        item = spec.item(0)
         for key, held in value.items():
             below = at.at(key)
-            yield from _walk(key, below, spec.key or _NOTHING, None, None)
-            yield from _walk(held, below, spec.item(0), of, ref)
+            if spec.key is not None:
+                _walk(key, below, spec.key, None, None, found)
+            _walk(held, below, item, of, ref, found)
     elif isinstance(value, tuple) and spec.form == "items" and all(isinstance(part, Expression) for part in value):
-        yield from _site(at, [(part, spec.item(i).quantity) for i, part in enumerate(value)], of)
+        _site(at, [(part, spec.item(i).quantity) for i, part in enumerate(value)], of, found)
     elif isinstance(value, tuple):
         for i, part in enumerate(value):
-            yield from _walk(part, at.at(i), spec.item(i), of, ref)
+            _walk(part, at.at(i), spec.item(i), of, ref, found)
 
 
-def _site(at: Context, parts: Iterable[tuple[Expression, Quantity | None]], around: Quantity | None) -> Iterator[Site]:
-    """The site of some expressions, as far as it is said what they are."""
+def _site(
+    at: Context, parts: Iterable[tuple[Expression, Quantity | None]], around: Quantity | None, found: list[Found]
+) -> None:
+    """Add the site of some expressions, as far as it is said what they are."""
     known = tuple((part, said) for part, own in parts if (said := own or around) is not None)
     if known:
-        yield Site(at, known)
+        found.append(Site(at, known))
 
 
 Options = Sequence[tuple[Path, BaseModel]]

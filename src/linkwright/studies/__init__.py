@@ -8,7 +8,7 @@ from linkwright.studies.cam.study import CamStudy  # noqa: F401
 from linkwright.studies.cycle import CycleOptions, CycleOutcome
 from linkwright.studies.limits import LimitsOptions, LimitsOutcome
 from linkwright.studies.modes import ModesOptions, ModesOutcome, find_modes
-from linkwright.studies.registry import STUDIES, Task, read_studies
+from linkwright.studies.registry import STUDIES, Study, Task, read_studies
 from linkwright.studies.sampling import Interrupted
 from linkwright.studies.site import NOWHERE, Site
 from linkwright.studies.stopped import Stopped
@@ -31,6 +31,7 @@ __all__ = [
     "ModesOutcome",
     "Site",
     "Stopped",
+    "Study",
     "SweepOptions",
     "SweepOutcome",
     "Task",

@@ -114,10 +114,21 @@ def of_signals(expression: Expression) -> bool:
 
 def signal_faults(compiled: Compiled, expression: Expression, path: tuple[str | int, ...]) -> list[Finding]:
     """What is wrong with the names of an expression of signals, or else with its dimensions."""
+    return name_faults(compiled, expression, path) or unit_faults(compiled, expression, path)
+
+
+def name_faults(compiled: Compiled, expression: Expression, path: tuple[str | int, ...]) -> list[Finding]:
+    """What is wrong with the names of an expression of signals."""
+    place, names = (
+        Place(path, expression, u.PURE, Scope.SIGNALS),
+        Names(compiled.mechanism, compiled.quantities.signals),
+    )
+    return [*names.unknown(place), *names.misplaced(place)]
+
+
+def unit_faults(compiled: Compiled, expression: Expression, path: tuple[str | int, ...]) -> list[Finding]:
+    """What is wrong with its dimensions, where its names are known."""
     quantities = compiled.quantities
-    place, names = Place(path, expression, u.PURE, Scope.SIGNALS), Names(compiled.mechanism, quantities.signals)
-    if wrong := [*names.unknown(place), *names.misplaced(place)]:
-        return wrong
     try:
         quantities.dimensions.bind(expression.node, None)
     except DimensionError as error:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import dataclass, field, replace
 from typing import Annotated, Any, Literal
@@ -21,6 +22,7 @@ from linkwright.results import Result, Run, certify
 from linkwright.studies.acting import lifted, loose, outside, undefined, unseated
 from linkwright.studies.feasible import near, singular, strokes, travels, unassembled
 from linkwright.studies.locked import locked
+from linkwright.studies.numbers import constant
 from linkwright.studies.outputs import powerless
 from linkwright.studies.plausible import coincident, crossed
 from linkwright.studies.registry import register
@@ -178,16 +180,9 @@ def span(compiled: Compiled, options: CycleOptions) -> tuple[float, list[Finding
     key, length = ("period", options.period) if options.period is not None else ("duration", options.duration)
     assert length is not None
     path = ("studies", "cycle", key)
-    from linkwright.expressions.dimensions import DimensionError
-
-    try:
-        seconds = compiled.quantities.value(length, u.TIME)
-    except DimensionError as error:
-        return 0.0, [Finding(error.key, path, error.data)]
-    except KeyError:
-        return _wrong(key, Term("length-constant"))
-    if not np.isfinite(seconds):
-        return 0.0, [Finding("value.not-finite", path, {"text": length.text[:60]})]
+    seconds, found = constant(compiled.quantities, length, u.TIME, path, math.inf)
+    if seconds is None:
+        return 0.0, found
     if seconds <= 0:
         return _wrong(key, Term("length-positive"))
     return (seconds, []) if seconds < LONGEST else _wrong(key, _too_long(seconds))

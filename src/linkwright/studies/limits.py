@@ -10,25 +10,23 @@ from typing import Annotated
 from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
 from linkwright.expressions import units as u
-from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression, Frozen, FrozenDict
 from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.language import Call, Name, is_signal, nodes, parse, signal_text
-from linkwright.expressions.typed_fields import of_drive
-from linkwright.expressions.unknown import unknown
+from linkwright.expressions.typed_fields import Ref, of_drive
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
-from linkwright.model.names import Names
 from linkwright.model.parts import Interval, freeze
-from linkwright.model.places import Place, Scope
-from linkwright.model.quantities import LARGEST
+from linkwright.model.places import Path
 from linkwright.results import Result, Run
 from linkwright.structure import FRAME
+from linkwright.studies.asked import name_faults, unit_faults
 from linkwright.studies.cycle import CycleOptions, beside, span
 from linkwright.studies.extremes import Course, Signals, Touch, Transmission, courses, touches, transmission
 from linkwright.studies.feasible import overrun, unassembled
 from linkwright.studies.four_links import FourLinks, four_links
+from linkwright.studies.numbers import interval
 from linkwright.studies.ranges import Range, ranges
 from linkwright.studies.registry import register
 from linkwright.studies.site import NOWHERE, Site
@@ -40,11 +38,14 @@ DRAWN = 720
 """The most steps of a sweep that is drawn."""
 
 
+Motor = Annotated[NameField, Ref("motor")]
+
+
 class LimitsOptions(Frozen):
     """Which drives are moved alone, over which values, and which signals are looked at."""
 
-    drives: tuple[NameField, ...] | None = Field(None, description="the drives to look at; all of them by default")
-    ranges: Annotated[dict[NameField, Interval], of_drive(u.ANGLE, u.LENGTH), freeze] = Field(
+    drives: tuple[Motor, ...] | None = Field(None, description="the drives to look at; all of them by default")
+    ranges: Annotated[dict[Motor, Interval], of_drive(u.ANGLE, u.LENGTH), freeze] = Field(
         default_factory=FrozenDict,
         description="[low, high] of a drive's value; else one turn, a cylinder's stroke, or as far as a slide gets",
     )
@@ -117,8 +118,8 @@ class Limits:
     options = LimitsOptions
 
     def check(self, compiled: Compiled, options: LimitsOptions) -> list[Finding]:
-        """What is wrong with drives, ranges and signals."""
-        return [*_drives(compiled, options), *_ranges(compiled, options), *_signals(compiled, options)]
+        """What is wrong with ranges and signals."""
+        return [*_ranges(compiled, options), *_signals(compiled, options)]
 
     def run(self, compiled: Compiled, options: LimitsOptions, site: Site = NOWHERE) -> LimitsOutcome:
         """Move each drive alone, then follow the file's motion."""
@@ -214,12 +215,6 @@ def _forward(compiled: Compiled, drive: str) -> bool:
     return early >= 0
 
 
-def _drives(compiled: Compiled, options: LimitsOptions) -> Iterator[Finding]:
-    known = compiled.graph.motors
-    for key, names in (("drives", options.drives or ()), ("ranges", options.ranges)):
-        yield from (unknown("drive", ("studies", "limits", key), name, known) for name in names if name not in known)
-
-
 def _widest(compiled: Compiled, drive: str) -> float:
     """The longest way of a drive (rad or m) over which limits are looked for."""
     turns = compiled.mechanism.prescribed(drive).turns is not None
@@ -231,38 +226,25 @@ def _ranges(compiled: Compiled, options: LimitsOptions) -> Iterator[Finding]:
         path = ("studies", "limits", "ranges", name)
         if name not in compiled.graph.motors:
             continue
-        try:
-            low, high = (_value(compiled, name, edge) for edge in edges)
-        except DimensionError as error:
-            yield Finding(error.key, path, error.data)
-            continue
-        widest = _widest(compiled, name)
-        if not (abs(low) < LARGEST and abs(high) < LARGEST):
-            yield Finding("value.not-finite", path, {"text": f"{edges[0].text}, {edges[1].text}"[:60]})
-        elif not low < high:
-            yield Finding("value.not-rising", path, {"low": edges[0].text[:40], "high": edges[1].text[:40]})
-        elif high - low > widest:
+        ends, found = interval(compiled.quantities, edges, compiled.quantities.drive_dimension(name), path)
+        yield from found
+        if ends is not None and ends[1] - ends[0] > (widest := _widest(compiled, name)):
             unit, size = compiled.quantities.drive_unit(name)
             yield Finding("study.wide-range", path, {"drive": name, "limit": f"{widest / size:.4g}", "unit": unit})
 
 
 def _signals(compiled: Compiled, options: LimitsOptions) -> Iterator[Finding]:
-    quantities = compiled.quantities
-    names = Names(compiled.mechanism, quantities.signals)
     for i, expression in enumerate(options.signals):
         path = ("studies", "limits", "signals", i)
-        place = Place(path, expression, u.PURE, Scope.SIGNALS)
-        wrong = [*names.unknown(place), *names.misplaced(place)]
-        yield from wrong
-        if wrong:
-            continue
-        dynamic = [name for name in _names(compiled, expression) if name is not None]
-        yield from (Finding("study.not-in-sweep", path, {"name": name}) for name in dict.fromkeys(dynamic))
-        if not dynamic:
-            try:
-                quantities.dimensions.bind(expression.node, None)
-            except DimensionError as error:
-                yield Finding(error.key, path, quantities.spelt(error.data))
+        yield from name_faults(compiled, expression, path) or _unmoved(compiled, expression, path)
+
+
+def _unmoved(compiled: Compiled, expression: Expression, path: Path) -> list[Finding]:
+    """What an expression of known names has that isn't there where a drive is moved alone, or else is wrong with its
+    dimensions."""
+    dynamic = dict.fromkeys(name for name in _names(compiled, expression) if name is not None)
+    found = [Finding("study.not-in-sweep", path, {"name": name}) for name in dynamic]
+    return found or unit_faults(compiled, expression, path)
 
 
 def _names(compiled: Compiled, expression: Expression) -> Iterator[str | None]:

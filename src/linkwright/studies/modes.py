@@ -10,8 +10,7 @@ from pydantic import Field
 
 from linkwright.compilation import Prepared
 from linkwright.expressions import units as u
-from linkwright.expressions.dimensions import DimensionError
-from linkwright.expressions.fields import Expression, Frozen, Name
+from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.findings import Finding, ModelError
 from linkwright.graph.constraints import Ride
@@ -21,7 +20,11 @@ from linkwright.graph.survey import SAME, Circuit, Survey, survey
 from linkwright.kernels import Compiled
 from linkwright.kernels.followers import FollowerLaw
 from linkwright.kernels.laws import values_at
+from linkwright.model.parts import DriveName
 from linkwright.model.quantities import Quantities
+from linkwright.model.references import option_faults
+from linkwright.studies.cycle import LONGEST
+from linkwright.studies.numbers import constant
 from linkwright.studies.registry import register
 from linkwright.studies.site import NOWHERE, Site
 
@@ -34,7 +37,7 @@ class ModesOptions(Frozen):
     at: Annotated[Expression | None, Quantity(u.TIME)] = Field(
         None, description="the time of the pose; the start of the motion by default"
     )
-    drive: Name | None = Field(
+    drive: DriveName | None = Field(
         None,
         description="the drive over which circuits are followed, the others held; needn't be named if there is one",
     )
@@ -86,20 +89,18 @@ def find_modes(made: Prepared | Compiled, options: ModesOptions) -> ModesOutcome
 
 def check_options(made: Prepared | Compiled, options: ModesOptions) -> list[Finding]:
     """What is wrong with the options."""
-    drives = made.quantities.mechanism.movers
-    if options.drive is not None and options.drive not in drives:
-        reason = f"'{options.drive}' isn't one of the drives: {', '.join(drives)}"
-        return [Finding("study.options", (*PATH, "drive"), {"study": "modes", "key": "drive", "reason": reason})]
+    if unnamed := option_faults(made.mechanism, options, PATH):
+        return unnamed
     if options.drive is not None and isinstance(law := made.laws[options.drive], FollowerLaw):
         return [Finding("study.follower", (*PATH, "drive"), {"name": options.drive, "motor": law.motor})]
+    time, wrong = 0.0, list[Finding]()
+    if options.at is not None:
+        value, wrong = constant(made.quantities, options.at, u.TIME, (*PATH, "at"), LONGEST)
+        time = value or 0.0
+    if wrong:
+        return wrong
     try:
-        time = _time(made.quantities, options)
-        if not abs(time) < 1e12:
-            data = {"study": "modes", "key": "at", "reason": "must be a number"}
-            return [Finding("study.options", (*PATH, "at"), data)]
         values_at(made.laws, time)
-    except DimensionError as error:
-        return [Finding(error.key, (*PATH, "at"), error.data)]
     except ModelError as error:
         return list(error.findings)
     return []

@@ -16,16 +16,15 @@ from pydantic import Field
 
 from linkwright.compilation import examine_still
 from linkwright.expressions import units as u
-from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding
 from linkwright.graph.statics import Statics
 from linkwright.kernels import Compiled, Still
-from linkwright.model.quantities import LARGEST
 from linkwright.model.signals import Contact
 from linkwright.results import Result, Run
+from linkwright.studies.numbers import constant
 from linkwright.studies.registry import register
 from linkwright.studies.site import NOWHERE, Site
 
@@ -108,13 +107,11 @@ class Reactions:
 
     def check(self, compiled: Compiled, options: ReactionsOptions) -> list[Finding]:
         """What is wrong with the time."""
-        try:
-            time = _time(compiled, options)
-        except DimensionError as error:
-            return [Finding(error.key, (*PATH, "at"), compiled.quantities.spelt(error.data))]
-        if not 0 <= time < LARGEST:
-            return [Finding("reactions.time", (*PATH, "at"), {"text": str(options.at and options.at.text)[:60]})]
-        return []
+        if options.at is None:
+            return []
+        time, found = constant(compiled.quantities, options.at, u.TIME, path := (*PATH, "at"))
+        early = time is not None and time < 0
+        return [Finding("reactions.time", path, {"text": options.at.text[:60]})] if early else found
 
     def run(self, compiled: Compiled, options: ReactionsOptions, site: Site = NOWHERE) -> ReactionsOutcome:
         """Solve the equilibrium."""

@@ -10,14 +10,13 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.typed_fields import of_parameter
-from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.varied import Varied
-from linkwright.model.parts import freeze
+from linkwright.model.parts import ParameterName, freeze
+from linkwright.model.references import option_faults
 from linkwright.studies.asked import Sampling, check_outputs, check_span, one_of
 from linkwright.studies.distributions import Spread, Vary
 from linkwright.studies.numbers import constant
@@ -37,7 +36,7 @@ class SweepOptions(Sampling):
 
     study = "sweep"
 
-    vary: Annotated[dict[NameField, Vary], of_parameter(3), freeze] = Field(
+    vary: Annotated[dict[ParameterName, Vary], of_parameter(3), freeze] = Field(
         min_length=1, max_length=1000, description="what each varied parameter takes: steps, a list, a distribution"
     )
     plan: PlanName | None = Field(  # type: ignore[valid-type]
@@ -70,9 +69,9 @@ class SweepOptions(Sampling):
 
 def check(compiled: Compiled, options: SweepOptions) -> Iterator[Finding]:
     """What is wrong with options that are well-formed."""
-    varied = list(_varied(compiled, options))
-    yield from varied
-    if not varied:
+    wrong = [*option_faults(compiled.mechanism, options, PATH), *_varied(compiled, options)]
+    yield from wrong
+    if not wrong:
         yield from _size(compiled, options)
         try:
             Varied(compiled, tuple(options.vary))
@@ -87,8 +86,6 @@ def _varied(compiled: Compiled, options: SweepOptions) -> Iterator[Finding]:
     for name, entry in options.vary.items():
         path = (*PATH, "vary", name)
         if name not in quantities.parameters:
-            data = {"name": name, "near": near(name, [*quantities.parameters])}
-            yield Finding("name.unknown-parameter", path, data)
             continue
         dimension, numbers, wrong = quantities.dimensions.of(name), list[float](), list[Finding]()
         for place, part in entry.parts():

@@ -16,8 +16,10 @@ from linkwright.elements.entries import JointEntry
 from linkwright.elements.joint import Miss, Rate
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name
-from linkwright.expressions.typed_fields import Quantity, Sign
+from linkwright.expressions.typed_fields import Quantity, Ref, Sign
 from linkwright.notation import Jet
+
+_Link = Annotated[Name, Ref("link")]
 
 
 class GearEntry(JointEntry):
@@ -27,11 +29,13 @@ class GearEntry(JointEntry):
     couple = True
     signals = {"turned": u.ANGLE}
 
-    gear_on_carrier: Annotated[tuple[Name, Name, Name], BeforeValidator(tuple)] = Field(
+    gear_on_carrier: Annotated[tuple[_Link, _Link, _Link], BeforeValidator(tuple)] = Field(
         description="both gears and their carrier"
     )
     at: ClassVar[None] = None
-    points: Annotated[tuple[Name, Name, Name], BeforeValidator(tuple)] = Field(description="a point of each")
+    points: Annotated[tuple[Name, Name, Name], BeforeValidator(tuple), Ref("point", of="links")] = Field(
+        description="a point of each"
+    )
     ratio: Annotated[Expression, Quantity(u.PURE, Sign.POSITIVE, "number")] = Field(description="teeth of b over a")
 
     @property

@@ -297,8 +297,8 @@ FAULTS: dict[str, tuple[dict[str, Any], dict[str, Any], list[tuple[str, str]]]] 
     "expansion of an angle": (
         {}, {"thermal": {"warm": {"change": [0, 1], "material": "steel", "parameters": ["phi", "no"]}}},
         [
-            ("tolerance.not-a-length", "thermal.warm.parameters.0"),
             ("name.unknown-parameter", "thermal.warm.parameters.1"),
+            ("tolerance.not-a-length", "thermal.warm.parameters.0"),
         ],
     ),
     "expansion of a derived length": (

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,12 +14,15 @@ from pydantic import Field
 
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Frozen, Name
-from linkwright.expressions.unknown import near, unknown
+from linkwright.expressions.typed_fields import Ref
+from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.kernels.law import Law
 from linkwright.kernels.laws import uniform, values_at
+from linkwright.model.parts import PointName
 from linkwright.model.pins import homes
+from linkwright.model.references import option_faults
 from linkwright.report.data import known
 from linkwright.structure import FRAME
 from linkwright.studies.extremes import Transmission, transmission
@@ -34,11 +37,11 @@ STILL = 1e-9
 class Facts(Frozen):
     """What the sheet tells beside the joint functions."""
 
-    panel: Name | None = Field(
+    panel: Annotated[Name | None, Ref("moving")] = Field(
         None, description="the link whose opening is told; by default the one of handle or outline, else the coupler"
     )
-    handle: Name | None = Field(None, description="the point where a hand opens; it acts along the point's path")
-    outline: tuple[Name, ...] = Field(
+    handle: PointName | None = Field(None, description="the point where a hand opens; it acts along the point's path")
+    outline: tuple[PointName, ...] = Field(
         (), max_length=200, description="points of the panel in order around it; the area that they sweep is drawn"
     )
     samples: int = Field(180, ge=8, le=5000, description="equal steps of the driving range")
@@ -235,12 +238,7 @@ def swept(corners: Array) -> Any:
 def check_facts(compiled: Compiled, options: Facts, path: tuple[str | int, ...]) -> list[Finding]:
     """What is wrong with the options, which stand at ``path`` in the file."""
     m, points = compiled.mechanism, homes(compiled.mechanism)
-    found = []
-    if options.panel is not None and options.panel not in compiled.structure.topology.moving:
-        found.append(unknown("link", (*path, "panel"), options.panel, compiled.structure.topology.moving))
-    for key, names in (("handle", [options.handle] if options.handle else []), ("outline", options.outline)):
-        found += [unknown("point", (*path, key), name, points) for name in dict.fromkeys(names) if name not in points]
-    if found:
+    if found := option_faults(m, options, path):
         return found
     if options.handle and points[options.handle] == FRAME:
         found.append(Finding("export.handle", (*path, "handle"), {"name": options.handle}))

@@ -15,7 +15,7 @@ from linkwright.exports.process_simulate.functions import MOST, PATH, Wish
 from linkwright.exports.process_simulate.joints import ToolJoint, driving, joints_of, named
 from linkwright.exports.process_simulate.mirror import Mirror
 from linkwright.expressions import units as u
-from linkwright.expressions.dimensions import DimensionError, Wanted
+from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.fields import Expression, Frozen, FrozenDict
 from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.typed_fields import Context, Quantity, of_drive
@@ -23,9 +23,9 @@ from linkwright.expressions.unknown import unknown
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.parts import Interval, freeze
-from linkwright.model.quantities import LARGEST
 from linkwright.studies.asked import one_of
 from linkwright.studies.limits import WIDEST
+from linkwright.studies.numbers import constant, interval
 
 ALLOWED = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,59}")
 """Names that every tool takes: what else Process Simulate would take isn't known."""
@@ -173,22 +173,21 @@ def _values(
     stops = dimension if driving is None else VALUES[driving.kind]
     if options.range is not None and options.stops is not None:
         yield Finding("functions.two-ranges", (*PATH, "stops"), {})
-    alone = None if options.zero is None else (options.zero, options.zero)
-    every = (("zero", alone, dimension), ("range", options.range, dimension), ("stops", options.stops, stops))
+    every = (("zero", options.zero, dimension), ("range", options.range, dimension), ("stops", options.stops, stops))
     for key, ends, of in every:
         if ends is None:
             continue
         unit, size = quantities.unit_of(of)
         widest = WIDEST[True] if of == u.ANGLE else WIDEST[False] * compiled.assembly.size()
-        try:
-            low, high = (quantities.value(end, of) for end in ends)
-        except DimensionError as error:
-            yield Finding(error.key, (*PATH, key), quantities.spelt(error.data))
+        if isinstance(ends, Expression):
+            value, found = constant(quantities, ends, of, (*PATH, key))
+            given = None if value is None else (value, value)
+        else:
+            given, found = interval(quantities, ends, of, (*PATH, key))
+        yield from found
+        if given is None:
             continue
-        if not max(abs(low), abs(high)) < LARGEST:
-            yield Finding("value.not-finite", (*PATH, key), {"text": f"{ends[0].text}, {ends[1].text}"[:60]})
-        elif key != "zero" and not low < high:
-            yield Finding("value.not-rising", (*PATH, key), {"low": ends[0].text[:40], "high": ends[1].text[:40]})
-        elif high - low > widest or (key != "range" and max(abs(low), abs(high)) > widest):
+        low, high = given
+        if high - low > widest or (key != "range" and max(abs(low), abs(high)) > widest):
             data = {"drive": drive, "limit": f"{widest / size:.4g}", "unit": unit}
             yield Finding("study.wide-range", (*PATH, key), data)

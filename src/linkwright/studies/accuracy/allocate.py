@@ -11,20 +11,20 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from linkwright.expressions import units as u
-from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Context, Quantity
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import Shortened
 from linkwright.findings import Finding
 from linkwright.model.parts import freeze
-from linkwright.model.quantities import LARGEST, Quantities
+from linkwright.model.quantities import Quantities
 from linkwright.studies.accuracy.allocated import Allocation
 from linkwright.studies.accuracy.allocation import allocate
 from linkwright.studies.accuracy.allocation_problem import Demand, Item, Problem
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.costs import AnyCost, Processes, Stepped
 from linkwright.studies.accuracy.outputs import OutputName, of_output
+from linkwright.studies.numbers import constant, positive
 from linkwright.tolerances import NoTolerance, tolerance_class
 
 Array = NDArray[np.float64]
@@ -172,15 +172,11 @@ def _demanded(
             yield Finding("accuracy.no-target", path, {"name": name[:60], "near": near(name, [*outputs])})
             continue
         coefficients, dimension, unit, size = outputs[name]
-        try:
-            wanted = quantities.value(target.within, dimension)
-        except DimensionError as error:
-            yield Finding(error.key, path, quantities.spelt(error.data))
-            continue
-        if not 0 < wanted < LARGEST:
-            yield Finding("accuracy.target", path, {"text": target.within.text[:40]})
-            continue
-        demands.append(Demand(name, wanted, coefficients, target.method or options.method, unit, size))
+        text = target.within.text[:40]
+        wanted, wrong = positive(quantities, target.within, dimension, path, "accuracy.target", text=text)
+        yield from wrong
+        if wanted is not None:
+            demands.append(Demand(name, wanted, coefficients, target.method or options.method, unit, size))
 
 
 def _no_grade(one: Contributor, cost: Any, path: tuple[str, ...], rounding: bool) -> Iterator[Finding]:
@@ -199,13 +195,13 @@ def _ends(
     if cost.between is None:
         low, high = (it_half(one, f"IT{grade}") for grade in (FINEST, COARSEST))
         return ((low, high) if low and high else (half / DECADE, half * DECADE)), []
-    ends = []
-    for i, part in enumerate(cost.between):
-        try:
-            ends.append(quantities.value(part, one.dimension))
-        except DimensionError as error:
-            return None, [Finding(error.key, (*path, "between", i), quantities.spelt(error.data))]
-    if not 0 < ends[0] < ends[1] < LARGEST:
+    at = (*path, "between")
+    (low, wrong), (high, more) = (
+        constant(quantities, part, one.dimension, (*at, i)) for i, part in enumerate(cost.between)
+    )
+    if low is None or high is None:
+        return None, [*wrong, *more]
+    if not 0 < low < high:
         data = {"low": cost.between[0].text[:40], "high": cost.between[1].text[:40]}
-        return None, [Finding("accuracy.half-widths", (*path, "between"), data)]
-    return (ends[0], ends[1]), []
+        return None, [Finding("accuracy.half-widths", at, data)]
+    return (low, high), []

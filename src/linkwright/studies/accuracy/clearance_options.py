@@ -9,7 +9,6 @@ from typing import Annotated
 from pydantic import Field
 
 from linkwright.elements.cam_contact import cam_followers
-from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression, Name
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.expressions.units import LENGTH
@@ -20,8 +19,8 @@ from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.model.pins import Pin
 from linkwright.model.places import Path
-from linkwright.model.quantities import LARGEST
 from linkwright.studies.accuracy.rollers import rollers
+from linkwright.studies.numbers import positive
 
 
 class Clearance(Shortened):
@@ -89,15 +88,9 @@ def _lengths(compiled: Compiled, entry: Clearance) -> Iterator[tuple[str, float 
         expression = getattr(entry, key)
         if expression is None:
             continue
-        try:
-            value = quantities.value(expression, LENGTH)
-        except DimensionError as error:
-            yield key, Finding(error.key, (key,), quantities.spelt(error.data))
-            continue
-        if 0 < value < LARGEST:
-            yield key, value
-        else:
-            yield key, Finding("clearance.not-positive", (key,), {"text": expression.text[:60]})
+        text = expression.text[:60]
+        value, wrong = positive(quantities, expression, LENGTH, (key,), "clearance.not-positive", text=text)
+        yield key, wrong[0] if value is None else value
 
 
 def _no_joint(compiled: Compiled, name: str, path: Path) -> Finding:

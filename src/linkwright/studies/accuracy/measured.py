@@ -20,10 +20,10 @@ from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.model.csv_file import finite, read_csv
-from linkwright.model.quantities import LARGEST
 from linkwright.results import Run
 from linkwright.results.stationary import bracketed
 from linkwright.studies.asked import of_signals, signal_faults
+from linkwright.studies.numbers import constant, positive
 
 Array = NDArray[np.float64]
 Path_ = tuple[str | int, ...]
@@ -84,13 +84,10 @@ def read(
         numbers = dict.fromkeys(names, np.nan)
         for name, expression in row.items():
             column = columns.get(name)
-            try:
-                numbers[name] = compiled.quantities.value(expression, column.dimension) if column else 0.0
-            except DimensionError as error:
-                findings.append(Finding(error.key, (*path, i, name), compiled.quantities.spelt(error.data)))
-                continue
-            if column and not abs(numbers[name]) < LARGEST:
-                findings.append(Finding("value.not-finite", (*path, i, name), {"text": expression.text[:60]}))
+            if column is not None:
+                value, wrong = constant(compiled.quantities, expression, column.dimension, (*path, i, name))
+                findings += wrong
+                numbers[name] = np.nan if value is None else value
         if place and place.text not in row:
             findings.append(Finding("accuracy.measured-number", (*path, i), {"row": i + 1, "name": place.text}))
         rows.append([numbers[name] for name in names])
@@ -308,14 +305,10 @@ def _sigmas(
     for i, column in enumerate(outputs):
         if (expression := given.get(column.text)) is None:
             continue
-        path = (*PATH, "sigma", column.text)
-        try:
-            found[i] = compiled.quantities.value(expression, column.dimension)
-        except DimensionError as error:
-            findings.append(Finding(error.key, path, compiled.quantities.spelt(error.data)))
-            continue
-        if not 0 < found[i] < LARGEST:
-            findings.append(Finding("accuracy.sigma", path, {"sigma": expression.text[:40]}))
+        path, text = (*PATH, "sigma", column.text), expression.text[:40]
+        value, wrong = positive(compiled.quantities, expression, column.dimension, path, "accuracy.sigma", sigma=text)
+        findings += wrong
+        found[i] = np.nan if value is None else value
     return found, findings
 
 

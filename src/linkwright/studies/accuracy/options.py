@@ -4,26 +4,24 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import Field, FiniteFloat
+from pydantic import Field
 
 from linkwright.expressions.fields import FrozenDict, Text
 from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.typed_fields import Quantity
-from linkwright.expressions.units import PURE, TIME
+from linkwright.expressions.units import TIME
 from linkwright.kernels.registry import KERNELS
 from linkwright.model.parts import freeze
-from linkwright.model.tolerances import ClassName, DistributionName
 from linkwright.studies.accuracy.allocate import Allocate
 from linkwright.studies.accuracy.calibrate import Calibrate
-from linkwright.studies.accuracy.clearance_options import Clearance
-from linkwright.studies.accuracy.stated_options import Correlation, Thermal
+from linkwright.studies.accuracy.stated_options import DeviationOptions
 from linkwright.studies.asked import Sampling, one_of
 
 PlanName = one_of("accuracy", "plan", ["random", "latin", "sobol"])
 KernelName = one_of("accuracy", "kernel", ["auto", *KERNELS])
 
 
-class AccuracyOptions(Sampling):
+class AccuracyOptions(DeviationOptions, Sampling):
     """Which outputs, what deviates and how, and what is asked of it."""
 
     study = "accuracy"
@@ -33,22 +31,6 @@ class AccuracyOptions(Sampling):
         default_factory=FrozenDict,
         description="named positions at which signals are looked at: 'max E.x', 'end of WINDOW', a time",
         examples=[{"far": "max E.x", "out": "end of feed", "grip": "0.2 s"}],
-    )
-
-    # What deviates.
-    parameters: tuple[NameField, ...] | None = Field(
-        None, max_length=1000, description="parameters that deviate; by default all with a tolerance or the general one"
-    )
-    general: ClassName | None = Field(
-        None, description="class of the lengths that state no tolerance, and of such angles with a side"
-    )
-    distribution: DistributionName = Field("normal", description="of the deviations that state none")
-    cp: FiniteFloat = Field(1.0, description="capability: a standard deviation is the limits' width/(6 cp)")
-    correlations: tuple[Correlation, ...] = Field(
-        (), max_length=1000, description="deviations that go together, with their correlation coefficients"
-    )
-    thermal: Annotated[dict[Text, Thermal], Quantity(PURE), freeze] = Field(
-        default_factory=FrozenDict, max_length=100, description="changes of temperature by name"
     )
 
     # The way back: tolerances from what is wanted, dimensions from what is measured.
@@ -62,9 +44,6 @@ class AccuracyOptions(Sampling):
     kernel: KernelName = Field("auto", description="what computes it: chosen by the size of the work, or one by name")  # type: ignore[valid-type]
 
     # Clearances in joints.
-    clearances: Annotated[dict[NameField, Clearance], freeze] = Field(
-        default_factory=FrozenDict, description="joints with clearance: pins and prismatic joints by name"
-    )
     contact: float = Field(
         0.05, gt=0, lt=1, description="the share of a joint's RMS reaction below which contact may be lost"
     )
@@ -73,3 +52,7 @@ class AccuracyOptions(Sampling):
     nonlinear: float = Field(
         0.05, ge=0, le=1, description="the worst case is searched where the linear one is off by more of its width"
     )
+
+    @property
+    def deviating(self) -> bool:
+        return super().deviating or self.allocate is not None or self.calibrate is not None

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from linkwright.expressions import units as u
-from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.unknown import unknown
 from linkwright.expressions.written import FrozenDict
@@ -18,6 +17,7 @@ from linkwright.model.document import Document
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.asked import of_signals, signal_faults
 from linkwright.studies.cycle import span
+from linkwright.studies.numbers import constant
 
 PATH = ("studies", "accuracy", "positions")
 WIDEST = ""
@@ -48,12 +48,10 @@ def check_positions(compiled: Compiled, options: AccuracyOptions) -> Iterator[Fi
             if not wrong and not of_signals(expression):
                 yield Finding("accuracy.position", path, {"text": text[:60]})
             continue
-        try:
-            time, stop = quantities.value(expression, u.TIME), span(compiled, options.cycle)[0]
-        except DimensionError as error:
-            yield Finding(error.key, path, quantities.spelt(error.data))
-            continue
-        if not 0 <= time <= stop:
+        time, wrong = constant(quantities, expression, u.TIME, path)
+        yield from wrong
+        stop = span(compiled, options.cycle)[0]
+        if time is not None and not 0 <= time <= stop:
             unit, size = quantities.unit_of(u.TIME)
             data = {"text": text[:60], "stop": f"{stop / size:.6g}", "unit": unit}
             yield Finding("accuracy.outside-run", path, data)

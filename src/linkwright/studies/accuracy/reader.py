@@ -15,7 +15,7 @@ from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.tolerances import Spread, stated
 from linkwright.studies.accuracy.chained import derived
-from linkwright.studies.accuracy.options import AccuracyOptions
+from linkwright.studies.accuracy.stated_options import DeviationOptions
 from linkwright.studies.numbers import constant
 from linkwright.tolerances import DISTRIBUTIONS, Deviation, Limits
 
@@ -44,7 +44,7 @@ class Moving:
 class Reader:
     """Reads the deviations of a study, and collects what is wrong with them."""
 
-    def __init__(self, compiled: Compiled, options: AccuracyOptions) -> None:
+    def __init__(self, compiled: Compiled, options: DeviationOptions) -> None:
         self.quantities, self.options = compiled.quantities, options
         self.findings: list[Finding] = []
         self.tolerances = {name: stated(p.tolerance) for name, p in compiled.mechanism.parameters.items()}

@@ -7,21 +7,21 @@ from collections.abc import Iterator
 import numpy as np
 
 from linkwright.expressions import units as u
-from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, raise_errors
 from linkwright.kernels import Compiled
+from linkwright.model.references import option_faults
 from linkwright.studies.accuracy.chained import derivatives
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.correlated import check as check_correlations
 from linkwright.studies.accuracy.correlated import matrix
-from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.reader import PATH, Moving, Reader
+from linkwright.studies.accuracy.stated_options import DeviationOptions
 from linkwright.studies.accuracy.thermal import thermal
 from linkwright.studies.accuracy.toleranced import toleranced
 from linkwright.tolerances import NoTolerance
 
 
-def contributors(compiled: Compiled, options: AccuracyOptions) -> Contributors:
+def contributors(compiled: Compiled, options: DeviationOptions) -> Contributors:
     """All contributors and their correlations. Raises ModelError where :func:`check_contributors` finds something."""
     stated = _Stated(compiled, options)
     raise_errors(stated.findings)
@@ -30,12 +30,12 @@ def contributors(compiled: Compiled, options: AccuracyOptions) -> Contributors:
     return Contributors(every, correlation, compiled.parameters.size)
 
 
-def check_contributors(compiled: Compiled, options: AccuracyOptions) -> Iterator[Finding]:
+def check_contributors(compiled: Compiled, options: DeviationOptions) -> Iterator[Finding]:
     """What is wrong with the tolerances and all else that makes contributors."""
     yield from _Stated(compiled, options).findings
 
 
-def skipped(compiled: Compiled, options: AccuracyOptions) -> list[Finding]:
+def skipped(compiled: Compiled, options: DeviationOptions) -> list[Finding]:
     """A warning on the lengths that the general tolerance has nothing for."""
     names = _Stated(compiled, options).skipped
     data = {"names": ", ".join(names), "general": options.general.found.text if options.general else ""}
@@ -45,9 +45,10 @@ def skipped(compiled: Compiled, options: AccuracyOptions) -> list[Finding]:
 class _Stated(Reader):
     """All deviations of a study, and how the parameters follow them."""
 
-    def __init__(self, compiled: Compiled, options: AccuracyOptions) -> None:
+    def __init__(self, compiled: Compiled, options: DeviationOptions) -> None:
         super().__init__(compiled, options)
         self.skipped: list[str] = []
+        self.findings += option_faults(compiled.mechanism, options, PATH)
         if options.cp <= 0:
             self.wrong("tolerance.cp", (*PATH, "cp"), cp=f"{options.cp:g}")
         names = self._named() if options.parameters is not None else self._all()
@@ -61,8 +62,7 @@ class _Stated(Reader):
             if not np.isfinite(row).all():
                 text = compiled.mechanism.parameters[name].value.text[:60]
                 self.wrong("tolerance.no-derivative", ("parameters", name), text=text)
-        alone = options.clearances and options.allocate is None and options.calibrate is None
-        if not read and not alone and not self.findings:
+        if options.deviating and not (read or self.findings):
             self.wrong("tolerance.none", PATH)
         self.findings += check_correlations([*names, *options.thermal], options.correlations)
 
@@ -94,9 +94,9 @@ class _Stated(Reader):
         kept: list[str] = []
         for i, name in enumerate(self.options.parameters or ()):
             path = (*PATH, "parameters", i)
-            if name not in self.tolerances:
-                self.wrong("name.unknown-parameter", path, name=name, near=near(name, [*self.tolerances]))
-            elif name in kept:
+            if name not in self.tolerances:  # told as a name
+                continue
+            if name in kept:
                 self.wrong("tolerance.named-twice", path, name=name)
             elif name not in self.independent:
                 self.of_derived(name, path)

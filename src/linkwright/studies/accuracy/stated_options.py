@@ -7,13 +7,13 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Discriminator, Field, FiniteFloat, Tag
 
-from linkwright.expressions.fields import Expression, Frozen, Text
-from linkwright.expressions.fields import Name as NameField
+from linkwright.expressions.fields import Expression, Frozen, FrozenDict, Name, Text
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.expressions.units import PURE
 from linkwright.expressions.written import Fault, unexpected
-from linkwright.model.parts import Interval
-from linkwright.model.tolerances import Spread
+from linkwright.model.parts import Interval, ParameterName, freeze
+from linkwright.model.tolerances import ClassName, DistributionName, Spread
+from linkwright.studies.accuracy.clearance_options import Clearance
 
 
 def _is(raw: Any) -> Any:
@@ -49,7 +49,7 @@ class Thermal(Spread):
     expansion: Annotated[Expression | None, Quantity(PURE)] = Field(
         None, description="coefficient of linear expansion in 1e-6/K, instead"
     )
-    parameters: tuple[NameField, ...] | None = Field(
+    parameters: tuple[ParameterName, ...] | None = Field(
         None, min_length=1, max_length=1000, description="the lengths that expand; all that aren't derived by default"
     )
 
@@ -58,3 +58,30 @@ class Thermal(Spread):
         yield from super().faults(given)
         if ("material" in given) == ("expansion" in given):
             yield "tolerance.material-or-expansion", {}
+
+
+class DeviationOptions(Frozen):
+    """What deviates and how: for the accuracy study, and for others that ask what deviations do."""
+
+    parameters: tuple[ParameterName, ...] | None = Field(
+        None, max_length=1000, description="parameters that deviate; by default all with a tolerance or the general one"
+    )
+    general: ClassName | None = Field(
+        None, description="class of the lengths that state no tolerance, and of such angles with a side"
+    )
+    distribution: DistributionName = Field("normal", description="of the deviations that state none")
+    cp: FiniteFloat = Field(1.0, description="capability: a standard deviation is the limits' width/(6 cp)")
+    correlations: tuple[Correlation, ...] = Field(
+        (), max_length=1000, description="deviations that go together, with their correlation coefficients"
+    )
+    thermal: Annotated[dict[Text, Thermal], Quantity(PURE), freeze] = Field(
+        default_factory=FrozenDict, max_length=100, description="changes of temperature by name"
+    )
+    clearances: Annotated[dict[Name, Clearance], freeze] = Field(
+        default_factory=FrozenDict, description="joints with clearance: pins and prismatic joints by name"
+    )
+
+    @property
+    def deviating(self) -> bool:
+        """Whether some parameter must deviate: clearances alone are enough for errors."""
+        return not self.clearances

@@ -8,6 +8,7 @@ from linkwright.expressions import units as u
 from linkwright.expressions.unknown import near
 from linkwright.studies.accuracy.reader import PATH, Moving, Path, Reader
 from linkwright.studies.accuracy.stated_options import Thermal
+from linkwright.studies.numbers import interval
 from linkwright.tolerances import EXPANSION
 
 
@@ -16,12 +17,8 @@ def thermal(reader: Reader, name: str, entry: Thermal) -> Moving | None:
     path = (*PATH, "thermal", name)
     if name in reader.tolerances:
         reader.wrong("tolerance.thermal-name", path, name=name)
-    low, high = (reader.value(end, u.PURE, (*path, "change")) for end in entry.change)
-    limits = None if low is None or high is None else (low, high)
-    if limits and not limits[0] < limits[1]:
-        data = {"low": entry.change[0].text[:40], "high": entry.change[1].text[:40]}
-        reader.wrong("value.not-rising", (*path, "change"), **data)
-        limits = None
+    limits, wrong = interval(reader.quantities, entry.change, u.PURE, (*path, "change"))
+    reader.findings += wrong
     alpha, moved = _expansion(reader, entry, path), _lengths(reader, entry, path)
     spread = reader.spread(path, entry, "uniform", limits or (-1.0, 1.0), u.PURE)
     if limits is None or alpha is None or spread is None:
@@ -51,9 +48,9 @@ def _lengths(reader: Reader, entry: Thermal, path: Path) -> list[str]:
         return lengths
     for i, name in enumerate(entry.parameters):
         at = (*path, "parameters", i)
-        if name not in reader.tolerances:
-            reader.wrong("name.unknown-parameter", at, name=name, near=near(name, lengths))
-        elif name not in reader.independent:
+        if name not in reader.tolerances:  # told as a name
+            continue
+        if name not in reader.independent:
             reader.of_derived(name, at)
         elif name not in lengths:
             reader.wrong("tolerance.not-a-length", at, name=name)

@@ -11,7 +11,7 @@ from linkwright.cam.nc.posts import POSTS
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, FrozenDict, Requirement
 from linkwright.expressions.fields import Name as NameField
-from linkwright.expressions.typed_fields import Context, Quantity, Sign
+from linkwright.expressions.typed_fields import Context, Quantity, Ref, Sign
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import Fault, fault
 from linkwright.model.parts import Interval, freeze
@@ -184,7 +184,9 @@ def _figure(c: Context) -> u.Dimension | None:
 class CamOptions(Frozen):
     """Which cam, what it is held against, and what is made of it."""
 
-    cam: NameField | None = Field(None, description="the entry of cams; may be left out where there is one")
+    cam: Annotated[NameField | None, Ref("cam")] = Field(
+        None, description="the entry of cams; may be left out where there is one"
+    )
     limits: CamLimits = Field(default_factory=CamLimits, description="limits of the checks")
     require: Annotated[dict[str, Requirement], Quantity(_figure), freeze] = Field(
         default_factory=FrozenDict, description="requirements on the study's figures by name, e.g. '>= 22 mm'"

@@ -16,7 +16,6 @@ from linkwright.cam.sizing import feasible, resized, smallest
 from linkwright.cam.solid import Blank
 from linkwright.cam.splines import splines
 from linkwright.expressions import units as u
-from linkwright.expressions.unknown import unknown
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.studies.cam.closed import held
@@ -165,7 +164,7 @@ def chosen(compiled: Compiled, options: CamOptions) -> tuple[str | None, list[Fi
     """The cam that is looked at, or what is wrong."""
     cams = compiled.mechanism.cams
     if options.cam is not None:
-        return (options.cam, []) if options.cam in cams else (None, [unknown("cam", (*PATH, "cam"), options.cam, cams)])
+        return (options.cam if options.cam in cams else None), []
     if len(cams) == 1:
         return next(iter(cams)), []
     if not cams:

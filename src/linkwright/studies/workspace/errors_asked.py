@@ -18,19 +18,16 @@ from linkwright.kernels import Compiled
 from linkwright.model.mechanism import Mechanism
 from linkwright.studies.accuracy.clearance import PATH as CLEARANCES
 from linkwright.studies.accuracy.clearance_options import check_clearances
-from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.reader import PATH as ACCURACY
 from linkwright.studies.accuracy.seats import held
 from linkwright.studies.accuracy.stated import check_contributors, contributors
+from linkwright.studies.accuracy.stated_options import DeviationOptions
 from linkwright.studies.workspace.causes import Causes
 from linkwright.studies.workspace.errors import KINDS
-from linkwright.studies.workspace.maps_asked import MapsAsked, positive
+from linkwright.studies.workspace.maps_asked import MapsAsked, limit
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.options import WorkspaceOptions
-
-STATED = ("parameters", "general", "distribution", "cp", "correlations", "thermal", "clearances")
-"""What the accuracy study says of deviations and clearances."""
 
 
 class ErrorsOptions(MapsAsked):
@@ -47,21 +44,21 @@ class ErrorsOptions(MapsAsked):
         max_length=1000,
         description="what deviates; all with a tolerance, and all joints with a clearance, by default",
     )
-    _stated: AccuracyOptions | None = PrivateAttr(None)
+    _stated: DeviationOptions | None = PrivateAttr(None)
 
     @model_validator(mode="after")
     def _beside(self, info: ValidationInfo) -> Self:
         """The accuracy study of the file says more of deviations; of a wrong one it tells itself."""
         given = (info.context or {}).get("accuracy") or {}
-        own = {key: given[key] for key in STATED if key in given}
+        own = {key: given[key] for key in DeviationOptions.model_fields if key in given}
         try:
-            self._stated = AccuracyOptions.model_validate(own, context={"cycle": {"period": "1 s"}})
+            self._stated = DeviationOptions.model_validate(own)
         except ValidationError:
             self._stated = None
         return self
 
     @property
-    def stated(self) -> AccuracyOptions | None:
+    def stated(self) -> DeviationOptions | None:
         """What the file says of deviations and clearances, ``None`` where that is wrong."""
         return self._stated
 
@@ -74,8 +71,7 @@ class ErrorsOptions(MapsAsked):
         if len(compiled.graph.drives) != 2 or self._stated is None:
             return
         if self.limit is not None:
-            found = positive(compiled, self.limit, u.LENGTH, (*self.path, "limit"), Term("limit-error"))
-            yield from [found] if isinstance(found, Finding) else []
+            yield from limit(compiled, self.limit, u.LENGTH, (*self.path, "limit"), Term("limit-error"))[1]
         yield from self.check_maps(compiled, KINDS)
         wrong = [*_wrong(compiled, self._stated)]
         yield from (self._own(finding) for finding in wrong)
@@ -90,12 +86,12 @@ class ErrorsOptions(MapsAsked):
         return Finding(finding.code, self.path, finding.data) if finding.path == ACCURACY else finding
 
 
-def _wrong(compiled: Compiled, stated: AccuracyOptions) -> Iterator[Finding]:
+def _wrong(compiled: Compiled, stated: DeviationOptions) -> Iterator[Finding]:
     """What is wrong with tolerances and clearances."""
     yield from check_contributors(compiled, stated)
     yield from check_clearances(compiled, stated.clearances, CLEARANCES)
 
 
-def causes(compiled: Compiled, stated: AccuracyOptions) -> Causes:
+def causes(compiled: Compiled, stated: DeviationOptions) -> Causes:
     """All that deviates, and the joints with clearance, where nothing is wrong with them."""
     return Causes(contributors(compiled, stated), tuple(held(compiled, stated.clearances)))

@@ -14,7 +14,7 @@ from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.parts import freeze
-from linkwright.studies.numbers import constant
+from linkwright.studies.numbers import constant, positive
 
 Path = tuple[str | int, ...]
 
@@ -71,9 +71,7 @@ class MapsAsked(Frozen):
                 )
         for name, values in self.levels.items():
             for i, value in enumerate(values if name in kinds else ()):
-                found = number(compiled, value, kinds[name], (*self.path, "levels", name, i))
-                if isinstance(found, Finding):
-                    yield found
+                yield from constant(compiled.quantities, value, kinds[name], (*self.path, "levels", name, i))[1]
 
     def lines(self, compiled: Compiled, kinds: Mapping[str, Dimension]) -> dict[str, tuple[float, ...]]:
         """The values (SI) at which maps have lines, rising, where they are given."""
@@ -85,17 +83,9 @@ class MapsAsked(Frozen):
         return tuple(dict.fromkeys(usual if self.show is None else self.show))
 
 
-def number(compiled: Compiled, expression: Expression, dimension: Dimension, path: Path) -> float | Finding:
-    """The value of an expression, or what is wrong with it."""
-    value, faults = constant(compiled.quantities, expression, dimension, path)
-    return faults[0] if value is None else value
-
-
-def positive(
+def limit(
     compiled: Compiled, expression: Expression, dimension: Dimension, path: Path, what: Any
-) -> float | Finding:
-    """The same of a limit, which has to be above zero; ``what`` it is."""
-    found = number(compiled, expression, dimension, path)
-    if isinstance(found, Finding) or found > 0:
-        return found
-    return Finding("workspace.limit-positive", path, {"what": what, "given": expression.text[:60]})
+) -> tuple[float | None, list[Finding]]:
+    """The value of a limit, which has to be above zero, or what is wrong with it; ``what`` it is."""
+    data = {"what": what, "given": expression.text[:60]}
+    return positive(compiled.quantities, expression, dimension, path, "workspace.limit-positive", **data)

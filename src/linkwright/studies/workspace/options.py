@@ -9,21 +9,19 @@ from typing import Annotated, Protocol
 
 from pydantic import Field
 
-from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression, Frozen, FrozenDict
-from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.typed_fields import of_drive, of_parameter
 from linkwright.expressions.units import ANGLE, LENGTH
-from linkwright.expressions.unknown import near, unknown
+from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
 from linkwright.model.followers import no_followers
-from linkwright.model.parts import Interval, freeze
-from linkwright.model.quantities import LARGEST
+from linkwright.model.parts import DriveName, Interval, ParameterName, PointName, freeze
+from linkwright.model.references import option_faults
 from linkwright.structure import FRAME
 from linkwright.studies.asked import one_of
-from linkwright.studies.numbers import constant
+from linkwright.studies.numbers import constant, interval
 from linkwright.studies.ranges import stroke
 from linkwright.studies.workspace.errors_asked import ErrorsOptions
 from linkwright.studies.workspace.fit_options import RequiredFits
@@ -47,15 +45,15 @@ Which = one_of("workspace", "modes", ["all", "own"])
 class WorkspaceOptions(Frozen):
     """Which point, in which assembly modes, for which values of parameters, over which ranges of the drives."""
 
-    point: NameField = Field(description="the working point: any point of a moving link")
+    point: PointName = Field(description="the working point: any point of a moving link")
     modes: Which = Field("all", description="all assembly modes, or the file's own")  # type: ignore[valid-type]
-    for_: Annotated[dict[NameField, tuple[Expression, ...]], of_parameter(3), freeze] = Field(
+    for_: Annotated[dict[ParameterName, tuple[Expression, ...]], of_parameter(3), freeze] = Field(
         default_factory=FrozenDict,
         alias="for",
         description="values of parameters; each combination has a workspace of its own",
         examples=[{"alpha": [0, 60, 90]}],
     )
-    drives: Annotated[dict[NameField, Interval], of_drive(ANGLE, LENGTH), freeze] = Field(
+    drives: Annotated[dict[DriveName, Interval], of_drive(ANGLE, LENGTH), freeze] = Field(
         default_factory=FrozenDict,
         description="[low, high] of a drive's value; else a whole turn, or a cylinder's stroke",
     )
@@ -96,6 +94,13 @@ class WorkspaceOptions(Frozen):
             return low, high
         return (0.0, TURN) if compiled.mechanism.prescribed(drive).turns else stroke(compiled, drive)
 
+    def stated(self, compiled: Compiled, drive: str) -> tuple[tuple[float, float] | None, list[Finding]]:
+        """The same, and what is wrong with one that is stated."""
+        if drive not in self.drives:
+            return self.range(compiled, drive), []
+        quantities, path = compiled.quantities, (*PATH, "drives", drive)
+        return interval(quantities, self.drives[drive], quantities.drive_dimension(drive), path)
+
     def turns(self, compiled: Compiled) -> tuple[bool, ...]:
         """Of which drives the range is a whole turn, so that its ends are one."""
         ranges = [(drive, self.range(compiled, drive)) for drive in compiled.graph.drives]
@@ -129,13 +134,15 @@ def check(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
         clusters = compiled.structure.clusters
         data = {"groups": "; ".join(c.label for c in clusters)}
         yield Finding("workspace.cluster", ("links", clusters[0].links[0]), data)
+    unnamed = option_faults(compiled.mechanism, options, PATH)
+    yield from unnamed
     yield from _point(compiled, options.point)
     for _, section in sections(options):
         yield from section.check(compiled, options)
     wrong = [*_values(compiled, options)]
     yield from wrong
     yield from _drives(compiled, options)
-    if not wrong:
+    if not wrong and not unnamed:
         count = math.prod(map(len, options.for_.values())) * len(combinations(compiled, options.modes))
         if count > MOST:
             yield Finding("workspace.too-many", PATH, {"count": count, "limit": MOST})
@@ -146,8 +153,6 @@ def _point(compiled: Compiled, point: str) -> Iterator[Finding]:
     if point in frame:
         moving = [name for name in homes if name not in frame]
         yield Finding("workspace.fixed-point", (*PATH, "point"), {"name": point, "near": near(point, moving)})
-    elif point not in homes:
-        yield unknown("point", (*PATH, "point"), point, homes)
 
 
 def _values(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
@@ -156,7 +161,6 @@ def _values(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
     for name, values in options.for_.items():
         path = (*PATH, "for", name)
         if name not in quantities.parameters:
-            yield Finding("name.unknown-parameter", path, {"name": name, "near": near(name, [*quantities.parameters])})
             continue
         names.append(name)
         if not values:
@@ -170,23 +174,13 @@ def _values(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
 
 
 def _drives(compiled: Compiled, options: WorkspaceOptions) -> Iterator[Finding]:
-    known = compiled.graph.drives
-    yield from (unknown("drive", (*PATH, "drives"), name, known) for name in options.drives if name not in known)
-    for drive in known:
+    for drive in compiled.graph.drives:
         path = (*PATH, "drives", drive)
         unit, size = compiled.quantities.drive_unit(drive)
-        try:
-            found = options.range(compiled, drive)
-        except DimensionError as error:
-            yield Finding(error.key, path, compiled.quantities.spelt(error.data))
-            continue
+        found, wrong = options.stated(compiled, drive)
+        yield from wrong
         if found is None:
-            yield Finding("workspace.no-range", ("drives", drive), {"drive": drive, "unit": unit})
-            continue
-        low, high = (f"{end / size:.6g} {unit}" for end in found)
-        if not all(abs(end) < LARGEST for end in found):
-            yield Finding("value.not-finite", path, {"text": f"{low}, {high}"[:60]})
-        elif not found[0] < found[1]:
-            yield Finding("value.not-rising", path, {"low": low, "high": high})
+            if not wrong:
+                yield Finding("workspace.no-range", ("drives", drive), {"drive": drive, "unit": unit})
         elif compiled.mechanism.prescribed(drive).turns and found[1] - found[0] > TURN * (1 + 1e-9):
             yield Finding("study.wide-range", path, {"drive": drive, "limit": f"{TURN / size:.4g}", "unit": unit})

@@ -15,13 +15,13 @@ from linkwright.expressions.fields import Expression, Frozen, Text
 from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.language import ExpressionError, evaluate
 from linkwright.expressions.typed_fields import Quantity, of_drive
-from linkwright.expressions.unknown import unknown
 from linkwright.expressions.written import Fault
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.laws import DEGREES
 from linkwright.model.actions import FileBeside
-from linkwright.model.parts import Vector, freeze
+from linkwright.model.parts import DriveName, Vector, freeze
+from linkwright.studies import numbers
 from linkwright.studies.asked import one_of
 from linkwright.studies.numbers import constant
 from linkwright.studies.workspace.wanted import PATH, Path_, Wanted, from_csv, from_dxf, from_formula, through
@@ -51,7 +51,7 @@ class WantedPath(Frozen):
     x: Expression | None = Field(None, description="with y: a formula in u, which runs from 0 to 1, and parameters")
     y: Expression | None = Field(None, description="with x: a formula in u")
     between: Between = Field("cubic", description="the curve between points: linear, cubic, quintic")  # type: ignore[valid-type]
-    motor: NameField = Field(description="the drive that has constant speed; the other one is the servo")
+    motor: DriveName = Field(description="the drive that has constant speed; the other one is the servo")
     speed: Annotated[Expression | None, of_drive(u.OMEGA, u.SPEED, lambda c: c.entry.motor)] = Field(
         None, description="the motor's constant speed, e.g. 30 rpm; negative: backwards"
     )
@@ -93,10 +93,7 @@ class WantedPaths(RootModel[Annotated[dict[NameField, WantedPath], freeze, Field
 
 
 def _check(compiled: Compiled, path: WantedPath, at: Path_) -> Iterator[Finding]:
-    known = path.motor in compiled.graph.drives
-    if not known:
-        yield unknown("drive", (*at, "motor"), path.motor, compiled.graph.drives)
-    if path.speed is not None and known:
+    if path.speed is not None and path.motor in compiled.graph.drives:
         speed, faults = constant(compiled.quantities, path.speed, rate_of(compiled, path.motor), (*at, "speed"))
         yield from faults
         if speed == 0:
@@ -127,10 +124,8 @@ def rate_of(compiled: Compiled, drive: str) -> u.Dimension:
 
 def positive(compiled: Compiled, expression: Expression, dimension: u.Dimension, at: Path_) -> list[Finding]:
     """What is wrong with a value that must be positive."""
-    value, faults = constant(compiled.quantities, expression, dimension, at)
-    if value is not None and value <= 0:
-        return [Finding("workspace.not-positive", at, {"key": str(at[-1]), "text": expression.text[:60]})]
-    return faults
+    data = {"key": str(at[-1]), "text": expression.text[:60]}
+    return numbers.positive(compiled.quantities, expression, dimension, at, "workspace.not-positive", **data)[1]
 
 
 def wanted(compiled: Compiled, path: WantedPath, at: Path_, parameters: Mapping[str, float]) -> Wanted:

@@ -9,22 +9,21 @@ from pydantic import BeforeValidator, Discriminator, Field, Tag
 
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, FrozenDict, Two, pair
-from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.typed_fields import Quantity, of_drive
 from linkwright.expressions.units import Dimension
-from linkwright.expressions.unknown import unknown
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.parts import freeze
-from linkwright.studies.workspace.maps_asked import MapsAsked, number, positive
+from linkwright.model.parts import DriveName, freeze
+from linkwright.studies.numbers import constant
+from linkwright.studies.workspace.maps_asked import MapsAsked, limit
 from linkwright.studies.workspace.quality import Task, kinds, possible
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.options import WorkspaceOptions
 
 _NEEDS = {"speed": "speeds", "speed any way": "speeds", "force": "efforts", "force any way": "efforts"}
-Limits = Annotated[dict[NameField, Expression], freeze]
+Limits = Annotated[dict[DriveName, Expression], freeze]
 Force = Annotated[
     Annotated[Two, BeforeValidator(pair("force")), Tag("a pair")] | Annotated[Expression, Tag("a size")],
     Discriminator(lambda raw: "a pair" if isinstance(raw, list | tuple) else "a size"),
@@ -69,9 +68,9 @@ class QualityOptions(MapsAsked):
         efforts, more = self._limits(compiled, "efforts", self.efforts, {True: u.TORQUE, False: u.FORCE})
         path = (*self.path, "force")
         if isinstance(self.force, tuple):
-            found = [number(compiled, value, u.FORCE, (*path, i)) for i, value in enumerate(self.force)]
+            found = [constant(compiled.quantities, value, u.FORCE, (*path, i)) for i, value in enumerate(self.force)]
         elif self.force is not None:
-            found = [positive(compiled, self.force, u.FORCE, path, Term("size-of-force"))]
+            found = [limit(compiled, self.force, u.FORCE, path, Term("size-of-force"))]
         else:
             found = []
         values, faults = _sorted(found)
@@ -82,19 +81,18 @@ class QualityOptions(MapsAsked):
         self, compiled: Compiled, key: str, given: Mapping[str, Expression], dimensions: Mapping[bool, Dimension]
     ) -> tuple[tuple[float, float] | None, list[Finding]]:
         """The limits of both drives, and what is wrong with them; ``dimensions`` by whether a drive turns."""
-        path, drives, found = (*self.path, key), compiled.graph.drives, []
-        wrong = [unknown("drive", (*path, name), name, drives) for name in given if name not in drives]
+        path, drives, found, wrong = (*self.path, key), compiled.graph.drives, [], list[Finding]()
         if given and (lacking := [name for name in drives if name not in given]):
             wrong.append(Finding("workspace.limit-missing", path, {"key": key, "drives": ", ".join(lacking)}))
         for name in drives:
             if name in given:
                 dimension = dimensions[bool(compiled.mechanism.prescribed(name).turns)]
                 what = Term("drive-limit", drive=name, under=key)
-                found.append(positive(compiled, given[name], dimension, (*path, name), what))
+                found.append(limit(compiled, given[name], dimension, (*path, name), what))
         values, faults = _sorted(found)
         return (values[0], values[1]) if len(values) == 2 else None, [*wrong, *faults]
 
 
-def _sorted(found: Sequence[float | Finding]) -> tuple[list[float], list[Finding]]:
+def _sorted(found: Sequence[tuple[float | None, list[Finding]]]) -> tuple[list[float], list[Finding]]:
     """Values, and what is wrong with the others."""
-    return [f for f in found if isinstance(f, float)], [f for f in found if isinstance(f, Finding)]
+    return [value for value, _ in found if value is not None], [fault for _, faults in found for fault in faults]

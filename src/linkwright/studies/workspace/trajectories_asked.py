@@ -7,16 +7,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import Field
 
-from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression, Frozen
-from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.typed_fields import Context, of_drive
 from linkwright.expressions.units import ANGLE, LENGTH
-from linkwright.expressions.unknown import unknown
 from linkwright.expressions.written import Fault
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.mechanism import Mechanism
+from linkwright.model.parts import DriveName
 from linkwright.studies.numbers import constant
 from linkwright.studies.workspace.path_options import positive
 
@@ -36,7 +34,7 @@ def _held(c: Context) -> str:
 class TrajectoriesAsked(Frozen):
     """Trajectories of the working point at constant values of one of two drives."""
 
-    hold: NameField | None = Field(
+    hold: DriveName | None = Field(
         None,
         description="the drive that is held; by default the other one than that of constant speed, else the second",
     )
@@ -64,9 +62,7 @@ class TrajectoriesAsked(Frozen):
         if len(drives) != 2:
             yield Finding("workspace.two-drives", PATH, {"section": PATH[-1]})
             return
-        if self.hold is not None and self.hold not in drives:
-            yield unknown("drive", (*PATH, "hold"), self.hold, drives)
-        elif self.every is not None:
+        if self.every is not None and self.hold in (None, *drives):
             yield from self._step(compiled, options, self.every)
 
     def _step(self, compiled: Compiled, options: WorkspaceOptions, every: Expression) -> Iterator[Finding]:
@@ -76,11 +72,7 @@ class TrajectoriesAsked(Frozen):
         if wrong := positive(compiled, every, dimension, at):
             yield from wrong
             return
-        try:
-            ends = options.range(compiled, drive)
-        except DimensionError:  # the range is told of by itself
-            return
-        step = constant(compiled.quantities, every, dimension, at)[0]
+        ends, step = options.stated(compiled, drive)[0], constant(compiled.quantities, every, dimension, at)[0]
         if ends is not None and step is not None and (count := (ends[1] - ends[0]) / step) > MOST:
             data = {"drive": drive, "count": f"{count:.6g}", "limit": MOST}
             yield Finding("workspace.hold-many", at, data)

@@ -2276,7 +2276,6 @@ _TERMS: dict[str, str] = {
     "drawn-long": "it has more than {limit} points",
     # What is wrong with the length of a run.
     "one-length": "give one of period, duration, turns",
-    "length-constant": "it must be made of numbers and parameters",
     "length-positive": "it must be positive",
     "length-limit": "the run would last {seconds} s, and {limit} s is the longest; give fewer turns, a shorter time or a faster drive",
     "turns-form": "'{text}' isn't a positive number and a drive, such as '2 {drive}'",
