@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.graph.rows import BodyPlace
+
 LAW: dict[str, Any] = {
     "over": "angle",
     "segments": [
@@ -104,7 +106,7 @@ def closed_pair(guide: str, touch: str, side: int = 1, sense: int = 1, **more: A
 
 def pose(c: Any, link: str, t: Any) -> tuple[Any, Any]:
     """Origin and x axis of a link as complex numbers."""
-    x, y, cosine, sine = c.evaluate([f"{link}:{row}" for row in ("x", "y", "cos", "sin")], t)
+    x, y, cosine, sine = c.evaluate(BodyPlace.all(link), t)
     return x + 1j * y, cosine + 1j * sine
 
 
