@@ -32,12 +32,13 @@ from linkwright.elements.joint import (
     Reaction,
     register,
 )
+from linkwright.elements.play import OnFlank, Stated
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, LineOn, Name, Two, fault, pair
 from linkwright.expressions.typed_fields import Ends, Quantity, Sign
 from linkwright.expressions.written import Fault, FaultWithin, unexpected
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec
-from linkwright.notation.jets import call
+from linkwright.notation.jets import call, is_zero
 from linkwright.notation.planar import unit_vector
 
 MOST = 60
@@ -244,12 +245,14 @@ Slot = Straight | Circle | Spline
 
 @dataclass(frozen=True)
 class InnerSlot(Inner):
-    """A ``pin`` of the first link in a ``slot`` of the second, in axes at ``base`` along ``heading`` of that link."""
+    """A ``pin`` of the first link in a ``slot`` of the second, in axes at ``base`` along ``heading`` of that link;
+    ``off`` is how far to the left of the middle it lies by its play (m)."""
 
     pin: Pair
     base: Pair
     heading: Pair
     slot: Slot
+    off: Scalar = 0.0
 
     def local(self, a: Body, b: Body) -> tuple[Jet, Jet]:
         """The pin's coordinates in the slot's axes."""
@@ -258,8 +261,9 @@ class InnerSlot(Inner):
         return away.dot(along), away.dot(along.perp)
 
     def gap(self, *bodies: Body) -> tuple[Jet, ...]:
-        """Closure: the pin is in the middle of the slot (m)."""
-        return (self.slot.gap(*self.local(*bodies)),)
+        """Closure: the pin is in the middle of the slot, or as far beside it as its play has it (m)."""
+        missed = self.slot.gap(*self.local(*bodies))
+        return (missed if is_zero(self.off) else Jet([missed.d[0] - self.off, *missed.d[1:]]),)
 
 
 @register
@@ -269,13 +273,20 @@ class PinInSlot(JointKind):
     name = "pin_in_slot"
     letter = "S"
     row_units = ("length",)
+    plays = ()
     entry = PinInSlotEntry
     orders = {"s": 0, "v": 1, "a": 2, "j": 3, "force": 2}
 
     def inner(self, geometry: JointGeometry, joint: str, links: Sequence[str]) -> InnerSlot:
         entry, (a, b) = geometry.mechanism.joints[joint], links
         base, heading, slot = _slot(geometry, entry, b)
-        return InnerSlot(geometry.point(a, entry.pin), base, heading, slot)
+        return InnerSlot(geometry.point(a, entry.pin), base, heading, slot, geometry.play(joint, "across"))
+
+    def play(self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: Stated) -> list[OnFlank]:
+        """The pin in the slot, to the left: on the flank on which it is pressed, or which alone it has."""
+        (a, b), one_sided = links, geometry.mechanism.joints[joint].one_sided
+        flank = -one_sided.get("force", 0)  # the signal is the slot's force on the pin, which acts with the opposite
+        return [OnFlank(joint, (b, a), stated.clearance, f"{joint}.force", -1, flank)]
 
     def reference(self, geometry: JointGeometry, joint: str, link: str, bodies: Mapping[str, Body]) -> Pair:
         entry = geometry.mechanism.joints[joint]

@@ -58,6 +58,7 @@ class GearOnCarrier(JointKind):
     row_units = ("angle",)
     entry = GearEntry
     phased = True
+    winds = True
     orders = {"turned": 0}
     words = {"en": {"term.kind-gear_on_carrier": "gears on a carrier"}}
 

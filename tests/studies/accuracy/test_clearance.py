@@ -375,10 +375,10 @@ FAULTS: dict[str, tuple[dict[str, Any], list[tuple[str, str]]]] = {
     "unit": ({"B": "1 kg"}, [("expression.units-conflict", "B.clearance")]),
     "signal": ({"B": "C.x"}, [("expression.not-constant", "B.clearance")]),
     "no length": ({"guide": 0.1}, [("clearance.no-length", "guide")]),
-    "length of a pin": ({"B": {"clearance": 0.1, "length": 3}}, [("clearance.not-of-pin", "B.length")]),
+    "length of a pin": ({"B": {"clearance": 0.1, "length": 3}}, [("clearance.no-key", "B.length")]),
     "pin of a guide": (
         {"guide": {"clearance": 0.1, "length": 60, "in": "slider"}},
-        [("clearance.not-of-guide", "guide.in")],
+        [("clearance.no-key", "guide.in")],
     ),
     "wide guide": ({"guide": {"clearance": 30, "length": 60}}, [("clearance.short-guide", "guide")]),
     "centre elsewhere": (

@@ -6,7 +6,7 @@ another radius does.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -44,6 +44,7 @@ class OnRoller:
     lift: str | tuple[str, float, float]
     kind: ClassVar[str] = "pin"
     round: ClassVar[bool] = True
+    flank: ClassVar[int] = 0
 
     @property
     def plays(self) -> tuple[str, str]:
@@ -78,12 +79,13 @@ class OnRoller:
         force, (x, y) = rows[self.rows[0]], self.normal(rows)
         return [(force * x, force * y)]
 
-    def gradients(self, x: Any, y: Any, rows: Mapping[str, Any]) -> list[tuple[Any, ...]]:
+    def gradients(self, by: Sequence[Any], rows: Mapping[str, Any]) -> list[tuple[Any, ...]]:
         # A roller that goes towards the follower lets this down on the cam, as a smaller one does.
-        across, up = self.normal(rows)
+        x, (across, up) = by[0], self.normal(rows)
         return [(-(x * across), -(x * up))]
 
-    def size(self, x: Any, y: Any) -> Any:
+    def size(self, parts: Sequence[Any]) -> Any:
+        x, y = parts
         return np.hypot(x, y)
 
     def displacement(self, seats: list[tuple[Any, ...]]) -> tuple[Any, Any]:
