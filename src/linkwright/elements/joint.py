@@ -294,9 +294,10 @@ class JointKind(ABC):
         """One of its signals; ``reaction`` gives the wrench of one of its links on the joint."""
         raise NotImplementedError
 
-    def outline(self, geometry: JointGeometry, joint: str, low: float, high: float) -> tuple[str, Array] | None:
-        """What is drawn of it on a link, between the lowest and the highest travel (m): places (2, n) of a line."""
-        return None
+    def outline(self, geometry: JointGeometry, joint: str, low: float, high: float) -> Sequence[tuple[str, Array]]:
+        """What is drawn of it: lines on links, (link, places (2, n)), between the lowest and the highest travel (m; NaN
+        without a signal ``s``). An open line becomes a slot, a closed one is drawn as it is."""
+        return ()
 
     @abstractmethod
     def misses(self, reports: JointReports, joint: str, links: Sequence[str]) -> list[Miss]:

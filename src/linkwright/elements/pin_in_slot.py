@@ -116,6 +116,10 @@ class PinInSlotEntry(JointEntry):
     def one_sided(self) -> Mapping[str, int]:
         return {"left": {"force": -1}, "right": {"force": 1}}.get(self.flank, {})
 
+    @property
+    def joins(self) -> Mapping[str, tuple[Expression, ...]]:
+        return {} if self.curve is None else {"s": tuple(along for along, _ in self.curve.through)}
+
     def wrong(self, value: Callable[[Expression, u.Dimension], Any]) -> Iterator[FaultWithin]:
         places = self.curve.through if self.curve is not None else ()
         along = [value(x, u.LENGTH) for x, _ in places]
@@ -305,8 +309,8 @@ class PinInSlot(JointKind):
         # Reported is the force of the pinned link on the slot, which answers with the opposite.
         return -reaction(a).force.dot(normal.turned(bodies[b].direction(inner.heading).now))
 
-    def outline(self, geometry: JointGeometry, joint: str, low: float, high: float) -> tuple[str, Array]:
-        """The slot's centre line between two travels (m), on the slotted link: (link, places (2, n))."""
+    def outline(self, geometry: JointGeometry, joint: str, low: float, high: float) -> list[tuple[str, Array]]:
+        """The slot's centre line between two travels (m), on the slotted link."""
         entry = geometry.mechanism.joints[joint]
         base, heading, slot = _slot(geometry, entry, entry.links[1])
         s = np.linspace(low, high, 65)
@@ -316,7 +320,7 @@ class PinInSlot(JointKind):
         else:
             x, y = s, np.zeros(s.size) if isinstance(slot, Straight) else np.asarray(slot.height(Jet([s])).d[0])
         c, n = (np.array([[float(v.x)], [float(v.y)]]) for v in (heading, heading.perp))
-        return entry.links[1], np.array([[float(base.x)], [float(base.y)]]) + c * x + n * y
+        return [(entry.links[1], np.array([[float(base.x)], [float(base.y)]]) + c * x + n * y)]
 
     # The proof: the pin's place in the slot and its normal once more, from reported poses, in plain NumPy.
 

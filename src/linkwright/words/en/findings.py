@@ -439,9 +439,9 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Sort them by their first coordinate, and leave out places that stand twice.",
     ),
     "joint.lifts-off": (
-        "The pin of {joint} leaves the {flank} flank of its slot: it would have to be pulled with {force} {of} at "
+        "The links of {joint} ({kind}) leave each other: they would have to be pulled together with {force} {of} at "
         "t = {time} s ({drive} = {value} {unit}).",
-        "Preload it with a spring or a weight, or let it bear on both flanks (flank: both).",
+        "Preload them with a spring or a weight; a pin in a slot may bear on both flanks (flank: both).",
     ),
     "joint.same-link": (
         "Both links are {name}; a joint or drive acts between two different ones.",
@@ -2216,8 +2216,6 @@ _TERMS: dict[str, str] = {
     "kind-revolute": "pin",
     "kind-prismatic": "prismatic joint",
     "kind-pin_in_slot": "pin in a slot",
-    "flank-left": "left",
-    "flank-right": "right",
     "slot-place": "[ALONG, ACROSS]",
     "slot-places": "a list of places [ALONG, ACROSS]",
     "slot-radius": "radius",
