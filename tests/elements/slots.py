@@ -6,6 +6,7 @@ The pose of a lever is found by bisection on the slot's own equation, its rates 
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Callable
 from typing import Any
 
@@ -49,7 +50,7 @@ def lever(slot: str, **more: Any) -> dict[str, Any]:
             "lever": {"points": {"C": [0, 0], "T": [1e3 * LONG, 0], "M": [1e3 * CENTRE, 0]}, "mass": MASS,
                       "shape": "rod C-T"},
         },
-        "joints": {"slot": {"pin_in_slot": ["crank", "lever"], "pin": "B", **SLOTS[slot][0], **more}},
+        "joints": {"slot": {"pin_in_slot": ["crank", "lever"], "pin": "B", **copy.deepcopy(SLOTS[slot][0]), **more}},
         "assembly": {"T": end},
         "drives": {"motor": {"turns": "crank", "on": "frame", "speed": "60 rpm", "start": 0}},
         "studies": {"cycle": {"period": "1 s", "samples": 60}},

@@ -14,6 +14,7 @@ from helpers.compiled import compiled_from
 from helpers.kernels import every
 from linkwright.elements.pin_in_slot import Spline
 from linkwright.kernels import KERNELS
+from linkwright.measures import measure_all
 from linkwright.model.document import Document, dump, read_document
 from linkwright.model.schema import json_schema
 from linkwright.notation import Jet
@@ -141,6 +142,22 @@ def test_sensitivities_agree_with_differences() -> None:
         assert slopes[name] == pytest.approx(difference, rel=1e-6)
 
 
+def test_runs_and_measures_know_where_the_jerk_jumps() -> None:
+    """At the places of a curve: the run breaks there, means between them are exact."""
+    measures = {"round": {"mean": "lever.jerk"}, "most": {"max": "lever.jerk"}}
+    compiled = compiled_from(lever("curve") | {"measures": measures})
+    run = Run(compiled, 0.0, 1.0, 60)
+    (travel,) = compiled.evaluate(["slot.s"], run.breaks)
+    assert run.breaks.size == 6  # twice over each of the middle ones
+    assert np.abs(travel[:, None] - 1e-3 * np.array([40, 65, 90, 115, 140])).min(axis=1).max() < 1e-12
+    before, after = compiled.evaluate(["lever.jerk"], (run.breaks[:, None] + [-1e-9, 1e-9]).ravel())[0].reshape(-1, 2).T
+    assert (np.abs(after - before) > 100.0).sum() == 4  # the two pieces at 115 mm are one cubic
+    found = {result.name: result.found[0].value for result in measure_all(run)[0]}
+    assert abs(found["round"]) < 1e-11  # a whole turn
+    assert found["most"] >= compiled.evaluate(["lever.jerk"], np.linspace(0, 1, 20001))[0].max()
+    assert not Run(compiled_from(lever("arc")), 0.0, 1.0, 60).breaks.size
+
+
 def test_a_spline_is_natural_and_goes_on_straight() -> None:
     spline = Spline.through([(0.0, 0.0), (1.0, 1.0), (3.0, 0.0), (4.0, 2.0)])
     x = np.linspace(-1.0, 5.0, 601)
@@ -181,7 +198,7 @@ def test_travel_beyond_its_limits_and_a_pin_off_its_flank_are_reported() -> None
     (finding,) = [finding for finding in job.cycle.warnings if finding.code == "joint.lifts-off"]
     force = job.cycle.result["slot.force"]
     assert finding.data["force"] == f"{float(force.max()):.6g}" or float(finding.data["force"]) >= float(force.max())
-    assert "left flank" in finding.what
+    assert "slot (pin in a slot)" in finding.what
 
 
 def test_the_file_format_keeps_it_and_the_schema_has_it() -> None:

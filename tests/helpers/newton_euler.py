@@ -9,7 +9,7 @@ the pose is followed from the one given at t = 0.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -42,22 +42,31 @@ class State:
 @dataclass(frozen=True)
 class Reactions:
     """``reactions[joint, link]`` is the force of the joint on the link and its moment about the pin, or about the
-    second link's point of a line; ``efforts`` each drive's; ``shaking`` force and moment on the frame's origin."""
+    second link's point of a line, of constraints besides about the link's origin; ``efforts`` each drive's;
+    ``shaking`` force and moment on the frame's origin."""
 
     reactions: dict[tuple[str, str], Array]
     efforts: dict[str, float]
     shaking: Array
 
 
+FIRST = ((1, 3 / 4), (2, -3 / 20), (3, 1 / 60))
+SECOND = ((1, 3 / 2), (2, -3 / 20), (3, 1 / 90))
+"""Weights of differences of the sixth order, by steps."""
 Extra = Callable[["Oracle", State], list[tuple[str, Array, Array, float]]]
 """What acts besides: (link, force, where, moment) in a state."""
 
 
-class Oracle:
-    """Motion and kinetostatics of a plain mechanism; ``extra`` functions give forces that vary."""
+Gap = Callable[["Oracle", Array], float]
+"""A constraint beyond pins and slides: what coordinates miss by (m or rad), smooth near them."""
 
-    def __init__(self, plain: Plain, extra: Sequence[Extra] = ()) -> None:
-        self.plain, self.extra = plain, extra
+
+class Oracle:
+    """Motion and kinetostatics of a plain mechanism; ``extra`` functions give forces that vary, ``gaps`` constraints
+    besides, of which differences are taken."""
+
+    def __init__(self, plain: Plain, extra: Sequence[Extra] = (), gaps: Mapping[str, Gap] | None = None) -> None:
+        self.plain, self.extra, self.gaps = plain, extra, gaps or {}
         self.index = {name: 3 * i for i, name in enumerate(plain.moving)}
         self.size = 3 * len(self.index)
         self.turns: dict[str, float] = {}
@@ -94,6 +103,23 @@ class Oracle:
         )
         return np.asarray(np.array([ax, ay]) + alpha * perp(arm) - omega**2 * arm)
 
+    # Constraints beyond pins and slides: differences of the sixth order.
+
+    def gap_slope(self, gap: Gap, q: Array) -> Array:
+        """The slope of a gap to the coordinates."""
+        found = np.zeros(self.size)
+        for i in range(self.size):
+            step = np.zeros(self.size)
+            step[i] = 1e-3
+            found[i] = sum(w * (gap(self, q + k * step) - gap(self, q - k * step)) for k, w in FIRST) / 1e-3
+        return found
+
+    def gap_turn(self, gap: Gap, q: Array, v: Array) -> float:
+        """The second derivative of a gap along rates."""
+        h = 1e-3 / max(float(np.abs(v).max()), 1e-3)
+        both = sum(w * (gap(self, q + k * h * v) + gap(self, q - k * h * v)) for k, w in SECOND)
+        return float(both - 49 / 18 * gap(self, q)) / h**2
+
     # Constraints: values, Jacobian, and the right-hand sides of velocity and acceleration.
 
     def _whole_turns(self, q: Array, name: str) -> float:
@@ -126,7 +152,7 @@ class Oracle:
         def omega(link: str) -> float:
             return float(self.pose(v, link)[2])
 
-        def gap(a: str, pa: str, b: str, pb: str) -> tuple[Array, Array, Array]:
+        def apart(a: str, pa: str, b: str, pb: str) -> tuple[Array, Array, Array]:
             """From a's point to b's: arms, and the part of the second derivative that is quadratic in rates."""
             sa, sb = (
                 self.arm(q, a, self.plain.links[a].points[pa]),
@@ -137,7 +163,7 @@ class Oracle:
         for members in self.plain.pins.values():
             a, pa = members[0]
             for b, pb in members[1:]:
-                sa, sb, quadratic = gap(a, pa, b, pb)
+                sa, sb, quadratic = apart(a, pa, b, pb)
                 d = self.pose(q, b)[:2] + sb - self.pose(q, a)[:2] - sa
                 for k in (0, 1):
                     unit = np.eye(2)[k]
@@ -146,7 +172,7 @@ class Oracle:
 
         def along(a: str, pa: str, angle: float, b: str, pb: str, turn: float) -> tuple[float, Array, float]:
             """The gap's component along a direction fixed in a (``turn`` beyond ``angle``), its gradient and -gamma."""
-            sa, sb, quadratic = gap(a, pa, b, pb)
+            sa, sb, quadratic = apart(a, pa, b, pb)
             d = self.pose(q, b)[:2] + sb - self.pose(q, a)[:2] - sa
             d_rate = self.pose(v, b)[:2] + omega(b) * perp(sb) - self.pose(v, a)[:2] - omega(a) * perp(sa)
             heading = self.pose(q, a)[2] + angle + turn
@@ -173,6 +199,8 @@ class Oracle:
                 base, base_angle = place[drive.on]
                 value, row, second = along(drive.on, base, base_angle, drive.link, place[drive.link][0], 0.0)
                 rows.append((value - law(t), row, law(t, 1), law(t, 2) - second))
+        others = self.gaps.values()
+        rows += [(gap(self, q), self.gap_slope(gap, q), 0.0, -self.gap_turn(gap, q, v)) for gap in others]
         values, jacobian, speeds, gammas = zip(*rows, strict=True)
         return np.array(values), np.array(jacobian), np.array(speeds), np.array(gammas)
 
@@ -270,6 +298,12 @@ class Oracle:
                     push(link, columns, sign * e, at)
             drives[name] = columns
             columns += 1
+        multipliers: dict[str, tuple[int, Array]] = {}
+        for name, other in self.gaps.items():
+            slope = self.gap_slope(other, q)
+            matrix[:, columns] += slope
+            multipliers[name] = (columns, slope)
+            columns += 1
         assert columns == self.size
 
         shaking = np.zeros(3)
@@ -294,6 +328,9 @@ class Oracle:
             on_second = np.array([*(unknowns[column] * normal), unknowns[column + 1]])
             a, b = plain.slides[name].links
             reactions[name, b], reactions[name, a] = on_second, -on_second
+        for name, (column, slope) in multipliers.items():
+            for link in plain.moving:  # about the link's origin
+                reactions[name, link] = unknowns[column] * self.pose(slope, link)
         return Reactions(reactions, {name: float(unknowns[c]) for name, c in drives.items()}, shaking)
 
     def applied(self, state: State) -> list[tuple[str, Array, Array, float]]:

@@ -54,6 +54,11 @@ class JointEntry(Frozen):
         """Its forces that have one sign only, as contact can't pull: 1 for those that must not be negative, else -1."""
         return {}
 
+    @property
+    def joins(self) -> Mapping[str, tuple[Expression, ...]]:
+        """The values of its signals at which curves of its closure join, so that the links' jerk jumps there."""
+        return {}
+
     def wrong(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[FaultWithin]:
         """What is wrong with its numbers together; ``value`` gives them in SI, one or an array of samples."""
         yield from ()

@@ -9,7 +9,7 @@ position, velocity, acceleration and jerk, and by duality the equilibrium. Nobod
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, Literal, NamedTuple, Protocol
 
@@ -17,6 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.elements.entries import ENTRIES, JointEntry
+from linkwright.elements.play import Held, Stated
+from linkwright.expressions.written import FaultWithin
 from linkwright.findings import Term
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.registry import Registry
@@ -139,6 +141,12 @@ class JointGeometry(Protocol):
     def seat(self, joint: str, link: str) -> tuple[Pair, Pair, Scalar]:
         """The same with the clearance included, and the heading's angle (rad)."""
 
+    def play(self, joint: str, name: str) -> Scalar:
+        """The offset of a joint of that name (see :class:`Held`), in SI."""
+
+    def written(self, value: float, dimension: Any) -> str:
+        """A value in SI as the file has such ones, with its unit."""
+
     def phases(self, joint: str) -> tuple[float, ...] | None:
         """What the joint's kind has fixed at assembly; ``None`` before that."""
 
@@ -226,6 +234,12 @@ class JointKind(ABC):
     """The derivatives of the motion that each of its signals needs."""
     phased: ClassVar[bool] = False
     """Whether the pose in which it is drawn fixes constants of its closure (:meth:`phase`)."""
+    winds: ClassVar[bool] = False
+    """Whether it asks the angles of its links (``Body.angle``), over any number of turns: groups whose closed forms
+    know no more than the directions of such links are solved by Newton, which follows their angles."""
+    plays: ClassVar[tuple[str, ...] | None] = None
+    """What clearances in it say besides their size (``length``, ``centre``, ``in``); ``None`` where they are refused,
+    as it isn't known where its links would rest."""
     words: ClassVar[Mapping[str, Mapping[str, str]]] = {}
     """Texts that the catalogue lacks, by language and key; ``term.kind-NAME`` is what it is called."""
 
@@ -260,6 +274,16 @@ class JointKind(ABC):
         its links are drawn; :meth:`JointGeometry.phases` has them from then on."""
         raise NotImplementedError
 
+    def play(self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: Stated) -> Sequence[Held]:
+        """Of a kind with ``plays`` what is held in a joint, on its ``links``, with a clearance without faults."""
+        raise NotImplementedError
+
+    def play_faults(
+        self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: Stated
+    ) -> Iterator[FaultWithin]:
+        """What is wrong with a clearance."""
+        yield from ()
+
     @abstractmethod
     def reference(self, geometry: JointGeometry, joint: str, link: str, bodies: Mapping[str, Body]) -> Pair:
         """The place (m) about which the moment of a link's reaction is stated."""
@@ -270,9 +294,10 @@ class JointKind(ABC):
         """One of its signals; ``reaction`` gives the wrench of one of its links on the joint."""
         raise NotImplementedError
 
-    def outline(self, geometry: JointGeometry, joint: str, low: float, high: float) -> tuple[str, Array] | None:
-        """What is drawn of it on a link, between the lowest and the highest travel (m): places (2, n) of a line."""
-        return None
+    def outline(self, geometry: JointGeometry, joint: str, low: float, high: float) -> Sequence[tuple[str, Array]]:
+        """What is drawn of it: lines on links, (link, places (2, n)), between the lowest and the highest travel (m; NaN
+        without a signal ``s``). An open line becomes a slot, a closed one is drawn as it is."""
+        return ()
 
     @abstractmethod
     def misses(self, reports: JointReports, joint: str, links: Sequence[str]) -> list[Miss]:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -20,6 +21,9 @@ from linkwright.elements.joint import (
     register,
 )
 from linkwright.elements.lower_pair import LowerPair, Slopes
+from linkwright.elements.play import Axis, Known, Rows, Seats, Stated
+from linkwright.expressions import units as u
+from linkwright.expressions.written import FaultWithin
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.planar import turning_axis, unit_vector
 
@@ -91,6 +95,48 @@ class InnerPin(LowerPair):
         return Wrench(Pair(*multipliers), 0.0, a.point(self.first).now)
 
 
+@dataclass(frozen=True)
+class OnPin:
+    """A link on a pin, or on the other link there: the pin's journal lies in the bearing at ``clearance``."""
+
+    joint: str
+    links: tuple[str, str]
+    clearance: float
+    kind: ClassVar[str] = "pin"
+    flank: ClassVar[int] = 0
+    round: ClassVar[bool] = True
+
+    @property
+    def plays(self) -> tuple[str, str]:
+        link = self.links[1]
+        return f"{self.joint}/{link}/x", f"{self.joint}/{link}/y"
+
+    @property
+    def rows(self) -> tuple[Known, ...]:
+        on, link = self.links
+        return (*(f"force({link}, {on}, {self.joint}).{axis}" for axis in "xy"), *self.places)
+
+    @property
+    def places(self) -> tuple[Known, ...]:
+        return Axis.of(self.links[1])
+
+    def forces(self, rows: Rows) -> Seats:
+        return [(rows[self.rows[0]], rows[self.rows[1]])]
+
+    def gradients(self, by: Sequence[Any], rows: Rows) -> Seats:
+        # The play moves the place on the link that is held: where it goes, the link goes the other way.
+        (x, y), (cos, sin) = by, (rows[name] for name in self.places)
+        return [(y * sin - x * cos, -(x * sin) - y * cos)]
+
+    def size(self, parts: Sequence[Any]) -> Any:
+        x, y = parts
+        return np.hypot(x, y)
+
+    def displacement(self, seats: Seats) -> tuple[Any, Any]:
+        ((x, y),) = seats
+        return x, y
+
+
 @register
 class Revolute(JointKind):
     """Links on one pin, from points of one name or named in ``joints``."""
@@ -101,6 +147,7 @@ class Revolute(JointKind):
     shared = True
     angular = True
     drive = "turns"
+    plays = ("in",)
 
     def outer(self, geometry: JointGeometry, joint: str, link: str, base: str, body: Body) -> OuterPin:
         at = body.point(geometry.pinned_place(joint, base))
@@ -109,6 +156,26 @@ class Revolute(JointKind):
     def inner(self, geometry: JointGeometry, joint: str, links: Sequence[str]) -> InnerPin:
         a, b = links
         return InnerPin(geometry.pinned_place(joint, a), geometry.pinned_place(joint, b))
+
+    def play(self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: Stated) -> list[OnPin]:
+        """Of two links the second on the first; of more each on the pin, but the one in which it is fixed."""
+        if len(links) == 2:
+            return [OnPin(joint, (links[0], links[1]), stated.clearance)]
+        return [OnPin(joint, (joint, link), stated.clearance) for link in links if link != stated.in_]
+
+    def play_faults(
+        self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: Stated
+    ) -> Iterator[FaultWithin]:
+        if stated.in_ is not None and stated.in_ not in links:
+            yield "clearance.not-on-pin", {"name": joint, "link": stated.in_, "links": ", ".join(links)}, "in"
+        for link in links:
+            pinned, points = geometry.pin_point(joint, link), geometry.mechanism.links[link].points
+            arms = [geometry.point(link, point).minus(pinned) for point in points]
+            reach = max(math.hypot(float(arm.x), float(arm.y)) for arm in arms)
+            if 0 < reach <= stated.clearance:
+                length = geometry.written(reach, u.LENGTH)
+                yield "clearance.too-large", {"name": joint, "link": link, "length": length}
+                return
 
     def reference(self, geometry: JointGeometry, joint: str, link: str, bodies: Mapping[str, Body]) -> Pair:
         return bodies[link].point(geometry.pin_point(joint, link)).now

@@ -32,12 +32,13 @@ from linkwright.elements.joint import (
     Reaction,
     register,
 )
+from linkwright.elements.play import OnFlank, Stated
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, LineOn, Name, Two, fault, pair
 from linkwright.expressions.typed_fields import Context, Ends, Quantity, Ref, Sign
 from linkwright.expressions.written import Fault, FaultWithin, unexpected
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec
-from linkwright.notation.jets import call
+from linkwright.notation.jets import call, is_zero
 from linkwright.notation.planar import unit_vector
 
 MOST = 60
@@ -128,6 +129,10 @@ class PinInSlotEntry(JointEntry):
     @property
     def one_sided(self) -> Mapping[str, int]:
         return {"left": {"force": -1}, "right": {"force": 1}}.get(self.flank, {})
+
+    @property
+    def joins(self) -> Mapping[str, tuple[Expression, ...]]:
+        return {} if self.curve is None else {"s": tuple(along for along, _ in self.curve.through)}
 
     def wrong(self, value: Callable[[Expression, u.Dimension], Any]) -> Iterator[FaultWithin]:
         places = self.curve.through if self.curve is not None else ()
@@ -258,12 +263,14 @@ Slot = Straight | Circle | Spline
 
 @dataclass(frozen=True)
 class InnerSlot(Inner):
-    """A ``pin`` of the first link in a ``slot`` of the second, in axes at ``base`` along ``heading`` of that link."""
+    """A ``pin`` of the first link in a ``slot`` of the second, in axes at ``base`` along ``heading`` of that link;
+    ``off`` is how far to the left of the middle it lies by its play (m)."""
 
     pin: Pair
     base: Pair
     heading: Pair
     slot: Slot
+    off: Scalar = 0.0
 
     def local(self, a: Body, b: Body) -> tuple[Jet, Jet]:
         """The pin's coordinates in the slot's axes."""
@@ -272,8 +279,9 @@ class InnerSlot(Inner):
         return away.dot(along), away.dot(along.perp)
 
     def gap(self, *bodies: Body) -> tuple[Jet, ...]:
-        """Closure: the pin is in the middle of the slot (m)."""
-        return (self.slot.gap(*self.local(*bodies)),)
+        """Closure: the pin is in the middle of the slot, or as far beside it as its play has it (m)."""
+        missed = self.slot.gap(*self.local(*bodies))
+        return (missed if is_zero(self.off) else Jet([missed.d[0] - self.off, *missed.d[1:]]),)
 
 
 @register
@@ -283,13 +291,20 @@ class PinInSlot(JointKind):
     name = "pin_in_slot"
     letter = "S"
     row_units = ("length",)
+    plays = ()
     entry = PinInSlotEntry
     orders = {"s": 0, "v": 1, "a": 2, "j": 3, "force": 2}
 
     def inner(self, geometry: JointGeometry, joint: str, links: Sequence[str]) -> InnerSlot:
         entry, (a, b) = geometry.mechanism.joints[joint], links
         base, heading, slot = _slot(geometry, entry, b)
-        return InnerSlot(geometry.point(a, entry.pin), base, heading, slot)
+        return InnerSlot(geometry.point(a, entry.pin), base, heading, slot, geometry.play(joint, "across"))
+
+    def play(self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: Stated) -> list[OnFlank]:
+        """The pin in the slot, to the left: on the flank on which it is pressed, or which alone it has."""
+        (a, b), one_sided = links, geometry.mechanism.joints[joint].one_sided
+        flank = -one_sided.get("force", 0)  # the signal is the slot's force on the pin, which acts with the opposite
+        return [OnFlank(joint, (b, a), stated.clearance, f"{joint}.force", -1, flank)]
 
     def reference(self, geometry: JointGeometry, joint: str, link: str, bodies: Mapping[str, Body]) -> Pair:
         entry = geometry.mechanism.joints[joint]
@@ -308,8 +323,8 @@ class PinInSlot(JointKind):
         # Reported is the force of the pinned link on the slot, which answers with the opposite.
         return -reaction(a).force.dot(normal.turned(bodies[b].direction(inner.heading).now))
 
-    def outline(self, geometry: JointGeometry, joint: str, low: float, high: float) -> tuple[str, Array]:
-        """The slot's centre line between two travels (m), on the slotted link: (link, places (2, n))."""
+    def outline(self, geometry: JointGeometry, joint: str, low: float, high: float) -> list[tuple[str, Array]]:
+        """The slot's centre line between two travels (m), on the slotted link."""
         entry = geometry.mechanism.joints[joint]
         base, heading, slot = _slot(geometry, entry, entry.links[1])
         s = np.linspace(low, high, 65)
@@ -319,7 +334,7 @@ class PinInSlot(JointKind):
         else:
             x, y = s, np.zeros(s.size) if isinstance(slot, Straight) else np.asarray(slot.height(Jet([s])).d[0])
         c, n = (np.array([[float(v.x)], [float(v.y)]]) for v in (heading, heading.perp))
-        return entry.links[1], np.array([[float(base.x)], [float(base.y)]]) + c * x + n * y
+        return [(entry.links[1], np.array([[float(base.x)], [float(base.y)]]) + c * x + n * y)]
 
     # The proof: the pin's place in the slot and its normal once more, from reported poses, in plain NumPy.
 

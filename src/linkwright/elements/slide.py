@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -19,6 +21,8 @@ from linkwright.elements.joint import (
     register,
 )
 from linkwright.elements.lower_pair import LowerPair, Slopes
+from linkwright.elements.play import Axis, Known, Rows, Seats, Stated
+from linkwright.expressions.written import FaultWithin
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 
 
@@ -98,6 +102,63 @@ class InnerLine(LowerPair):
         return Wrench(Pair(-force * normal.x, -force * normal.y), -moment, b.point(self.second).now)
 
 
+@dataclass(frozen=True)
+class InGuide:
+    """The second link of a slide in its guide of ``length`` (m) about ``centre``, a point; ``foot`` is the point of
+    the second link's line, ``heading`` the first line's direction in its link."""
+
+    joint: str
+    links: tuple[str, str]
+    clearance: float
+    length: float
+    centre: str
+    foot: str
+    heading: tuple[float, float]
+    kind: ClassVar[str] = "guide"
+    flank: ClassVar[int] = 0
+    round: ClassVar[bool] = False
+
+    @property
+    def plays(self) -> tuple[str, str]:
+        return f"{self.joint}/normal", f"{self.joint}/tilt"
+
+    @cached_property
+    def rows(self) -> tuple[Known, ...]:
+        first, second = self.links
+        force = f"force({second}, {first}, {self.joint})"
+        return (f"{force}.normal", f"{force}.moment", *self.places)
+
+    @cached_property
+    def places(self) -> tuple[Known, ...]:
+        first = self.links[0]
+        points = (f"{point}.{axis}" for point in (self.centre, self.foot) for axis in "xy")
+        return (*Axis.of(first), *points)
+
+    def _ahead(self, rows: Rows) -> Any:
+        """How far the centre lies ahead of the foot along the line (m)."""
+        cos, sin, x, y, foot_x, foot_y = (rows[name] for name in self.places)
+        (a, b) = self.heading
+        return (x - foot_x) * (cos * a - sin * b) + (y - foot_y) * (sin * a + cos * b)
+
+    def forces(self, rows: Rows) -> Seats:
+        normal, moment = rows[self.rows[0]], rows[self.rows[1]]
+        turning = (moment - self._ahead(rows) * normal) * (1 / self.length)
+        return [(normal * 0.5 + turning,), (normal * 0.5 - turning,)]
+
+    def gradients(self, by: Sequence[Any], rows: Rows) -> Seats:
+        x, y = by
+        across, tilt = -x, self._ahead(rows) * x - y
+        return [(across * 0.5 + tilt * (1 / self.length),), (across * 0.5 - tilt * (1 / self.length),)]
+
+    def size(self, parts: Sequence[Any]) -> Any:
+        x, y = parts
+        return np.abs(x) + np.abs(y)
+
+    def displacement(self, seats: Seats) -> tuple[Any, Any]:
+        (ahead,), (behind,) = seats
+        return (ahead + behind) * 0.5, (ahead - behind) * (1 / self.length)
+
+
 @register
 class Prismatic(JointKind):
     """Two links on a common line."""
@@ -108,6 +169,7 @@ class Prismatic(JointKind):
     parallel = True
     angular = False
     drive = "slides"
+    plays = ("length", "centre")
 
     def outer(self, geometry: JointGeometry, joint: str, link: str, base: str, body: Body) -> OuterLine:
         base_point, base_heading, base_angle = geometry.seat(joint, base)
@@ -118,6 +180,24 @@ class Prismatic(JointKind):
     def inner(self, geometry: JointGeometry, joint: str, links: Sequence[str]) -> InnerLine:
         a, b = links
         return InnerLine(*geometry.seat(joint, a)[:2], *geometry.seat(joint, b)[:2])
+
+    def play(self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: Stated) -> list[InGuide]:
+        assert stated.length is not None
+        (first, second), foot = links, geometry.mechanism.joints[joint].line[1].point
+        heading = geometry.line(joint, first)[1]
+        direction, centre = (float(heading.x), float(heading.y)), stated.centre or foot
+        return [InGuide(joint, (first, second), stated.clearance, stated.length, centre, foot, direction)]
+
+    def play_faults(
+        self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: Stated
+    ) -> Iterator[FaultWithin]:
+        if stated.length is None:
+            yield "clearance.no-length", {"name": joint}
+        elif stated.clearance >= stated.length / 2:
+            yield "clearance.short-guide", {"name": joint}
+        every = geometry.mechanism.links
+        if stated.centre is not None and not any(stated.centre in every[link].points for link in links):
+            yield "clearance.centre", {"name": stated.centre, "links": ", ".join(links)}, "centre"
 
     def reference(self, geometry: JointGeometry, joint: str, link: str, bodies: Mapping[str, Body]) -> Pair:
         second = geometry.mechanism.joints[joint].links[1]

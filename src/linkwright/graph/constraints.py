@@ -83,7 +83,9 @@ class Constraints:
         rows = []
         for link in self.links:
             at, axis = bodies[link].point(ZERO).now, bodies[link].axis.now
-            rows.append([float(at.x) / self.size, float(at.y) / self.size, np.arctan2(float(axis.y), float(axis.x))])
+            angle = bodies[link].angle if link in self.topology.wound else None  # which joints ask over whole turns
+            turned = np.arctan2(float(axis.y), float(axis.x)) if angle is None else float(angle)
+            rows.append([float(at.x) / self.size, float(at.y) / self.size, turned])
         return np.array(rows).ravel()
 
     def residual(self, z: Array) -> Array:

@@ -22,9 +22,9 @@ ZERO = Pair(0.0, 0.0)
 class Geometry:
     """Coordinates, masses and loads of a mechanism for given parameter values (floats or CasADi symbols), in SI.
 
-    ``plays`` are offsets of joints that no signal or mass shares: ``PIN/LINK/x`` and ``/y`` move the place on the link
-    (m, in its frame) that is put on the pin; ``SLIDE/normal`` and ``SLIDE/tilt`` move the second link's line along its
-    normal (m) and turn it about its point (rad).
+    ``plays`` are offsets of joints that no signal or mass shares, ``JOINT/NAME``: ``PIN/LINK/x`` and ``/y`` move the
+    place on the link (m, in its frame) that is put on the pin; ``SLIDE/normal`` and ``SLIDE/tilt`` move the second
+    link's line along its normal (m) and turn it about its point (rad); those of other kinds their closures take.
     """
 
     def __init__(
@@ -84,6 +84,15 @@ class Geometry:
     def phases(self, joint: str) -> tuple[float, ...] | None:
         """What a joint's kind has fixed at assembly; ``None`` before that."""
         return self.quantities.phases.get(joint)
+
+    def play(self, joint: str, name: str) -> Scalar:
+        """The offset of a joint of that name: 0 but for derivatives."""
+        return self.plays.get(f"{joint}/{name}", 0.0)
+
+    def written(self, value: float, dimension: u.Dimension) -> str:
+        """A value in SI in the file's unit, with it."""
+        text, size = self.quantities.unit_of(dimension)
+        return f"{value / size:.6g} {text}"
 
     def pivot(self, pin: str, link: str, point: str) -> Pair:
         """The place (m, in the link's frame) that is put on a pin: its point there, and a play."""

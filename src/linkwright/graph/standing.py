@@ -38,13 +38,17 @@ def standing(quantities: Quantities, structure: Structure) -> tuple[Constraints,
     """The equations of all joints, the pose at which they hold (``None`` where there is none), and what is wrong."""
     geometry = Geometry(quantities, quantities.parameters)
     size = extent(structure.topology, geometry)
+    assembly = None if structure.findings else assemble(quantities, structure, {})
+    # Only now, as the assembly fixes constants of some kinds of joints.
     system = Constraints(structure.topology, geometry, size, whole=True)
-    if not structure.findings:
-        assembly = assemble(quantities, structure, {})
-        if assembly.start is not None and not assembly.findings:
-            return system, closed(system, system.pose(assembly.start.bodies))[0], []
-        if any(finding.code not in ALL_AT_ONCE for finding in assembly.findings):
-            return system, None, assembly.findings
+    if assembly is not None and assembly.start is not None and not assembly.findings:
+        return system, closed(system, system.pose(assembly.start.bodies))[0], []
+    if assembly is not None and any(finding.code not in ALL_AT_ONCE for finding in assembly.findings):
+        return system, None, assembly.findings
+    for c, _ in system.others:
+        if c.kind.phased:  # what it fixes where it is drawn needs groups that are placed one after the other
+            data = {"name": c.joint, "kind": c.kind.title}
+            return system, None, [Finding("reactions.phased", ("joints", c.joint), data)]
     return system, *_closing(quantities, system)
 
 

@@ -38,7 +38,8 @@ class StillGraph(Graph):
         for link, (x, y, angle) in self.pose.items():
             axis = Vec.constant(Pair(float(np.cos(angle)), float(np.sin(angle))), motion.order)
             at = Vec.constant(Pair(float(x), float(y)), motion.order)
-            motion.bodies[link] = Body(at, ZERO, axis, Jet.constant(0.0, motion.order - 1))
+            known = float(angle) if link in self.structure.topology.wound else None
+            motion.bodies[link] = Body(at, ZERO, axis, Jet.constant(0.0, motion.order - 1), known)
         return motion
 
     def _view(self, order: int) -> View:

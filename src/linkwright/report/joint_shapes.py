@@ -1,4 +1,4 @@
-"""Joints in the drawing that have a shape of their own on a link: slots, as wide as the pins that run in them."""
+"""Joints in the drawing that have a shape of their own on links: slots, as wide as the pins in them, and outlines."""
 
 from __future__ import annotations
 
@@ -22,14 +22,15 @@ def joint_shapes(result: Result, size: float, extent: float) -> Shapes:
     compiled, found = result.run.compiled, Shapes()
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
     for name, entry in compiled.mechanism.joints_but_pins():
-        if "s" not in entry.signals:
-            continue
-        travel: NDArray[np.float64] = result[f"{name}.s"]
-        low, high = float(np.nanmin(travel)), float(np.nanmax(travel))
+        low = high = np.nan
+        if "s" in entry.signals:
+            travel: NDArray[np.float64] = result[f"{name}.s"]
+            low, high = float(np.nanmin(travel)), float(np.nanmax(travel))
         kind = compiled.structure.topology.kind_of(name)
-        if (drawn := kind.outline(geometry, name, low, high)) is None:
-            continue
-        link, line = drawn
-        around = shapely.LineString(line.T).buffer(WIDTH / 2 * extent, quad_segs=ROUND).exterior
-        found.setdefault(link, []).append((np.array(around.coords)[:-1] / size).tolist())
+        for link, line in kind.outline(geometry, name, low, high):
+            drawn = line.T
+            if not np.array_equal(drawn[0], drawn[-1]):
+                ring = shapely.LineString(drawn).buffer(WIDTH / 2 * extent, quad_segs=ROUND).exterior
+                drawn = np.array(ring.coords)
+            found.setdefault(link, []).append((drawn[:-1] / size).tolist())
     return found

@@ -62,11 +62,11 @@ def _causes(part: ErrorsPart, unit: str, size: float) -> Iterator[str]:
     names = dict.fromkeys(name for one in every for name in one.contributors.names)
     data = {"point": part.outcome.point}
     yield say("workspace.errors" if names else "workspace.errors.clearances", names=", ".join(names), **data)
-    for kind in ("pin", "guide"):
-        plays = [(joint.joint, joint.clearance) for one in every for joint in one.held if joint.kind == kind]
-        if plays:
-            told = (f"{joint} {clearance / size:.6g} {unit}" for joint, clearance in dict.fromkeys(plays))
-            yield say(f"workspace.errors.{kind}", joints=", ".join(told))
+    held = [joint for one in every for joint in one.held]
+    for kind in dict.fromkeys(joint.kind for joint in held):
+        plays = dict.fromkeys((joint.joint, joint.clearance) for joint in held if joint.kind == kind)
+        told = (f"{joint} {clearance / size:.6g} {unit}" for joint, clearance in plays)
+        yield say(f"workspace.errors.{kind}", joints=", ".join(told))
     yield say("workspace.errors.guaranteed", **data)
 
 

@@ -86,7 +86,8 @@ class _Search(Placed):
                 if b not in single or b in held[a]:
                     continue
                 sides = [(*single[link], self.chain(single[link][0], link)) for link in (a, b)]
-                if group := _dyad(sides[0], inner, sides[1]):
+                group = _dyad(sides[0], inner, sides[1])
+                if group and not self.topology.wound & group.directed:
                     return self.place(group)
         return False
 

@@ -85,6 +85,14 @@ class Group:
         return first, second
 
     @property
+    def directed(self) -> frozenset[str]:
+        """Those of its links of which its closed form tells the direction alone, not the angle over whole turns: no
+        slides lead from them to known links."""
+        (first, second), inner = (c.kind.parallel for c in self.outer), self.inner.kind.parallel
+        told = first or (inner and second), second or (inner and first)
+        return frozenset(link for side, known in zip(self.sides, told, strict=True) if not known for link in side)
+
+    @property
     def meeting(self) -> tuple[str, str]:
         """The two links at the inner joint."""
         return self.sides[0][-1], self.sides[1][-1]

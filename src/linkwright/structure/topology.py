@@ -87,6 +87,17 @@ class Topology:
         return self.joints[joint][0]
 
     @cached_property
+    def wound(self) -> frozenset[str]:
+        """The links whose angles are asked for over whole turns: by joints, or through slides and drives that give
+        links the angles of others."""
+        found = {link for c in self.but_pins if c.kind.winds for link in c.links}
+        ties = [c.links for c in self.but_pins if c.kind.parallel]
+        ties += [(d.link, d.on) for d in map(self.mechanism.prescribed, self.mechanism.drives)]
+        while found and (more := {link for tie in ties if not found.isdisjoint(tie) for link in tie} - found):
+            found |= more
+        return frozenset(found)
+
+    @cached_property
     def _at(self) -> dict[str, list[Connection]]:
         found: dict[str, list[Connection]] = {link: [] for link in self.mechanism.links}
         for c in self.connections:

@@ -13,7 +13,7 @@ from linkwright.elements.cam_contact.second import sums
 from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import argument
 from linkwright.expressions.language import Call, nodes
-from linkwright.findings import Finding, Term
+from linkwright.findings import Finding
 from linkwright.graph.rows import LoadRow, Named, TableArgument
 from linkwright.results import Run
 from linkwright.results.stationary import stationary
@@ -94,8 +94,8 @@ def unseated(run: Run) -> list[Finding]:
         for attribute, sign in joint.one_sided.items():
             if (pulled := _pulled(run, f"{name}.{attribute}", sign)) is not None:
                 time, force = pulled
-                flank = Term("flank-right" if sign > 0 else "flank-left")
-                data = {"joint": name, "force": f"{force / size:.6g}", "of": unit, "flank": flank}
+                kind = run.compiled.structure.topology.kind_of(name).title
+                data = {"joint": name, "kind": kind, "force": f"{force / size:.6g}", "of": unit}
                 findings.append(_at(run, "joint.lifts-off", name, time, "warning", "joints", **data))
     return findings
 

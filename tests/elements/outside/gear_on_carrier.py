@@ -62,6 +62,7 @@ class GearOnCarrier(JointKind):
     row_units = ("angle",)
     entry = GearEntry
     phased = True
+    winds = True
     orders = {"turned": 0}
     words = {"en": {"term.kind-gear_on_carrier": "gears on a carrier"}}
 
@@ -81,6 +82,21 @@ class GearOnCarrier(JointKind):
     def signal(self, geometry: Any, joint: str, attribute: str, bodies: Any, reaction: Any) -> Any:
         entry = geometry.mechanism.joints[joint]
         return bodies[entry.links[0]].angle - bodies[entry.links[2]].angle
+
+    def outline(self, geometry: Any, joint: str, low: float, high: float) -> list[tuple[str, Any]]:
+        """Both pitch circles, where the carrier has the centres."""
+        entry = geometry.mechanism.joints[joint]
+        a, b, carrier = entry.links
+        centres = entry.points[:2]
+        if not geometry.mechanism.links[carrier].points.keys() >= {*centres}:
+            return []
+        away = geometry.point(carrier, centres[1]).minus(geometry.point(carrier, centres[0]))
+        radius = float(np.hypot(*away)) / (1.0 + float(geometry.number(entry.ratio, u.PURE)))
+        around, found = np.linspace(0.0, 2 * np.pi, 49), []
+        for link, point, size in ((a, centres[0], radius), (b, centres[1], float(np.hypot(*away)) - radius)):
+            at, turned = geometry.point(link, point), around % (2 * np.pi)
+            found.append((link, np.array([at.x + size * np.cos(turned), at.y + size * np.sin(turned)], dtype=float)))
+        return found
 
     def misses(self, reports: Any, joint: str, links: Any) -> list[Miss]:
         # Of reported axes only the angle but for whole turns is known: that of a turn of the mesh.

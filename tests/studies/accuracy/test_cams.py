@@ -170,7 +170,7 @@ def refused(made: lw.Document) -> list[tuple[str, Any]]:
 def test_clearances_that_a_cam_cannot_have() -> None:
     """A follower that touches on two sides isn't followed; a roller's pin floats, with less play than the radius."""
     assert refused(document(clearances={"B": {"clearance": 0.02, "in": "arm"}})) == [
-        ("clearance.not-of-pin", "in"),
+        ("clearance.no-key", "in"),
         ("clearance.roller", "B"),
     ]
     held = dict.fromkeys(("A", "shaft", "B"), 1e-5)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
+from elements.slots import SLOTS, lever
 from helpers.compiled import compiled_from
 from linkwright.expressions.language import Node, parse
 from linkwright.kernels import Compiled
@@ -92,6 +93,7 @@ STATICS: dict[str, tuple[dict[str, Any], str, str, dict[str, Any]]] = {
     ),
     "three links on a pin": (THREE, "pusher", "P", {"C": 0.1, "E": 0.1, "B": 0.1}),
     "one of them with the pin": (THREE, "pusher", "P", {"C": {"clearance": 0.1, "in": "coupler"}}),
+    **{f"a pin in a slot, {slot}": (lever(slot), "lever", "T", {"slot": 0.1, "C": 0.1}) for slot in SLOTS},
     "a cluster": (plain(load(EXAMPLES / "class_four.yaml")), "top", "W", dict.fromkeys("OABCDEPQ", 0.1)),
 }
 
@@ -375,10 +377,10 @@ FAULTS: dict[str, tuple[dict[str, Any], list[tuple[str, str]]]] = {
     "unit": ({"B": "1 kg"}, [("expression.units-conflict", "B.clearance")]),
     "signal": ({"B": "C.x"}, [("expression.not-constant", "B.clearance")]),
     "no length": ({"guide": 0.1}, [("clearance.no-length", "guide")]),
-    "length of a pin": ({"B": {"clearance": 0.1, "length": 3}}, [("clearance.not-of-pin", "B.length")]),
+    "length of a pin": ({"B": {"clearance": 0.1, "length": 3}}, [("clearance.no-key", "B.length")]),
     "pin of a guide": (
         {"guide": {"clearance": 0.1, "length": 60, "in": "slider"}},
-        [("clearance.not-of-guide", "guide.in")],
+        [("clearance.no-key", "guide.in")],
     ),
     "wide guide": ({"guide": {"clearance": 30, "length": 60}}, [("clearance.short-guide", "guide")]),
     "centre elsewhere": (
@@ -396,6 +398,10 @@ FAULTS: dict[str, tuple[dict[str, Any], list[tuple[str, str]]]] = {
             ("clearance.not-positive", "guide.length"),
         ],
     ),
+    "two kinds": (
+        {"guide": 0.1, "B": {"clearance": 0.1, "centre": "C"}},
+        [("clearance.no-length", "guide"), ("clearance.no-key", "B.centre")],
+    ),
     "sound": ({"A": "r/1000", "B": 0.1, "guide": {"clearance": 0.1, "length": 60, "centre": "F"}}, []),
 }
 
@@ -406,6 +412,55 @@ def test_each_fault_has_its_finding(name: str) -> None:
     wrong = list(check_clearances(compiled_from(sliding()), options(clearances).clearances, ()))
     assert [(finding.code, finding.element) for finding in wrong] == expected
     assert all(finding.what and finding.mend for finding in wrong)
+
+
+# A pin in a slot rests beside its middle: what a slot that lies there does.
+
+BESIDE: dict[str, Callable[[float], dict[str, Any]]] = {
+    "straight": lambda off: {"straight": "M at 0 deg"},
+    "arc": lambda off: {"arc": {"centre": "M", "radius": 100 - off}},  # to the left is inwards
+}
+
+
+@pytest.mark.parametrize("slot", BESIDE)
+@pytest.mark.parametrize("flank", ["both", "left", "right"])
+def test_a_pin_rests_on_a_flank_of_its_slot(slot: str, flank: str) -> None:
+    clearance, signals = 0.02, ["lever.angle", "T.x"]
+    found = plays(lever(slot, flank=flank), {"slot": clearance})
+    t = np.array([0.03, 0.22, 0.4, 0.61, 0.85])
+
+    def moved(off: float) -> Array:
+        data = lever(slot)
+        data["joints"]["slot"] = {"pin_in_slot": ["crank", "lever"], "pin": "B", **BESIDE[slot](off)}
+        if slot == "straight":
+            data["links"]["lever"]["points"]["M"] = [20, off]
+        return compiled_from(data).evaluate(signals, t)
+
+    step = 1e-3
+    by = (moved(step) - moved(-step)) / (2 * step)
+    (force,) = found.compiled.evaluate(["slot.force"], t)
+    # The signal is the force of the slot on the pin, to the left: pushed there the pin lies on the right flank.
+    side = {"both": -np.sign(force), "left": 1.0, "right": -1.0}[flank]
+    for signal, slope in zip(signals, by, strict=True):
+        shift, bound = found.curve(tree(found.compiled, signal), t)
+        np.testing.assert_allclose(shift, clearance * side * slope, rtol=1e-7, atol=1e-7 * np.abs(slope).max())
+        np.testing.assert_allclose(bound, np.abs(shift), rtol=1e-12)
+    (joint,) = found.joints()
+    assert joint.links == ("lever", "crank")
+    assert joint.shift.shape == (1, 61)
+    pressed = joint.reaction > 1e-9 * joint.reaction.max() if flank == "both" else joint.reaction >= 0
+    np.testing.assert_allclose(np.abs(joint.shift[0]), 1e-3 * clearance * pressed, rtol=1e-12)
+    assert {cause for *_, cause in joint.lost} == {"contact.flank-turned"}
+
+
+def test_a_flank_needs_no_force_to_be_rested_on() -> None:
+    found = plays(massless(lever("straight", flank="left")), {"slot": 0.02})
+    assert not found.warnings
+    shift, bound = found.curve(tree(found.compiled, "lever.angle"), found.run.t)
+    np.testing.assert_allclose(np.abs(shift), bound, rtol=1e-12)
+    assert bound.min() > 0
+    found = plays(massless(lever("straight")), {"slot": 0.02})
+    assert [w.code for w in found.warnings] == ["clearance.no-force"]
 
 
 def test_a_pin_of_two_names_is_called_after_its_joint() -> None:

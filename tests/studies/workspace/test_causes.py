@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from helpers.compiled import compiled_from
 from helpers.examples import UNITS
+from linkwright.elements.play import OnFlank
 from linkwright.expressions.units import LENGTH
 from linkwright.kernels import Compiled
 from linkwright.studies.accuracy.clearance_options import Clearance
@@ -327,6 +328,24 @@ def test_mechanisms_with_displaced_pins_reach_the_guaranteed_part() -> None:
     by_all = np.all(hit, axis=0)
     assert by_all[: places.shape[1]].all()
     assert by_all[places.shape[1] :].mean() < 0.25
+
+
+def test_a_flank_stands_between_pins() -> None:
+    """Its one displacement is free, up to the clearance to either side."""
+    made = causes(arm(), {"A": 1e-3, "O": 2e-3})
+    first, last = made.held
+    mixed = Causes(made.contributors, (first, OnFlank("slot", ("x", "y"), 3e-3, "slot.force"), last))
+    assert mixed.plays[2:3] == ["slot/across"]
+    assert np.diag(mixed.covariance) == pytest.approx([5e-7, 5e-7, 9e-6, 2e-6, 2e-6])
+    slopes = np.random.default_rng(1).normal(size=(2, 5, 20))
+    by = 1e-3 * np.hypot(*slopes[0, :2]) + 3e-3 * np.abs(slopes[0, 2]) + 2e-3 * np.hypot(*slopes[0, 3:])
+    assert mixed.most(slopes[0]) == pytest.approx(by, rel=1e-12)
+    along = np.einsum("in,ijk->njk", ROUND, slopes)
+    reach = 1e-3 * np.hypot(along[:, 0], along[:, 1]) + 3e-3 * np.abs(along[:, 2])
+    reach += 2e-3 * np.hypot(along[:, 3], along[:, 4])
+    farthest = mixed.farthest(slopes)
+    assert (farthest >= reach.max(axis=0) * (1 - 1e-12)).all()
+    assert (farthest <= reach.max(axis=0) * 1.003).all()
 
 
 @settings(max_examples=40, deadline=None)

@@ -13,6 +13,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.elements.play import Held
 from linkwright.expressions.language import Node
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
@@ -22,7 +23,7 @@ from linkwright.studies.accuracy.contact import joined, lost
 from linkwright.studies.accuracy.gaps import Gaps, Resting
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.outcome import JointPlay, PlayEffect
-from linkwright.studies.accuracy.seats import Held, held
+from linkwright.studies.accuracy.seats import held
 
 Array = NDArray[np.float64]
 
@@ -53,7 +54,7 @@ class Plays:
         least = NO_FORCE * float(np.nan_to_num(np.abs(self.compiled.evaluate(every, t))).max(initial=0.0))
         for one, reaction in zip(self.held, self._reactions(t), strict=True):
             load = float(np.sqrt(reaction**2 @ weight / (run.stop - run.start)))
-            if not load > least:
+            if not load > least and not one.flank:
                 self._warn("clearance.no-force" if load <= least else "clearance.undetermined", one)
             found.append(load if np.isfinite(load) and load > least else 0.0)
         return found
@@ -68,7 +69,7 @@ class Plays:
     def _reactions(self, t: Array) -> list[Array]:
         """What each joint transmits (N): of a guide the sum of the forces at its ends."""
         rows = {name: jet.d[0] for name, jet in self.gaps.known(t).items()}
-        return [np.asarray(one.size(*(part for seat in one.forces(rows) for part in seat))) for one in self.held]
+        return [np.asarray(one.size([part for seat in one.forces(rows) for part in seat])) for one in self.held]
 
     def _warn(self, code: str, one: Held) -> None:
         data = {"name": one.joint, "links": " and ".join(one.links)}

@@ -3,34 +3,36 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Annotated
 
 from pydantic import Field
 
 from linkwright.elements.cam_contact import cam_followers
+from linkwright.elements.play import Stated
 from linkwright.expressions.fields import Expression, Name
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.expressions.units import LENGTH
 from linkwright.expressions.unknown import near, proposed
 from linkwright.expressions.written import Shortened
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Term
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
-from linkwright.model.pins import Pin
 from linkwright.model.places import Path
+from linkwright.structure.topology import PIN
 from linkwright.studies.accuracy.rollers import rollers
 from linkwright.studies.numbers import positive
 
 
 class Clearance(Shortened):
-    """The clearance of a joint. Of a pin mostly written as its radial clearance alone."""
+    """The clearance of a joint. Of a pin, or of one in a slot, mostly written as the clearance alone."""
 
     main = "clearance"
     alone = "the clearance alone"
 
     clearance: Annotated[Expression, Quantity(LENGTH)] = Field(
-        description="of a pin: radial, half the difference of the diameters; of a guide: half the whole play across it"
+        description="of a pin: radial, half the difference of the diameters; "
+        "of a guide or a slot: half the whole play across it"
     )
     length: Annotated[Expression | None, Quantity(LENGTH)] = Field(
         None, description="of a guide: the distance of its two ends, where it bears"
@@ -45,7 +47,6 @@ class Clearance(Shortened):
 
 def check_clearances(compiled: Compiled, clearances: Mapping[str, Clearance], at: Path) -> Iterator[Finding]:
     """What is wrong with clearances that are well-formed; ``at`` is their place in the file."""
-    signals, guides = compiled.quantities.signals, dict(compiled.mechanism.prismatic_joints())
     guarded, of_rollers = _doubly_held(compiled), rollers(compiled)
     for name, entry in clearances.items():
         path = (*at, name)
@@ -56,10 +57,8 @@ def check_clearances(compiled: Compiled, clearances: Mapping[str, Clearance], at
             cam = guarded[name]
             data = {"name": name, "cam": cam, "closed": compiled.mechanism.cams[cam].closed}
             yield Finding("clearance.cam", path, data)
-        elif name in guides:
-            yield from _of_guide(compiled, name, entry, sound, path)
-        elif name in signals.pins:
-            yield from _of_pin(compiled, signals.pins[name], entry, sound, path)
+        elif name in compiled.structure.topology.joints:
+            yield from _of_joint(compiled, name, entry, sound, path)
         elif name in of_rollers:
             yield from _of_roller(compiled, of_rollers[name], entry, sound, path)
         else:
@@ -95,7 +94,7 @@ def _lengths(compiled: Compiled, entry: Clearance) -> Iterator[tuple[str, float 
 
 def _no_joint(compiled: Compiled, name: str, path: Path) -> Finding:
     signals = compiled.quantities.signals
-    joints = [*signals.pins, *(joint for joint, _ in compiled.mechanism.prismatic_joints())]
+    joints = [joint for joint, (kind, _) in compiled.structure.topology.joints.items() if kind.plays is not None]
     if name not in signals.homes:
         return Finding("clearance.no-joint", path, {"name": name, "near": near(name, joints)})
     called = [pin.name for pin in signals.pins.values() if any(point == name for _, point in pin.members)]
@@ -104,22 +103,28 @@ def _no_joint(compiled: Compiled, name: str, path: Path) -> Finding:
     return Finding("clearance.one-link", path, {"name": name, "link": signals.homes[name]})
 
 
-def _of_guide(
+def _of_joint(
     compiled: Compiled, name: str, entry: Clearance, lengths: Mapping[str, float], path: Path
 ) -> Iterator[Finding]:
-    m = compiled.mechanism
-    if entry.in_ is not None:
-        yield Finding("clearance.not-of-guide", (*path, "in"), {"name": name, "key": "in"})
-    if entry.length is None:
-        yield Finding("clearance.no-length", path, {"name": name})
-    links = m.joints[name].links
+    kind, links = compiled.structure.topology.joints[name]
+    if kind.plays is None:
+        yield Finding("clearance.no-play", path, {"name": name, "kind": kind.title})
+        return
+    yield from _beyond(name, entry, kind.plays, kind.title, path)
     if name in (loop := compiled.quantities.signals.looped):
         yield Finding("clearance.indeterminate", path, {"name": name, "loop": ", ".join(loop)})
-    if entry.centre is not None and not any(entry.centre in m.links[link].points for link in links):
-        data = {"name": entry.centre, "links": ", ".join(links)}
-        yield Finding("clearance.centre", (*path, "centre"), data)
-    if len(lengths) == 2 and lengths["clearance"] >= lengths["length"] / 2:
-        yield Finding("clearance.short-guide", path, {"name": name})
+    length = None if entry.length is None else lengths.get("length", math.nan)
+    stated = Stated(lengths.get("clearance", math.nan), length, entry.centre, entry.in_)
+    geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
+    for code, data, *within in kind.play_faults(geometry, name, links, stated):
+        yield Finding(code, (*path, *within), data)
+
+
+def _beyond(name: str, entry: Clearance, known: Sequence[str], kind: Term, path: Path) -> Iterator[Finding]:
+    """What an entry says that clearances of such joints don't have."""
+    for key, given in (("length", entry.length), ("centre", entry.centre), ("in", entry.in_)):
+        if given is not None and key not in known:
+            yield Finding("clearance.no-key", (*path, key), {"name": name, "kind": kind, "key": key})
 
 
 def _of_roller(
@@ -127,36 +132,9 @@ def _of_roller(
 ) -> Iterator[Finding]:
     drive = cam_followers(compiled.mechanism)[cam]
     name = drive.cam.touches
-    for key, given in (("length", entry.length), ("centre", entry.centre), ("in", entry.in_)):
-        if given is not None:
-            yield Finding("clearance.not-of-pin", (*path, key), {"name": name, "key": key})
+    yield from _beyond(name, entry, (), PIN.title, path)
     assert drive.cam.roller is not None
     radius = compiled.quantities.value(drive.cam.roller, LENGTH)
     if lengths.get("clearance", 0.0) >= radius:
-        text, size = compiled.quantities.unit_of(LENGTH)
-        yield Finding("clearance.roller", path, {"name": name, "radius": f"{radius / size:.6g} {text}"})
-
-
-def _of_pin(
-    compiled: Compiled, pin: Pin, entry: Clearance, lengths: Mapping[str, float], path: Path
-) -> Iterator[Finding]:
-    for key, given in (("length", entry.length), ("centre", entry.centre)):
-        if given is not None:
-            yield Finding("clearance.not-of-pin", (*path, key), {"name": pin.name, "key": key})
-    if entry.in_ is not None and entry.in_ not in pin.links:
-        data = {"name": pin.name, "link": entry.in_, "links": ", ".join(pin.links)}
-        yield Finding("clearance.not-on-pin", (*path, "in"), data)
-    if "clearance" not in lengths:
-        return
-    geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
-    for link, own in pin.members:
-        arms = [
-            geometry.point(link, point).minus(geometry.point(link, own))
-            for point in compiled.mechanism.links[link].points
-        ]
-        reach = max(math.hypot(float(arm.x), float(arm.y)) for arm in arms)
-        if 0 < reach <= lengths["clearance"]:
-            text, size = compiled.quantities.unit_of(LENGTH)
-            data = {"name": pin.name, "link": link, "length": f"{reach / size:.6g} {text}"}
-            yield Finding("clearance.too-large", path, data)
-            return
+        written = Geometry(compiled.quantities, {}).written(radius, LENGTH)
+        yield Finding("clearance.roller", path, {"name": name, "radius": written})

@@ -144,7 +144,8 @@ class Curve:
 class JointPlay:
     """A joint with clearance over the run: magnitude of its ``reaction`` (N) at each pose ``t`` (s), displacement
     ``shift`` (2, poses) of the second link from the first in the frame (m) (of a guide: normal offset (m) and tilt
-    (rad)), and the spans of time in which contact may be ``lost``, each with its cause (a key of the words)."""
+    (rad); of a flank that along its normal (m) alone, (1, poses)), and the spans of time in which contact may be
+    ``lost``, each with its cause (a key of the words)."""
 
     joint: str
     links: tuple[str, str]

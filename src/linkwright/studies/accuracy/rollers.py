@@ -6,7 +6,7 @@ another radius does.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -14,9 +14,9 @@ import numpy as np
 
 from linkwright.elements.cam_contact import cam_followers
 from linkwright.elements.cam_contact.contact import seat, sense
+from linkwright.elements.play import Axis, Known, Rows
 from linkwright.expressions.language import FUNCTIONS
 from linkwright.graph.geometry import Geometry
-from linkwright.graph.rows import BodyPlace, Named
 from linkwright.kernels import Compiled
 
 
@@ -46,23 +46,24 @@ class OnRoller:
     lift: str | tuple[str, float, float]
     kind: ClassVar[str] = "pin"
     round: ClassVar[bool] = True
+    flank: ClassVar[int] = 0
 
     @property
     def plays(self) -> tuple[str, str]:
         return f"{self.joint}/roller", f"{self.joint}/-"  # the second one moves nothing
 
     @property
-    def rows(self) -> tuple[Named, ...]:
+    def rows(self) -> tuple[Known, ...]:
         ends = [self.joint, self.lift] if isinstance(self.lift, str) else []
-        turned = [] if isinstance(self.lift, str) else [BodyPlace(self.lift[0], part) for part in ("cos", "sin")]
+        turned = [] if isinstance(self.lift, str) else [*Axis.of(self.lift[0])]
         where = (f"{point}.{axis}" for point in ends for axis in "xy")
         return f"{self.links[1]}.force", f"{self.links[1]}.pressure", *turned, *where
 
     @property
-    def places(self) -> tuple[Named, ...]:
+    def places(self) -> tuple[Known, ...]:
         return self.rows[1:]
 
-    def normal(self, rows: Mapping[Named, Any]) -> tuple[Any, Any]:
+    def normal(self, rows: Rows) -> tuple[Any, Any]:
         """From the cam to the follower: the follower's way as the lift grows, turned back by the pressure angle."""
         _, pressure, *where = (rows[name] for name in self.rows)
         if isinstance(self.lift, str):
@@ -76,16 +77,17 @@ class OnRoller:
         c, s = FUNCTIONS["cos"].apply(pressure), FUNCTIONS["sin"].apply(pressure) * self.forward
         return c * x - s * y, s * x + c * y
 
-    def forces(self, rows: Mapping[Named, Any]) -> list[tuple[Any, ...]]:
+    def forces(self, rows: Rows) -> list[tuple[Any, ...]]:
         force, (x, y) = rows[self.rows[0]], self.normal(rows)
         return [(force * x, force * y)]
 
-    def gradients(self, x: Any, y: Any, rows: Mapping[Named, Any]) -> list[tuple[Any, ...]]:
+    def gradients(self, by: Sequence[Any], rows: Rows) -> list[tuple[Any, ...]]:
         # A roller that goes towards the follower lets this down on the cam, as a smaller one does.
-        across, up = self.normal(rows)
+        x, (across, up) = by[0], self.normal(rows)
         return [(-(x * across), -(x * up))]
 
-    def size(self, x: Any, y: Any) -> Any:
+    def size(self, parts: Sequence[Any]) -> Any:
+        x, y = parts
         return np.hypot(x, y)
 
     def displacement(self, seats: list[tuple[Any, ...]]) -> tuple[Any, Any]:

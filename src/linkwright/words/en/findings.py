@@ -439,9 +439,9 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Sort them by their first coordinate, and leave out places that stand twice.",
     ),
     "joint.lifts-off": (
-        "The pin of {joint} leaves the {flank} flank of its slot: it would have to be pulled with {force} {of} at "
+        "The links of {joint} ({kind}) leave each other: they would have to be pulled together with {force} {of} at "
         "t = {time} s ({drive} = {value} {unit}).",
-        "Preload it with a spring or a weight, or let it bear on both flanks (flank: both).",
+        "Preload them with a spring or a weight; a pin in a slot may bear on both flanks (flank: both).",
     ),
     "joint.same-link": (
         "Both links are {name}; a joint or drive acts between two different ones.",
@@ -1286,6 +1286,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The joints of the structure can't all close: at the best pose found they miss by {miss} {unit}.",
         "Correct the lengths, or give the places of the points in sketch.",
     ),
+    "reactions.phased": (
+        "The links can only be put together all at once, where what {name} ({kind}) keeps from the drawn pose isn't known.",
+        "Give the places of the points in sketch or under assembly, so that the links are placed one after the other.",
+    ),
     "reactions.not-finite": (
         "What acts on {links} has no finite value.",
         "Look for a table asked outside its range, or a division by zero; the option at says when loads are taken.",
@@ -1703,7 +1707,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Leave this joint out; state the play as a tolerance of the centre distance instead.",
     ),
     "clearance.no-joint": (
-        "{name} is neither a pin nor a prismatic joint, so it has no clearance.",
+        "{name} is no joint, so it has no clearance.",
         "{near} A pin made by a revolute joint has the name of that joint.",
     ),
     "clearance.one-link": (
@@ -1730,13 +1734,13 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The clearance of {name} is half of its length or more: the slider isn't guided.",
         "Check both numbers and their units.",
     ),
-    "clearance.not-of-pin": (
-        "{name} is a pin, which has no {key}.",
-        "Take {key} out; it belongs to the clearance of a prismatic joint.",
-    ),
-    "clearance.not-of-guide": (
-        "{name} is a prismatic joint; {key} is for pins.",
+    "clearance.no-key": (
+        "The clearance of {name} ({kind}) has no {key}.",
         "Take {key} out.",
+    ),
+    "clearance.no-play": (
+        "A clearance of {name} can't be stated: where the links of such a joint ({kind}) would rest isn't known.",
+        "Take it out; a play can be stated as the tolerance of a dimension instead.",
     ),
     "clearance.not-on-pin": (
         "{link} isn't on the pin {name}, so the pin can't be fixed in it.",
@@ -2213,10 +2217,10 @@ _TERMS: dict[str, str] = {
     "tolerance": "a number, [lower, upper], a class such as ISO 2768-m, or a mapping",
     "correlation": "a number, or a matrix of numbers as a list of rows",
     "two-links": "[LINK, LINK]",
+    "kind-revolute": "pin",
+    "kind-prismatic": "prismatic joint",
     "kind-pin_in_slot": "pin in a slot",
     "kind-cam": "cam",
-    "flank-left": "left",
-    "flank-right": "right",
     "slot-place": "[ALONG, ACROSS]",
     "slot-places": "a list of places [ALONG, ACROSS]",
     "slot-radius": "radius",

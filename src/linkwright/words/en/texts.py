@@ -238,5 +238,8 @@ TEXTS: dict[str, str] = {
     "contact.pin-at-once": "the reaction turns over at once, by a load that sets in or ends",
     "contact.guide-light": "an end of the guide is all but unloaded",
     "contact.guide-turned": "an end of the guide changes sides",
+    "contact.flank-light": "the contact force is small",
+    "contact.flank-turned": "the contact changes flanks",
+    "contact.flank-at-once": "the contact changes flanks at once, by a load that sets in or ends",
     "contact.guide-at-once": "an end of the guide changes sides at once, by a load that sets in or ends",
 }

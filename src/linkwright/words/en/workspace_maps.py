@@ -7,6 +7,7 @@ WORKSPACE_MAPS: dict[str, str] = {
     "workspace.errors.clearances": "How far {point} is off to first order, with clearances in joints; no dimension deviates.",
     "workspace.errors.pin": "Clearance of pins: the distance between the centres of pin and hole has any direction and any length up to the radial clearance (half the difference of the diameters), in each joint independently of all others ({joints}). The standard deviations take the whole clearance in a direction that is uniformly distributed.",
     "workspace.errors.guide": "Clearance of guides: each of the two ends of the slider lies anywhere up to the clearance (half the play) to either side, independently of all others ({joints}). The standard deviations take the whole clearance to either side with equal probability.",
+    "workspace.errors.flank": "Clearance of pins in slots and the like: the links lie anywhere up to the clearance (half the play) to either side along the normal of their contact, independently of all others ({joints}). The standard deviations take the whole clearance to either side with equal probability.",
     "workspace.errors.guaranteed": "Guaranteed is what {point} reaches to first order for any such deviations at once.",
     "workspace.errors.precise": "Precise is the guaranteed part in which {point} is off by no more than {limit} {unit} in every pose that comes there.",
     "workspace.shown.better": "Where several poses of one mode come to a place, the pictures show the better of their values.",
