@@ -24,6 +24,11 @@ def unknown(kind: str, path: tuple[Any, ...], name: str, known: Iterable[str]) -
     return Finding("name.unknown", path, {"kind": Term(f"a-{kind}"), "name": name, "near": near(name, [*known])})
 
 
+def unknown_point(path: tuple[Any, ...], link: str, point: str, known: Iterable[str]) -> Finding:
+    """That a link has no such point."""
+    return Finding("name.unknown-point", path, {"link": link, "name": point, "near": near(point, [*known])})
+
+
 class Near(Term):
     """A sentence on a name that isn't known; ``likely`` are the known ones that may be meant, the likeliest first."""
 

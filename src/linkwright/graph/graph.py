@@ -50,7 +50,7 @@ class Graph:
 
     @cached_property
     def actions(self) -> Actions:
-        """The loads and springs."""
+        """What acts on the links."""
         return Actions(self)
 
     @cached_property
@@ -188,21 +188,22 @@ class Graph:
     def order_of(self, name: str) -> int:
         """The order of derivatives that a row needs."""
         if "/" in name:
-            return 0 if name.startswith("raw/") else self.actions.order
+            own = (one.kind.order for one in self.actions.every if one.row == name)
+            return 0 if name.startswith("raw/") else max(self.actions.order, *own, 0)
         if ":" in name:
             return 1 if name.startswith("rate:") else 0
         signal = self.signal(name)
         if signal.kind == "joint":
             order = self.structure.topology.kind_of(signal.owners[0]).orders[signal.attribute]
             return order if signal.kinematic else max(order, self.actions.order)
+        if (one := self.quantities.signals.acting.get(signal.owners[0])) is not None and signal.kind == one.noun:
+            return one.kind.orders.get(signal.attribute, one.kind.order)
         if signal.kind in ("force", "shaking") or signal.attribute in ("torque", "force", "power"):
-            return max(2, self.actions.order) if signal.kind != "spring" else 1
+            return self.actions.forces
         if signal.attribute in ("pressure", "pressure_second"):
             return 0
         if signal.kind in ("energy", "pole"):
             return 1
-        if signal.kind == "spring":
-            return int(signal.attribute in ("v", "omega"))
         orders = {"link": LINK_ORDERS, "drive": {**LINK_ORDERS, **SLIDE_ORDERS}, "slide": SLIDE_ORDERS}
         known = orders.get(signal.kind)
         return known[signal.attribute] if known else LETTERS[signal.attribute[:-1]]

@@ -2,26 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from linkwright.elements.force import NOUNS
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, signal_text
 from linkwright.expressions.units import Dimension
-from linkwright.graph.actions import active, load_values, wrenches
+from linkwright.graph.actions import active, wrenches
 from linkwright.graph.cams import Contact, contact
 from linkwright.graph.forces import Forces, lever, solve_forces, unit_efforts
 from linkwright.graph.geometry import ZERO, Geometry
 from linkwright.graph.motion import Motion, solve_motion
 from linkwright.graph.poles import pole
 from linkwright.graph.seconds import other_side, second
-from linkwright.graph.springs import effort, elastic, raw_angle, stretch
 from linkwright.model.signals import Signal
-from linkwright.notation import Jet, Scalar, Vec, Wrench
+from linkwright.notation import Body, Jet, Scalar, Vec, Wrench
 from linkwright.structure import FRAME
 
 if TYPE_CHECKING:
@@ -117,26 +117,51 @@ class View:
 
         return evaluate(node, named, called)
 
+    # What kinds of force elements ask for.
+
+    @property
+    def geometry(self) -> Geometry:
+        """The dimensions of the mechanism."""
+        return self.motion.geometry
+
+    @property
+    def bodies(self) -> Mapping[str, Body]:
+        """The links by name."""
+        return self.motion.bodies
+
+    def signal(self, text: str) -> Scalar:
+        """A signal by its name."""
+        return self.row(text)
+
+    def inside(self, window: str) -> Scalar:
+        """Whether the pose lies in a window."""
+        return active(self, window)
+
+    def turns(self, name: str) -> Scalar:
+        """The whole turns of an angle beyond those that axes tell."""
+        return self.given.get(f"turns/{name}", 0.0)
+
     def lookup(self, table: str, argument: Node, integral: bool = False) -> Scalar:
         """A table's answer, an input of the pose."""
         known = ((k.table, k.argument, k.integral) for k in self.graph.actions.lookups)
         return self.given[f"table/{list(known).index((table, argument, integral))}/0"]
 
     def _of_action(self, kind: str, what: str) -> Scalar:
-        """Rows of loads and springs: the sum of a load's values, whether a window holds, the argument that a table
+        """Rows of what acts: the sum of a load's values, whether a window holds, the argument that a table
         is asked for, an angle without whole turns."""
         mechanism = self.graph.quantities.mechanism
         if kind == "load":
-            force, torque = load_values(self, mechanism.loads[what])
-            return force.x + force.y + torque
+            one = next(one for one in self.graph.actions.every if one.row == f"load/{what}")
+            return one.kind.strength(self, one.name, one.entry)
         if kind == "window":
             return active(self, what)
         if kind == "argument":
             return self.evaluate(self.graph.actions.lookups[int(what)].argument)
-        if what in mechanism.springs:
-            spring = mechanism.springs[what]
-            return raw_angle(self, str(spring.turns)) - raw_angle(self, str(spring.on))
-        return self.own(what, 0, whole=False) if what in mechanism.drives else raw_angle(self, what)
+        bodies = self.motion.bodies
+        if what in self.graph.actions.turned:
+            turned, base = self.graph.actions.turned[what][1]
+            return bodies[turned].heading - bodies[base].heading
+        return self.own(what, 0, whole=False) if what in mechanism.drives else bodies[what].heading
 
     def _internal(self, owner: str, what: str) -> Scalar:
         if owner in self.motion.bodies and what in ("x", "y", "cos", "sin"):
@@ -171,18 +196,12 @@ class View:
         if order:
             return body.turn.d[order - 1]
         turns = self.given.get(f"turns/{signal.owners[0]}")
-        angle = raw_angle(self, signal.owners[0])
+        angle = body.heading
         return angle if turns is None else angle + 2 * ca.pi * turns
 
-    def spring(self, signal: Signal) -> Scalar:
-        name, attribute = signal.owners[0], signal.attribute
-        if attribute == "energy":
-            return elastic(self, name)[1]
-        if attribute in ("force", "torque"):
-            return effort(self, name)
-        if attribute == "power":
-            return -effort(self, name) * stretch(self, name, 1)
-        return stretch(self, name, int(attribute in ("v", "omega")))
+    def acting(self, signal: Signal) -> Scalar:
+        one = self.graph.quantities.signals.acting[signal.owners[0]]
+        return one.kind.signal(self, one.name, one.entry, signal.attribute)
 
     def point(self, signal: Signal) -> Scalar:
         link = self.graph.quantities.signals.homes[signal.owners[0]]
@@ -250,7 +269,8 @@ class View:
     def energy(self, signal: Signal) -> Scalar:
         geometry, total = self.motion.geometry, 0.0
         if signal.attribute == "elastic":
-            return sum((elastic(self, name)[1] for name in geometry.mechanism.springs), 0.0)
+            stored = (one for one in self.graph.actions.every if one.kind.stores)
+            return sum((one.kind.energy(self, one.name, one.entry) for one in stored), 0.0)
         for link, body in self.motion.bodies.items():
             mass, centre, inertia = geometry.mass(link)
             if link == FRAME or not geometry.mechanism.has_mass(link):
@@ -270,5 +290,6 @@ def _component(at: Vec, signal: Signal) -> Scalar:
     return jet.d[LETTERS[signal.attribute[:-1]]]
 
 
-_KINDS = ("link", "point", "com", "slide", "joint", "drive", "spring", "force", "shaking", "energy")
+_KINDS = ("link", "point", "com", "slide", "joint", "drive", "force", "shaking", "energy")
 _ROWS: dict[str, Callable[[View, Signal], Scalar]] = {kind: getattr(View, kind) for kind in _KINDS} | {"pole": pole}
+_ROWS |= dict.fromkeys(NOUNS.values(), View.acting)

@@ -10,13 +10,13 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import Any
 
+from linkwright.elements.points import homes
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.unknown import unknown
 from linkwright.expressions.written import FrozenDict
 from linkwright.findings import Finding, Term
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.parts import CylinderPart, Drive, Joint, Link
-from linkwright.model.pins import homes
 
 Path = tuple[str | int, ...]
 

@@ -7,11 +7,12 @@ from typing import Any
 
 from linkwright.expressions.fields import AssemblyRule, FrozenDict
 from linkwright.expressions.typed_fields import Context
+from linkwright.expressions.unknown import unknown_point
 from linkwright.findings import Finding, Term
 from linkwright.model.cams import Following
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.pins import Pin, pins
-from linkwright.model.references import reference_faults, unknown_point
+from linkwright.model.references import reference_faults
 from linkwright.model.walk import references
 
 Path = tuple[str | int, ...]

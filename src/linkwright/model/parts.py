@@ -7,7 +7,6 @@ from functools import partial
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import (
-    AfterValidator,
     BeforeValidator,
     ConfigDict,
     Field,
@@ -16,31 +15,21 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema
 
+from linkwright.elements.fields import INERTIA, PART_LENGTH, Interval, TwoLines, TwoLinks, TwoPoints, freeze
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import (
     Expression,
     Frozen,
-    FrozenDict,
-    LineOn,
     LongText,
     Name,
     Position,
     Shape,
     Text,
     Two,
-    pair,
 )
 from linkwright.expressions.typed_fields import ELSEWHERE, Ends, Quantity, Scope, Sign, of_drive, of_parameter
 from linkwright.expressions.written import Fault, FaultWithin, Shortened, plain_number, unexpected
 from linkwright.model.tolerances import Tolerance
-
-freeze = AfterValidator(FrozenDict)
-
-Vector = Annotated[Two, BeforeValidator(pair("vector"))]
-Interval = Annotated[Two, BeforeValidator(pair("interval"))]
-TwoLinks = Annotated[tuple[Name, Name], BeforeValidator(pair("two-links"))]
-TwoPoints = Annotated[tuple[Name, Name], BeforeValidator(pair("two-points"))]
-TwoLines = Annotated[tuple[LineOn, LineOn], BeforeValidator(pair("two-lines"))]
 
 
 class Units(Frozen):
@@ -147,7 +136,6 @@ Points = Annotated[
 
 
 MASS = Quantity(u.MASS, Sign.NOT_NEGATIVE, "mass")
-INERTIA = Quantity(u.INERTIA, Sign.NOT_NEGATIVE, "inertia")
 
 
 class Link(Frozen):
@@ -229,10 +217,6 @@ class Joint(Frozen):
         pair = self.prismatic or self.revolute
         assert pair is not None
         return pair
-
-
-PART_LENGTH = Quantity(u.LENGTH, Sign.NOT_NEGATIVE, "length", ends=Ends.RISING)
-"""The lengths that a cylinder, spring or other part allows."""
 
 
 class CylinderPart(Frozen):

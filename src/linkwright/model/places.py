@@ -6,16 +6,18 @@ expressions that no field holds: those that an entry stands for.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 
+from linkwright.elements.force import NOUNS
+from linkwright.elements.load import crossed
+from linkwright.elements.points import homes
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, FrozenDict, Position
 from linkwright.expressions.typed_fields import Context, Path, Scope
 from linkwright.expressions.units import Dimension
-from linkwright.model.actions import FIGURES, Measure, crossed, figure, instant, measured
-from linkwright.model.mechanism import Mechanism, Spring
+from linkwright.model.actions import FIGURES, Measure, figure, instant, measured
+from linkwright.model.mechanism import Mechanism
 from linkwright.model.motions import ARGUMENT
-from linkwright.model.pins import homes
 from linkwright.model.walk import Place, Site, sites
 
 __all__ = [
@@ -30,7 +32,6 @@ __all__ = [
     "mechanism_sites",
     "places",
     "position_parts",
-    "spring_dimensions",
 ]
 
 OF_FORMULA = FrozenDict({ARGUMENT: u.PURE})
@@ -48,13 +49,6 @@ def position_parts(position: Position) -> tuple[tuple[Expression, Dimension], tu
     return (position.first, u.LENGTH), (position.second, u.ANGLE if position.polar else u.LENGTH)
 
 
-def spring_dimensions(spring: Spring) -> dict[str, Dimension]:
-    """The dimensions of a spring's numbers by key."""
-    alone = Context(Mechanism.model_construct(links=FrozenDict()), ("springs", ""))
-    found = ((str(site.path[-1]), place.wanted) for site in sites(spring, alone) for place in site.places())
-    return {key: wanted for key, wanted in found if isinstance(wanted, Dimension)}
-
-
 def mechanism_sites(m: Mechanism) -> Iterator[Site]:
     """Every quantity that the fields of a mechanism hold, whose short forms are spelled out."""
     return sites(m, Context(m), *SECTIONS, "measures", "require")
@@ -62,13 +56,15 @@ def mechanism_sites(m: Mechanism) -> Iterator[Site]:
 
 def places(m: Mechanism) -> Iterator[Place]:
     """Every expression of a mechanism, the definitions of its parameters first."""
+    acting = [*m.acting()]
     for section in SECTIONS:
-        if section not in _BESIDES:
+        if section not in NOUNS:
             yield from _places(sites(m, Context(m), section))
-            continue
-        for name, entry in getattr(m, section).items():
-            yield from _places(sites(entry, Context(m, (section, name))))
-            yield from _BESIDES[section](m, name)
+        for one in acting:
+            if one.section == section:
+                yield from _places(sites(one.entry, Context(m, one.path)))
+                uses = one.kind.uses(m, one.entry)
+                yield from (Place((*one.path, use.key), use.expression, use.wanted, use.scope) for use in uses)
     bounds: dict[str, list[Site]] = {}
     for site in sites(m, Context(m), "require"):
         bounds.setdefault(site.context.name, []).append(site)
@@ -82,26 +78,6 @@ def places(m: Mechanism) -> Iterator[Place]:
 
 def _places(found: Iterable[Site]) -> Iterator[Place]:
     return (place for site in found for place in site.places())
-
-
-def _window(m: Mechanism, name: str) -> Iterator[Place]:
-    """The signal that bounds the window of a load, of which the load is then a function."""
-    load = m.loads[name]
-    window = m.windows.get(load.window) if load.window else None
-    for signal in window if isinstance(window, dict) else ():
-        yield Place(("loads", name, "window"), Expression(signal), crossed(str(load.window)), Scope.LOAD)
-
-
-def _table(m: Mechanism, name: str) -> Iterator[Place]:
-    """The table of a spring as if it were called, which tells the units of its columns."""
-    spring = m.springs[name]
-    if spring.table:
-        key, one, value = ("torque", "1 rad", u.TORQUE) if spring.torsional else ("force", "1 m", u.FORCE)
-        yield Place(("springs", name, key), Expression(f"{spring.table}({one})"), value, Scope.TIME)
-
-
-_BESIDES: dict[str, Callable[[Mechanism, str], Iterator[Place]]] = {"loads": _window, "springs": _table}
-"""Expressions of an entry of a section that no field holds."""
 
 
 def _path(m: Mechanism, name: str, measure: Measure) -> Iterator[Place]:

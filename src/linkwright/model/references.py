@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
-from linkwright.expressions.unknown import near, unknown
+from linkwright.elements.points import homes
+from linkwright.expressions.unknown import unknown, unknown_point
 from linkwright.findings import Finding
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.pins import homes
 from linkwright.model.walk import Reference
 
 ELEMENTS: dict[str, Callable[[Mechanism], Mapping[str, Any]]] = {
@@ -34,8 +34,3 @@ def reference_faults(found: Iterable[Reference]) -> Iterator[Finding]:
                 yield unknown_point(path, link, one.name, m.links[link].points)
         elif one.name not in (known := ELEMENTS[one.ref.kind](m)):
             yield unknown(one.ref.kind, path, one.name, known)
-
-
-def unknown_point(path: tuple[Any, ...], link: str, point: str, known: Iterable[str]) -> Finding:
-    """That a link has no such point."""
-    return Finding("name.unknown-point", path, {"link": link, "name": point, "near": near(point, list(known))})

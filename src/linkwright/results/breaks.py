@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -30,18 +30,26 @@ MOST = 1 << 16
 
 def jumps(run: Run) -> Array:
     """The times right before and right after each jump of a load: (jumps, 2)."""
-    found: list[tuple[float, float]] = []
-    for name in run.compiled.graph.actions.windows:
+    actions, found = run.compiled.graph.actions, list[tuple[float, float]]()
+    for name in actions.windows:
         edges = {edge for interval in intervals(run, name) for edge in interval} | {run.start, run.stop}
-        for edge in sorted(edges):
-            for share in ASIDE:
-                aside = share * (run.stop - run.start)
-                sides = np.clip([edge - aside, edge + aside], run.start, run.stop)
-                before, after = run.compiled.evaluate([f"window/{name}"], sides)[0]
-                if before != after:
-                    found.append((float(sides[0]), float(sides[1])))
-                    break
+        found += _beside(run, sorted(edges), f"window/{name}")
+    for node in actions.jumps:
+        found += _beside(run, zeros(run, node).tolist(), node)
     return np.array(sorted(found)).reshape(-1, 2)
+
+
+def _beside(run: Run, times: Iterable[float], what: str | Node) -> Iterator[tuple[float, float]]:
+    """The times right before and right after those at which the sign of a row or an expression changes."""
+    for time in times:
+        for share in ASIDE:
+            aside = share * (run.stop - run.start)
+            sides = np.clip([time - aside, time + aside], run.start, run.stop)
+            values = run.compiled.evaluate([what], sides)[0] if isinstance(what, str) else run.jets(what, sides).d[0]
+            before, after = values > 0
+            if before != after:
+                yield float(sides[0]), float(sides[1])
+                break
 
 
 def breaks(run: Run) -> Array:
@@ -63,6 +71,7 @@ def kinks(compiled: Compiled, varied: Iterable[str] = ()) -> list[Node]:
     laws = [*compiled.graph.actions.laws, *positions(compiled)]
     found = dict.fromkeys(switch for law in laws for node in nodes(law) for switch in switches(node))
     found |= dict.fromkeys(law_joins(compiled, varied))
+    found |= dict.fromkeys(way.node for way in compiled.graph.actions.breaks if not way.jumps)
     paired = (name for name, drive in followings(quantities).items() if drive.paired)
     found |= dict.fromkeys(Name(f"{name}.force") for name in paired)  # the other contact bears
     functions = {*m.tables, *m.laws}

@@ -59,7 +59,7 @@ class Run:
                 shortest = int(np.diff(np.concatenate([[0], changes, [LOOK]])).min(initial=LOOK, where=True))
                 steps.append(min(10 * LOOK // max(shortest, 1), LOOK // 2))
         if self.compiled.graph.actions.timed:
-            rows = [f"load/{name}" for name in self.compiled.mechanism.loads]
+            rows = self.compiled.graph.actions.varying
             signs = np.sign(self.compiled.rates(rows, t)[1])
             steps.append(min(4 * int((signs[:, 1:] != signs[:, :-1]).sum(axis=1).max()), LOOK // 2))
         return max(steps)

@@ -9,6 +9,7 @@ from typing import Annotated
 
 from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
+from linkwright.elements.fields import Interval, freeze
 from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression, Frozen, FrozenDict
@@ -20,7 +21,6 @@ from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
 from linkwright.model.names import Names
-from linkwright.model.parts import Interval, freeze
 from linkwright.model.places import Place, Scope
 from linkwright.model.quantities import LARGEST
 from linkwright.results import Result, Run

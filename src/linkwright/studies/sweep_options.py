@@ -10,6 +10,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from linkwright.elements.fields import freeze
 from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.typed_fields import of_parameter
 from linkwright.expressions.unknown import near
@@ -17,7 +18,6 @@ from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.varied import Varied
-from linkwright.model.parts import freeze
 from linkwright.studies.asked import Sampling, check_outputs, check_span, one_of
 from linkwright.studies.distributions import Spread, Vary
 from linkwright.studies.numbers import constant

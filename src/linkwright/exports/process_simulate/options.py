@@ -8,6 +8,7 @@ from typing import Annotated
 
 from pydantic import Field
 
+from linkwright.elements.fields import Interval, freeze
 from linkwright.exports.process_simulate.dialects import DIALECTS
 from linkwright.exports.process_simulate.facts import Facts, check_facts
 from linkwright.exports.process_simulate.functions import MOST, PATH, Wish
@@ -22,7 +23,6 @@ from linkwright.expressions.unknown import unknown
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.cams import Following
-from linkwright.model.parts import Interval, freeze
 from linkwright.model.quantities import LARGEST
 from linkwright.studies.asked import one_of
 from linkwright.studies.limits import WIDEST

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from linkwright.elements.fields import freeze
 from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression, Frozen
@@ -17,7 +18,6 @@ from linkwright.expressions.typed_fields import Context, Quantity
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import Shortened
 from linkwright.findings import Finding
-from linkwright.model.parts import freeze
 from linkwright.model.quantities import LARGEST, Quantities
 from linkwright.studies.accuracy.allocated import Allocation
 from linkwright.studies.accuracy.allocation import allocate

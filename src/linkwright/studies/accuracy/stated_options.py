@@ -7,12 +7,12 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Discriminator, Field, FiniteFloat, Tag
 
+from linkwright.elements.fields import Interval
 from linkwright.expressions.fields import Expression, Frozen, Text
 from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.expressions.units import PURE
 from linkwright.expressions.written import Fault, unexpected
-from linkwright.model.parts import Interval
 from linkwright.model.tolerances import Spread
 
 

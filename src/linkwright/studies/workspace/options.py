@@ -9,6 +9,7 @@ from typing import Annotated, Protocol
 
 from pydantic import Field
 
+from linkwright.elements.fields import Interval, freeze
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import Expression, Frozen, FrozenDict
 from linkwright.expressions.fields import Name as NameField
@@ -19,7 +20,6 @@ from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
 from linkwright.model.followers import no_cams
-from linkwright.model.parts import Interval, freeze
 from linkwright.model.quantities import LARGEST
 from linkwright.structure import FRAME
 from linkwright.studies.asked import one_of

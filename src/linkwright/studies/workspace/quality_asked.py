@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from pydantic import BeforeValidator, Discriminator, Field, Tag
 
+from linkwright.elements.fields import freeze
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, FrozenDict, Two, pair
 from linkwright.expressions.fields import Name as NameField
@@ -16,7 +17,6 @@ from linkwright.expressions.unknown import unknown
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.parts import freeze
 from linkwright.studies.workspace.maps_asked import MapsAsked, number, positive
 from linkwright.studies.workspace.quality import Task, kinds, possible
 
