@@ -193,7 +193,7 @@ class ForceKind(ABC, Generic[E]):
     """Texts that the catalogue lacks, by language and key; ``term.kind-NAME`` is what it is called."""
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return FORCES.__getitem__, (self.name,)
+        return kind, (self.name,)
 
     @property
     def title(self) -> Term:
@@ -358,8 +358,13 @@ def register(cls: type[ForceKind[Any]]) -> type[ForceKind[Any]]:
     return cls
 
 
+def kind(name: str) -> ForceKind[Any]:
+    """A registered kind."""
+    return FORCES[name]
+
+
 def acting(mechanism: Any) -> Iterator[Acting]:
     """All elements that act on links or weigh, section by section."""
     for section in NOUNS:
         for name, entry in getattr(mechanism, section).items():
-            yield Acting(section, name, entry, FORCES[entry.kind])
+            yield Acting(section, name, entry, kind(entry.kind))

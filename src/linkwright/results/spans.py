@@ -77,7 +77,7 @@ class Windows:
 def gaps(bunch: Bunch) -> Spans:
     """From right before to right after each jump of a load, at an end of the window in which it acts."""
     every, actions = np.arange(bunch.samples), bunch.run.compiled.graph.actions
-    parts = []
+    parts = list[tuple[Who, Array, Array]]()
     for name in actions.windows:
         owner, a, b = spans(bunch, name).flat()
         who = np.concatenate([owner, owner, every, every])

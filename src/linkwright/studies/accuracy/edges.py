@@ -55,6 +55,13 @@ class Edges:
         every = (self._found(way, time) for way in (*actions.windows, *actions.jumps))
         return next((found for found in every if found is not None), None)
 
+    def side(self, tree: Node, time: float, value: float) -> float:
+        """A time, or where a force jumps there the one right beside it at which an expression is nearest to a value."""
+        beside = next((pair for pair in self.run.jumps if pair[0] <= time <= pair[1]), None)
+        if beside is None:
+            return time
+        return float(beside[np.argmin(np.abs(self.run.jets(tree, beside).d[0] - value))])
+
     def _found(self, way: str | Node, time: float) -> Array | None:
         """The derivative of a time at which a window ends, or an expression changes its sign."""
         if way not in self._moving:
