@@ -113,9 +113,9 @@ class _AnyKind:
     def kinds(self, raw: Any) -> list[type]:
         """The entries of which one may be, as far as its keys tell."""
         keys = raw.keys() if isinstance(raw, Mapping) else ()
-        if self.own & {*keys}:
-            return [self.usual]
-        return [entry for kind, entry in self.entries.items() if kind in keys] or [self.usual, *self.entries.values()]
+        if chosen := [entry for kind, entry in self.entries.items() if kind in keys]:
+            return chosen
+        return [self.usual] if self.own & {*keys} else [self.usual, *self.entries.values()]
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
         load_plugins()
