@@ -1,5 +1,5 @@
-"""A kind of force element of another package: one file with a table, a jump and stored energy, made known by an entry
-point, with no other file changed."""
+"""Kinds of force elements of other packages, made known by entry points, with no other file changed: one with a table,
+a jump and stored energy, and one in each section of files."""
 
 from __future__ import annotations
 
@@ -216,20 +216,19 @@ def test_its_name_is_taken(folder: Path) -> None:
     assert "name.taken" in done.stderr
 
 
-def test_many_samples_and_accuracies(folder: Path) -> None:
-    """Sweeps of the gap and the preload on every kernel, and slopes, by the closed form and its differences."""
-    write(folder, without("cycle", "sweep", "accuracy"))
-    script = """
+SCRIPT = """
 import json
 import numpy as np
 import linkwright as lw
 from linkwright.kernels import KERNELS
 from linkwright.kernels.varied import Varied
+from linkwright.measures import measure_all
 from linkwright.results import Run
 from linkwright.studies.accuracy.derivatives import Derivatives
 from linkwright.studies.accuracy.slopes import Slopes
 from linkwright.studies.many import Measuring
-compiled = lw.compile(lw.load("model.yaml"))
+document = lw.load("model.yaml")
+compiled = lw.compile(document)
 run, names = Run(compiled, 0.0, 1.0, 60), ["gap", "preload"]
 varied = Varied(compiled, names)
 values = np.array([[0.058, 0.06, 0.063], [0.0, 50.0, 40.0]])
@@ -244,9 +243,33 @@ start = np.array([0.06, 50.0])
 directions = varied.parameters(start[:, None] + np.eye(2)) - compiled.parameters[:, None]
 derivatives = Derivatives(run, Slopes(run, directions), ["mean", "most", "sides"])
 slopes = {name: [d.sides[:, 0].tolist() for d in derivatives.of(name)] for name in ("mean", "most", "sides")}
-print(json.dumps({"kernels": found, "slopes": slopes}))
+alone = []
+for gap, preload in values.T.tolist():
+    one = lw.compile(document.replace(gap=f"{gap} m", preload=f"{preload} N"))
+    alone.append({r.name: {f.label: f.value for f in r.found} for r in measure_all(Run(one, 0.0, 1.0, 60))[0]})
+print(json.dumps({"kernels": found, "slopes": slopes, "alone": alone, "single": Measuring(varied, run).single}))
 """
-    done = python(folder, "-c", script)
+
+
+def test_many_samples_are_those_of_each_alone(folder: Path) -> None:
+    """With a spline for a table, so that means are taken of all samples together, over the jump of each."""
+    tables = {"rubber": {**MODEL["tables"]["rubber"], "between": "cubic"}}
+    write(folder, {**without("cycle", "sweep", "accuracy"), "tables": tables})
+    done = python(folder, "-c", SCRIPT)
+    assert done.returncode == 0, done.stderr
+    told = json.loads(done.stdout)
+    assert not told["single"]
+    for found in told["kernels"].values():
+        for i, alone in enumerate(told["alone"]):
+            for name, figures in alone.items():
+                values = {label: rows[i] for label, rows in found["figures"][name].items()}
+                assert values == pytest.approx(figures, rel=1e-9), name
+
+
+def test_many_samples_and_accuracies(folder: Path) -> None:
+    """Sweeps of the gap and the preload on every kernel, and slopes, by the closed form and its differences."""
+    write(folder, without("cycle", "sweep", "accuracy"))
+    done = python(folder, "-c", SCRIPT)
     assert done.returncode == 0, done.stderr
     told, t = json.loads(done.stdout), np.linspace(0, 1, 41)
     samples = [(0.058, 0.0), (0.06, 50.0), (0.063, 40.0)]
@@ -309,3 +332,59 @@ def test_an_entry_point_that_is_gone_leaves_the_kind_unknown(folder: Path) -> No
     )
     assert done.returncode == 2
     assert "bump_stop" in done.stderr
+
+
+THREE: dict[str, Any] = {
+    "linkwright": 1,
+    "units": MODEL["units"],
+    "gravity": "earth",
+    "links": {
+        "frame": {"points": {"O": [0, 0], "D": [60, 0]}},
+        "crank": {"points": {"O": [0, 0], "B": [150, 0]}, "mass": 0.8, "shape": "rod O-B"},
+        "coupler": {"points": {"B": [0, 0], "C": [180, 0]}},
+        "rocker": {"points": {"D": [0, 0], "C": [170, 0]}},
+    },
+    "assembly": {"C": "left of B-D"},
+    "drives": {"motor": {"turns": "crank", "on": "frame", "speed": "60 rpm", "start": "20 deg"}},
+    "loads": {
+        "air": {
+            "drag": "coupler",
+            "at": "C",
+            "coefficient": "(3 + sin(360 deg*t/(1 s)))*1 N*s/m",
+            "turning": "0.02 N*m*s",
+        }
+    },
+    "springs": {"fly": {"inerter": "rocker", "inertia": "0.01 kg*m^2"}},
+    "counterweights": {"lead": {"ball": "coupler", "at": "C", "mass": 0.4}},
+    "studies": {"cycle": {"period": "1.7 s", "samples": 60}},
+}
+"""A double crank that is braked, turns a wheel and carries a ball."""
+
+
+def test_kinds_in_every_section(tmp_path: Path) -> None:
+    """What the motor has to do is the power of all: rates of energies, and drag times speed, from reported rates."""
+    write(tmp_path, THREE)
+    done = linkwright(tmp_path, "run", "model.yaml", "--out", "out")
+    assert done.returncode == 0, done.stderr
+    of, t = table(tmp_path / "out" / "cycle.csv")
+    omega, alpha = np.radians(of["rocker.omega [deg/s]"]), np.radians(of["rocker.alpha [deg/s^2]"])
+    assert of["fly.moment [N*m]"] == pytest.approx(-0.01 * alpha, abs=1e-12)
+    assert of["fly.wound [deg]"] - of["rocker.angle [deg]"] == pytest.approx(np.full(t.size, 360.0), abs=1e-9)
+    assert np.ptp(of["fly.wound [deg]"]) > 500
+    vx, vy, ax, ay = (1e-3 * of[f"C.{name}"] for name in ("vx [mm/s]", "vy [mm/s]", "ax [mm/s^2]", "ay [mm/s^2]"))
+    braked = (3 + np.sin(2 * np.pi * t)) * (vx**2 + vy**2) + 0.02 * np.radians(of["coupler.omega [deg/s]"]) ** 2
+    moved = 0.4 * (ax * vx + (ay + 9.80665) * vy) + 0.01 * alpha * omega
+    crank = 0.8 * 9.80665 * 0.075 * np.cos(np.radians(20) + 2 * np.pi * t) * 2 * np.pi  # at constant speed
+    assert of["motor.power [W]"] == pytest.approx(braked + moved + crank, abs=1e-9)
+
+
+def test_a_ball_weighs_as_a_counterweight(tmp_path: Path) -> None:
+    files = []
+    for name, weight in (("ball", {"ball": "coupler"}), ("usual", {"on": "coupler"})):
+        folder = tmp_path / name
+        folder.mkdir()
+        write(folder, {**THREE, "counterweights": {"lead": {**weight, "at": "C", "mass": 0.4}}})
+        done = linkwright(folder, "run", "model.yaml", "--out", "out")
+        assert done.returncode == 0, done.stderr
+        files.append((folder / "out" / "cycle.csv").read_bytes())
+    assert files[0] == files[1]

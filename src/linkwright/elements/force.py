@@ -181,8 +181,6 @@ class ForceKind(ABC, Generic[E]):
     """Whether it has wrenches; what only weighs has none."""
     stores: ClassVar[bool] = False
     """Whether it stores energy."""
-    timed: ClassVar[bool] = False
-    """Whether it asks for the time itself, ``context.value`` of an expression in ``t`` apart."""
     order: ClassVar[int] = 1
     """The derivatives of the motion that its wrenches need."""
     orders: ClassVar[Mapping[str, int]] = {}
@@ -226,7 +224,7 @@ class ForceKind(ABC, Generic[E]):
     # What it needs of each pose.
 
     def laws(self, entry: E) -> tuple[tuple[Expression, Dimension], ...]:
-        """Its expressions that may vary over the motion."""
+        """Its expressions that may vary over the motion; where it follows the time in its own way, ``t`` is one."""
         return ()
 
     def window(self, entry: E) -> str | None:

@@ -126,13 +126,12 @@ class Actions:
     def timed(self) -> bool:
         """Whether something depends on the time itself."""
         named = any(isinstance(part, Name) and part.text == "t" for law in self.laws for part in nodes(law))
-        named = named or any(one.kind.timed for one in self.every)
         return named or any(isinstance(self.mechanism.windows[name], tuple) for name in self.windows)
 
     @cached_property
     def varying(self) -> list[str]:
         """The rows of what may vary with the time while nothing moves."""
-        return [one.row for one in self.every if one.kind.timed or one.kind.laws(one.entry)]
+        return [one.row for one in self.every if one.kind.laws(one.entry)]
 
     @cached_property
     def inputs(self) -> tuple[str, ...]:

@@ -195,7 +195,7 @@ class Graph:
         signal = self.signal(name)
         if signal.kind == "joint":
             order = self.structure.topology.kind_of(signal.owners[0]).orders[signal.attribute]
-            return order if signal.kinematic else max(order, self.actions.order)
+            return order if signal.kinematic else max(order, self.actions.forces)
         if (one := self.quantities.signals.acting.get(signal.owners[0])) is not None and signal.kind == one.noun:
             return one.kind.orders.get(signal.attribute, one.kind.order)
         if signal.kind in ("force", "shaking") or signal.attribute in ("torque", "force", "power"):
