@@ -86,23 +86,21 @@ _bound = at_most(MAX_ENTRIES)
 
 
 class _AnyKind:
-    """An entry of a section of any kind: a usual one, as its ``own`` keys tell, or one whose kind is among its keys."""
+    """An entry of any kind: one whose kind is among its keys, or the section's ``usual`` one with its ``own`` keys."""
 
-    def __init__(self, section: str, *own: str) -> None:
-        self.entries, self.section, self.own = ENTRIES[section], section, {*own}
+    def __init__(self, section: str, usual: type[BaseModel], *own: str) -> None:
+        self.entries, self.section, self.usual, self.own = ENTRIES[section], section, usual, {*own}
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         def read(raw: Any, usual: ValidatorFunctionWrapHandler) -> Any:
             if type(raw) in self.entries.values():
                 return raw
-            entry = entry_for(self.section, raw, _keys(source)) if isinstance(raw, Mapping) else None
+            entry = entry_for(self.section, raw, _keys(self.usual)) if isinstance(raw, Mapping) else None
             if entry is not None:
                 return entry.model_validate(raw)
             if isinstance(raw, Mapping) and (misspelled := self.misspelled(raw)) is not None:
                 raise ValidationError.from_exception_data(self.section, [misspelled])
             return usual(raw)
-
-        self.usual = source
 
         return core_schema.no_info_wrap_validator_function(
             read,
@@ -140,10 +138,10 @@ def _dumped(entry: Any, info: SerializationInfo) -> Any:
     return entry.model_dump(exclude_defaults=info.exclude_defaults, by_alias=bool(info.by_alias))
 
 
-_Joint = Annotated[Joint, _AnyKind("joints", "prismatic", "revolute")]
-_Load = Annotated[Load, _AnyKind("loads", "force", "torque")]
-_Spring = Annotated[Spring, _AnyKind("springs", "from", "to", "turns")]
-_Counterweight = Annotated[Counterweight, _AnyKind("counterweights", "mass")]
+_Joint = Annotated[Joint, _AnyKind("joints", Joint, "prismatic", "revolute")]
+_Load = Annotated[Load, _AnyKind("loads", Load, "force", "torque")]
+_Spring = Annotated[Spring, _AnyKind("springs", Spring, "from", "to", "turns")]
+_Counterweight = Annotated[Counterweight, _AnyKind("counterweights", Counterweight, "mass")]
 
 
 class Mechanism(Frozen):
