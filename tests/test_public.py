@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 import linkwright
-from linkwright.elements import KINDS
+from linkwright.elements import FORCES, KINDS
 from linkwright.exports import TARGETS
 from linkwright.exports import register as register_target
 from linkwright.groups import REGISTRY
@@ -363,12 +363,12 @@ def test_every_module_says_what_it_is(module: str) -> None:
     assert module in sys.modules
 
 
-# Kinds of joints are asked, not told apart by name.
+# Kinds of elements are asked, not told apart by name.
 
 
 def test_nobody_compares_letters_or_names_of_kinds() -> None:
     """Letters and names of kinds stand in signatures and files; nothing outside their own files depends on them."""
-    names = {kind.name for kind in KINDS.values()} | {kind.letter for kind in KINDS.values()}
+    names = {kind.name for kind in KINDS.values()} | {kind.letter for kind in KINDS.values()} | {*FORCES}
     found = []
     for path in SOURCE.rglob("*.py"):
         if path.relative_to(SOURCE).parts[0] == "elements":

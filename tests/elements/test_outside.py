@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
-import os
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
-HERE = Path(__file__).parent / "outside"
+from helpers.outside import linkwright, planted, table
+
 MODEL = {
     "linkwright": 1,
     "units": {"length": "mm", "angle": "deg", "mass": "kg", "time": "s", "force": "N", "torque": "N*m"},
@@ -36,26 +33,6 @@ MODEL = {
     "studies": {"cycle": {"period": "2 s", "samples": 60}},
 }
 """A planet on an arm, rolling about a sun that a second drive turns to and fro."""
-
-
-def linkwright(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    """The command line in a process of its own, which knows of the package beside it by its entry point."""
-    info = folder / "outside-1.0.dist-info"
-    info.mkdir(exist_ok=True)
-    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: outside\nVersion: 1.0\n", encoding="utf-8")
-    (info / "entry_points.txt").write_text(
-        "[linkwright.elements]\ngears = gear_on_carrier\nbarrels = indexer\n", encoding="utf-8"
-    )
-    path = [str(folder), str(HERE), *filter(None, [os.environ.get("PYTHONPATH")])]
-    return subprocess.run(
-        [sys.executable, "-m", "linkwright", *words],
-        cwd=folder,
-        env={**os.environ, "PYTHONPATH": os.pathsep.join(path), "PYTHONDONTWRITEBYTECODE": "1"},
-        capture_output=True,
-        text=True,
-        encoding="utf-8",
-        check=False,
-    )
 
 
 @pytest.fixture
@@ -85,14 +62,6 @@ def test_a_kind_from_outside_runs_and_is_proven(folder: Path) -> None:
     assert columns["motor.torque [N*m]"] == pytest.approx(3 * m - at_arm, abs=1e-12)
 
 
-def table(path: Path) -> tuple[dict[str, Any], Any]:
-    """The columns of a CSV file by their heads, and the time (s)."""
-    heads, *rows = csv.reader(io.StringIO(path.read_text(encoding="utf-8-sig")))
-    values = np.array([[cell or "nan" for cell in row] for row in rows], dtype=float).T
-    columns = dict(zip(heads, values, strict=True))
-    return columns, columns["t [s]"]
-
-
 def test_a_kind_from_outside_is_known_everywhere(folder: Path) -> None:
     checked = linkwright(folder, "check", "model.yaml")
     assert checked.returncode == 0
@@ -109,11 +78,8 @@ def test_a_kind_from_outside_is_known_everywhere(folder: Path) -> None:
 
 
 def test_a_wrong_sign_in_a_kind_fails_the_certificate(folder: Path) -> None:
-    text = (HERE / "gear_on_carrier.py").read_text(encoding="utf-8")
-    for right, wrong in (("(b.angle - c.angle)", "(c.angle - b.angle)"), ("(b.turn - c.turn)", "(c.turn - b.turn)")):
-        assert right in text
-        text = text.replace(right, wrong)
-    (folder / "gear_on_carrier.py").write_text(text, encoding="utf-8")
+    mesh = (("(b.angle - c.angle)", "(c.angle - b.angle)"), ("(b.turn - c.turn)", "(c.turn - b.turn)"))
+    planted(folder, "gear_on_carrier", *mesh)
     done = linkwright(folder, "run", "model.yaml", "--out", "out")
     assert done.returncode == 1
     assert "motion.unproven" in done.stderr

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from elements.test_outside import HERE, linkwright, table
+from helpers.outside import linkwright, planted, table
 
 BASE: dict[str, Any] = {
     "linkwright": 1,
@@ -141,22 +141,19 @@ def test_it_is_known_everywhere(folder: Path) -> None:
     assert "step (barrel cam)" in refused.stderr + refused.stdout
 
 
-def test_a_wrong_sign_in_its_action_fails_the_audit(folder: Path) -> None:
-    text = (HERE / "indexer.py").read_text(encoding="utf-8")
-    wrong = text.replace("def applied", "def acting(self, name: str, poses: Any, ratio: Any) -> Any:\n"
-                         "        return super().acting(name, poses, -ratio)\n\n    def applied")  # fmt: skip
-    assert wrong != text
-    (folder / "indexer.py").write_text(wrong, encoding="utf-8")
+def test_a_wrong_sign_in_its_action_fails_the_certificate(folder: Path) -> None:
+    wrong = """def acting(self, name: str, poses: Any, ratio: Any) -> Any:
+        return super().acting(name, poses, -ratio)
+
+    def applied"""
+    planted(folder, "indexer", ("def applied", wrong))
     done = run(folder, MODELS["a dyad hangs on it"])
     assert done.returncode == 1, done.stderr
     assert "motion.unproven" in done.stderr
 
 
 def test_a_follower_without_a_formula_is_left_out_of_motor_expressions(folder: Path) -> None:
-    text = (HERE / "indexer.py").read_text(encoding="utf-8")
-    without = text.replace("    def tree(", "    def other(")
-    assert without != text
-    (folder / "indexer.py").write_text(without, encoding="utf-8")
+    planted(folder, "indexer", ("    def tree(", "    def other("))
     done = run(folder, MODELS["alone"], "export", "model.yaml", "--to", "motor-expressions", "--out", "motors")
     assert done.returncode == 0, done.stderr
     assert "The law of step has no formula" in done.stderr

@@ -10,10 +10,11 @@ from typing import Any
 import pytest
 
 from linkwright.compilation import examine
+from linkwright.elements import FORCES, spring
 from linkwright.elements.cam_contact import entry as cams
 from linkwright.expressions.language import FUNCTIONS
 from linkwright.expressions.units import unit_words
-from linkwright.model import actions, elements, motions, parts, signals
+from linkwright.model import actions, motions, parts, signals
 from linkwright.model.document import Document
 from linkwright.model.parts import Drive
 from linkwright.model.yaml_text import read_text
@@ -22,9 +23,9 @@ from model.given import four_bar
 PAGE = (Path(__file__).parents[2] / "docs" / "file-format.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"^```yaml\n(.*?)^```", PAGE, re.M | re.S)
 CLASSES = [
-    parts.Units, parts.Parameter, parts.Link, parts.Joint, parts.Drive, actions.Table, actions.Load, actions.Measure,
+    parts.Units, parts.Parameter, parts.Link, parts.Joint, parts.Drive, actions.Table, actions.Measure,
     motions.MotionLaw, motions.Segment, cams.Cam,
-    elements.Spring, elements.Counterweight,
+    *(kind.entry for kind in FORCES.values()),
 ]  # fmt: skip
 
 
@@ -72,8 +73,8 @@ def test_every_signal_is_listed() -> None:
     pressures = {"pressure": None, "pressure_second": None}
     motor, servo = Drive(turns="a", on="b", position="t"), Drive(slides="a", on="b", position="t")
     tables = [signals.POINT, signals.LINK, signals.SLIDE, signals.SLIDE_FORCE, motor.signals, servo.signals]
-    tables += [pressures, signals.SHAKING, signals.ENERGY, signals.SPRING]
-    tables += [signals.TORSION_SPRING, {"elastic": None}]
+    tables += [pressures, signals.SHAKING, signals.ENERGY, spring.SIGNALS]
+    tables += [spring.TORSION_SIGNALS, {"elastic": None}]
     assert {attribute for table in tables for attribute in table} <= words()
 
 

@@ -81,7 +81,8 @@ def test_springs_at_the_start() -> None:
     drives = {"motor": {"turns": "crank", "on": "frame", "speed": 360, "start": 30}}
     length = 1000 * np.hypot(4 - np.cos(np.pi / 6), np.sin(np.pi / 6))
     force = 2 * (length - np.array([2000, 4000]))
-    assert understood.springs(compiled_from(four_bar(units=DEG, links=BAR, springs=springs, drives=drives))) == [
+    compiled = compiled_from(four_bar(units=DEG, links=BAR, springs=springs, drives=drives))
+    assert understood.acting(compiled)["springs"] == [
         f"pull from B to D, pulls with {force[0]:.6g} N at the start",
         f"push from B to D, pushes with {-force[1]:.6g} N at the start",
         f"wound between crank and frame, turns crank counter-clockwise with {np.pi:.6g} N·m at the start",

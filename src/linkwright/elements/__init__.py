@@ -1,13 +1,26 @@
 """The kinds of elements that a mechanism is made of, one file each, found by name."""
 
-from linkwright.elements import cam_contact, pin, pin_in_slot, slide  # noqa: F401  (each registers itself)
+from linkwright.elements import (  # noqa: F401  (each registers itself)
+    cam_contact,
+    counterweight,
+    load,
+    pin,
+    pin_in_slot,
+    slide,
+    spring,
+)
+from linkwright.elements.force import FORCES, ForceContext, ForceKind, ForceReports
 from linkwright.elements.joint import KINDS, STILL, Inner, JointGeometry, JointKind, Outer, Twist, kind, register
 from linkwright.elements.pin import InnerPin, OuterPin
 from linkwright.elements.slide import InnerLine, OuterLine
 
 __all__ = [
+    "FORCES",
     "KINDS",
     "STILL",
+    "ForceContext",
+    "ForceKind",
+    "ForceReports",
     "Inner",
     "InnerLine",
     "InnerPin",

@@ -1,7 +1,8 @@
-"""What a file says of joints that aren't pins or slides: the entries of their kinds, which need not be of this package.
+"""What a file says of elements whose kinds are chosen by a key, and need not be of this package.
 
-A kind of joint of another package is made known by an entry point of the group :data:`GROUP`: a module that registers
-it. Such modules are loaded when a file names a kind that isn't known yet, and for the schema.
+In each section the usual entries stand without such a key: pins and slides among the joints, springs among the springs.
+A kind of another package is made known by an entry point of the group :data:`GROUP`: a module that registers it. Such
+modules are loaded when a file names a kind that isn't known yet, and for the schema.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from functools import cache
 from typing import Any, ClassVar
 
 from linkwright.expressions.fields import Expression, Frozen
+from linkwright.expressions.typed_fields import Context, Quantity
 from linkwright.expressions.units import Dimension
 from linkwright.expressions.written import FaultWithin
 from linkwright.notation.registry import Registry
@@ -64,8 +66,31 @@ class JointEntry(Frozen):
         yield from ()
 
 
-ENTRIES: Registry[type[JointEntry]] = Registry()
-"""The entries by the names of their kinds."""
+class ForceEntry(Frozen):
+    """Base of the entries of what acts on links. Where another kind than the usual one of its section stands, a key is
+    named after it."""
+
+    kind: ClassVar[str]
+    """The name of the kind."""
+
+    def dimension(self, key: str) -> Dimension:
+        """The dimension of one of its quantities, as its field says."""
+        said = type(self).model_fields[key].metadata
+        quantity = next(of for of in said if isinstance(of, Quantity))
+        found = quantity.dimension_at(Context(None, entries=(self,)))
+        assert isinstance(found, Dimension)
+        return found
+
+    def wrong(self, value: Callable[[Expression, Dimension], Any]) -> Iterator[tuple[Any, FaultWithin]]:
+        """What is wrong with its numbers together: whether, or of which samples, and the fault. ``value`` gives the
+        numbers in SI, one or an array of samples."""
+        yield from ()
+
+
+SECTIONS = ("joints", "loads", "springs", "counterweights")
+"""The sections of a file in which elements of several kinds stand."""
+ENTRIES: Mapping[str, Registry[type[JointEntry] | type[ForceEntry]]] = {section: Registry() for section in SECTIONS}
+"""By section the entries that are chosen by a key, by the names of their kinds."""
 
 
 @cache
@@ -77,9 +102,10 @@ def load_plugins() -> None:
         point.load()
 
 
-def entry_for(keys: Iterable[Any], known: Iterable[str]) -> type[JointEntry] | None:
-    """The entry whose kind is among the keys of what a file says; ``known`` are keys that speak of none."""
-    keys = [*keys]
-    if not ENTRIES.keys() & keys and {*keys} - {*known}:
+def entry_for(section: str, keys: Iterable[Any], known: Iterable[str]) -> type[JointEntry] | type[ForceEntry] | None:
+    """The entry of a section whose kind is among the keys of what a file says; ``known`` are keys that speak of
+    none."""
+    entries, keys = ENTRIES[section], [*keys]
+    if not entries.keys() & keys and {*keys} - {*known}:
         load_plugins()
-    return next((ENTRIES[key] for key in keys if key in ENTRIES), None)
+    return next((entries[key] for key in keys if key in entries), None)

@@ -98,7 +98,7 @@ class Riding:
 
 
 @dataclass(frozen=True)
-class Acting:
+class UnitEffort:
     """What 1 N (1 N m) of a follower's effort does: the ``wrenches`` on the links, of which the sum is none; the work
     ``reach`` that it does for a unit of the follower's value; and the ``signals`` of the contact."""
 
@@ -191,7 +191,7 @@ class Follower(ABC):
     def riding(self, geometry: FollowerGeometry, motions: Motions) -> Riding:
         """How its value follows from that of its motor; ``geometry`` is at the nominal parameters."""
 
-    def acting(self, name: str, poses: Poses, ratio: Scalar) -> Acting:
+    def acting(self, name: str, poses: Poses, ratio: Scalar) -> UnitEffort:
         """What its effort does, where the value changes by ``ratio`` with the motor's (which counts as ``turned``).
 
         Unless a kind knows where its links touch: by duality. The effort acts at the joint of link and ``on`` and,
@@ -201,9 +201,9 @@ class Follower(ABC):
         for link, wrench in poses.unit(self.motor).items():
             geared = wrench.times(-(self.turned * ratio))
             found[link] = found[link].plus(geared) if link in found else geared
-        return Acting(found)
+        return UnitEffort(found)
 
-    def second(self, name: str, poses: Poses, ratio: Scalar, total: Scalar) -> Acting | None:
+    def second(self, name: str, poses: Poses, ratio: Scalar, total: Scalar) -> UnitEffort | None:
         """The same of its second contact, if it has one."""
         return None
 
@@ -241,7 +241,7 @@ def register_follower(cls: type[Follower]) -> type[Follower]:
     """Register a kind of follower under its name; a second one of the same name is an error."""
     FOLLOWERS[cls.kind] = cls
     if issubclass(cls.stated, JointEntry):
-        ENTRIES[cls.kind] = cls.stated
+        ENTRIES["joints"][cls.kind] = cls.stated
     for language, texts in cls.words.items():
         add(language, texts)
     return cls
@@ -253,6 +253,16 @@ def at_rest(times: int) -> Array:
 
 
 __all__: Sequence[str] = [
-    "FOLLOWERS", "Acting", "Applied", "Follower", "FollowerGeometry", "FollowerReports", "Motions", "Path", "Poses",
-    "Riding", "at_rest", "register_follower",
+    "FOLLOWERS",
+    "Applied",
+    "Follower",
+    "FollowerGeometry",
+    "FollowerReports",
+    "Motions",
+    "Path",
+    "Poses",
+    "Riding",
+    "UnitEffort",
+    "at_rest",
+    "register_follower",
 ]  # fmt: skip

@@ -147,6 +147,9 @@ class JointGeometry(Protocol):
     def written(self, value: float, dimension: Any) -> str:
         """A value in SI as the file has such ones, with its unit."""
 
+    def place(self, link: str, at: Any) -> Pair:
+        """A place on a link, by the name of a point or by coordinates."""
+
     def phases(self, joint: str) -> tuple[float, ...] | None:
         """What the joint's kind has fixed at assembly; ``None`` before that."""
 
@@ -320,7 +323,7 @@ def register(cls: type[JointKind]) -> type[JointKind]:
     """Register a kind of joint under its name; a second one of the same name is an error."""
     KINDS[cls.name] = cls()
     if cls.entry is not None:
-        ENTRIES[cls.name] = cls.entry
+        ENTRIES["joints"][cls.name] = cls.entry
     for language, texts in cls.words.items():
         add(language, texts)
     return cls

@@ -1,4 +1,4 @@
-"""What acts on the links besides gravity and inertia: loads and springs, and the inputs of each pose that they need.
+"""What acts on the links besides gravity and inertia, and the inputs of each pose that it needs.
 
 How fast a follower moves over its cam is such an input too: the direction of the contact's force depends on it. Tables
 can't be expressions of the graph, so a table's value at an argument enters as an input, with its rate; so do
@@ -15,14 +15,12 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from linkwright.elements.follower import Follower
+from linkwright.elements.force import Acting, Break
 from linkwright.expressions import units as u
 from linkwright.expressions.language import FUNCTIONS, Call, Name, Node, is_signal, nodes, parse, signal_text
 from linkwright.expressions.trees import children
-from linkwright.graph.springs import spring_wrenches
-from linkwright.model.mechanism import Load
 from linkwright.model.signals import Signal
-from linkwright.notation import Pair, Scalar, Wrench
-from linkwright.structure import FRAME
+from linkwright.notation import Scalar, Wrench
 
 if TYPE_CHECKING:
     from linkwright.graph.graph import Graph
@@ -40,35 +38,39 @@ class Lookup:
 
 
 class Actions:
-    """The loads and springs of a mechanism, as the graph needs them."""
+    """What acts on the links of a mechanism, as the graph needs it."""
 
     def __init__(self, graph: Graph) -> None:
         self.graph, self.mechanism = graph, graph.quantities.mechanism
+        self.every = [*self.mechanism.acting()]
+        self.named = {one.name: one for one in reversed(self.every)}
 
     @cached_property
     def laws(self) -> list[Node]:
-        """The expressions of all loads."""
+        """The expressions of all that acts."""
         bind = self.graph.quantities.bind
-        return [bind(part, dimension) for load in self.mechanism.loads.values() for part, dimension in load.parts]
+        return [bind(part, dimension) for one in self.every for part, dimension in one.kind.laws(one.entry)]
 
     @cached_property
     def windows(self) -> tuple[str, ...]:
-        """The windows outside which some load doesn't act."""
-        return tuple(dict.fromkeys(load.window for load in self.mechanism.loads.values() if load.window))
+        """The windows outside which something doesn't act."""
+        windows = (one.kind.window(one.entry) for one in self.every)
+        return tuple(dict.fromkeys(window for window in windows if window))
 
     @cached_property
     def signals(self) -> list[Signal]:
-        """The signals on which loads depend."""
+        """The signals on which it depends."""
         found = [part for law in self.laws for part in nodes(law) if isinstance(part, Name | Call) and is_signal(part)]
         texts = [signal_text(part) for part in found]
         for name in self.windows:
             window = self.mechanism.windows[name]
             texts += [] if isinstance(window, tuple) else window
+        texts += [text for one in self.every for text in one.kind.depends(one.name, one.entry)]
         return [self.graph.signal(text) for text in dict.fromkeys(texts)]
 
     @cached_property
     def lookups(self) -> tuple[Lookup, ...]:
-        """All tables that loads and springs ask, each after those within its argument."""
+        """All tables that are asked, each after those within its argument."""
         found: dict[Lookup, None] = {}
 
         def note(node: Node) -> int:
@@ -82,33 +84,54 @@ class Actions:
 
         for law in self.laws:
             note(law)
-        for name, spring in self.mechanism.springs.items():
-            if spring.table:
-                argument = Name(f"{name}.{spring.measure}")
-                found.update({Lookup(spring.table, argument, integral): None for integral in (False, True)})
+        for one in self.every:
+            for asked in one.kind.asked(one.name, one.entry):
+                found[Lookup(*asked, level=note(asked.argument))] = None
         return tuple(found)
+
+    def asked(self, one: Acting) -> set[str]:
+        """The tables that an element asks."""
+        named = (part for law, _ in one.kind.laws(one.entry) for part in nodes(law.node))
+        own = {asked.table for asked in one.kind.asked(one.name, one.entry)}
+        return own | {part.name for part in named if isinstance(part, Call)}
+
+    @cached_property
+    def breaks(self) -> list[Break]:
+        """Where something isn't smooth, as kinds tell it."""
+        bind = self.graph.quantities.bind
+        return [way for one in self.every for way in one.kind.breaks(one.name, one.entry, bind)]
+
+    @cached_property
+    def jumps(self) -> list[Node]:
+        """What changes its sign where a force jumps, besides the ends of windows."""
+        return [way.node for way in self.breaks if way.jumps]
+
+    @cached_property
+    def turned(self) -> dict[str, tuple[Acting, tuple[str, str]]]:
+        """By name what follows the angle between two links over whole turns, and these."""
+        found = ((one, one.kind.turned(one.entry)) for one in self.every)
+        return {one.name: (one, links) for one, links in found if links is not None}
 
     @cached_property
     def turning(self) -> tuple[str, ...]:
-        """Links, drives with outputs, and torsional springs whose angle matters to a load or spring but is known
-        without whole turns."""
+        """Links, drives with outputs, and torsional springs whose angle matters to what acts but is known without
+        whole turns."""
         links = [s.owners[0] for s in self.signals if s.kind in ("link", "drive") and s.attribute == "angle"]
-        springs = [name for name, s in self.mechanism.springs.items() if s.torsional]
         return (
             *(link for link in links if self.graph.wraps(link)),
-            *(name for name in springs if any(map(self.graph.wraps, self._links(name)))),
+            *(name for name, (_, pair) in self.turned.items() if any(map(self.graph.wraps, pair))),
         )
-
-    def _links(self, spring: str) -> tuple[str, str]:
-        """The two links of a torsional spring."""
-        entry = self.mechanism.springs[spring]
-        return str(entry.turns), str(entry.on)
 
     @cached_property
     def timed(self) -> bool:
-        """Whether some load depends on the time itself."""
+        """Whether something depends on the time itself."""
         named = any(isinstance(part, Name) and part.text == "t" for law in self.laws for part in nodes(law))
         return named or any(isinstance(self.mechanism.windows[name], tuple) for name in self.windows)
+
+    @cached_property
+    def varying(self) -> list[Acting]:
+        """What may vary with the time while nothing moves."""
+        return [one for one in self.every if one.kind.laws(one.entry)]
 
     @cached_property
     def inputs(self) -> tuple[str, ...]:
@@ -132,8 +155,13 @@ class Actions:
 
     @cached_property
     def order(self) -> int:
-        """The order of derivatives that the loads' values need."""
+        """The order of derivatives that the laws' values need."""
         return self.graph.order(signal.text for signal in self.signals)
+
+    @cached_property
+    def forces(self) -> int:
+        """The order of derivatives that all forces need: inertia's, or more."""
+        return max(2, self.order, *(one.kind.order for one in self.every))
 
 
 def is_table(call: Call) -> bool:
@@ -157,41 +185,7 @@ def active(view: View, name: str) -> Scalar:
     return ca.logic_and(over >= 0, over <= high - low)
 
 
-def load_values(view: View, load: Load) -> tuple[Pair, Scalar]:
-    """A load's force (N, in the axes that it is given in) and torque (N m)."""
-    values = [view.value(part, dimension) for part, dimension in load.parts]
-    if load.window:
-        inside = active(view, load.window)
-        values = [ca.if_else(inside, value, 0.0) for value in values]
-    return spread(load, values)
-
-
-def spread(load: Load, values: list[Any]) -> tuple[Pair, Any]:
-    """The values of a load's parts as force and torque; a single force goes along the first axis."""
-    torque = values[-1] if load.torque is not None else 0.0
-    force = values[: -1 if load.torque is not None else None]
-    return Pair(*(*force, 0.0, 0.0)[:2]), torque
-
-
-def load_wrench(view: View, load: Load) -> Wrench:
-    """A load's wrench at its point."""
-    motion, geometry = view.motion, view.motion.geometry
-    force, torque = load_values(view, load)
-    if load.along:
-        joint = geometry.mechanism.joints[load.along]
-        heading = geometry.line(load.along, joint.links[0])[1]
-        force = force.turned(motion.bodies[joint.links[0]].direction(heading).now)
-    elif load.in_ and load.in_ != FRAME:
-        force = force.turned(motion.bodies[load.in_].axis.now)
-    return Wrench(force, torque, motion.bodies[load.on].point(geometry.place(load.on, load.at)).now)
-
-
 def wrenches(view: View) -> Iterator[tuple[str, Wrench]]:
-    """What loads and springs do to each link: (link, wrench). A load between two links has an opposite on the other."""
-    for load in view.graph.quantities.mechanism.loads.values():
-        wrench = load_wrench(view, load)
-        yield load.on, wrench
-        if load.against:
-            yield load.against, wrench.opposite
-    for name in view.graph.quantities.mechanism.springs:
-        yield from spring_wrenches(view, name)
+    """What acts on each link besides gravity and inertia: (link, wrench)."""
+    for one in view.graph.actions.every:
+        yield from one.kind.wrenches(view, one.name, one.entry)

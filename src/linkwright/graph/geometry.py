@@ -132,8 +132,8 @@ class Geometry:
         """Mass (kg), centre of mass (m, in the link's frame), moment of inertia about it (kg m^2)."""
         entry = self.mechanism.links[link]
         parts = [self._own_mass(link)] if entry.mass is not None else []
-        for weight in self.mechanism.counterweights.values():
-            if weight.on == link:
+        for weight in (one.kind.weighs(one.entry) for one in self.mechanism.acting()):
+            if weight is not None and weight.link == link:
                 inertia = 0.0 if weight.inertia is None else self.number(weight.inertia, u.INERTIA)
                 parts.append((self.number(weight.mass, u.MASS), self.place(link, weight.at), inertia))
         return together(parts)

@@ -52,7 +52,7 @@ class Graph:
 
     @cached_property
     def actions(self) -> Actions:
-        """The loads and springs."""
+        """What acts on the links."""
         return Actions(self)
 
     @cached_property

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from linkwright.elements.force import NOUNS
 from linkwright.model.signals import Signal
 
 if TYPE_CHECKING:
@@ -14,11 +15,10 @@ LETTERS = {"": 0, "v": 1, "a": 2, "j": 3}
 LINK_ORDERS = {"angle": 0, "omega": 1, "alpha": 2, "jerk": 3}
 SLIDE_ORDERS = {"s": 0, "v": 1, "a": 2, "j": 3}
 DRIVE_ORDERS = {**LINK_ORDERS, **SLIDE_ORDERS}
-SPRING_ORDERS = {"length": 0, "angle": 0, "energy": 0, "v": 1, "omega": 1, "force": 1, "torque": 1, "power": 1}
 
 
 def _of_forces(graph: Graph, signal: Signal) -> int:
-    return max(2, graph.actions.order)
+    return graph.actions.forces
 
 
 def _of_drive(graph: Graph, signal: Signal) -> int:
@@ -30,7 +30,12 @@ def _of_drive(graph: Graph, signal: Signal) -> int:
 
 def _of_joint(graph: Graph, signal: Signal) -> int:
     order = graph.structure.topology.kind_of(signal.owners[0]).orders[signal.attribute]
-    return order if signal.kinematic else max(order, graph.actions.order)
+    return order if signal.kinematic else max(order, graph.actions.forces)
+
+
+def _of_acting(graph: Graph, signal: Signal) -> int:
+    kind = graph.quantities.signals.acting[signal.owners[0]].kind
+    return kind.orders.get(signal.attribute, kind.order)
 
 
 def _of_point(graph: Graph, signal: Signal) -> int:
@@ -44,9 +49,8 @@ ORDERS: dict[str, Callable[[Graph, Signal], int]] = {
     "slide": lambda graph, signal: SLIDE_ORDERS[signal.attribute],
     "joint": _of_joint,
     "drive": _of_drive,
-    "spring": lambda graph, signal: SPRING_ORDERS[signal.attribute],
     "force": _of_forces,
     "shaking": _of_forces,
     "energy": lambda graph, signal: 1,
     "pole": lambda graph, signal: 1,
-}
+} | dict.fromkeys(NOUNS.values(), _of_acting)

@@ -11,11 +11,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from linkwright.graph.actions import active, load_values
+from linkwright.elements.force import Acting
+from linkwright.graph.actions import active
 from linkwright.graph.forces import lever, unit_efforts
 from linkwright.graph.geometry import ZERO
 from linkwright.graph.orders import ORDERS
-from linkwright.graph.springs import raw_angle
 from linkwright.model.signals import Signal
 from linkwright.notation import Body, Scalar
 from linkwright.structure import Structure
@@ -60,7 +60,7 @@ class SignalRow(Row):
         return ORDERS[self.signal.kind](graph, self.signal)
 
     def expression(self, view: View) -> Scalar:
-        return view.signal(self.signal)
+        return view.expression(self.signal)
 
 
 # Groups and clusters, each by its label.
@@ -214,19 +214,21 @@ class OutputLever(Row):
 
 @dataclass(frozen=True)
 class RawAngle(Row):
-    """The angle (rad) of a link, drive or torsional spring without whole turns."""
+    """The angle (rad) of a link or drive, or that which a torsional spring or the like follows, without whole turns."""
 
     owner: str
     called = "raw/{owner}"
 
     def expression(self, view: View) -> Scalar:
-        mechanism = view.graph.quantities.mechanism
-        if (spring := mechanism.springs.get(self.owner)) is not None:
-            return raw_angle(view, str(spring.turns)) - raw_angle(view, str(spring.on))
-        return view.own(self.owner, 0, whole=False) if self.owner in mechanism.movers else raw_angle(view, self.owner)
+        bodies, turned = view.bodies, view.graph.actions.turned
+        if self.owner in turned:
+            link, base = turned[self.owner][1]
+            return bodies[link].heading - bodies[base].heading
+        prescribed = self.owner in view.graph.quantities.mechanism.movers
+        return view.own(self.owner, 0, whole=False) if prescribed else bodies[self.owner].heading
 
 
-# Loads.
+# What acts.
 
 
 class ActionRow(Row):
@@ -237,15 +239,25 @@ class ActionRow(Row):
 
 
 @dataclass(frozen=True)
-class LoadRow(ActionRow):
-    """The sum of a load's values: their signs and finiteness are looked at."""
+class Strength(ActionRow):
+    """What an element without a signal of its own does, such as a load: its signs and finiteness are looked at."""
 
     name: str
     called = "load/{name}"
 
+    def order(self, graph: Graph) -> int:
+        own: int = graph.actions.named[self.name].kind.order
+        return max(graph.actions.order, own)
+
     def expression(self, view: View) -> Scalar:
-        force, torque = load_values(view, view.graph.quantities.mechanism.loads[self.name])
-        return force.x + force.y + torque
+        one = view.graph.actions.named[self.name]
+        return one.kind.strength(view, one.name, one.entry)
+
+
+def effort(one: Acting) -> Named:
+    """What tells what an element does."""
+    attribute = one.kind.effort(one.entry)
+    return f"{one.name}.{attribute}" if attribute else Strength(one.name)
 
 
 @dataclass(frozen=True)

@@ -2,26 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from linkwright.elements.follower import Acting
+from linkwright.elements.follower import UnitEffort
+from linkwright.elements.force import NOUNS
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, signal_text
 from linkwright.expressions.units import Dimension
-from linkwright.graph.actions import wrenches
+from linkwright.graph.actions import active, wrenches
 from linkwright.graph.forces import Forces, solve_forces
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, solve_motion
 from linkwright.graph.orders import DRIVE_ORDERS, LETTERS, LINK_ORDERS, SLIDE_ORDERS
 from linkwright.graph.poles import pole
-from linkwright.graph.springs import effort, elastic, raw_angle, stretch
 from linkwright.model.signals import Signal
-from linkwright.notation import Jet, Scalar, Vec, Wrench
+from linkwright.notation import Body, Jet, Scalar, Vec, Wrench
 from linkwright.structure import FRAME
 
 if TYPE_CHECKING:
@@ -68,15 +68,15 @@ class View:
         return solve_forces(self.motion, wrenches(self), pushes, holds)
 
     @cached_property
-    def contacts(self) -> dict[str, Acting]:
+    def contacts(self) -> dict[str, UnitEffort]:
         """How the followers' efforts act."""
         followers = self.graph.actions.followers.items()
         return {name: one.acting(name, self.motion, self.given[f"ratio/{name}/0"]) for name, one in followers}
 
     @cached_property
-    def seconds(self) -> dict[str, Acting]:
+    def seconds(self) -> dict[str, UnitEffort]:
         """How those act that touch on the other side too."""
-        found: dict[str, Acting] = {}
+        found: dict[str, UnitEffort] = {}
         for name, follower in self.graph.actions.followers.items():
             ratio, total = self.given[f"ratio/{name}/0"], self.given.get(f"total/{name}", 0.0)
             if (other := follower.second(name, self.motion, ratio, total)) is not None:
@@ -87,7 +87,7 @@ class View:
         """The expression of one output row."""
         return self.graph.row(named).expression(self)
 
-    def signal(self, signal: Signal) -> Scalar:
+    def expression(self, signal: Signal) -> Scalar:
         """The expression of a signal."""
         return _SIGNALS[signal.kind](self, signal)
 
@@ -108,6 +108,30 @@ class View:
 
         return evaluate(node, named, called)
 
+    # What kinds of force elements ask for.
+
+    @property
+    def geometry(self) -> Geometry:
+        """The dimensions of the mechanism."""
+        return self.motion.geometry
+
+    @property
+    def bodies(self) -> Mapping[str, Body]:
+        """The links by name."""
+        return self.motion.bodies
+
+    def signal(self, text: str) -> Scalar:
+        """A signal by its name."""
+        return self.row(text)
+
+    def inside(self, window: str) -> Scalar:
+        """Whether the pose lies in a window."""
+        return active(self, window)
+
+    def turns(self, name: str) -> Scalar:
+        """The whole turns of an angle beyond those that axes tell."""
+        return self.given.get(f"turns/{name}", 0.0)
+
     def lookup(self, table: str, argument: Node, integral: bool = False) -> Scalar:
         """A table's answer, an input of the pose."""
         known = ((k.table, k.argument, k.integral) for k in self.graph.actions.lookups)
@@ -119,18 +143,12 @@ class View:
         if order:
             return body.turn.d[order - 1]
         turns = self.given.get(f"turns/{signal.owners[0]}")
-        angle = raw_angle(self, signal.owners[0])
+        angle = body.heading
         return angle if turns is None else angle + 2 * ca.pi * turns
 
-    def spring(self, signal: Signal) -> Scalar:
-        name, attribute = signal.owners[0], signal.attribute
-        if attribute == "energy":
-            return elastic(self, name)[1]
-        if attribute in ("force", "torque"):
-            return effort(self, name)
-        if attribute == "power":
-            return -effort(self, name) * stretch(self, name, 1)
-        return stretch(self, name, int(attribute in ("v", "omega")))
+    def acting(self, signal: Signal) -> Scalar:
+        one = self.graph.quantities.signals.acting[signal.owners[0]]
+        return one.kind.signal(self, one.name, one.entry, signal.attribute)
 
     def point(self, signal: Signal) -> Scalar:
         link = self.graph.quantities.signals.homes[signal.owners[0]]
@@ -197,7 +215,8 @@ class View:
     def energy(self, signal: Signal) -> Scalar:
         geometry, total = self.motion.geometry, 0.0
         if signal.attribute == "elastic":
-            return sum((elastic(self, name)[1] for name in geometry.mechanism.springs), 0.0)
+            stored = (one for one in self.graph.actions.every if one.kind.stores)
+            return sum((one.kind.energy(self, one.name, one.entry) for one in stored), 0.0)
         for link, body in self.motion.bodies.items():
             mass, centre, inertia = geometry.mass(link)
             if link == FRAME or not geometry.mechanism.has_mass(link):
@@ -217,5 +236,6 @@ def _component(at: Vec, signal: Signal) -> Scalar:
     return jet.d[LETTERS[signal.attribute[:-1]]]
 
 
-_KINDS = ("link", "point", "com", "slide", "joint", "drive", "spring", "force", "shaking", "energy")
+_KINDS = ("link", "point", "com", "slide", "joint", "drive", "force", "shaking", "energy")
 _SIGNALS: dict[str, Callable[[View, Signal], Scalar]] = {kind: getattr(View, kind) for kind in _KINDS} | {"pole": pole}
+_SIGNALS |= dict.fromkeys(NOUNS.values(), View.acting)

@@ -43,15 +43,17 @@ def drive_laws(
 
 
 def action_tables(quantities: Quantities, folder: Path | None) -> tuple[dict[str, StatedTable], list[Finding]]:
-    """The tables that loads and springs ask, and what is wrong with them."""
+    """The tables that are asked by what acts, and what is wrong with them."""
     m = quantities.mechanism
-    calls = [n for load in m.loads.values() for part, _ in load.parts for n in nodes(part.node) if isinstance(n, Call)]
-    names = [*(call.name for call in calls), *(spring.table for spring in m.springs.values())]
+    acting = [*m.acting()]
+    parts = (n for one in acting for part, _ in one.kind.laws(one.entry) for n in nodes(part.node))
+    names = [n.name for n in parts if isinstance(n, Call)]
+    names += [asked.table for one in acting for asked in one.kind.asked(one.name, one.entry)]
     tables: dict[str, StatedTable] = {}
     findings: list[Finding] = []
     for name in dict.fromkeys(name for name in names if name in m.tables):
         try:
-            tables[str(name)] = read_table(quantities, str(name), folder)
+            tables[name] = read_table(quantities, name, folder)
         except ModelError as error:
             findings += error.findings
     return tables, findings

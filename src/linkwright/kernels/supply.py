@@ -9,7 +9,6 @@ from itertools import groupby
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.expressions import units as u
 from linkwright.graph.graph import Graph
 from linkwright.graph.rows import RawAngle, TableArgument
 from linkwright.kernels.followers import FollowerLaw
@@ -47,15 +46,13 @@ class Supply:
             self.levels.append((which, KERNELS[kernel](program)))
 
     def home(self, name: str, quantities: Quantities | None = None) -> float | None:
-        """The angle (rad) near which a torsional spring starts: its free angle, or the middle of its table; the
-        nominal one, or that of other quantities."""
-        quantities = quantities or self.graph.quantities
-        spring = quantities.mechanism.springs.get(name)
-        if spring is None:
+        """The angle (rad) near which that of a torsional spring starts; the nominal one, or that of other
+        quantities."""
+        if name not in self.graph.actions.turned:
             return None
-        if spring.table:
-            return float(self.tables[spring.table].x[[0, -1]].mean())
-        return 0.0 if spring.free is None else quantities.value(spring.free, u.ANGLE)
+        one, value = self.graph.actions.turned[name][0], (quantities or self.graph.quantities).value
+        found: float = one.kind.home(one.entry, value, lambda table: float(self.tables[table].x[[0, -1]].mean()))
+        return found
 
     def fill(self, x: Array, t: Array, p: Array, at: Callable[[Array], Array]) -> None:
         """Put the rows for times ``t`` into ``x`` (inputs, poses); ``at`` gives the inputs of the motion."""

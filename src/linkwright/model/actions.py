@@ -1,4 +1,4 @@
-"""What acts on a model and what is asked of it: tables, loads, windows and measures, as its file states them."""
+"""What is asked of a model and what loads and measures share: tables, windows and measures, as its file states them."""
 
 from __future__ import annotations
 
@@ -10,39 +10,19 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Discriminator, Field, Tag, WithJsonSchema
 
+from linkwright.elements.fields import Interval, freeze
+from linkwright.elements.load import crossed
 from linkwright.expressions.dimensions import Wanted, argument, value
-from linkwright.expressions.fields import Expression, Frozen, Name, Position, Two, fault, pair, parse_text
+from linkwright.expressions.fields import Expression, Frozen, Name, Two, fault, pair, parse_text
 from linkwright.expressions.language import is_signal
 from linkwright.expressions.system import Unknown
 from linkwright.expressions.typed_fields import Ends, Quantity, Ref, Scope, Sign
-from linkwright.expressions.units import FORCE, LENGTH, PURE, TIME, TORQUE, Dimension, UnitError, unit
+from linkwright.expressions.units import LENGTH, PURE, TIME, Dimension, UnitError, unit
 from linkwright.expressions.written import Fault, short_text, unexpected
-from linkwright.model.parts import Interval, Vector, freeze
 
 MAX_ROWS = 10_000
 
 Row = Annotated[Two, BeforeValidator(pair("table-row"))]
-
-# A branch of a union is chosen by the looks of the value, so that its faults are told once.
-Force = Annotated[
-    Annotated[Vector, Tag("vector")] | Annotated[Expression, Tag("scalar")],
-    Discriminator(lambda raw: "vector" if isinstance(raw, list | tuple) else "scalar"),
-]
-
-
-def _place(raw: Any) -> Any:
-    lone = isinstance(raw, str) and " " not in raw.strip()
-    polar = isinstance(raw, str) and " at " in raw
-    if lone or polar or isinstance(raw, Position) or (isinstance(raw, list | tuple) and len(raw) == 2):
-        return raw
-    raise unexpected("place", raw)
-
-
-At = Annotated[
-    Annotated[Name, Tag("name")] | Annotated[Position, Tag("position")],
-    Discriminator(lambda raw: "name" if isinstance(raw, str) and " " not in raw.strip() else "position"),
-    BeforeValidator(_place),
-]
 
 
 def _beside(raw: Any) -> str:
@@ -123,58 +103,6 @@ class Table(Frozen):
             yield "table.inline-columns", {"given": ", ".join(columns)}
 
 
-class Load(Frozen):
-    """A force at a point, or a torque, on a link: constant, or an expression in t, tables and the motion."""
-
-    on: Annotated[Name, Ref("link")] = Field(description="the link that is loaded, which may be the frame")
-    against: Annotated[Name | None, Ref("link")] = Field(
-        None,
-        description="the link that bears the opposite force or torque, in the same line of action: of a gas force "
-        "the one that closes the cylinder; without it the load comes from outside the mechanism",
-    )
-    at: Annotated[At | None, Ref("point", of="on")] = Field(
-        None, description="where a force acts: a point of the link, or [x, y] in its frame"
-    )
-    force: Annotated[Force | None, Quantity(FORCE, scope=Scope.LOAD)] = Field(
-        None, description="[Fx, Fy], or one number that acts along a joint's line"
-    )
-    along: Annotated[Name | None, Ref("slide")] = Field(
-        None, description="the prismatic joint whose line a force of one number follows"
-    )
-    torque: Annotated[Expression | None, Quantity(TORQUE, scope=Scope.LOAD)] = Field(
-        None, description="a torque on the link, counter-clockwise positive"
-    )
-    in_: Annotated[Name | None, Ref("link")] = Field(
-        None, alias="in", description="the link whose axes [Fx, Fy] is given in and turns with; frame by default"
-    )
-    window: Annotated[Name | None, Ref("window")] = Field(
-        None, description="the window (of windows) outside which the load doesn't act"
-    )
-
-    @classmethod
-    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
-        if "force" not in given and "torque" not in given:
-            yield "load.empty", {}
-        if "force" not in given:
-            return
-        if "at" not in given:
-            yield "load.at", {}
-        if isinstance(given["force"], Mapping):
-            return
-        vector = isinstance(given["force"], list | tuple)
-        if vector == ("along" in given):
-            yield "load.direction", {}
-        elif not vector and "in" in given:
-            yield "load.in", {}
-
-    @property
-    def parts(self) -> tuple[tuple[Expression, Dimension], ...]:
-        """Its expressions with their dimensions: the force's one or two numbers, then the torque."""
-        forces = self.force if isinstance(self.force, tuple) else (self.force,) if self.force else ()
-        torque = ((self.torque, TORQUE),) if self.torque is not None else ()
-        return (*((force, FORCE) for force in forces), *torque)
-
-
 def _signal(raw: Any) -> str:
     text = short_text(raw)
     if not is_signal(parse_text(text)):
@@ -196,11 +124,6 @@ Window = Annotated[
     Annotated[Interval, Quantity(TIME, ends=Ends.RISING), Tag("time")] | Annotated[_BySignal, Tag("signal")],
     Discriminator(lambda raw: "signal" if isinstance(raw, Mapping) else "time"),
 ]
-
-
-def crossed(name: str) -> Wanted:
-    """The unknown dimension of the signal that bounds a window."""
-    return (f"window {name}", 0)
 
 
 _INSTANT = re.compile(

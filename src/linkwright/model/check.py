@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
+from linkwright.elements.points import homes
 from linkwright.expressions.language import FUNCTIONS
 from linkwright.expressions.unknown import likeliest
 from linkwright.findings import Finding, Term
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.motions import ARGUMENT
-from linkwright.model.pins import homes, pins
+from linkwright.model.pins import pins
 from linkwright.model.places import stated
 from linkwright.model.references import KINDS, reference_faults
 from linkwright.model.tolerances import tolerance_faults
@@ -41,9 +42,6 @@ def _links(m: Mechanism) -> Iterator[Finding]:
         yield Finding("model.no-frame", ("links",), {"links": ", ".join(list(m.links)[:20]) or "-", "hint": hint})
     elif m.links[FRAME].mass is not None:
         yield Finding("model.frame-mass", ("links", FRAME, "mass"))
-    for name, weight in m.counterweights.items():
-        if weight.on == FRAME:
-            yield Finding("model.frame-mass", ("counterweights", name))
     if not any(name != FRAME for name in m.links):
         yield Finding("model.no-moving-link", ("links",))
     for name, link in m.links.items():
@@ -52,17 +50,18 @@ def _links(m: Mechanism) -> Iterator[Finding]:
 
 
 def _collisions(m: Mechanism) -> Iterator[Finding]:
-    """Names of links, points, prismatic joints and drives are owners of signals, and must differ."""
+    """Names of links, points, prismatic joints, drives and springs are owners of signals, and must differ."""
     points, slides = homes(m), dict(m.joints_but_pins())
     owners = {"shaking": Term("the-shaking"), "energy": Term("the-energies")}
-    kinds = (("link", m.links), ("point", points), ("joint", slides), ("drive", m.movers), ("spring", m.springs))
-    for kind, names in kinds:
-        for name in names:
-            if name in owners:
-                path = ("links", points[name], "points", name) if kind == "point" else (f"{kind}s", name)
-                data = {"name": name, "first": owners[name], "second": Term(f"a-{kind}")}
-                yield Finding("name.taken", path, data)
-            owners.setdefault(name, Term(f"a-{kind}"))
+    kinds = [("link", name) for name in m.links] + [("point", name) for name in points]
+    kinds += [("joint", name) for name in slides] + [("drive", name) for name in m.movers]
+    kinds += [(one.noun, one.name) for one in m.acting() if one.kind.signals(one.entry)]
+    for kind, name in kinds:
+        if name in owners:
+            path = ("links", points[name], "points", name) if kind == "point" else (f"{kind}s", name)
+            data = {"name": name, "first": owners[name], "second": Term(f"a-{kind}")}
+            yield Finding("name.taken", path, data)
+        owners.setdefault(name, Term(f"a-{kind}"))
     called = {**dict.fromkeys(FUNCTIONS, Term("a-function")), **dict.fromkeys(m.parameters, Term("a-parameter"))}
     for kind, functions in (("table", m.tables), ("law", m.laws)):
         for name in functions:
@@ -122,21 +121,10 @@ def _drives(m: Mechanism) -> Iterator[Finding]:
             seen[pair] = name
 
 
-def _springs(m: Mechanism) -> Iterator[Finding]:
-    points = homes(m)
-    for name, spring in m.springs.items():
-        ends: tuple[str | None, str | None] = (spring.turns, spring.on)
-        if not spring.torsional:
-            ends = spring.in_ or (points.get(str(spring.from_)), points.get(str(spring.to)))
-        if ends[0] is not None and ends[0] == ends[1]:
-            yield Finding("spring.same-link", ("springs", name), {"name": ends[0]})
+def _acting(m: Mechanism) -> Iterator[Finding]:
+    for one in m.acting():
+        yield from one.kind.faults(m, one.path, one.entry)
 
 
-def _loads(m: Mechanism) -> Iterator[Finding]:
-    for name, load in m.loads.items():
-        if load.against == load.on:
-            yield Finding("load.against-itself", ("loads", name), {"name": load.on})
-
-
-_PARTS = (_parameters, _links, _collisions, _joints, _pins, _drives, _loads, _springs)
+_PARTS = (_parameters, _links, _collisions, _joints, _pins, _drives, _acting)
 _SHORT = ("cylinders", "cams")

@@ -9,13 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from linkwright.elements.points import homes
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.typed_fields import Context
 from linkwright.expressions.written import FrozenDict
 from linkwright.findings import Finding, Term
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.parts import CylinderPart, Drive, Joint, Link
-from linkwright.model.pins import homes, shared_pins
+from linkwright.model.pins import shared_pins
 from linkwright.model.references import reference_faults
 from linkwright.model.walk import references
 

@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, BeforeValidator, Field, ValidationError
 
+from linkwright.elements.fields import freeze
 from linkwright.expressions.fields import FrozenDict, Name, Text, fault, frozen
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import describe, unexpected
@@ -18,7 +19,6 @@ from linkwright.model.faults import findings_of
 from linkwright.model.input_files import read_at_most
 from linkwright.model.mechanism import MAX_ENTRIES, Mechanism, at_most
 from linkwright.model.output_files import write_aside
-from linkwright.model.parts import freeze
 from linkwright.model.plane import in_plane
 from linkwright.model.respelled_lines import read_respelled
 from linkwright.model.sketch import with_sketch

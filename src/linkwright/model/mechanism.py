@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Mapping
 from typing import Annotated, Any, Self
 
 from pydantic import (
+    BaseModel,
     BeforeValidator,
     Field,
     GetCoreSchemaHandler,
@@ -18,9 +19,15 @@ from pydantic import (
 from pydantic_core import CoreSchema, InitErrorDetails, core_schema
 
 from linkwright.elements.cam_contact.entry import Cam
-from linkwright.elements.entries import ENTRIES, JointEntry, entry_for, load_plugins
+from linkwright.elements.counterweight import Counterweight
+from linkwright.elements.entries import ENTRIES, entry_for, load_plugins
+from linkwright.elements.fields import freeze
 from linkwright.elements.follower import Follower
+from linkwright.elements.force import Acting, acting
+from linkwright.elements.load import Load
 from linkwright.elements.mover import Mover
+from linkwright.elements.points import FRAME
+from linkwright.elements.spring import Spring
 from linkwright.escape import line
 from linkwright.expressions.fields import (
     AssemblyRule,
@@ -36,11 +43,10 @@ from linkwright.expressions.fields import (
 from linkwright.expressions.typed_fields import Ref
 from linkwright.expressions.unknown import alike
 from linkwright.expressions.written import FaultWithin, unexpected
-from linkwright.model.actions import BOUND, REDUCTIONS, Load, Measure, Table, Window
-from linkwright.model.elements import Counterweight, Spring
+from linkwright.model.actions import BOUND, REDUCTIONS, Measure, Table, Window
 from linkwright.model.gravity import Gravity
 from linkwright.model.motions import MotionLaw
-from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter, Plane, Units, freeze
+from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter, Plane, Units
 
 __all__ = [
     "FRAME",
@@ -62,8 +68,6 @@ __all__ = [
     "Window",
 ]
 
-FRAME = "frame"
-"""The name of the link that doesn't move."""
 MAX_ENTRIES, MAX_LINKS = 1000, 200
 """The most entries that one section may hold; of links fewer, since their decomposition is searched for."""
 
@@ -84,18 +88,21 @@ def at_most(limit: int) -> BeforeValidator:
 _bound = at_most(MAX_ENTRIES)
 
 
-class _AnyJoint:
-    """A joint of any kind: a pin or a slide, or one whose kind is among its keys."""
+class _AnyKind:
+    """An entry of any kind: one whose kind is among its keys, or the section's ``usual`` one with its ``own`` keys."""
+
+    def __init__(self, section: str, usual: type[BaseModel], *own: str) -> None:
+        self.entries, self.section, self.usual, self.own = ENTRIES[section], section, usual, {*own}
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         def read(raw: Any, usual: ValidatorFunctionWrapHandler) -> Any:
-            if isinstance(raw, JointEntry):
+            if type(raw) in self.entries.values():
                 return raw
-            entry = entry_for(raw, Joint.model_fields) if isinstance(raw, Mapping) else None
+            entry = entry_for(self.section, raw, _keys(self.usual)) if isinstance(raw, Mapping) else None
             if entry is not None:
                 return entry.model_validate(raw)
-            if isinstance(raw, Mapping) and (misspelled := _misspelled(raw)) is not None:
-                raise ValidationError.from_exception_data("joint", [misspelled])
+            if isinstance(raw, Mapping) and (misspelled := self.misspelled(raw)) is not None:
+                raise ValidationError.from_exception_data(self.section, [misspelled])
             return usual(raw)
 
         return core_schema.no_info_wrap_validator_function(
@@ -105,29 +112,39 @@ class _AnyJoint:
         )
 
     def kinds(self, raw: Any) -> list[type]:
-        """The entries of which a joint may be, as far as its keys tell."""
+        """The entries of which one may be, as far as its keys tell."""
         keys = raw.keys() if isinstance(raw, Mapping) else ()
-        if {"prismatic", "revolute"} & {*keys}:
-            return [Joint]
-        return [entry for kind, entry in ENTRIES.items() if kind in keys] or [Joint, *ENTRIES.values()]
+        if chosen := [entry for kind, entry in self.entries.items() if kind in keys]:
+            return chosen
+        return [self.usual] if self.own & {*keys} else [self.usual, *self.entries.values()]
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
         load_plugins()
-        others = [handler(entry.__pydantic_core_schema__) for entry in ENTRIES.values()]
-        return {"anyOf": [handler(schema), *others]}
+        others = [handler(entry.__pydantic_core_schema__) for entry in self.entries.values()]
+        return {"anyOf": [handler(schema), *others]} if others else handler(schema)
+
+    def misspelled(self, raw: Mapping[str, Any]) -> InitErrorDetails | None:
+        """The fault of a key that was to be a kind; what stands beside it is looked at once that is right."""
+        if self.own & raw.keys():
+            return None
+        meant = next((key for key in raw if isinstance(key, str) and alike(key, [*self.entries])), None)
+        return None if meant is None else InitErrorDetails(type="extra_forbidden", loc=(meant,), input=raw[meant])
 
 
-def _misspelled(raw: Mapping[str, Any]) -> InitErrorDetails | None:
-    """The fault of a key that was to be a kind of joint; what stands beside it is looked at once that is right."""
-    if {"prismatic", "revolute"} & raw.keys():
-        return None
-    meant = next((key for key in raw if isinstance(key, str) and alike(key, [*ENTRIES])), None)
-    return None if meant is None else InitErrorDetails(type="extra_forbidden", loc=(meant,), input=raw[meant])
+def _keys(entry: type[BaseModel]) -> set[str]:
+    """The keys of an entry as files have them."""
+    return {field.alias or name for name, field in entry.model_fields.items()}
 
 
-def _dumped(joint: Any, info: SerializationInfo) -> Any:
-    """A joint as plain data, as the whole is asked for."""
-    return joint.model_dump(exclude_defaults=info.exclude_defaults, by_alias=bool(info.by_alias))
+def _dumped(entry: Any, info: SerializationInfo) -> Any:
+    """An entry as plain data, as the whole is asked for."""
+    return entry.model_dump(exclude_defaults=info.exclude_defaults, by_alias=bool(info.by_alias))
+
+
+_Joint = Annotated[Joint, _AnyKind("joints", Joint, "prismatic", "revolute")]
+_Load = Annotated[Load, _AnyKind("loads", Load, "force", "torque")]
+_Spring = Annotated[Spring, _AnyKind("springs", Spring, "from", "to", "turns")]
+_Counterweight = Annotated[Counterweight, _AnyKind("counterweights", Counterweight, "mass")]
 
 
 class Mechanism(Frozen):
@@ -162,7 +179,7 @@ class Mechanism(Frozen):
     links: Annotated[dict[Name, Link], at_most(MAX_LINKS), freeze] = Field(
         description="the rigid links; the one that doesn't move is called frame"
     )
-    joints: Annotated[dict[Name, Annotated[Joint, _AnyJoint()]], _bound, freeze] = Field(
+    joints: Annotated[dict[Name, _Joint], _bound, freeze] = Field(
         default_factory=FrozenDict,
         description="prismatic joints, pins in slots, and pins between points of different names; "
         "points of the same name are pinned without being listed here",
@@ -187,13 +204,13 @@ class Mechanism(Frozen):
     cams: Annotated[dict[Name, Cam], _bound, freeze] = Field(
         default_factory=FrozenDict, description="plate cams with their followers, as joints between moving links"
     )
-    loads: Annotated[dict[Name, Load], _bound, freeze] = Field(
+    loads: Annotated[dict[Name, _Load], _bound, freeze] = Field(
         default_factory=FrozenDict, description="forces and torques on links"
     )
-    springs: Annotated[dict[Name, Spring], _bound, freeze] = Field(
+    springs: Annotated[dict[Name, _Spring], _bound, freeze] = Field(
         default_factory=FrozenDict, description="springs, dampers and gas springs, between points or torsional"
     )
-    counterweights: Annotated[dict[Name, Counterweight], _bound, freeze] = Field(
+    counterweights: Annotated[dict[Name, _Counterweight], _bound, freeze] = Field(
         default_factory=FrozenDict, description="masses added to links"
     )
     windows: Annotated[dict[Name, Window], _bound, freeze] = Field(
@@ -263,6 +280,11 @@ class Mechanism(Frozen):
         """The joints that only the file's ``joints`` state, by name: all but the revolute ones, which are pins."""
         return ((name, joint) for name, joint in self.joints.items() if not joint.revolute)
 
+    def acting(self) -> Iterator[Acting]:
+        """What acts on links or weighs, whatever its kind: loads, springs, counterweights."""
+        return acting(self)
+
     def has_mass(self, link: str) -> bool:
         """Whether a link has mass, its own or a counterweight's."""
-        return self.links[link].mass is not None or any(weight.on == link for weight in self.counterweights.values())
+        weights = (one.kind.weighs(one.entry) for one in self.acting())
+        return self.links[link].mass is not None or any(weight.link == link for weight in weights if weight)

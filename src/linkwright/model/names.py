@@ -103,7 +103,7 @@ class Names:
         """The names that signals begin with; a parameter of one of them is the parameter."""
         m = self.mechanism
         slides = {name for name, _ in m.prismatic_joints()}
-        return {*m.links, *self.signals.homes, *slides, *m.movers, *m.springs} - m.parameters.keys()
+        return {*m.links, *self.signals.homes, *slides, *m.movers, *self.signals.acting} - m.parameters.keys()
 
     def _meant(self, call: Call) -> Term:
         """What a call of elements may mean: a signal of the one, or the x and y of a vector of several."""

@@ -7,7 +7,6 @@ from functools import partial
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import (
-    AfterValidator,
     BeforeValidator,
     ConfigDict,
     Field,
@@ -16,36 +15,32 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema
 
+from linkwright.elements.fields import (
+    INERTIA,
+    PART_LENGTH,
+    Interval,
+    LinkName,
+    PointName,
+    TwoLines,
+    TwoLinks,
+    TwoPoints,
+    freeze,
+)
 from linkwright.elements.mover import TRAVEL, TURN
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import (
     Expression,
     Frozen,
-    FrozenDict,
-    LineOn,
     LongText,
     Name,
     Position,
     Shape,
     Text,
     Two,
-    pair,
 )
 from linkwright.expressions.typed_fields import ELSEWHERE, Ends, Quantity, Ref, Scope, Sign, of_drive, of_parameter
 from linkwright.expressions.written import Fault, FaultWithin, Shortened, plain_number, unexpected
 from linkwright.model.tolerances import Tolerance
-
-freeze = AfterValidator(FrozenDict)
-
-Vector = Annotated[Two, BeforeValidator(pair("vector"))]
-Interval = Annotated[Two, BeforeValidator(pair("interval"))]
-LinkName = Annotated[Name, Ref("link")]
-PointName = Annotated[Name, Ref("point")]
-DriveName = Annotated[Name, Ref("drive")]
-ParameterName = Annotated[Name, Ref("parameter")]
-TwoLinks = Annotated[tuple[LinkName, LinkName], BeforeValidator(pair("two-links"))]
-TwoPoints = Annotated[tuple[Name, Name], BeforeValidator(pair("two-points"))]
-TwoLines = Annotated[tuple[LineOn, LineOn], BeforeValidator(pair("two-lines"))]
 
 
 class Units(Frozen):
@@ -152,7 +147,6 @@ Points = Annotated[
 
 
 MASS = Quantity(u.MASS, Sign.NOT_NEGATIVE, "mass")
-INERTIA = Quantity(u.INERTIA, Sign.NOT_NEGATIVE, "inertia")
 
 
 class Link(Frozen):
@@ -239,10 +233,6 @@ class Joint(Frozen):
         pair = self.prismatic or self.revolute
         assert pair is not None
         return pair
-
-
-PART_LENGTH = Quantity(u.LENGTH, Sign.NOT_NEGATIVE, "length", ends=Ends.RISING)
-"""The lengths that a cylinder, spring or other part allows."""
 
 
 class CylinderPart(Frozen):

@@ -6,7 +6,8 @@ from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
 
-from linkwright.model.mechanism import Mechanism, Spring
+from linkwright.elements.points import homes
+from linkwright.model.mechanism import Mechanism
 
 
 @dataclass(frozen=True)
@@ -49,25 +50,8 @@ def pins(mechanism: Mechanism) -> dict[str, Pin]:
     return {name: Pin(name, tuple(of)) for name, of in members.items() if len(of) > 1}
 
 
-def homes(mechanism: Mechanism) -> dict[str, str]:
-    """The first link that carries each point name: what ``E.x`` refers to."""
-    found: dict[str, str] = {}
-    for link, entry in mechanism.links.items():
-        for point in entry.points:
-            found.setdefault(point, link)
-    return found
-
-
 def shared_pins(m: Mechanism) -> list[str]:
     """The points that only cylinders name, several of them: pins between their barrels and rods."""
     named = Counter(point for cylinder in m.cylinders.values() for point in {cylinder.from_, cylinder.to})
     links = homes(m)
     return [point for point, count in named.items() if count > 1 and point not in links]
-
-
-def spring_ends(mechanism: Mechanism, spring: Spring) -> tuple[tuple[str, str], tuple[str, str]]:
-    """Link and point of each end of a spring between two points; a pinned point counts as its first link's."""
-    points = (str(spring.from_), str(spring.to))
-    first = homes(mechanism)
-    links = spring.in_ or (first[points[0]], first[points[1]])
-    return (links[0], points[0]), (links[1], points[1])

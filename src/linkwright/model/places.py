@@ -6,18 +6,20 @@ expressions that no field holds: those that an entry stands for.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from itertools import chain
 
+from linkwright.elements.force import NOUNS
+from linkwright.elements.load import crossed
+from linkwright.elements.points import homes
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, FrozenDict, Position
 from linkwright.expressions.typed_fields import Context, Path, Scope
 from linkwright.expressions.units import Dimension
-from linkwright.model.actions import FIGURES, Measure, crossed, figure, instant, measured
-from linkwright.model.mechanism import Mechanism, Spring
+from linkwright.model.actions import FIGURES, Measure, figure, instant, measured
+from linkwright.model.mechanism import Mechanism
 from linkwright.model.motions import ARGUMENT
-from linkwright.model.pins import homes
-from linkwright.model.walk import Found, Place, Site, sites, walk
+from linkwright.model.walk import Found, Place, Site, walk
 
 __all__ = [
     "FIGURES",
@@ -30,7 +32,6 @@ __all__ = [
     "measured",
     "places",
     "position_parts",
-    "spring_dimensions",
     "stated",
 ]
 
@@ -49,13 +50,6 @@ def position_parts(position: Position) -> tuple[tuple[Expression, Dimension], tu
     return (position.first, u.LENGTH), (position.second, u.ANGLE if position.polar else u.LENGTH)
 
 
-def spring_dimensions(spring: Spring) -> dict[str, Dimension]:
-    """The dimensions of a spring's numbers by key."""
-    alone = Context(Mechanism.model_construct(links=FrozenDict()), ("springs", ""))
-    found = ((str(site.path[-1]), place.wanted) for site in sites(spring, alone) for place in site.places())
-    return {key: wanted for key, wanted in found if isinstance(wanted, Dimension)}
-
-
 def stated(m: Mechanism) -> list[Found]:
     """What the typed fields of a mechanism hold whose short forms are spelled out: one walk, for all that asks."""
     return walk(m, Context(m), *SECTIONS, "measures", "require")
@@ -67,14 +61,16 @@ def places(m: Mechanism, found: Iterable[Found]) -> Iterator[Place]:
     for one in found:
         if isinstance(one, Site):
             by_entry.setdefault(str(one.path[0]), {}).setdefault(one.path[1:2], []).extend(one.places())
+    acting = [*m.acting()]
     for section in SECTIONS:
         own = by_entry.get(section, {})
-        if section not in _BESIDES:
+        if section not in NOUNS:
             yield from chain.from_iterable(own.values())
-            continue
-        for name in getattr(m, section):
-            yield from own.get((name,), ())
-            yield from _BESIDES[section](m, name)
+        for element in acting:
+            if element.section == section:
+                yield from own.get((element.name,), ())
+                uses = element.kind.uses(m, element.entry)
+                yield from (Place((*element.path, use.key), use.expression, use.wanted, use.scope) for use in uses)
     own, bounds = by_entry.get("measures", {}), by_entry.get("require", {})
     for name, measure in m.measures.items():
         yield from _path(m, name, measure)
@@ -82,26 +78,6 @@ def places(m: Mechanism, found: Iterable[Found]) -> Iterator[Place]:
         if (when := measure.instant) and when.expression:
             yield Place(("measures", name, "where"), Expression(when.expression), instant(name), Scope.SIGNALS)
         yield from bounds.get((name,), ())
-
-
-def _window(m: Mechanism, name: str) -> Iterator[Place]:
-    """The signal that bounds the window of a load, of which the load is then a function."""
-    load = m.loads[name]
-    window = m.windows.get(load.window) if load.window else None
-    for signal in window if isinstance(window, dict) else ():
-        yield Place(("loads", name, "window"), Expression(signal), crossed(str(load.window)), Scope.LOAD)
-
-
-def _table(m: Mechanism, name: str) -> Iterator[Place]:
-    """The table of a spring as if it were called, which tells the units of its columns."""
-    spring = m.springs[name]
-    if spring.table:
-        key, one, value = ("torque", "1 rad", u.TORQUE) if spring.torsional else ("force", "1 m", u.FORCE)
-        yield Place(("springs", name, key), Expression(f"{spring.table}({one})"), value, Scope.TIME)
-
-
-_BESIDES: dict[str, Callable[[Mechanism, str], Iterator[Place]]] = {"loads": _window, "springs": _table}
-"""Expressions of an entry of a section that no field holds."""
 
 
 def _path(m: Mechanism, name: str, measure: Measure) -> Iterator[Place]:

@@ -79,7 +79,7 @@ def _place(q: Quantities, at: Position) -> complex:
 
 def _masses(q: Quantities) -> Iterator[Finding]:
     given = {("links", name): link.mass for name, link in q.mechanism.links.items()}
-    given |= {("counterweights", name): weight.mass for name, weight in q.mechanism.counterweights.items()}
+    given |= {one.path: weight.mass for one in q.mechanism.acting() if (weight := one.kind.weighs(one.entry))}
     known = {path: q.value(mass, u.MASS) for path, mass in given.items() if mass is not None}
     if pair := _apart(known):
         light, heavy = pair

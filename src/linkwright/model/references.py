@@ -7,11 +7,12 @@ from typing import Any, NamedTuple
 
 from pydantic import BaseModel
 
+from linkwright.elements.points import homes
 from linkwright.expressions.typed_fields import Context, Path
 from linkwright.expressions.unknown import near, unknown, unknown_point
 from linkwright.findings import Finding
 from linkwright.model.mechanism import FRAME, Mechanism
-from linkwright.model.pins import homes, shared_pins
+from linkwright.model.pins import shared_pins
 from linkwright.model.walk import Reference, references
 
 

@@ -6,8 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from linkwright.elements.force import Acting
 from linkwright.elements.mover import TRAVEL as SLIDE
 from linkwright.elements.mover import TURN as LINK
+from linkwright.elements.points import homes
 from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.language import Call, Name, signal_text
@@ -15,7 +17,7 @@ from linkwright.expressions.units import Dimension
 from linkwright.expressions.unknown import near
 from linkwright.findings import Term
 from linkwright.model.mechanism import FRAME, Mechanism
-from linkwright.model.pins import homes, pins
+from linkwright.model.pins import pins
 from linkwright.model.slides import in_loops
 
 _PLANE = ("x", "y")
@@ -27,9 +29,8 @@ SLIDE_FORCE = {**FORCE, "normal": u.FORCE, "moment": u.TORQUE, "arm": u.LENGTH}
 SHAKING = {"x": u.FORCE, "y": u.FORCE, "moment": u.TORQUE}
 ENERGY = {"kinetic": u.ENERGY, "potential": u.ENERGY}
 POLE = dict.fromkeys(("x", "y", "u", "v"), u.LENGTH)
-SPRING = {"length": u.LENGTH, "v": u.SPEED, "force": u.FORCE, "power": u.POWER, "energy": u.ENERGY}
-TORSION_SPRING = {"angle": u.ANGLE, "omega": u.OMEGA, "torque": u.TORQUE, "power": u.POWER, "energy": u.ENERGY}
-_OF_FORCES = frozenset({"torque", "force", "pressure", "pressure_second", "power", "energy"})
+_OF_FORCES = frozenset({"pressure", "pressure_second"})
+"""Attributes that follow from forces and have no mass in their dimension."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +45,8 @@ class Signal:
     @property
     def kinematic(self) -> bool:
         """Whether it follows from the motion alone, without any force."""
-        return self.kind not in ("force", "shaking", "energy") and self.attribute not in _OF_FORCES
+        of_forces = self.kind in ("force", "shaking", "energy") or self.attribute in _OF_FORCES
+        return not of_forces and not self.dimension.mass
 
     @property
     def text(self) -> str:
@@ -94,7 +96,13 @@ class Signals:
     @property
     def energies(self) -> dict[str, Dimension]:
         """The energies that a mechanism has."""
-        return {**ENERGY, "elastic": u.ENERGY} if self.mechanism.springs else ENERGY
+        elastic = any(one.kind.stores for one in self.mechanism.acting())
+        return {**ENERGY, "elastic": u.ENERGY} if elastic else ENERGY
+
+    @cached_property
+    def acting(self) -> dict[str, Acting]:
+        """What acts on links and has signals, by name."""
+        return {one.name: one for one in self.mechanism.acting() if one.kind.signals(one.entry)}
 
     def contact(self, names: Sequence[str]) -> Contact:
         """The contact that ``force(names...)`` means. Raises DimensionError naming what is wrong."""
@@ -120,13 +128,13 @@ class Signals:
             return ("slide", SLIDE) if joint.prismatic else ("joint", dict(joint.signals))
         if (mover := m.movers.get(owner)) is not None:
             return "drive", dict(mover.signals)
-        if owner in m.springs:
-            return "spring", TORSION_SPRING if m.springs[owner].torsional else SPRING
+        if (one := self.acting.get(owner)) is not None:
+            return one.noun, dict(one.kind.signals(one.entry))
         if owner == "shaking":
             return "shaking", SHAKING
         if owner == "energy":
             return "energy", self.energies
-        known = [*m.links, *self.homes, *m.joints, *m.movers, *m.springs, "shaking", "energy"]
+        known = [*m.links, *self.homes, *m.joints, *m.movers, *self.acting, "shaking", "energy"]
         raise DimensionError("name.unknown-element", name=owner, near=near(owner, known))
 
     def find(self, node: Name | Call) -> Signal:
@@ -214,5 +222,5 @@ class Signals:
             attributes = self.of_contact(c)
             found += [self._called(Call("force", (Name(c.link), Name(c.on), Name(c.joint)), a)) for a in attributes]
         found += [Signal("shaking", ("shaking",), a, d) for a, d in SHAKING.items()]
-        found += [Signal("spring", (name,), a, d) for name in m.springs for a, d in self.attributes(name)[1].items()]
+        found += [Signal(*self._owned(name), a, d) for name in self.acting for a, d in self.attributes(name)[1].items()]
         return found + [Signal("energy", ("energy",), a, d) for a, d in self.energies.items()]

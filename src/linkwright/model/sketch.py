@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Iterator
 from itertools import chain
 
+from linkwright.elements.points import homes
 from linkwright.expressions.fields import AssemblyRule, Expression, Position
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import RESERVED, FrozenDict
@@ -18,7 +19,7 @@ from linkwright.findings import Finding
 from linkwright.model.cylinders import links_of
 from linkwright.model.mechanism import FRAME, Mechanism
 from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter
-from linkwright.model.pins import homes, shared_pins
+from linkwright.model.pins import shared_pins
 
 WORD = re.compile(r"\bsketch\b")
 _SHORT = re.compile(r"[^\W\d_]\d*")

@@ -30,7 +30,7 @@ def check_values(quantities: Quantities) -> list[Finding]:
         return bad
     stated = [found for found in quantities.fields if isinstance(found, Site)]
     signs = (finding for site in stated for finding in sign_faults(quantities, site))
-    special = (finding for part in (_progressions, _rods, _slides, _joints) for finding in part(quantities))
+    special = (finding for part in (_acting, _rods, _slides, _joints) for finding in part(quantities))
     return [*bad, *signs, *special, *(finding for site in stated for finding in _ends(quantities, site))]
 
 
@@ -70,11 +70,11 @@ def _ends(q: Quantities, site: Site) -> Iterator[Finding]:
         yield Finding("value.not-rising", site.path, dict(zip(("low", "high"), texts, strict=True)))
 
 
-def _progressions(q: Quantities) -> Iterator[Finding]:
-    for name, spring in q.mechanism.springs.items():
-        progression = spring.progression if spring.gas is not None else None
-        if progression is not None and q.bad(np.less_equal(q.value(progression, u.PURE), 1)):
-            yield Finding("spring.progression", ("springs", name, "progression"), {})
+def _acting(q: Quantities) -> Iterator[Finding]:
+    for one in q.mechanism.acting():
+        for wrong, (code, data, *path) in one.entry.wrong(q.value):
+            if q.bad(wrong):
+                yield Finding(code, (*one.path, *path), data)
 
 
 def _rods(q: Quantities) -> Iterator[Finding]:

@@ -118,6 +118,11 @@ class Body:
         """The unit vector of a direction fixed in the link."""
         return self.axis.carry(local)
 
+    @property
+    def heading(self) -> Scalar:
+        """The link's angle (rad): exact where it is known so, else that of its axis, in -pi .. pi."""
+        return call("arctan2", self.axis.y.d[0], self.axis.x.d[0]) if self.angle is None else self.angle
+
 
 def unit_vector(angle: Scalar) -> Pair:
     """(cos, sin) of an angle (rad), exact at multiples of a right angle."""

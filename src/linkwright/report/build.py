@@ -8,11 +8,11 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.elements.force import FORCES, Chart
 from linkwright.expressions.units import ANGLE, LENGTH, TIME
 from linkwright.findings import Finding
 from linkwright.model.document import Document, dump
 from linkwright.model.origin import Origin, hashed
-from linkwright.model.pins import spring_ends
 from linkwright.report.cam_shapes import cam_shapes
 from linkwright.report.centrodes import centrodes
 from linkwright.report.data import (
@@ -165,13 +165,8 @@ def _joints(result: Result) -> list[Joint]:
 
 def _springs(result: Result) -> list[Spring]:
     mechanism = result.run.compiled.mechanism
-    found: list[Spring] = []
-    for name, spring in mechanism.springs.items():
-        if not spring.torsional:
-            links, points = zip(*spring_ends(mechanism, spring), strict=True)
-            look: Literal["coil", "strut"] = "coil" if spring.stiffness or spring.table else "strut"
-            found.append({"name": name, "links": links, "points": points, "look": look})
-    return found
+    drawn = ((one.name, one.kind.drawn(mechanism, one.entry)) for one in mechanism.acting())
+    return [{"name": name, **line._asdict()} for name, line in drawn if line]  # type: ignore[typeddict-item]
 
 
 def _traces(result: Result, size: float) -> list[Trace]:
@@ -239,15 +234,21 @@ def _force_plots(result: Result) -> list[Plot | None]:
     angles = [f"{n}.{a}" for n, f in m.followers.items() for a, dimension in f.extra.items() if dimension == ANGLE]
     pressures = [name for name in angles if name in result.names]
     found.append(_plot(result, say("plot.pressure"), "force", pressures))
-    between = [name for name, spring in m.springs.items() if not spring.torsional]
-    torsional = [name for name in m.springs if name not in between]
-    found.append(_plot(result, say("plot.spring_length"), "motion", [f"{n}.length" for n in between]))
-    found.append(_plot(result, say("plot.spring_force"), "force", [f"{n}.force" for n in between]))
-    found.append(_plot(result, say("plot.spring_torque"), "force", [f"{n}.torque" for n in torsional]))
+    found += _charts(result)
     found.append(_plot(result, say("plot.power"), "force", [f"{n}.power" for n in motors]))
     found.append(_plot(result, say("plot.shaking"), "force", ["shaking.x", "shaking.y"]))
     found.append(_plot(result, say("plot.shaking_moment"), "force", ["shaking.moment"]))
     return found
+
+
+def _charts(result: Result) -> list[Plot | None]:
+    """The charts of what acts, as the kinds have them: one of all elements that share a title."""
+    shown: dict[Chart, list[str]] = {chart: [] for kind in FORCES.values() for chart in kind.charts}
+    for one in result.run.compiled.mechanism.acting():
+        for chart in one.kind.charts:
+            if chart.attribute in one.kind.signals(one.entry):
+                shown[chart].append(f"{one.name}.{chart.attribute}")
+    return [_plot(result, say(f"plot.{chart.title}"), chart.group, names) for chart, names in shown.items()]
 
 
 def _plot(result: Result, title: str, group: Literal["motion", "force"], names: Sequence[str]) -> Plot | None:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.elements import JointKind
+from linkwright.elements.force import NOUNS
 from linkwright.expressions import units as u
 from linkwright.kernels import Compiled
 from linkwright.kernels.motions import rate_unit
@@ -78,9 +79,8 @@ def facts(compiled: Compiled) -> list[Fact]:
     said = say("fact.mass.none", links=", ".join(without)) if without else say("fact.mass.all")
     if masses:
         lines.append(_fact("mass", say("fact.mass.text", links=", ".join(masses), without=said)))
-    weights = [say("fact.weight", name=name, link=weight.on) for name, weight in m.counterweights.items()]
-    laws = [law_fact(compiled, name) for name in compiled.motions]
-    for name, said_of in (("weights", weights), ("springs", understood.springs(compiled)), ("laws", laws)):
+    acting, laws = understood.acting(compiled), [law_fact(compiled, name) for name in compiled.motions]
+    for name, said_of in (*((section, acting[section]) for section in reversed(NOUNS)), ("laws", laws)):
         if said_of:
             lines.append(_fact(name, "; ".join(said_of)))
     return [*lines, _fact("gravity", understood.gravity(compiled))]

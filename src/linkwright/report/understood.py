@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 
+from linkwright.elements.force import NOUNS
 from linkwright.elements.mover import Mover
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
@@ -25,23 +27,18 @@ def drives(compiled: Compiled) -> list[str]:
     ]
 
 
-def springs(compiled: Compiled) -> list[str]:
-    """Each spring: where it acts, and its force (torque) at the start of the motion."""
-    entries, q = compiled.mechanism.springs, compiled.quantities
-    if not entries:
-        return []
-    rows = [f"{name}.{spring.effort}" for name, spring in entries.items()]
-    efforts = compiled.evaluate(rows, np.zeros(1))[:, 0]
-    lines = []
-    for (name, spring), effort in zip(entries.items(), map(float, efforts), strict=True):
-        kind, ends = (
-            ("torsional", (spring.turns, spring.on)) if spring.torsional else ("between", (spring.from_, spring.to))
-        )
-        sense = "none" if not math.isfinite(effort) else "pull" if effort >= 0 else "push"
-        size = amount(q, abs(effort), u.TORQUE if spring.torsional else u.FORCE) if sense != "none" else ""
-        does = say(f"fact.spring.{kind}.{sense}", effort=size, link=spring.turns)
-        lines.append(say(f"fact.spring.{kind}", name=name, start=ends[0], end=ends[1], does=does))
-    return lines
+def acting(compiled: Compiled) -> dict[str, list[str]]:
+    """What acts on links or weighs, by section: what it is, what it does at the start of the motion."""
+    every = [*compiled.mechanism.acting()]
+    rows = [f"{one.name}.{effort}" for one in every if (effort := one.kind.effort(one.entry))]
+    efforts = dict(zip(rows, compiled.evaluate(rows, np.zeros(1))[:, 0].tolist(), strict=True)) if rows else {}
+    found: dict[str, list[str]] = {section: [] for section in NOUNS}
+    for one in every:
+        effort = efforts.get(f"{one.name}.{one.kind.effort(one.entry)}", math.nan)
+        said = one.kind.sentence(one.name, one.entry, effort, partial(amount, compiled.quantities))
+        if said is not None:
+            found[one.section].append(str(said))
+    return found
 
 
 def gravity(compiled: Compiled) -> str:

@@ -10,25 +10,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.elements.force import Applied, Misfit
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import parse
 from linkwright.expressions.units import Dimension
-from linkwright.graph.actions import spread
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.rows import BodyPlace, Named, WindowRow
 from linkwright.kernels import Compiled
 from linkwright.kernels.motions import StatedMotion
-from linkwright.model.mechanism import Load
-from linkwright.model.pins import spring_ends
-from linkwright.notation import Pair
+from linkwright.notation import Jet
 from linkwright.results.run import combined
-from linkwright.results.springs import damping_force, elastic_force
 from linkwright.structure import FRAME
 
 Array = NDArray[np.float64]
-Applied = tuple[str, Array, Array, Array | float]
-"""A force (2, times) on a link at a place (2, times), with a moment (times,): (link, force, place, moment)."""
 
 
 class Reports:
@@ -39,6 +34,7 @@ class Reports:
         self.mechanism, self.topology = compiled.mechanism, compiled.structure.topology
         self.geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
         self.contacts, self.looped = compiled.quantities.signals.contacts, compiled.quantities.signals.looped
+        self.every = [*self.mechanism.acting()]
         self.names = self._names()
         self.rows: dict[Named, Array] = dict(zip(self.names, compiled.evaluate(self.names, t), strict=True))
 
@@ -58,7 +54,7 @@ class Reports:
         names += [f"{f.motor}.{next(iter(movers[f.motor].signals))}" for f in self.mechanism.followers.values()]
         names += [s.text for s in self.compiled.graph.actions.signals]
         names += [WindowRow(name) for name in self.compiled.graph.actions.windows]
-        names += [f"{n}.{a}" for n, s in self.mechanism.springs.items() for a in (s.measure, s.effort)]
+        names += [f"{one.name}.{a}" for one in self.every for a in one.kind.reported(one.entry)]
         names += ["shaking.x", "shaking.y", "shaking.moment"]
         return list(dict.fromkeys(names))
 
@@ -136,24 +132,29 @@ class Reports:
             found.append((link, force, self.at(link, centre), -float(inertia) * self.rows[f"{link}.alpha"]))
         return found
 
-    def loads(self) -> list[Applied]:
-        """The loads of the model; of a load between two links both sides."""
-        found: list[Applied] = []
-        for load in self.mechanism.loads.values():
-            inside = self.inside(load)
-            values = [np.where(inside, self.value(part, dimension), 0.0) for part, dimension in load.parts]
-            force, torque = spread(load, values)
-            turns_with, local = load.in_ or FRAME, force
-            if load.along:
-                turns_with = self.mechanism.joints[load.along].links[0]
-                heading = self.geometry.line(load.along, turns_with)[1]
-                local = Pair(force.x * heading.x, force.x * heading.y)
-            place = self.at(load.on, self.geometry.place(load.on, load.at))
-            applied = self.turned(turns_with, local)
-            found.append((load.on, applied, place, torque))
-            if load.against:
-                found.append((load.against, -applied, place, -torque))
-        return found
+    def acting(self) -> list[Applied]:
+        """What springs, loads and the like do to all their links, from the reported poses and rates."""
+        return [found for one in self.every for found in one.kind.applied(self, one.name, one.entry)]
+
+    def lost(self) -> list[Applied]:
+        """The part of that whose work no energy keeps."""
+        return [found for one in self.every for found in one.kind.lost(self, one.name, one.entry)]
+
+    def misfits(self) -> list[Misfit]:
+        """By what they report of themselves misses what the motion makes of them."""
+        return [found for one in self.every for found in one.kind.misfits(self, one.name, one.entry)]
+
+    def row(self, signal: str) -> Array:
+        """A reported signal."""
+        return self.rows[signal]
+
+    def omega(self, link: str) -> Array:
+        """A link's angular velocity (rad/s)."""
+        return np.zeros(self.count) if link == FRAME else self.rows[f"{link}.omega"]
+
+    def table(self, name: str, argument: Array) -> Array:
+        """What a table says of arguments; NaN outside of it."""
+        return np.asarray(self.compiled.tables[name].or_nan(Jet([argument])).d[0])
 
     def value(self, expression: Expression, dimension: Dimension) -> Array:
         """An expression in parameters, the time, tables and reported signals."""
@@ -161,15 +162,13 @@ class Reports:
         rows = {name: (row,) for name, row in self.rows.items() if isinstance(name, str)}
         return np.asarray(combined(self.compiled, node, self.t, rows, 0).d[0])
 
-    def inside(self, load: Load) -> Array | bool:
-        """Whether a load's window holds. At its edges, where round-off decides, the report is believed."""
-        if load.window is None:
-            return True
-        window = self.mechanism.windows[load.window]
-        if isinstance(window, tuple):
-            value, dimension, edges = self.t, u.TIME, window
+    def inside(self, window: str) -> Array:
+        """Whether a window holds. At its edges, where round-off decides, the report is believed."""
+        entry = self.mechanism.windows[window]
+        if isinstance(entry, tuple):
+            value, dimension, edges = self.t, u.TIME, entry
         else:
-            ((text, edges),) = window.items()
+            ((text, edges),) = entry.items()
             dimension = self.compiled.quantities.dimensions.dimension(parse(text))
             value = self.rows[self.compiled.graph.signal(text).text]
         low, high = (self.compiled.quantities.value(edge, dimension) for edge in edges)
@@ -178,55 +177,7 @@ class Reports:
         if dimension == u.ANGLE:
             over = np.mod(over + slack, 2 * np.pi) - slack
         vague = (np.abs(over) < slack) | (np.abs(over - (high - low)) < slack)
-        return np.where(vague, self.rows[WindowRow(load.window)] != 0, (over >= 0) & (over <= high - low))
-
-    def springs(self, damping: bool = False) -> list[Applied]:
-        """What springs do to both their links, from the reported poses and rates; of their damping alone."""
-        found: list[Applied] = []
-        for name, spring in self.mechanism.springs.items():
-            x, rate, along, ends = self.stretch(name)
-            force = damping_force(self.compiled, spring, rate)
-            force = force if damping else force + elastic_force(self.compiled, spring, x)
-            for (link, place), sign in zip(ends, (1.0, -1.0), strict=True):
-                if spring.torsional:
-                    found.append((link, np.zeros((2, self.count)), place, -sign * force))
-                else:
-                    found.append((link, sign * force * along, place, 0.0))
-        return found
-
-    def spring_misfits(self) -> list[tuple[str, Array]]:
-        """How far each reported spring force (or torque) is from the one recomputed."""
-        found: list[tuple[str, Array]] = []
-        for name, spring in self.mechanism.springs.items():
-            x, rate, _, _ = self.stretch(name)
-            force = elastic_force(self.compiled, spring, x) + damping_force(self.compiled, spring, rate)
-            found.append((spring.effort, self.rows[f"{name}.{spring.effort}"] - force))
-        return found
-
-    def stretch(self, name: str) -> tuple[Array, Array, Array, list[tuple[str, Array]]]:
-        """A spring's length or angle, its rate, its direction, and link and place of each end.
-
-        Of an angle only the whole turns are taken from the report.
-        """
-        spring = self.mechanism.springs[name]
-        if not spring.torsional:
-            ends = [
-                (link, self.at(link, self.geometry.point(link, p))) for link, p in spring_ends(self.mechanism, spring)
-            ]
-            (a, start), (b, end) = ends
-            gap = end - start
-            length = np.hypot(*gap)
-            with np.errstate(invalid="ignore", divide="ignore"):
-                along = gap / length
-            rate = ((self.velocity(b, end) - self.velocity(a, start)) * along).sum(axis=0)
-            return length, rate, along, ends
-        nowhere = np.zeros((2, self.count))
-        links = [str(spring.turns), str(spring.on)]
-        (c, s), (c0, s0) = (self.turned(link, (1.0, 0.0)) for link in links)
-        angle = np.arctan2(s * c0 - c * s0, c * c0 + s * s0)
-        turns = np.round((self.rows[f"{name}.angle"] - angle) / (2 * np.pi))
-        omega, omega0 = (np.zeros(self.count) if n == FRAME else self.rows[f"{n}.omega"] for n in links)
-        return angle + 2 * np.pi * turns, omega - omega0, nowhere, [(link, nowhere) for link in links]
+        return np.where(vague, self.rows[WindowRow(window)] != 0, (over >= 0) & (over <= high - low))
 
     def reactions(self) -> list[Applied]:
         """What joints do to links, from the reported reactions; the moments of slides in loops of slides are unknown

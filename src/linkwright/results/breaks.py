@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions.language import Binary, Call, Name, Node, Number, nodes
 from linkwright.graph.geometry import Geometry
-from linkwright.graph.rows import TableArgument, WindowRow
+from linkwright.graph.rows import Row, TableArgument, WindowRow
 from linkwright.laws import Motion, TableLaw
 from linkwright.results.stationary import crossings
 from linkwright.results.windows import intervals
@@ -31,18 +31,26 @@ MOST = 1 << 16
 
 def jumps(run: Run) -> Array:
     """The times right before and right after each jump of a load: (jumps, 2)."""
-    found: list[tuple[float, float]] = []
-    for name in run.compiled.graph.actions.windows:
+    actions, found = run.compiled.graph.actions, list[tuple[float, float]]()
+    for name in actions.windows:
         edges = {edge for interval in intervals(run, name) for edge in interval} | {run.start, run.stop}
-        for edge in sorted(edges):
-            for share in ASIDE:
-                aside = share * (run.stop - run.start)
-                sides = np.clip([edge - aside, edge + aside], run.start, run.stop)
-                before, after = run.compiled.evaluate([WindowRow(name)], sides)[0]
-                if before != after:
-                    found.append((float(sides[0]), float(sides[1])))
-                    break
+        found += _beside(run, sorted(edges), WindowRow(name))
+    for node in actions.jumps:
+        found += _beside(run, zeros(run, node).tolist(), node)
     return np.array(sorted(found)).reshape(-1, 2)
+
+
+def _beside(run: Run, times: Iterable[float], what: Row | Node) -> Iterator[tuple[float, float]]:
+    """The times right before and right after those at which the sign of a row or an expression changes."""
+    for time in times:
+        for share in ASIDE:
+            aside = share * (run.stop - run.start)
+            sides = np.clip([time - aside, time + aside], run.start, run.stop)
+            values = run.compiled.evaluate([what], sides)[0] if isinstance(what, Row) else run.jets(what, sides).d[0]
+            before, after = values > 0
+            if before != after:
+                yield float(sides[0]), float(sides[1])
+                break
 
 
 def breaks(run: Run) -> Array:
@@ -64,6 +72,7 @@ def kinks(compiled: Compiled, varied: Iterable[str] = ()) -> list[Node]:
     laws = [*compiled.graph.actions.laws, *positions(compiled)]
     found = dict.fromkeys(switch for law in laws for node in nodes(law) for switch in switches(node))
     found |= dict.fromkeys(law_joins(compiled, varied))
+    found |= dict.fromkeys(way.node for way in compiled.graph.actions.breaks if not way.jumps)
     paired = ((name, follower) for name, follower in m.followers.items() if follower.paired)
     found |= dict.fromkeys(Name(f"{name}.{follower.effort}") for name, follower in paired)  # the other contact bears
     functions = {*m.tables, *m.laws}

@@ -85,7 +85,7 @@ def certify(run: Run) -> Certificate:
     compiled, topology = run.compiled, run.compiled.structure.topology
     reports = Reports(compiled, run.t[compiled.passages.bounded(run.t)])
     constraints = rank(reports)
-    loaded = bool(reports.masses or compiled.mechanism.loads or compiled.mechanism.springs)
+    loaded = bool(reports.masses or any(one.kind.acts for one in reports.every))
     rules = compiled.assembly.rules
     changes = {group.label: _changes(run, group.label) for group in compiled.structure.groups}
     return Certificate(
@@ -141,13 +141,13 @@ def equilibrium(r: Reports) -> float:
     origin, shaking = np.zeros((2, r.count)), r.vector("shaking.")
     held = (FRAME, -shaking, origin, -r.rows["shaking.moment"])
     largest = 1e-300
-    applied = [*r.loads(), *r.springs(), *r.inertia_and_gravity()]
+    applied = [*r.acting(), *r.inertia_and_gravity()]
     for link, force, place, moment in (*r.reactions(), *r.efforts(), *applied, held):
         forces[link] += force
         moments[part_of[link]] += _cross(place, force) + moment
         largest = max(largest, _worst(np.hypot(*force)), _worst(moment) / r.size())
     rests = [max(_worst(forces[link]), _worst(moments[link]) / r.size()) for link in r.mechanism.links]
-    rests += [_worst(misfit) / (1.0 if sort == "force" else r.size()) for sort, misfit in r.spring_misfits()]
+    rests += [_worst(misfit.value) / (1.0 if misfit.force else r.size()) for misfit in r.misfits()]
     return float(np.max(rests)) / largest
 
 
@@ -162,14 +162,14 @@ def loops_of_slides(r: Reports) -> dict[str, str]:
 
 def power(r: Reports) -> float:
     """The worst rest of the power balance at a pose, over the largest sum of its terms' sizes."""
-    terms = np.array([*r.drive_powers(), *r.powers_of([*r.loads(), *r.springs(), *r.inertia_and_gravity()])])
+    terms = np.array([*r.drive_powers(), *r.powers_of([*r.acting(), *r.inertia_and_gravity()])])
     size = max(_worst(np.abs(terms).sum(axis=0)), slight(r))
     return 0.0 if size == 0 else _worst(terms.sum(axis=0)) / size
 
 
 def slight(r: Reports) -> float:
     """A millionth of the largest force times the largest speed: powers (W) below it may be all round-off."""
-    forces = [_worst(np.hypot(*force)) for _, force, _, _ in (*r.reactions(), *r.loads(), *r.springs())]
+    forces = [_worst(np.hypot(*force)) for _, force, _, _ in (*r.reactions(), *r.acting())]
     links = r.topology.moving
     speeds = [_worst(r.vector(f"{r.home(n)}.v")) + _worst(r.rows[f"{n}.omega"]) * r.size() for n in links]
     return 1e-6 * max(forces, default=0.0) * max(speeds, default=0.0)
@@ -204,7 +204,7 @@ def worked(run: Run, lows: Array, highs: Array) -> Array:
     """Work of drives, loads and dampers on each panel, and the sum of its terms' sizes: (2, panels)."""
     t, weight = panel_points(lows, highs)
     r = Reports(run.compiled, t)
-    terms = np.array([*r.drive_powers(), *r.powers_of([*r.loads(), *r.springs(damping=True)])])
+    terms = np.array([*r.drive_powers(), *r.powers_of([*r.lost()])])
     rates = np.array([terms.sum(axis=0), np.abs(terms).sum(axis=0)]) * weight
     return np.asarray(rates.reshape(2, lows.size, -1).sum(axis=2))
 

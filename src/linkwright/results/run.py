@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, nodes
 from linkwright.expressions.units import Dimension
-from linkwright.graph.rows import LoadRow, Named
+from linkwright.graph.rows import Named, effort
 from linkwright.kernels import Compiled
 from linkwright.notation import Jet, angles
 from linkwright.notation.angles import MAX_TURN, whole_turns
@@ -60,7 +60,7 @@ class Run:
                 shortest = int(np.diff(np.concatenate([[0], changes, [LOOK]])).min(initial=LOOK, where=True))
                 steps.append(min(10 * LOOK // max(shortest, 1), LOOK // 2))
         if self.compiled.graph.actions.timed:
-            rows = [LoadRow(name) for name in self.compiled.mechanism.loads]
+            rows = [effort(one) for one in self.compiled.graph.actions.varying]
             signs = np.sign(self.compiled.rates(rows, t)[1])
             steps.append(min(4 * int((signs[:, 1:] != signs[:, :-1]).sum(axis=1).max()), LOOK // 2))
         return max(steps)

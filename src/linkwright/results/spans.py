@@ -12,7 +12,7 @@ from linkwright.expressions import units as u
 from linkwright.expressions.language import parse
 from linkwright.graph.rows import WindowRow
 from linkwright.results.breaks import ASIDE
-from linkwright.results.bunch import Bunch, Who
+from linkwright.results.bunch import Bunch, What, Who
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -77,22 +77,29 @@ class Windows:
 
 def gaps(bunch: Bunch) -> Spans:
     """From right before to right after each jump of a load, at an end of the window in which it acts."""
-    every = np.arange(bunch.samples)
-    parts = []
-    for name in bunch.run.compiled.graph.actions.windows:
+    every, actions = np.arange(bunch.samples), bunch.run.compiled.graph.actions
+    parts = list[tuple[Who, Array, Array]]()
+    for name in actions.windows:
         owner, a, b = spans(bunch, name).flat()
         who = np.concatenate([owner, owner, every, every])
         t = np.concatenate([a, b, np.full(bunch.samples, bunch.start), bunch.stop])
-        for share in ASIDE:
-            aside = share * bunch.length[who]
-            before, after = np.maximum(t - aside, bunch.start), np.minimum(t + aside, bunch.stop[who])
-            left, right = (bunch.values(WindowRow(name), who, side) for side in (before, after))
-            differ = left != right
-            parts.append((who[differ], before[differ], after[differ]))
-            who, t = who[~differ], t[~differ]
+        parts += _beside(bunch, WindowRow(name), who, t)
+    for node in actions.jumps:
+        parts += _beside(bunch, node, *bunch.crossings(node))
     who, before, after = (np.concatenate(part) for part in zip(*parts, strict=True))
     order = np.lexsort((before, who))
     return _packed(who[order], before[order], after[order], bunch.samples)
+
+
+def _beside(bunch: Bunch, what: What, who: Who, t: Array) -> Iterator[tuple[Who, Array, Array]]:
+    """Samples and the times right before and right after those at which a curve's sign changes."""
+    for share in ASIDE:
+        aside = share * bunch.length[who]
+        before, after = np.maximum(t - aside, bunch.start), np.minimum(t + aside, bunch.stop[who])
+        left, right = (bunch.values(what, who, side) > 0 for side in (before, after))
+        differ = left != right
+        yield who[differ], before[differ], after[differ]
+        who, t = who[~differ], t[~differ]
 
 
 def without(some: Spans, gaps: Spans) -> Spans:

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.elements.cam_contact.second import sums
+from linkwright.elements.force import Acting
 from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import argument
-from linkwright.expressions.language import Call, nodes
 from linkwright.findings import Finding
-from linkwright.graph.rows import LoadRow, Named, TableArgument
+from linkwright.graph.rows import Named, TableArgument, effort
 from linkwright.results import Run
 from linkwright.results.stationary import stationary
 from linkwright.studies.feasible import drive_value
@@ -26,39 +26,39 @@ NEAR = 1e-9
 
 
 def undefined(run: Run) -> list[Finding]:
-    """Loads and springs that have no value somewhere, and springs whose ends meet."""
-    m, actions = run.compiled.mechanism, run.compiled.graph.actions
-    findings = [_at(run, "spring.no-direction", name, t) for name, t in _meeting(run)]
-    rows: dict[tuple[str, str], Named] = {("loads", name): LoadRow(name) for name in m.loads}
-    rows |= {("springs", name): f"{name}.{spring.effort}" for name, spring in m.springs.items()}
-    if findings or not rows:
+    """Loads, springs and the like that have no value somewhere, and those whose two ends meet."""
+    actions = run.compiled.graph.actions
+    findings = [_at(run, "spring.no-direction", one.path, t) for one, t in _meeting(run)]
+    acting = [one for one in actions.every if one.kind.acts]
+    if findings or not acting:
         return findings
     open_ = [i for i, k in enumerate(actions.lookups) if run.compiled.tables[k.table].period is None]
     t = _times(run, [TableArgument(i) for i in open_])
-    for path, values in zip(rows, run.compiled.evaluate(list(rows.values()), t), strict=True):
+    for one, values in zip(acting, run.compiled.evaluate([effort(one) for one in acting], t), strict=True):
         bad = t[~np.isfinite(values)]
         if bad.size:
-            findings.append(_explained(run, path, bad))
+            findings.append(_explained(run, one, bad))
     return findings
 
 
 def outside(run: Run) -> list[Finding]:
-    """A warning for each spring that leaves the lengths that it allows, where it does so furthest."""
+    """A warning for each part that leaves the lengths that it allows, where it does so furthest."""
     quantities = run.compiled.quantities
     unit, size = quantities.unit_of(u.LENGTH)
     findings = []
-    for name, spring in run.compiled.mechanism.springs.items():
-        if spring.length is None:
+    for one in run.compiled.graph.actions.every:
+        if (limits := one.kind.limits(one.entry)) is None:
             continue
-        low, high = (quantities.value(edge, u.LENGTH) for edge in spring.length)
-        t = _times(run, [f"{name}.length"])
-        length = run.compiled.evaluate([f"{name}.length"], t)[0]
+        low, high = (quantities.value(edge, u.LENGTH) for edge in limits.edges)
+        signal = f"{one.name}.{limits.attribute}"
+        t = _times(run, [signal])
+        length = run.compiled.evaluate([signal], t)[0]
         over = np.maximum(low - length, length - high)
         worst = int(np.argmax(over))
         if over[worst] > NEAR * high:
             data = {"length": length[worst], "low": low, "high": high}
             shown = {key: f"{value / size:.6g}" for key, value in data.items()}
-            findings.append(_at(run, "spring.outside-length", name, float(t[worst]), "warning", of=unit, **shown))
+            findings.append(_at(run, "spring.outside-length", one.path, float(t[worst]), "warning", of=unit, **shown))
     return findings
 
 
@@ -72,7 +72,7 @@ def lifted(run: Run) -> list[Finding]:
         if (pulled := _pulled(run, f"{name}.force")) is not None:
             time, force = pulled
             data = {"cam": name, "force": f"{force / size:.6g}", "of": unit}
-            findings.append(_at(run, "cam.lifts-off", name, time, "warning", "cams", **data))
+            findings.append(_at(run, "cam.lifts-off", ("cams", name), time, "warning", **data))
     return findings
 
 
@@ -96,7 +96,7 @@ def unseated(run: Run) -> list[Finding]:
                 time, force = pulled
                 kind = run.compiled.structure.topology.kind_of(name).title
                 data = {"joint": name, "kind": kind, "force": f"{force / size:.6g}", "of": unit}
-                findings.append(_at(run, "joint.lifts-off", name, time, "warning", "joints", **data))
+                findings.append(_at(run, "joint.lifts-off", ("joints", name), time, "warning", **data))
     return findings
 
 
@@ -114,15 +114,15 @@ def loose(run: Run) -> list[Finding]:
     return findings
 
 
-def _meeting(run: Run) -> list[tuple[str, float]]:
-    """Springs whose two ends meet, and when."""
-    names = [name for name, spring in run.compiled.mechanism.springs.items() if not spring.torsional]
+def _meeting(run: Run) -> list[tuple[Acting, float]]:
+    """What acts along the line of two points that meet, and when."""
     found = []
-    for name in names:
-        t = _times(run, [f"{name}.length"])
-        length = run.compiled.evaluate([f"{name}.length"], t)[0]
-        if not length.min() > NEAR * length.max():
-            found.append((name, float(t[np.argmin(length)])))
+    for one in run.compiled.graph.actions.every:
+        if attribute := one.kind.distance(one.entry):
+            t = _times(run, [f"{one.name}.{attribute}"])
+            length = run.compiled.evaluate([f"{one.name}.{attribute}"], t)[0]
+            if not length.min() > NEAR * length.max():
+                found.append((one, float(t[np.argmin(length)])))
     return found
 
 
@@ -133,15 +133,10 @@ def _times(run: Run, rows: Sequence[Named]) -> Array:
     return np.unique(np.concatenate([grid, run.t, run.jumps.ravel(), *turning]))
 
 
-def _explained(run: Run, path: tuple[str, str], bad: Array) -> Finding:
-    """Why a load or spring has no value at some times: a table asked for what it doesn't hold, or else."""
-    compiled = run.compiled
-    quantities, (section, name) = compiled.quantities, path
-    if section == "springs":
-        tables = [compiled.mechanism.springs[name].table]
-    else:
-        parts = [n for part, _ in compiled.mechanism.loads[name].parts for n in nodes(part.node)]
-        tables = [part.name for part in parts if isinstance(part, Call)]
+def _explained(run: Run, one: Acting, bad: Array) -> Finding:
+    """Why something has no value at some times: a table asked for what it doesn't hold, or else."""
+    compiled, quantities = run.compiled, run.compiled.quantities
+    tables = compiled.graph.actions.asked(one)
     for i, lookup in enumerate(compiled.graph.actions.lookups):
         table = compiled.tables[lookup.table]
         if lookup.table not in tables or table.period is not None:
@@ -156,12 +151,10 @@ def _explained(run: Run, path: tuple[str, str], bad: Array) -> Finding:
                 key: f"{value / size:.6g}"
                 for key, value in zip(("at", "low", "high"), (at, *table.x[[0, -1]]), strict=True)
             }
-            return _at(run, "load.outside-table", name, time, section=section, table=lookup.table, of=unit, **shown)
-    return _at(run, "load.not-finite", name, float(bad[0]), section=section)
+            return _at(run, "load.outside-table", one.path, time, table=lookup.table, of=unit, **shown)
+    return _at(run, "load.not-finite", one.path, float(bad[0]))
 
 
-def _at(
-    run: Run, code: str, name: str, time: float, severity: str = "error", section: str = "springs", **data: Any
-) -> Finding:
+def _at(run: Run, code: str, path: tuple[str, str], time: float, severity: str = "error", **data: Any) -> Finding:
     """A finding at a time, with the first drive's value there."""
-    return Finding(code, (section, name), data | {"time": f"{time:.6g}"} | drive_value(run, time), severity=severity)
+    return Finding(code, path, data | {"time": f"{time:.6g}"} | drive_value(run, time), severity=severity)

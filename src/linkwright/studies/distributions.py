@@ -18,9 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BeforeValidator, Discriminator, Field, Tag
 
+from linkwright.elements.fields import Interval
 from linkwright.expressions.fields import Expression, Frozen, TypedParts, Written
 from linkwright.expressions.written import Fault, fault, unexpected
-from linkwright.model.parts import Interval
 from linkwright.notation.registry import Registry
 
 Array = NDArray[np.float64]

@@ -9,6 +9,7 @@ from typing import Annotated
 
 from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
+from linkwright.elements.fields import Interval, freeze
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, FrozenDict
 from linkwright.expressions.fields import Name as NameField
@@ -17,7 +18,6 @@ from linkwright.expressions.typed_fields import Ref, of_drive
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
-from linkwright.model.parts import Interval, freeze
 from linkwright.model.places import Path
 from linkwright.results import Result, Run
 from linkwright.structure import FRAME

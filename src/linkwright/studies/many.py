@@ -123,7 +123,7 @@ class Measuring:
         """Whether something may jump that is measured of all samples together: forces do where a load's window ends."""
         shared = [tree for name in self.measures if name not in self.single for tree in self._of(name)]
         forces = any(not self.graph.signal(text).kinematic for text in self.run.signals_of(shared))
-        return forces and bool(self.graph.actions.windows)
+        return forces and bool(self.graph.actions.windows or self.graph.actions.jumps)
 
     def _panels(self) -> dict[str, int]:
         """The panels of each mean; measures that need too many go to the others."""

@@ -9,6 +9,7 @@ import numpy as np
 from pydantic import Field
 
 from linkwright.compilation import Prepared
+from linkwright.elements.fields import DriveName
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Quantity
@@ -20,7 +21,6 @@ from linkwright.graph.survey import SAME, Circuit, Survey, survey
 from linkwright.kernels import Compiled
 from linkwright.kernels.followers import FollowerLaw
 from linkwright.kernels.laws import values_at
-from linkwright.model.parts import DriveName
 from linkwright.model.quantities import Quantities
 from linkwright.model.references import option_faults
 from linkwright.studies.cycle import LONGEST

@@ -10,12 +10,12 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from linkwright.elements.fields import ParameterName, freeze
 from linkwright.expressions.typed_fields import of_parameter
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.varied import Varied
-from linkwright.model.parts import ParameterName, freeze
 from linkwright.model.references import option_faults
 from linkwright.studies.asked import Sampling, check_outputs, check_span, one_of
 from linkwright.studies.distributions import Spread, Vary

@@ -43,7 +43,7 @@ DWELLS = {name: measure for name, measure in MEASURES.items() if "dwell" in meas
 OFFSETS, WEIGHTS = np.array([-2, -1, 1, 2]), np.array([1, -8, 8, -1]) / 12  # differences of fourth order
 
 
-def feeder(measures: dict[str, Any] = MEASURES) -> Compiled:
+def feeder(measures: dict[str, Any] = MEASURES, **sections: Any) -> Compiled:
     data: dict[str, Any] = plain(load(EXAMPLES / "paper_feeder.yaml"))
     data["parameters"] |= {"edge": "0.31 s", "m": "2 kg", "offset": "1 deg", "wide": "50 mm"}
     data["links"]["rocker"]["mass"] = "m"
@@ -52,12 +52,14 @@ def feeder(measures: dict[str, Any] = MEASURES) -> Compiled:
     data["loads"] = {"push": {"on": "slider", "at": "E", "force": [5, -7], "window": "high"}}
     data["measures"] = measures
     data["require"] = {}
-    return compiled_from(data)
+    return compiled_from(data | sections)
 
 
-def derived(measures: dict[str, Any], names: list[str]) -> dict[str, tuple[list[Any], np.ndarray, np.ndarray]]:
+def derived(
+    measures: dict[str, Any], names: list[str], **sections: Any
+) -> dict[str, tuple[list[Any], np.ndarray, np.ndarray]]:
     """Of each measure its derivatives by parameters, their differences (figures, names), and the parameters' values."""
-    compiled = feeder(measures)
+    compiled = feeder(measures, **sections)
     run = Run(compiled, 0.0, 1.5, 200)
     varied = Varied(compiled, names)
     start = np.array([compiled.quantities.parameters[name] for name in names])
@@ -92,6 +94,28 @@ def test_a_derivative_is_the_slope_of_the_measure(name: str, found: Any) -> None
         size = np.abs(expected * nominal).max()
         off = (one.sides[:, 0] - expected) * nominal
         np.testing.assert_allclose(off / size, 0.0, atol=3e-8)
+
+
+@pytest.mark.parametrize(
+    ("expression", "near"),
+    [
+        ("motor.torque + 1000 N*m*t/(1 s)", ["0.09 s", "0.2 s"]),
+        ("motor.torque - 1000 N*m*t/(1 s)", ["0.25 s", "0.32 s"]),
+        ("-motor.torque - 10 kN*m*t/(1 s)", ["0.09 s", "0.2 s"]),
+        ("-motor.torque + 10 kN*m*t/(1 s)", ["0.25 s", "0.32 s"]),
+    ],
+)
+def test_at_the_jump_of_a_load_an_extreme_moves_as_on_its_side(expression: str, near: list[str]) -> None:
+    """The first two lie where the load doesn't act yet or any more, the others where it does."""
+    sections = {
+        "loads": {"push": {"on": "slider", "at": "E", "force": [500, 0], "window": "acts"}},
+        "windows": {"acts": ["0.1 s", "edge"], "near": near},
+    }
+    names = ["AB", "edge", "m"]
+    (one,), (expected,), nominal = derived({"top": {"max": expression, "window": "near"}}, names, **sections)["top"]
+    assert one.time == pytest.approx(0.1 if near[0] == "0.09 s" else 0.31, abs=1e-9)
+    off = (one.sides[:, 0] - expected) * nominal
+    np.testing.assert_allclose(off / np.abs(expected * nominal).max(), 0.0, atol=3e-8)
 
 
 def test_every_reduction_with_a_rule_is_looked_at() -> None:

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from math import atan2, pi
 from typing import TYPE_CHECKING
 
-from linkwright.elements.follower import Acting, FollowerGeometry
+from linkwright.elements.follower import FollowerGeometry, UnitEffort
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Binary, Call, Name, Node, Number
 from linkwright.notation import Pair, Scalar, Wrench
@@ -167,7 +167,7 @@ def outward(drive: CamFollower, face: Pair) -> Pair:
 
 def contact(
     poses: Poses, drive: CamFollower, rate: Scalar, what: Touch | None = None, pressure: str = "pressure"
-) -> Acting:
+) -> UnitEffort:
     """What 1 N along the common normal, from the cam to the follower, does: from the poses and the derivative of the
     follower's value by the cam's angle (m or 1); ``what`` of it touches, unless that of the drive.
 
@@ -205,7 +205,7 @@ def contact(
     rising = Pair(here.sign * rising.x, here.sign * rising.y)
     reach = normal.dot(rising)
     angle, push = call("arctan2", -forward * normal.cross(rising), reach), Wrench(normal, 0.0, at)
-    return Acting({drive.link: push, drive.cam.cam: push.opposite}, reach, {pressure: angle})
+    return UnitEffort({drive.link: push, drive.cam.cam: push.opposite}, reach, {pressure: angle})
 
 
 def whole(geometry: FollowerGeometry, drive: CamFollower) -> float:

@@ -13,7 +13,6 @@ from linkwright.elements.cam_contact.faults import faults, not_whole
 from linkwright.elements.cam_contact.reading import read
 from linkwright.elements.cam_contact.second import largest, other_side, second
 from linkwright.elements.follower import (
-    Acting,
     Applied,
     Follower,
     FollowerGeometry,
@@ -22,6 +21,7 @@ from linkwright.elements.follower import (
     Path,
     Poses,
     Riding,
+    UnitEffort,
     register_follower,
 )
 from linkwright.expressions import units as u
@@ -94,10 +94,10 @@ class CamFollower(Follower):
 
         return Riding(value, largest(self, motion) if self.derived else 0.0)
 
-    def acting(self, name: str, poses: Poses, ratio: Scalar) -> Acting:
+    def acting(self, name: str, poses: Poses, ratio: Scalar) -> UnitEffort:
         return contacts.contact(poses, self, ratio)
 
-    def second(self, name: str, poses: Poses, ratio: Scalar, total: Scalar) -> Acting | None:
+    def second(self, name: str, poses: Poses, ratio: Scalar, total: Scalar) -> UnitEffort | None:
         if not self.paired:
             return None
         what = second(poses.geometry, self, total)

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from linkwright.elements.force import NOUNS
 from linkwright.exports.followed import duration, followed
 from linkwright.exports.joints import unwritten
 from linkwright.exports.mjcf.masses import written_masses
@@ -117,13 +118,13 @@ def _timestep(compiled: Compiled, options: MjcfOptions) -> tuple[float, list[Fin
 
 def _left_out(compiled: Compiled) -> list[Finding]:
     """Warnings on what acts in the mechanism and isn't written, or isn't as it is."""
-    sections = {"springs": [*compiled.mechanism.springs], "loads": [*compiled.mechanism.loads]}
-    sections["cams"] = [*compiled.mechanism.followers]
-    codes = {"springs": "export.left-out", "loads": "export.left-out", "cams": "export.followers"}
+    acting = [one for one in compiled.mechanism.acting() if one.kind.acts]
+    left = [("export.left-out", section, [one.name for one in acting if one.section == section]) for section in NOUNS]
+    left.append(("export.followers", "cams", [*compiled.mechanism.followers]))
     return [
-        Finding(codes[section], (section,), {"names": ", ".join(entries)}, severity="warning")
-        for section, entries in sections.items()
-        if entries
+        Finding(code, (section,), {"names": ", ".join(names)}, severity="warning")
+        for code, section, names in left
+        if names
     ]
 
 

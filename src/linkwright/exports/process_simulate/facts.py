@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from linkwright.elements.fields import PointName
+from linkwright.elements.points import homes
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Frozen, Name
 from linkwright.expressions.typed_fields import Ref
@@ -20,8 +22,6 @@ from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.kernels.law import Law
 from linkwright.kernels.laws import uniform, values_at
-from linkwright.model.parts import PointName
-from linkwright.model.pins import homes
 from linkwright.model.references import option_faults
 from linkwright.report.data import known
 from linkwright.structure import FRAME
@@ -198,7 +198,7 @@ def hand_force(compiled: Compiled, drive: str, handle: str, t: Array) -> Array |
     times its rate over the handle's speed. ``None`` where no forces are stated or where they depend on the time; NaN
     where the handle stands still."""
     m = compiled.mechanism
-    forces = m.springs or m.loads or (m.gravity is not None and any(map(m.has_mass, m.links)))
+    forces = any(one.kind.acts for one in m.acting()) or (m.gravity is not None and any(map(m.has_mass, m.links)))
     if not forces or compiled.graph.actions.timed or compiled.structure.clusters:
         return None
     entry = m.movers[drive]
@@ -212,11 +212,12 @@ def hand_force(compiled: Compiled, drive: str, handle: str, t: Array) -> Array |
 
 def spring_forces(compiled: Compiled, drive: str, t: Array) -> dict[str, Array]:
     """The tension (N) of each spring between points, at rest; of gas springs the push. ``t`` as for the hand."""
-    springs = {name: s for name, s in compiled.mechanism.springs.items() if not s.torsional}
-    if not springs or compiled.structure.clusters:
+    every = ((one.name, one.kind.pull(one.entry)) for one in compiled.mechanism.acting())
+    pulls = {name: pull for name, pull in every if pull is not None}
+    if not pulls or compiled.structure.clusters:
         return {}
-    rows = resting(compiled, drive).evaluate([f"{name}.force" for name in springs], t)
-    return {n: -row if s.gas is not None else row for (n, s), row in zip(springs.items(), rows, strict=True)}
+    rows = resting(compiled, drive).evaluate([f"{name}.{attribute}" for name, (attribute, _) in pulls.items()], t)
+    return {name: sign * row for (name, (_, sign)), row in zip(pulls.items(), rows, strict=True)}
 
 
 def swept(corners: Array) -> Any:

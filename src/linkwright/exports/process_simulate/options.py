@@ -8,6 +8,7 @@ from typing import Annotated
 
 from pydantic import Field
 
+from linkwright.elements.fields import Interval, freeze
 from linkwright.exports.joints import unfollowed
 from linkwright.exports.process_simulate.dialects import DIALECTS
 from linkwright.exports.process_simulate.facts import Facts, check_facts
@@ -22,7 +23,6 @@ from linkwright.expressions.typed_fields import Context, Quantity, of_drive
 from linkwright.expressions.unknown import unknown
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model.parts import Interval, freeze
 from linkwright.studies.asked import one_of
 from linkwright.studies.limits import WIDEST
 from linkwright.studies.numbers import constant, interval

@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from linkwright.elements.fields import freeze
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Context, Quantity
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import Shortened
 from linkwright.findings import Finding
-from linkwright.model.parts import freeze
 from linkwright.model.quantities import Quantities
 from linkwright.studies.accuracy.allocated import Allocation
 from linkwright.studies.accuracy.allocation import allocate

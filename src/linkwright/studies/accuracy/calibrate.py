@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from linkwright.elements.fields import freeze
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, Text
 from linkwright.expressions.unknown import near
@@ -19,7 +20,6 @@ from linkwright.kernels import Compiled
 from linkwright.kernels.tangents import Tangents
 from linkwright.kernels.varied import Varied
 from linkwright.model.actions import FileBeside
-from linkwright.model.parts import freeze
 from linkwright.notation.angles import whole_turns
 from linkwright.notation.duals import Dual, slope_of, value_of
 from linkwright.results import Run

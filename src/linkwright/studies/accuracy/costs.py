@@ -20,9 +20,9 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BeforeValidator, Discriminator, Field, Tag, WithJsonSchema
 
+from linkwright.elements.fields import Interval
 from linkwright.expressions.fields import Frozen, fault
 from linkwright.expressions.written import plain_number, unexpected
-from linkwright.model.parts import Interval
 from linkwright.notation.registry import Registry
 
 Array = NDArray[np.float64]

@@ -66,7 +66,7 @@ class Derivatives:
             return jumping
         if moves is None and (kink := self.edges.kink(tree, time)) is not None:
             return kink[0]
-        here = self.slopes.at([tree], np.array([time]))
+        here = self.slopes.at([tree], np.array([self.edges.side(tree, time, value)]))
         slope = here.slope[0, :, 0]
         return slope if moves is None else np.asarray(slope + here.rate[0, 0] * moves)
 

@@ -5,11 +5,14 @@ All follow from the implicit function theorem: where s(t, d) = 0 defines t, dt/d
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Node, parse
+from linkwright.results.breaks import zeros
 from linkwright.results.windows import intervals
 from linkwright.studies.accuracy.slopes import Slopes
 
@@ -33,7 +36,7 @@ class Edges:
     def __init__(self, slopes: Slopes) -> None:
         self.slopes, self.run = slopes, slopes.run
         self.length = self.run.stop - self.run.start
-        self._moving: dict[str, list[tuple[float, Array]]] = {}
+        self._moving: dict[str | Node, list[tuple[float, Array]]] = {}
 
     def same(self, a: float, b: float) -> bool:
         """Whether two times are one place."""
@@ -48,16 +51,31 @@ class Edges:
 
     def jump(self, time: float) -> Array | None:
         """The derivative of a time at which a load begins or ends to act, ``None`` where there is none."""
-        windows = self.run.compiled.graph.actions.windows
-        return next((found for name in windows if (found := self._found(name, time)) is not None), None)
+        actions = self.run.compiled.graph.actions
+        every = (self._found(way, time) for way in (*actions.windows, *actions.jumps))
+        return next((found for found in every if found is not None), None)
 
-    def _found(self, window: str, time: float) -> Array | None:
-        if window not in self._moving:
-            self._moving[window] = [
-                (edge, self._slope(window, edge)) for ab in intervals(self.run, window) for edge in ab
-            ]
+    def side(self, tree: Node, time: float, value: float) -> float:
+        """A time, or where a force jumps there the one right beside it at which an expression is nearest to a value."""
+        beside = next((pair for pair in self.run.jumps if pair[0] <= time <= pair[1]), None)
+        if beside is None:
+            return time
+        return float(beside[np.argmin(np.abs(self.run.jets(tree, beside).d[0] - value))])
+
+    def _found(self, way: str | Node, time: float) -> Array | None:
+        """The derivative of a time at which a window ends, or an expression changes its sign."""
+        if way not in self._moving:
+            self._moving[way] = [*self._ends(way)] if isinstance(way, str) else [*self._zeros(way)]
         # The two sides of a jump lie up to 1e-8 of the run beside it.
-        return next((slope for edge, slope in self._moving[window] if abs(edge - time) <= 3e-8 * self.length), None)
+        return next((slope for edge, slope in self._moving[way] if abs(edge - time) <= 3e-8 * self.length), None)
+
+    def _ends(self, window: str) -> Iterator[tuple[float, Array]]:
+        return ((edge, self._slope(window, edge)) for ab in intervals(self.run, window) for edge in ab)
+
+    def _zeros(self, node: Node) -> Iterator[tuple[float, Array]]:
+        times = zeros(self.run, node)
+        here = self.slopes.at([node], times)
+        return zip(times.tolist(), (-here.slope[0] / here.rate[0]).T, strict=True)
 
     def _slope(self, window: str, edge: float) -> Array:
         quantities = self.run.compiled.quantities

@@ -6,12 +6,12 @@ from typing import Annotated
 
 from pydantic import Field
 
+from linkwright.elements.fields import freeze
 from linkwright.expressions.fields import FrozenDict, Text
 from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.expressions.units import TIME
 from linkwright.kernels.registry import KERNELS
-from linkwright.model.parts import freeze
 from linkwright.studies.accuracy.allocate import Allocate
 from linkwright.studies.accuracy.calibrate import Calibrate
 from linkwright.studies.accuracy.stated_options import DeviationOptions

@@ -7,11 +7,11 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Discriminator, Field, FiniteFloat, Tag
 
+from linkwright.elements.fields import Interval, ParameterName, freeze
 from linkwright.expressions.fields import Expression, Frozen, FrozenDict, Name, Text
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.expressions.units import PURE
 from linkwright.expressions.written import Fault, unexpected
-from linkwright.model.parts import Interval, ParameterName, freeze
 from linkwright.model.tolerances import ClassName, DistributionName, Spread
 from linkwright.studies.accuracy.clearance_options import Clearance
 

@@ -8,10 +8,10 @@ from typing import Annotated
 
 from pydantic import Field
 
+from linkwright.elements.fields import Interval
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, FrozenDict
 from linkwright.expressions.typed_fields import Quantity, Scope, Sign
-from linkwright.model.parts import Interval
 from linkwright.studies.cam.figures import along_lift
 from linkwright.studies.cam.lift import along, turning
 

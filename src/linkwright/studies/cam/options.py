@@ -8,13 +8,13 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator, Field, WithJsonSchema
 
 from linkwright.cam.nc.posts import POSTS
+from linkwright.elements.fields import Interval, freeze
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, FrozenDict, Requirement
 from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.typed_fields import Context, Quantity, Ref, Sign
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import Fault, fault
-from linkwright.model.parts import Interval, freeze
 from linkwright.studies.asked import one_of
 from linkwright.studies.cam.figures import every, of_forces
 from linkwright.studies.cam.force_options import CamForces

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import ConfigDict, Field, RootModel
 
+from linkwright.elements.fields import Vector, freeze
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.fields import Name as NameField
@@ -14,7 +15,6 @@ from linkwright.expressions.typed_fields import Context, Quantity, Sign
 from linkwright.expressions.written import Fault
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model.parts import Vector, freeze
 from linkwright.model.walk import Place, sites
 from linkwright.studies.asked import one_of
 from linkwright.studies.numbers import constant

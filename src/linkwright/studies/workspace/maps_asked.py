@@ -7,13 +7,13 @@ from typing import Annotated, Any, ClassVar
 
 from pydantic import Field
 
+from linkwright.elements.fields import freeze
 from linkwright.expressions.fields import Expression, Frozen, FrozenDict, Text
 from linkwright.expressions.typed_fields import Context, Quantity
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.parts import freeze
 from linkwright.studies.numbers import constant, positive
 
 Path = tuple[str | int, ...]

@@ -9,6 +9,7 @@ from typing import Annotated, Protocol
 
 from pydantic import Field
 
+from linkwright.elements.fields import DriveName, Interval, ParameterName, PointName, freeze
 from linkwright.expressions.fields import Expression, Frozen, FrozenDict
 from linkwright.expressions.typed_fields import of_drive, of_parameter
 from linkwright.expressions.units import ANGLE, LENGTH
@@ -17,7 +18,6 @@ from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
 from linkwright.model.followers import no_followers
-from linkwright.model.parts import DriveName, Interval, ParameterName, PointName, freeze
 from linkwright.model.references import option_faults
 from linkwright.structure import FRAME
 from linkwright.studies.asked import one_of

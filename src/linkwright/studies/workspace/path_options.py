@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ConfigDict, Field, RootModel
 
+from linkwright.elements.fields import DriveName, Vector, freeze
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, Text
 from linkwright.expressions.fields import Name as NameField
@@ -20,7 +21,6 @@ from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.laws import DEGREES
 from linkwright.model.actions import FileBeside
-from linkwright.model.parts import DriveName, Vector, freeze
 from linkwright.studies import numbers
 from linkwright.studies.asked import one_of
 from linkwright.studies.numbers import constant

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from pydantic import BeforeValidator, Discriminator, Field, Tag
 
+from linkwright.elements.fields import DriveName, freeze
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, FrozenDict, Two, pair
 from linkwright.expressions.typed_fields import Quantity, of_drive
@@ -14,7 +15,6 @@ from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.parts import DriveName, freeze
 from linkwright.studies.numbers import constant
 from linkwright.studies.workspace.maps_asked import MapsAsked, limit
 from linkwright.studies.workspace.quality import Task, kinds, possible

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import Field
 
+from linkwright.elements.fields import DriveName
 from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Context, of_drive
 from linkwright.expressions.units import ANGLE, LENGTH
@@ -14,7 +15,6 @@ from linkwright.expressions.written import Fault
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.parts import DriveName
 from linkwright.studies.numbers import constant
 from linkwright.studies.workspace.path_options import positive
 

@@ -1,0 +1,56 @@
+"""Counterweights: masses added to links."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Annotated, Any, ClassVar
+
+from pydantic import Field
+
+from linkwright.elements.entries import ForceEntry
+from linkwright.elements.fields import INERTIA, At
+from linkwright.elements.force import ForceKind, Weight, register
+from linkwright.elements.points import FRAME
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, Name
+from linkwright.expressions.typed_fields import Path, Quantity, Ref, Sign
+from linkwright.expressions.units import Dimension
+from linkwright.findings import Finding, Term
+
+
+class Counterweight(ForceEntry):
+    """A mass added to a link, with or without mass of its own."""
+
+    kind: ClassVar[str] = "counterweight"
+
+    on: Annotated[Name, Ref("link")] = Field(description="the link that carries it")
+    mass: Annotated[Expression, Quantity(u.MASS, Sign.POSITIVE, "mass")] = Field(description="its mass")
+    at: Annotated[At, Ref("point", of="on")] = Field(
+        description="where its centre of mass is: a point of the link, [x, y] or 'r at angle' in its frame"
+    )
+    inertia: Annotated[Expression | None, INERTIA] = Field(
+        None, description="moment of inertia about its own centre of mass; none unless given"
+    )
+
+
+@register
+class Counterweights(ForceKind[Counterweight]):
+    """Masses added to links. Gravity and inertia act on a link with all that it carries."""
+
+    name = "counterweight"
+    section = "counterweights"
+    entry = Counterweight
+    usual = True
+    acts = False
+
+    def faults(self, mechanism: Any, path: Path, entry: Counterweight) -> Iterator[Finding]:
+        if entry.on == FRAME:
+            yield Finding("model.frame-mass", path)
+
+    def weighs(self, entry: Counterweight) -> Weight:
+        return Weight(entry.on, entry.mass, entry.at, entry.inertia)
+
+    def sentence(
+        self, name: str, entry: Counterweight, effort: float, shown: Callable[[float, Dimension], str]
+    ) -> Term:
+        return Term("weight-on", name=name, link=entry.on)
