@@ -17,6 +17,7 @@ from linkwright.elements import FORCES, ForceKind
 from linkwright.elements.entries import ENTRIES
 from linkwright.elements.force import NOUNS, Acting
 from linkwright.elements.force import register as register_force
+from linkwright.graph.rows import effort
 from linkwright.graph.view import View
 from linkwright.kernels import Compiled
 from linkwright.model.document import Document, plain
@@ -183,7 +184,7 @@ def test_its_signals_are_those_that_it_names(name: str, which: int) -> None:
     told = [*one.kind.reported(one.entry), one.kind.effort(one.entry), one.kind.distance(one.entry)]
     assert {*filter(None, told)} <= signals.keys()
     if one.kind.acts:
-        assert np.isfinite(compiled.evaluate([one.row], T)).all()
+        assert np.isfinite(compiled.evaluate([effort(one)], T)).all()
 
 
 @pytest.mark.parametrize(("name", "which"), EVERY)

@@ -10,9 +10,8 @@ from typing import Any
 import pytest
 
 from linkwright.compilation import examine
-from linkwright.elements import FORCES, spring
+from linkwright.elements import FORCES, drive, spring
 from linkwright.elements.cam_contact import entry as cams
-from linkwright.elements.drive import Drive
 from linkwright.expressions.language import FUNCTIONS
 from linkwright.expressions.units import unit_words
 from linkwright.model import actions, motions, parts, signals
@@ -23,7 +22,7 @@ from model.given import four_bar
 PAGE = (Path(__file__).parents[2] / "docs" / "file-format.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"^```yaml\n(.*?)^```", PAGE, re.M | re.S)
 CLASSES = [
-    parts.Units, parts.Parameter, parts.Link, parts.Joint, parts.Drive, actions.Table, actions.Measure,
+    parts.Units, parts.Parameter, parts.Link, parts.Joint, drive.Drive, actions.Table, actions.Measure,
     motions.MotionLaw, motions.Segment, cams.Cam,
     *(kind.entry for kind in FORCES.values()),
 ]  # fmt: skip
@@ -71,7 +70,7 @@ def test_every_function_is_listed() -> None:
 
 def test_every_signal_is_listed() -> None:
     pressures = {"pressure": None, "pressure_second": None}
-    motor, servo = Drive(turns="a", on="b", position="t"), Drive(slides="a", on="b", position="t")
+    motor, servo = drive.Drive(turns="a", on="b", position="t"), drive.Drive(slides="a", on="b", position="t")
     tables = [signals.POINT, signals.LINK, signals.SLIDE, signals.SLIDE_FORCE, motor.signals, servo.signals]
     tables += [pressures, signals.SHAKING, signals.ENERGY, spring.SIGNALS]
     tables += [spring.TORSION_SIGNALS, {"elastic": None}]
