@@ -16,9 +16,9 @@ import numpy as np
 import pytest
 
 from elements.kinds_outside import CASES, GEARS, WAVES, Case, structure, studied
-from elements.test_outside import HERE, table
 from helpers.expected import expected_angles, expected_forces, expected_motion
 from helpers.newton_euler import Array, Oracle, State
+from helpers.outside import KINDS, table
 from helpers.plain import UNITS
 from linkwright.exports import TARGETS
 from linkwright.kernels import KERNELS
@@ -59,7 +59,7 @@ def started(folder: Path, lines: list[tuple[str, ...]]) -> subprocess.Popen[str]
     (info / "entry_points.txt").write_text(points, encoding="utf-8")
     path = [str(folder), *filter(None, [os.environ.get("PYTHONPATH")])]
     process = subprocess.Popen(
-        [sys.executable, str(HERE.parent / "commands.py")],
+        [sys.executable, str(KINDS.parent / "commands.py")],
         cwd=folder,
         env={**os.environ, "PYTHONPATH": os.pathsep.join(path), "PYTHONDONTWRITEBYTECODE": "1"},
         stdin=subprocess.PIPE,
@@ -78,7 +78,7 @@ def every(tmp_path_factory: pytest.TempPathFactory) -> tuple[Done, Done, Done]:
     """The kinds as they are, with a sign turned over, and in sweeps, side by side."""
     right, wrong, swept = (tmp_path_factory.mktemp(name) for name in ("right", "wrong", "swept"))
     for name, swaps in WRONG.items():
-        text = (HERE / f"{name}.py").read_text(encoding="utf-8")
+        text = (KINDS / f"{name}.py").read_text(encoding="utf-8")
         for folder in (right, swept):
             (folder / f"{name}.py").write_text(text, encoding="utf-8")
         for sound, turned in swaps.items():

@@ -1,12 +1,14 @@
-"""Packages beside linkwright: a process of its own that knows of the kinds in ``elements/outside`` by entry points."""
+"""Packages beside linkwright: processes of their own that know of the kinds in ``elements/outside`` by entry points."""
 
 from __future__ import annotations
 
 import csv
 import io
+import json
 import os
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -15,18 +17,23 @@ import numpy as np
 KINDS = Path(__file__).parents[1] / "elements" / "outside"
 
 
-def python(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    """Python in a folder, with the package's entry points."""
+def path(folder: Path) -> list[str]:
+    """Where Python looks in a folder for kinds: first there, which makes the package's entry points known too."""
     info = folder / "outside-1.0.dist-info"
     info.mkdir(exist_ok=True)
     (info / "METADATA").write_text("Metadata-Version: 2.1\nName: outside\nVersion: 1.0\n", encoding="utf-8")
-    points = "".join(f"{path.stem} = {path.stem}\n" for path in sorted(KINDS.glob("*.py")))
+    points = "".join(f"{kind.stem} = {kind.stem}\n" for kind in sorted(KINDS.glob("*.py")))
     (info / "entry_points.txt").write_text(f"[linkwright.elements]\n{points}", encoding="utf-8")
-    path = [str(folder), str(KINDS), *filter(None, [os.environ.get("PYTHONPATH")])]
+    return [str(folder), str(KINDS)]
+
+
+def python(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
+    """Python in a folder, with the package's entry points."""
+    places = [*path(folder), *filter(None, [os.environ.get("PYTHONPATH")])]
     return subprocess.run(
         [sys.executable, *words],
         cwd=folder,
-        env={**os.environ, "PYTHONPATH": os.pathsep.join(path), "PYTHONDONTWRITEBYTECODE": "1"},
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(places), "PYTHONDONTWRITEBYTECODE": "1"},
         capture_output=True,
         text=True,
         encoding="utf-8",
@@ -35,8 +42,24 @@ def python(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
 
 
 def linkwright(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    """The command line."""
-    return python(folder, "-m", "linkwright", *words)
+    """The command line: a process forked off one that has started already, which takes longest."""
+    if not hasattr(os, "fork"):
+        return python(folder, "-m", "linkwright", *words)
+    server = _server()
+    assert server.stdin is not None
+    assert server.stdout is not None
+    server.stdin.write(json.dumps({"folder": str(folder), "path": path(folder), "words": words}) + "\n")
+    server.stdin.flush()
+    code, out, err = json.loads(server.stdout.readline())
+    return subprocess.CompletedProcess(list(words), code, out, err)
+
+
+@cache
+def _server() -> subprocess.Popen[str]:
+    pipe = subprocess.PIPE
+    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "OPENBLAS_NUM_THREADS": "1"}  # threads outlive no fork
+    command = [sys.executable, str(Path(__file__).with_name("forked_commands.py"))]
+    return subprocess.Popen(command, env=environment, stdin=pipe, stdout=pipe, text=True, encoding="utf-8")
 
 
 def planted(folder: Path, kind: str, *changes: tuple[str, str]) -> None:

@@ -12,11 +12,11 @@ import pytest
 from linkwright.compilation import examine
 from linkwright.elements import FORCES, spring
 from linkwright.elements.cam_contact import entry as cams
+from linkwright.elements.drive import Drive
 from linkwright.expressions.language import FUNCTIONS
 from linkwright.expressions.units import unit_words
 from linkwright.model import actions, motions, parts, signals
 from linkwright.model.document import Document
-from linkwright.model.parts import Drive
 from linkwright.model.yaml_text import read_text
 from model.given import four_bar
 

@@ -10,15 +10,13 @@ A kind is one registered class; an object of it is one joint of a mechanism, as 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Protocol
 
-import numpy as np
-
 from linkwright.elements.entries import ENTRIES, JointEntry
-from linkwright.elements.joint import Array, JointGeometry, JointReports
-from linkwright.elements.mover import TRAVEL, TURN
+from linkwright.elements.joint import Applied, JointGeometry
+from linkwright.elements.mover import TRAVEL, TURN, MoverReports
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Call, Node
 from linkwright.expressions.units import Dimension
@@ -31,8 +29,6 @@ from linkwright.words import add
 Path = tuple[str | int, ...]
 Motions = Mapping[str, Any]
 """The motion laws by name: of each ``given(parameters)`` is the :class:`~linkwright.laws.Motion` at some parameters."""
-Applied = tuple[str, Array, Array, Array | float]
-"""A force (2, times) on a link at a place (2, times), with a moment (times,): (link, force, place, moment)."""
 Value = Callable[[Any, Jet], Jet]
 """A follower's value (rad or m) with its rates, from the dimensions at some parameters and its motor's value."""
 
@@ -70,16 +66,8 @@ class Poses(Protocol):
         """What 1 N m or 1 N of a drive or follower would do at its own joint, by link."""
 
 
-class FollowerReports(JointReports, Protocol):
+class FollowerReports(MoverReports, Protocol):
     """What a run reports."""
-
-    @property
-    def count(self) -> int:
-        """The number of times."""
-
-    @property
-    def rows(self) -> Mapping[Any, Array]:
-        """The reported signals by their texts: those of all drives and followers among them."""
 
     @property
     def motions(self) -> Motions:
@@ -245,24 +233,3 @@ def register_follower(cls: type[Follower]) -> type[Follower]:
     for language, texts in cls.words.items():
         add(language, texts)
     return cls
-
-
-def at_rest(times: int) -> Array:
-    """No force, and no place: (2, times)."""
-    return np.zeros((2, times))
-
-
-__all__: Sequence[str] = [
-    "FOLLOWERS",
-    "Applied",
-    "Follower",
-    "FollowerGeometry",
-    "FollowerReports",
-    "Motions",
-    "Path",
-    "Poses",
-    "Riding",
-    "UnitEffort",
-    "at_rest",
-    "register_follower",
-]  # fmt: skip

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.elements.entries import ENTRIES, ForceEntry
-from linkwright.elements.joint import JointGeometry
+from linkwright.elements.joint import Applied, JointGeometry
 from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.fields import Expression, Position, Two
 from linkwright.expressions.language import Node
@@ -27,8 +27,6 @@ from linkwright.notation.registry import Registry
 from linkwright.words import add
 
 Array = NDArray[np.float64]
-Applied = tuple[str, Array, Array, Array | float]
-"""A force (2, times) on a link at a place (2, times), with a moment (times,): (link, force, place, moment)."""
 E = TypeVar("E", bound=ForceEntry)
 
 NOUNS = {"loads": "load", "springs": "spring", "counterweights": "counterweight"}

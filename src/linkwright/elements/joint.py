@@ -26,6 +26,8 @@ from linkwright.words import add
 
 Array = NDArray[np.float64]
 RowUnit = Literal["length", "angle"]
+Applied = tuple[str, Array, Array, Array | float]
+"""A force (2, times) on a link at a place (2, times), with a moment (times,): (link, force, place, moment)."""
 
 
 @dataclass(frozen=True)
@@ -311,7 +313,7 @@ class JointKind(ABC):
         """The constraints on velocities, each a sum that vanishes."""
 
     @abstractmethod
-    def applied(self, reports: JointReports, contact: Contact) -> tuple[str, Array, Array, Array | float]:
+    def applied(self, reports: JointReports, contact: Contact) -> Applied:
         """What a reported reaction does: (link, force on it in N, place, moment)."""
 
 

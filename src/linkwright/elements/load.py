@@ -13,7 +13,8 @@ from pydantic import Discriminator, Field, Tag
 
 from linkwright.elements.entries import ForceEntry
 from linkwright.elements.fields import At, Vector
-from linkwright.elements.force import Applied, ForceContext, ForceKind, ForceReports, Use, register
+from linkwright.elements.force import ForceContext, ForceKind, ForceReports, Use, register
+from linkwright.elements.joint import Applied
 from linkwright.elements.points import FRAME
 from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.fields import Expression, Name

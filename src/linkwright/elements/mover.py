@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Protocol
+from typing import Any, Protocol
 
+from linkwright.elements.joint import Applied, Array, JointReports
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
 
@@ -12,6 +13,21 @@ TURN = {"angle": u.ANGLE, "omega": u.OMEGA, "alpha": u.ALPHA, "jerk": u.ANGULAR_
 """An angle and its rates, as signals are called."""
 TRAVEL = {"s": u.LENGTH, "v": u.SPEED, "a": u.ACCELERATION, "j": u.JERK}
 """A length and its rates."""
+
+
+class MoverReports(JointReports, Protocol):
+    """What a run reports."""
+
+    @property
+    def count(self) -> int:
+        """The number of times."""
+
+    @property
+    def rows(self) -> Mapping[Any, Array]:
+        """The reported signals by their texts: those of all drives and followers among them."""
+
+    def joint_of(self, mover: str) -> str:
+        """The joint at which a drive or follower moves its link."""
 
 
 class Mover(Protocol):
@@ -48,3 +64,6 @@ class Mover(Protocol):
     @property
     def signals(self) -> Mapping[str, Dimension]:
         """The attributes of ``NAME.`` with their dimensions (SI)."""
+
+    def applied(self, reports: Any, name: str) -> list[Applied]:
+        """What the reported effort does to the links: its proof, which asks none of the other methods."""

@@ -15,7 +15,6 @@ from pydantic import Field
 from linkwright.elements.entries import ForceEntry
 from linkwright.elements.fields import PART_LENGTH, Interval, TwoLinks
 from linkwright.elements.force import (
-    Applied,
     Array,
     Asked,
     Between,
@@ -28,6 +27,7 @@ from linkwright.elements.force import (
     Use,
     register,
 )
+from linkwright.elements.joint import Applied
 from linkwright.elements.points import homes
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name

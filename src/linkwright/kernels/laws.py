@@ -73,14 +73,12 @@ class _Reader:
     def law(self, name: str) -> Law | None:
         """A drive's law, tried at t = 0."""
         drive = self.quantities.mechanism.drives[name]
-        turning = self.quantities.mechanism.prescribed(name).turns
-        dimension, rate = (u.ANGLE, u.OMEGA) if turning else (u.LENGTH, u.SPEED)
+        dimension = self.quantities.drive_dimension(name)
+        turning = dimension == u.ANGLE
         if drive.position is None:
             if drive.start is None or drive.speed is None:
                 return None  # a fault that is told already
-            change = u.ALPHA if turning else u.ACCELERATION
-            given = [(drive.start, dimension), (drive.speed, rate), (drive.acceleration, change)]
-            return self._constant([self.quantities.bind(e, of) for e, of in given if e is not None])
+            return self._constant([self.quantities.bind(part, of) for part, of in drive.uniform(turning)])
         path = ("drives", name, "position")
         node = self.quantities.bind(drive.position, dimension)
         for part in nodes(node):

@@ -20,6 +20,8 @@ from pydantic_core import CoreSchema, InitErrorDetails, core_schema
 
 from linkwright.elements.cam_contact.entry import Cam
 from linkwright.elements.counterweight import Counterweight
+from linkwright.elements.cylinder import Cylinder
+from linkwright.elements.drive import Drive
 from linkwright.elements.entries import ENTRIES, entry_for, load_plugins
 from linkwright.elements.fields import freeze
 from linkwright.elements.follower import Follower
@@ -46,7 +48,7 @@ from linkwright.expressions.written import FaultWithin, unexpected
 from linkwright.model.actions import BOUND, REDUCTIONS, Measure, Table, Window
 from linkwright.model.gravity import Gravity
 from linkwright.model.motions import MotionLaw
-from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter, Plane, Units
+from linkwright.model.parts import Joint, Link, Parameter, Plane, Units
 
 __all__ = [
     "FRAME",

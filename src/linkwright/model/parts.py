@@ -1,14 +1,12 @@
-"""The bodies of a model as its file states them: units, parameters, links, joints and their drives."""
+"""The bodies of a model as its file states them: units, parameters, links, pins and slides."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from functools import partial
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import (
     BeforeValidator,
-    ConfigDict,
     Field,
     GetJsonSchemaHandler,
     PlainSerializer,
@@ -17,16 +15,12 @@ from pydantic_core import CoreSchema
 
 from linkwright.elements.fields import (
     INERTIA,
-    PART_LENGTH,
     Interval,
-    LinkName,
-    PointName,
     TwoLines,
     TwoLinks,
     TwoPoints,
     freeze,
 )
-from linkwright.elements.mover import TRAVEL, TURN
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import (
     Expression,
@@ -38,7 +32,7 @@ from linkwright.expressions.fields import (
     Text,
     Two,
 )
-from linkwright.expressions.typed_fields import ELSEWHERE, Ends, Quantity, Ref, Scope, Sign, of_drive, of_parameter
+from linkwright.expressions.typed_fields import Ends, Quantity, Ref, Sign, of_parameter
 from linkwright.expressions.written import Fault, FaultWithin, Shortened, plain_number, unexpected
 from linkwright.model.tolerances import Tolerance
 
@@ -233,107 +227,3 @@ class Joint(Frozen):
         pair = self.prismatic or self.revolute
         assert pair is not None
         return pair
-
-
-class CylinderPart(Frozen):
-    """The mass of a cylinder's barrel or rod."""
-
-    # Its numbers are those of the link that it becomes, and looked at there.
-
-    mass: Expression = Field(description="mass")
-    com: Expression = Field(description="distance of the centre of mass from the part's own pin, towards the other")
-    inertia: Expression | None = Field(
-        None, description="moment of inertia about the centre of mass; that of a slender uniform rod where left out"
-    )
-
-
-class Cylinder(Frozen):
-    """A cylinder or linear actuator between two points: barrel, rod and their slide, whose value is the distance."""
-
-    from_: PointName = Field(alias="from", description="the point at which the barrel is pinned")
-    to: PointName = Field(description="the point at which the rod is pinned")
-    length: Annotated[Interval | None, PART_LENGTH] = Field(
-        None, description="[shortest, longest] distance of the two pins; a run beyond is a finding"
-    )
-    barrel: Annotated[CylinderPart | None, ELSEWHERE] = Field(
-        None, description="mass of the barrel; massless where left out"
-    )
-    rod: Annotated[CylinderPart | None, ELSEWHERE] = Field(None, description="mass of the rod; massless where left out")
-
-
-_driven = partial(of_drive, drive=lambda c: c.name)
-
-
-class Drive(Frozen):
-    """A prescribed relative motion of two joined links: of ``turns``/``slides`` against ``on``, or of a slide."""
-
-    # Said for editors here, by `faults` to the reader: either on which link, or what is extended.
-    model_config = ConfigDict(json_schema_extra={"anyOf": [{"required": ["on"]}, {"required": ["extends"]}]})
-
-    turns: LinkName | None = Field(None, description="the link that is turned, about the pin that it shares with on")
-    slides: LinkName | None = Field(None, description="the link that is moved along the line that it shares with on")
-    extends: Annotated[Name | None, Ref("extended")] = Field(
-        None, description="the cylinder or prismatic joint whose value the drive prescribes"
-    )
-    on_: LinkName | None = Field(
-        None, alias="on", description="the link against which the motion is measured, e.g. frame; not with extends"
-    )
-    speed: Annotated[Expression | None, _driven(u.OMEGA, u.SPEED)] = Field(
-        None, description="constant speed, e.g. 60 rpm, or with acceleration the speed at t = 0; with start"
-    )
-    start: Annotated[Expression | None, _driven(u.ANGLE, u.LENGTH)] = Field(
-        None, description="value at t = 0; with speed. In a model with a sketch, as drawn where left out"
-    )
-    acceleration: Annotated[Expression | None, _driven(u.ALPHA, u.ACCELERATION)] = Field(
-        None, description="constant acceleration; speed is then that at t = 0"
-    )
-    position: Annotated[Expression | None, _driven(u.ANGLE, u.LENGTH, scope=Scope.TIME)] = Field(
-        None, description="value as an expression in t, e.g. 20 deg*sin(180 deg*t/(1 s)); may call tables"
-    )
-    output: Annotated[Name | None, Ref("output")] = Field(
-        None,
-        description="the prismatic joint, or the link hinged on the frame, that is to follow the law; "
-        "the drive's own motion and effort follow from it",
-    )
-
-    @classmethod
-    def faults(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
-        kinds = [key for key in ("turns", "slides", "extends") if key in given]
-        if len(kinds) != 1:
-            yield "drive.kind", {}
-        elif ("on" in given) == ("extends" in given):
-            yield "drive.on", {}
-        if ("speed" in given) == ("position" in given):
-            yield "drive.law", {}
-        elif "start" in given and "speed" not in given:
-            yield "drive.start", {}
-        if "acceleration" in given and "speed" not in given:
-            yield "drive.acceleration", {}
-
-    @property
-    def on(self) -> str:
-        """The link against which the motion is measured."""
-        return self.on_ or ""
-
-    @property
-    def link(self) -> str:
-        """The link that is moved."""
-        name = self.turns or self.slides
-        assert name is not None
-        return name
-
-    @property
-    def effort(self) -> str:
-        """The signal of what it exerts: ``torque`` or ``force``."""
-        return "torque" if self.turns else "force"
-
-    @property
-    def rate(self) -> str:
-        """The signal of its speed: ``omega`` or ``v``."""
-        return "omega" if self.turns else "v"
-
-    @property
-    def signals(self) -> Mapping[str, u.Dimension]:
-        """Its signals: the value with its rates, what it exerts, its power."""
-        value, effort = (TURN, u.TORQUE) if self.turns else (TRAVEL, u.FORCE)
-        return {**value, self.effort: effort, "power": u.POWER}

@@ -11,14 +11,15 @@ import re
 from collections.abc import Callable, Iterator
 from itertools import chain
 
+from linkwright.elements.cylinder import Cylinder, links_of
+from linkwright.elements.drive import Drive
 from linkwright.elements.points import homes
 from linkwright.expressions.fields import AssemblyRule, Expression, Position
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import RESERVED, FrozenDict
 from linkwright.findings import Finding
-from linkwright.model.cylinders import links_of
 from linkwright.model.mechanism import FRAME, Mechanism
-from linkwright.model.parts import Cylinder, Drive, Joint, Link, Parameter
+from linkwright.model.parts import Joint, Link, Parameter
 from linkwright.model.pins import shared_pins
 
 WORD = re.compile(r"\bsketch\b")

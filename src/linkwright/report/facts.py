@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.elements import JointKind
+from linkwright.elements.cylinder import end_of, links_of
 from linkwright.elements.force import NOUNS
 from linkwright.expressions import units as u
 from linkwright.kernels import Compiled
 from linkwright.kernels.motions import rate_unit
 from linkwright.laws.curve import ROUND_OFF
-from linkwright.model.cylinders import end_of, links_of
 from linkwright.model.plane import LinkagePlane
 from linkwright.notation import MAX_ORDER
 from linkwright.report import understood

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.force import Applied, Misfit
+from linkwright.elements.force import Misfit
+from linkwright.elements.joint import Applied
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import parse
@@ -189,20 +190,13 @@ class Reports:
         force = np.array([self.rows[self.force_name(contact, axis)] for axis in "xy"])
         return force, self.rows.get(self.force_name(contact, "moment"), 0.0)
 
+    def joint_of(self, mover: str) -> str:
+        """The joint at which a drive or follower moves its link."""
+        return self.topology.acting(mover)[0].joint
+
     def efforts(self) -> list[Applied]:
         """What drives do to both their links, and followers to theirs."""
-        found: list[Applied] = []
-        for name, drive in self.mechanism.drives.items():
-            if drive.turns:
-                torque, nowhere = self.rows[f"{name}.torque"], np.zeros((2, self.count))
-                found += [(drive.link, nowhere, nowhere, torque), (drive.on, nowhere, nowhere, -torque)]
-            else:
-                place, along = self.line(self.topology.acting(name)[0].joint, drive.on)
-                force = self.rows[f"{name}.force"] * along
-                found += [(drive.link, force, place, 0.0), (drive.on, -force, place, 0.0)]
-        for name, follower in self.mechanism.followers.items():
-            found += follower.applied(self, name)
-        return found
+        return [one for name, mover in self.mechanism.movers.items() for one in mover.applied(self, name)]
 
     # Power.
 

@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from linkwright.elements.cylinder import links_of
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
-from linkwright.model.cylinders import links_of
 from linkwright.structure import FRAME
 from linkwright.structure.loops import Loop, loops_of_four
 from linkwright.studies.feasible import TOUCH

@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.elements.cylinder import links_of
 from linkwright.expressions import units as u
 from linkwright.findings import Finding
 from linkwright.graph.rows import Determinant, Reach
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
-from linkwright.model.cylinders import links_of
 from linkwright.results import Run
 from linkwright.results.stationary import crossings
 from linkwright.structure import Cluster, Group

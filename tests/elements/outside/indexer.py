@@ -14,7 +14,8 @@ import numpy as np
 from pydantic import BeforeValidator, Field
 
 from linkwright.elements.entries import JointEntry
-from linkwright.elements.follower import Applied, Follower, Riding, register_follower
+from linkwright.elements.follower import Follower, Riding, register_follower
+from linkwright.elements.joint import Applied
 from linkwright.expressions.fields import Name
 from linkwright.expressions.language import Call
 from linkwright.expressions.language import Name as Signal

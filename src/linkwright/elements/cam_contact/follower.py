@@ -13,7 +13,6 @@ from linkwright.elements.cam_contact.faults import faults, not_whole
 from linkwright.elements.cam_contact.reading import read
 from linkwright.elements.cam_contact.second import largest, other_side, second
 from linkwright.elements.follower import (
-    Applied,
     Follower,
     FollowerGeometry,
     FollowerReports,
@@ -24,6 +23,7 @@ from linkwright.elements.follower import (
     UnitEffort,
     register_follower,
 )
+from linkwright.elements.joint import Applied
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Call, Node
 from linkwright.expressions.units import Dimension

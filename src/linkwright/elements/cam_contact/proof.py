@@ -13,7 +13,8 @@ from linkwright.expressions.fields import LineOn
 
 if TYPE_CHECKING:
     from linkwright.elements.cam_contact.follower import CamFollower
-    from linkwright.elements.follower import Applied, FollowerReports
+    from linkwright.elements.follower import FollowerReports
+    from linkwright.elements.joint import Applied
 
 Array = NDArray[np.float64]
 

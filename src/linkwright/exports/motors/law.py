@@ -22,13 +22,10 @@ def law_of(compiled: Compiled, drive: str) -> Node | None:
     entry = compiled.mechanism.drives[drive]
     if entry.position is not None:
         return quantities.bind(entry.position, dimension)
-    rate, change = (u.OMEGA, u.ALPHA) if dimension == u.ANGLE else (u.SPEED, u.ACCELERATION)
-    given = [(entry.start, dimension, 1.0), (entry.speed, rate, 1.0), (entry.acceleration, change, 0.5)]
     total: Node = Number(0.0)
-    for power, (expression, of, factor) in enumerate(given):
-        if expression is not None:
-            time = Binary("*", Number(factor), Binary("^", Name("t"), Number(float(power))))
-            total = Binary("+", total, Binary("*", quantities.bind(expression, of), time))
+    for power, (expression, of) in enumerate(entry.uniform(dimension == u.ANGLE)):
+        time = Binary("*", Number((1.0, 1.0, 0.5)[power]), Binary("^", Name("t"), Number(float(power))))
+        total = Binary("+", total, Binary("*", quantities.bind(expression, of), time))
     return total
 
 
