@@ -160,12 +160,12 @@ def given(contract: str) -> set[str]:
     return {name for name in names if NAME.fullmatch(name)}
 
 
-WITH_CLASSES = [name for name in CONTRACTS if classes(name)]
+WITH_CLASSES = [name for name in CONTRACTS if name != "Text on its way out"]
 
 
 def test_there_are_contracts_for_all_that_was_promised() -> None:
-    assert {*WITH_CLASSES} == {*CONTRACTS} - {"Text on its way out"}
     assert len(CONTRACTS) >= 15
+    assert [name for name in WITH_CLASSES if not classes(name)] == []
 
 
 @pytest.mark.parametrize("contract", CONTRACTS)
