@@ -15,7 +15,7 @@ from helpers.examples import feeder, four_bar, heavy_four_bar
 from helpers.kernels import every, examples
 from helpers.random_mechanisms import DURATION, mechanisms
 from linkwright.compilation import compile_mechanism
-from linkwright.graph.rows import Determinant, LoadRow, Named, Reach, WindowRow
+from linkwright.graph.rows import Determinant, Named, Reach, Strength, WindowRow
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.numpy_blocks import BLOCK
 from linkwright.kernels.registry import register
@@ -55,7 +55,7 @@ def test_kernel_agrees_with_casadi_on_loads_and_springs(kernel: str) -> None:
     """Windows, tables, whole turns, functions: to 1e-12 of the row's size or of 1."""
     compiled = compile_mechanism(load(Path(__file__).parents[1] / "model" / "data" / "sprung.yaml"))
     t = np.linspace(0.003, 0.79, 40)
-    rows = [*map(WindowRow, compiled.graph.actions.windows), *map(LoadRow, "abc")]
+    rows = [*map(WindowRow, compiled.graph.actions.windows), *map(Strength, "abc")]
     program = compiled.graph.program([*all_names(compiled), *rows], rates=True)
     x, p = compiled.inputs(t), compiled.parameters
     found = KERNELS[kernel](program).run(x, p)
