@@ -31,7 +31,9 @@ def fuzz(*words: object) -> subprocess.CompletedProcess[str]:
 
 
 @posix
-@pytest.mark.parametrize("seed", [0, 200, 400])
+@pytest.mark.parametrize(
+    "seed", [0, pytest.param(200, marks=pytest.mark.long), pytest.param(400, marks=pytest.mark.long)]
+)
 def test_a_share_of_the_cases(seed: int) -> None:
     done = fuzz("--seed", seed, "--count", 200, "--jobs", 1)
     assert done.returncode == 0, done.stdout + done.stderr

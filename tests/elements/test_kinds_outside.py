@@ -31,6 +31,8 @@ WRONG = {
     },
 }
 """Signs turned over in the kinds' closures."""
+FEW = ("wave alone in a loop", "gears alone in a loop", "gears several drives")
+"""Mechanisms that stand for all of them where the answer doesn't depend on the place."""
 SWEPT = ("wave in a dyad's place", "gears on a link of a dyad")
 CLEARANCE = 0.02
 
@@ -94,7 +96,7 @@ def every(tmp_path_factory: pytest.TempPathFactory) -> tuple[Done, Done, Done]:
         (wrong / file(name)).write_text(json.dumps(studied(case)), encoding="utf-8")
         lines += [("run", file(name), "--out", file(name) + "_run")]
         lines += [(word, file(name)) for word in ("check", "modes", "limits")]
-        lines += [("export", file(name), "--to", target) for target in TARGETS]
+        lines += [("export", file(name), "--to", target) for target in TARGETS if name in FEW]
     sweeps: list[tuple[str, ...]] = []
     for name in SWEPT:
         data = studied(CASES[name])
@@ -112,7 +114,7 @@ def every(tmp_path_factory: pytest.TempPathFactory) -> tuple[Done, Done, Done]:
     played = studied(GEARS["alone in a loop"], accuracy={"outputs": ["Q.x"], "clearances": {"mesh": CLEARANCE}})
     (right / "played.yaml").write_text(json.dumps(played), encoding="utf-8")
     lines.append(("check", "played.yaml"))
-    runs: list[tuple[str, ...]] = [("run", file(name), "--out", file(name) + "_run") for name in CASES]
+    runs: list[tuple[str, ...]] = [("run", file(name), "--out", file(name) + "_run") for name in FEW]
     made = []
     all_lines = (right, lines), (wrong, runs), (swept, sweeps)
     for folder, of, process in [(folder, of, started(folder, of)) for folder, of in all_lines]:
@@ -210,7 +212,7 @@ def own_reactions(own: Mapping[str, Array], link: str, case: Case) -> list[tuple
     return found[:2]
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", FEW)
 def test_a_wrong_sign_fails_the_certificate(name: str, every: tuple[Done, Done, Done]) -> None:
     code, out, err = every[1]["run", file(name), "--out", file(name) + "_run"]
     assert code == 1, out
@@ -261,7 +263,7 @@ def test_modes_and_limits_are_answered(name: str, done: Done) -> None:
         assert ("Assembly modes found" if word == "modes" else "Ranges") in out
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", FEW)
 @pytest.mark.parametrize("target", TARGETS)
 def test_exports_answer_or_refuse_by_name(name: str, target: str, done: Done) -> None:
     code, _, err = done["export", file(name), "--to", target]

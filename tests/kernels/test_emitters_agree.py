@@ -31,6 +31,9 @@ FOLDER = Path(__file__).parents[2] / "examples"
 STRUCTURES = ("bracket",)
 """Examples without a motion."""
 EXAMPLES = [p for p in sorted(FOLDER.glob("*.yaml")) if not p.stem.endswith(REPEATS) and p.stem not in STRUCTURES]
+COMPILED = [kernel for kernel in every() if kernel.values != ("numpy",)]
+CHOSEN = ("cam_linkage", "class_four", "conjugate_cam", "jansen_leg", "sauer_platform", "scotch_yoke", "tailgate")
+"""Examples whose programs have all that those of the others have: compiling takes seconds each."""
 REGULAR = 1e-3
 Case = tuple[Program, np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 
@@ -78,12 +81,37 @@ def agrees(kernel: str, case: Case) -> None:
     assert not late.any(), [program.outputs[i] for i in np.flatnonzero(late)]
 
 
-@pytest.mark.parametrize("kernel", every())
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
-def test_on_every_example(kernel: str, path: Path) -> None:
-    """Without rates where compiling them takes longest: they double a program, by the same kinds of instructions, and
-    are compiled for the random mechanisms."""
-    agrees(kernel, of_example(path, rates=kernel != "numba"))
+def test_on_every_example(path: Path) -> None:
+    agrees("numpy", of_example(path))
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("kernel", COMPILED)
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_compiled_on_every_example(kernel: str, path: Path) -> None:
+    agrees(kernel, of_example(path, rates=False))
+
+
+@pytest.mark.parametrize("kernel", COMPILED)
+@pytest.mark.parametrize("name", CHOSEN)
+def test_on_chosen_examples(kernel: str, name: str) -> None:
+    """Without rates, which double a program by the same kinds of instructions; the random mechanisms have them."""
+    agrees(kernel, of_example(FOLDER / f"{name}.yaml", rates=False))
+
+
+def parts_of(program: Program) -> set[tuple[str, int]]:
+    """What an emitter has to spell: the operations, and the sizes of Newton's stages."""
+    stages = [program.block, *(stage.closure for stage in program.solves)]
+    operations = {("operation", instruction.op) for stage in stages for instruction in stage.instructions}
+    return operations | {("stage", len(stage.rows)) for stage in program.solves}
+
+
+def test_the_chosen_have_all_parts() -> None:
+    """A new example with another operation has to be among them."""
+    chosen = set().union(*(parts_of(of_example(FOLDER / f"{name}.yaml", rates=False)[0]) for name in CHOSEN))
+    for path in EXAMPLES:
+        assert parts_of(of_example(path, rates=False)[0]) <= chosen, path.stem
 
 
 @cache

@@ -8,8 +8,12 @@ from helpers.reach.cases import Case
 from helpers.reach.known import KNOWN, Known
 from helpers.reach.product import studied
 
+SLOW = ("area 1", "area 9", "nan 22")
+"""Which take longest."""
+CASES = [pytest.param(one, id=one.name, marks=[pytest.mark.long] if one.name in SLOW else []) for one in KNOWN]
 
-@pytest.mark.parametrize("known", KNOWN, ids=lambda known: known.name)
+
+@pytest.mark.parametrize("known", CASES)
 def test_regions_that_were_wrong_are_certified_and_right(known: Known) -> None:
     """To the raster's error (five standard deviations) beside the certificate's bounds."""
     found = studied(Case(0, "known", known.mechanism))
