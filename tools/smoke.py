@@ -20,10 +20,13 @@ import json
 import math
 import os
 import re
+import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import traceback
 from collections.abc import Callable, Iterator
@@ -36,6 +39,7 @@ from typing import Any
 ROOT = Path(__file__).resolve().parents[1]
 AT_ONCE = 2
 TIMEOUT = 300.0  # seconds for one command or script; twice that for a file of documentation
+OURS = f'"{sys.executable}" -m linkwright'
 TAIL = 25  # lines shown of what failed
 
 FENCE = re.compile(r"^(?P<indent>\s*)(?P<mark>`{3,}|~{3,})\s*(?P<info>[^`]*)$")
@@ -121,7 +125,7 @@ def translate(command: str) -> str | None:
             words = rest.split()
             if "dev.py" in start and (words[0] if words else "") in NOT_HERE:
                 return None
-            return f'"{sys.executable}" -m linkwright{rest}'
+            return OURS + rest
     return None
 
 
@@ -131,8 +135,59 @@ def is_model(block: Block) -> bool:
     return block.language == "yaml" and next(filter(None, says), "") == "linkwright: 1"
 
 
+def plain(command: str | list[str]) -> list[str] | None:
+    """The words of a command line of linkwright; None for another command, or one that a shell has work with."""
+    if isinstance(command, str):
+        if set(command.removeprefix(OURS)) & set("|&;<>()$`*?[]#~!{}\\\n"):
+            return None
+        command = shlex.split(command)
+    start = [sys.executable, "-m", "linkwright"]
+    return command[3:] if command[:3] == start else None
+
+
+class Forks(threading.local):
+    """A process for each thread that has imported linkwright; commands fork off it from the second one on."""
+
+    commands = 0
+    server: "subprocess.Popen[str] | None" = None
+
+    def __call__(self, words: list[str], cwd: Path, timeout: float) -> tuple[int, str] | None:
+        """Exit code and what was said; None for the first one, or where there are no forks."""
+        self.commands += 1
+        if self.commands == 1 or not hasattr(os, "fork"):
+            return None
+        if self.server is None:
+            script, pipe = str(ROOT / "tools" / "forked_commands.py"), subprocess.PIPE
+            environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}  # its threads outlive no fork
+            self.server = subprocess.Popen(
+                [sys.executable, script], env=environment, stdin=pipe, stdout=pipe, text=True
+            )
+        assert self.server.stdin is not None
+        assert self.server.stdout is not None
+        asked = {"folder": str(cwd), "path": [], "words": words, "seconds": timeout}
+        self.server.stdin.write(json.dumps(asked) + "\n")
+        self.server.stdin.flush()
+        code, out, err = json.loads(self.server.stdout.readline())
+        if code == -signal.SIGALRM:
+            raise Failure(f"not done after {timeout:.0f} s\n{out}{err}")
+        return code, out + err
+
+
+forked = Forks()
+
+
 def call(command: str | list[str], cwd: Path, exit_code: int = 0, timeout: float = TIMEOUT) -> None:
     """Runs a command and fails unless it ends with the exit code expected."""
+    words = plain(command)
+    code, said = (words is not None and forked(words, cwd, timeout)) or alone(command, cwd, timeout)
+    if "Traceback (most recent call last)" in said:
+        raise Failure(f"a traceback\n{said}")
+    if code != exit_code:
+        raise Failure(f"exit code {code}, expected {exit_code}\n{said}")
+
+
+def alone(command: str | list[str], cwd: Path, timeout: float) -> tuple[int, str]:
+    """A command in a process of its own: exit code and what it said."""
     try:
         done = subprocess.run(
             command,
@@ -149,10 +204,7 @@ def call(command: str | list[str], cwd: Path, exit_code: int = 0, timeout: float
         said = error.stdout or b""
         text = said.decode(errors="replace") if isinstance(said, bytes) else said
         raise Failure(f"not done after {timeout:.0f} s\n{text}") from None
-    if "Traceback (most recent call last)" in done.stdout:
-        raise Failure(f"a traceback\n{done.stdout}")
-    if done.returncode != exit_code:
-        raise Failure(f"exit code {done.returncode}, expected {exit_code}\n{done.stdout}")
+    return done.returncode, done.stdout
 
 
 def timed(name: str, item: Callable[[], None]) -> Outcome:

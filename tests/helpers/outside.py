@@ -48,7 +48,7 @@ def linkwright(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
     server = _server()
     assert server.stdin is not None
     assert server.stdout is not None
-    server.stdin.write(json.dumps({"folder": str(folder), "path": path(folder), "words": words}) + "\n")
+    server.stdin.write(json.dumps({"folder": str(folder), "path": path(folder), "words": words, "seconds": 600}) + "\n")
     server.stdin.flush()
     code, out, err = json.loads(server.stdout.readline())
     return subprocess.CompletedProcess(list(words), code, out, err)
@@ -58,7 +58,7 @@ def linkwright(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
 def _server() -> subprocess.Popen[str]:
     pipe = subprocess.PIPE
     environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "OPENBLAS_NUM_THREADS": "1"}  # threads outlive no fork
-    command = [sys.executable, str(Path(__file__).with_name("forked_commands.py"))]
+    command = [sys.executable, str(Path(__file__).parents[2] / "tools" / "forked_commands.py")]
     return subprocess.Popen(command, env=environment, stdin=pipe, stdout=pipe, text=True, encoding="utf-8")
 
 

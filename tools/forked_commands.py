@@ -1,41 +1,42 @@
-"""Command lines of linkwright in forks of one process that has imported it: JSON lines with a folder, a path and words
-come in by standard input; exit code, standard output and standard error of each leave by standard output."""
+"""Command lines of linkwright in forks of one process that has imported it, as starting takes longest.
 
-from __future__ import annotations
+Lines of JSON come in by standard input: ``folder``, ``path`` (places before Python's own), ``words`` and the
+``seconds`` that it may take. A line of JSON leaves for each: exit code (negative where a signal ended it), standard
+output, standard error. Only where processes are forked.
+"""
 
 import json
 import os
+import signal
 import sys
 import tempfile
+import traceback
 from pathlib import Path
 from typing import Any, NoReturn
 
 
 def main() -> None:
+    """Perform what comes until nothing does."""
     import linkwright.app
     import linkwright.cli
     import linkwright.exports
-    import linkwright.report
+    import linkwright.report  # noqa: F401  (all that commands import)
 
-    assert linkwright.cli
     for line in sys.stdin:
-        asked = json.loads(line)
-        with tempfile.TemporaryDirectory() as said:
-            out, err = Path(said, "out"), Path(said, "err")
+        with tempfile.TemporaryDirectory() as folder:
+            said = Path(folder, "out"), Path(folder, "err")
             if (child := os.fork()) == 0:
-                perform(asked, out, err)
+                perform(json.loads(line), *said)
             _, status = os.waitpid(child, 0)
-            answer = [os.waitstatus_to_exitcode(status), *(f.read_text(encoding="utf-8") for f in (out, err))]
-        sys.__stdout__.write(json.dumps(answer) + "\n")
-        sys.__stdout__.flush()
+            texts = (file.read_text(encoding="utf-8", errors="replace") for file in said)
+            print(json.dumps([os.waitstatus_to_exitcode(status), *texts]), flush=True)
 
 
 def perform(asked: dict[str, Any], out: Path, err: Path) -> NoReturn:
     """One command line, in the fork."""
-    import traceback
-
     from linkwright.cli import main as command
 
+    signal.alarm(int(asked["seconds"]))
     code = 1
     for number, file in ((1, out), (2, err)):
         os.dup2(os.open(file, os.O_WRONLY | os.O_CREAT), number)
