@@ -72,6 +72,7 @@ class Signals:
     def __init__(self, mechanism: Mechanism) -> None:
         self.mechanism = mechanism
         self.pins, self.homes = pins(mechanism), homes(mechanism)
+        self._found: dict[str, Signal] = {}
 
     @cached_property
     def contacts(self) -> list[Contact]:
@@ -141,9 +142,11 @@ class Signals:
         """The signal that an expression names. Raises DimensionError naming what is wrong."""
         if isinstance(node, Call):
             return self._called(node)
-        owner, _, attribute = node.text.partition(".")
-        kind, attributes = self.attributes(owner)
-        return self._signal(kind, (owner,), attribute, attributes)
+        if (known := self._found.get(node.text)) is None:
+            owner, _, attribute = node.text.partition(".")
+            kind, attributes = self.attributes(owner)
+            known = self._found[node.text] = self._signal(kind, (owner,), attribute, attributes)
+        return known
 
     def element(self, node: Name | Call) -> tuple[str, tuple[str, ...], dict[str, Dimension]]:
         """Kind, names and attributes of what ``E``, ``com(crank)`` or ``force(a, b)`` names."""
