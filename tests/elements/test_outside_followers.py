@@ -38,8 +38,8 @@ BASE: dict[str, Any] = {
         "barrel": body({"O": [0, 0]}, 1, [0, 0], 200),
         "table": body({"A": [0, 0], "B": [50, 0]}, 2, [25, 4], 900),
     },
-    "joints": {"step": {"indexer": ["table", "frame"], "motor": "motor", "law": "index"}},
-    "drives": {"motor": {"turns": "barrel", "on": "frame", "speed": "60 rpm", "start": "10 deg"}},
+    "joints": {"step": {"indexer": ["table", "frame"], "motor": "motor", "law": "index", "phase": 4}},
+    "drives": {"motor": {"turns": "barrel", "on": "frame", "speed": "60 rpm", "start": "6 deg"}},
     "measures": {"peak": {"max": "table.omega"}, "torque": {"max": "motor.torque"}},
     "studies": {"cycle": {"turns": "1 motor", "samples": 90}},
 }
@@ -109,7 +109,7 @@ def oracle(which: str, columns: dict[str, Any]) -> Oracle:
             start[link] = (x, y, float(np.radians(columns[f"{link}.angle [deg]"][0])))
 
     def gap(of: Oracle, q: Array) -> float:
-        lift, table = float(cycloid(of.pose(q, "barrel")[2])), of.pose(q, "table")
+        lift, table = float(cycloid(of.pose(q, "barrel")[2] + np.radians(4))), of.pose(q, "table")
         return float(table[1] - 0.04 * lift if "guide" in model["joints"] else table[2] - np.pi / 2 * lift)
 
     return Oracle(plain_of({**model, "joints": joints, "laws": {}, "parameters": {}}, start), gaps={"step": gap})
@@ -184,3 +184,17 @@ def test_what_is_wrong_with_it_is_told(folder: Path) -> None:
     assert "indx" in done.stderr
     model["joints"]["step"].update(motor="motor", law="index")
     assert "barrel isn't joined to table by one joint" in run(folder, model, "check", "model.yaml").stderr
+    model["joints"]["step"].update(indexer=["table", "frame"], phase="hh + 3 mm")
+    assert "'hh'" in run(folder, model, "check", "model.yaml").stderr
+    model["joints"]["step"]["phase"] = "3 mm"
+    assert "joints.step.phase" in run(folder, model, "check", "model.yaml").stderr
+    model["joints"]["step"]["phase"] = 0
+    model["laws"]["index"] |= {"of": "length"}
+    model["parameters"]["h"] = "3 mm"
+    assert "[follower.law]" in run(folder, model, "check", "model.yaml").stderr
+
+
+def test_a_motor_whose_law_is_its_outputs_is_refused(folder: Path) -> None:
+    model = deepcopy(MODELS["a dyad hangs on it"])
+    model["drives"]["motor"]["output"] = "rocker"
+    assert "[follower.output]" in run(folder, model, "check", "model.yaml").stderr

@@ -48,7 +48,8 @@ def desugar(mechanism: Mechanism) -> Spelled:
 def check(spelled: Spelled, driven: bool = True) -> list[Finding]:
     """What is wrong with names and references. One that needn't be ``driven`` needs no drive."""
     missing = "model.no-drive" if spelled.findings or not driven else ""  # a drive with a fault is one
-    found = [*spelled.findings, *(f for f in check_names(spelled.mechanism, spelled.fields) if f.code != missing)]
+    named = (f for f in check_names(spelled.mechanism, spelled.fields) if f.code != missing)
+    found = [*spelled.findings, *(f for f in named if f not in spelled.findings)]
     if [finding.code for finding in found] == ["model.no-drive"]:
         return _immobile(Topology(spelled.mechanism)) or found
     return found

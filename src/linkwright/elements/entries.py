@@ -31,6 +31,8 @@ class JointEntry(Frozen):
     """The attributes of ``NAME.`` with their dimensions (SI)."""
     couple: ClassVar[bool] = False
     """Whether reactions have a moment about the place at which they are stated."""
+    follows: ClassVar[bool] = False
+    """Whether it has a link follow a drive (:mod:`linkwright.elements.follower`): then structure has no joint there."""
     prismatic: ClassVar[None] = None
     revolute: ClassVar[None] = None
     line: ClassVar[None] = None

@@ -77,6 +77,17 @@ class FollowerReports(MoverReports, Protocol):
         """The value of an expression of the entry, in SI."""
 
 
+class FollowerEntry(JointEntry):
+    """Base of the entries of such joints that stand among the joints of a file."""
+
+    follows = True
+
+    @property
+    def ends(self) -> tuple[str, ...]:
+        """No points: the joint of its links is another one."""
+        return ()
+
+
 @dataclass(frozen=True)
 class Riding:
     """How a follower's ``value`` follows, and what ``total`` of its law places a second contact (rad or m)."""

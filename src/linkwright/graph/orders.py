@@ -22,10 +22,11 @@ def _of_forces(graph: Graph, signal: Signal) -> int:
 
 
 def _of_drive(graph: Graph, signal: Signal) -> int:
-    if (order := DRIVE_ORDERS.get(signal.attribute)) is not None:
-        return order
     follower = graph.actions.followers.get(signal.owners[0])
-    return 0 if follower is not None and signal.attribute in follower.extra else _of_forces(graph, signal)
+    if follower is not None and signal.attribute in follower.extra:
+        return 0
+    order = DRIVE_ORDERS.get(signal.attribute)
+    return _of_forces(graph, signal) if order is None else order
 
 
 def _of_joint(graph: Graph, signal: Signal) -> int:

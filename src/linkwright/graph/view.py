@@ -169,14 +169,14 @@ class View:
 
     def drive(self, signal: Signal) -> Scalar:
         name = signal.owners[0]
-        if signal.attribute in ("torque", "force"):
-            return self.forces.efforts[name]
-        if signal.attribute == "power":
-            return self.forces.efforts[name] * self.own(name, 1)
+        follower = self.graph.actions.followers.get(name)
+        if follower is not None and signal.attribute in follower.extra:
+            acting = self.contacts[name] if signal.attribute in self.contacts[name].signals else self.seconds[name]
+            return acting.signals[signal.attribute]
         if (order := DRIVE_ORDERS.get(signal.attribute)) is not None:
             return self.own(name, order)
-        acting = self.contacts[name] if signal.attribute in self.contacts[name].signals else self.seconds[name]
-        return acting.signals[signal.attribute]
+        effort = self.forces.efforts[name]
+        return effort * self.own(name, 1) if signal.attribute == "power" else effort
 
     def own(self, name: str, order: int, whole: bool = True) -> Scalar:
         """A drive's value or a rate of it; of one with an output, as it follows from the motion (rad, ``whole`` turns

@@ -31,7 +31,7 @@ def with_followers(m: Mechanism) -> Mechanism:
     if not every:
         return m
     found = {name: made for _, name, entry, kind in every if isinstance(made := _read(m, name, entry, kind), Follower)}
-    return m.with_followers(found, {name for section, name, _, _ in every if section == "joints"})
+    return m.with_followers(found)
 
 
 def follower_faults(m: Mechanism) -> Iterator[Finding]:
@@ -57,7 +57,7 @@ def follower_home(m: Mechanism, path: Path) -> Path | None:
 def _read(m: Mechanism, name: str, entry: Any, kind: type[Follower]) -> Follower | list[Finding]:
     """The follower, or what is wrong."""
     path, findings = (kind.section, name), []
-    if name in m.drives:
+    if name in m.drives or (kind.section != "cams" and name in m.cams):
         data = {"name": name, "first": Term("a-drive"), "second": Term(_ENTRY[kind.section])}
         findings.append(Finding("name.taken", path, data))
     named = [*references(entry, Context(m, path))]
@@ -66,6 +66,19 @@ def _read(m: Mechanism, name: str, entry: Any, kind: type[Follower]) -> Follower
     if missing:
         return [*findings, *missing]
     made = kind.read(m, name, pins(m))
-    if isinstance(made, Follower):
-        return findings or made
-    return [*findings, *made]
+    if not isinstance(made, Follower):
+        return [*findings, *made]
+    return [*findings, *_unlawful(m, path, made)] or made
+
+
+def _unlawful(m: Mechanism, path: Path, made: Follower) -> Iterator[Finding]:
+    """Motion laws whose argument or value isn't that of motor and follower; a motor whose law is its output's."""
+    motor, value = m.drives[made.motor], "angle" if made.turning else "length"
+    if motor.output is not None:
+        yield Finding("follower.output", path, {"motor": made.motor, "output": motor.output})
+    over = "angle" if motor.turns else "length"
+    for key, name in made.laws.items():
+        law = m.laws.get(name)
+        if law is not None and (law.over, law.of) != (over, value):
+            given = f"over: {law.over}, of: {law.of}"
+            yield Finding("follower.law", (*path, key), {"law": name, "over": over, "of": value, "given": given})

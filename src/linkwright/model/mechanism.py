@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, Self
 
 from pydantic import (
@@ -246,10 +246,9 @@ class Mechanism(Frozen):
         """Whatever prescribes a motion: the drives, then the followers."""
         return {**self.drives, **self._followers}
 
-    def with_followers(self, found: Mapping[str, Follower], joints: Collection[str]) -> Self:
-        """The same with these followers; ``joints`` are those that they stand for among the joints."""
-        left = FrozenDict({name: joint for name, joint in self.joints.items() if name not in joints})
-        made = self.model_copy(update={"joints": left} if joints else {})
+    def with_followers(self, found: Mapping[str, Follower]) -> Self:
+        """The same with these followers."""
+        made = self.model_copy()
         made._followers = FrozenDict(found)
         return made
 
@@ -280,7 +279,7 @@ class Mechanism(Frozen):
 
     def joints_but_pins(self) -> Iterator[tuple[str, Joint]]:
         """The joints that only the file's ``joints`` state, by name: all but the revolute ones, which are pins."""
-        return ((name, joint) for name, joint in self.joints.items() if not joint.revolute)
+        return ((name, joint) for name, joint in self.joints.items() if not joint.revolute and not joint.follows)
 
     def acting(self) -> Iterator[Acting]:
         """What acts on links or weighs, whatever its kind: loads, springs, counterweights."""

@@ -199,6 +199,7 @@ class Joint(Frozen):
 
     signals: ClassVar[Mapping[str, u.Dimension]] = {}  # slides have theirs in model/signals.py
     couple: ClassVar[bool] = False
+    follows: ClassVar[bool] = False
     one_sided: ClassVar[Mapping[str, int]] = {}
     joins: ClassVar[Mapping[str, tuple[Expression, ...]]] = {}
 

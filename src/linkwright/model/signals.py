@@ -125,7 +125,7 @@ class Signals:
             return "link", LINK
         if owner in self.homes:
             return "point", POINT
-        if (joint := m.joints.get(owner)) is not None and not joint.revolute:
+        if (joint := m.joints.get(owner)) is not None and not joint.revolute and not joint.follows:
             return ("slide", SLIDE) if joint.prismatic else ("joint", dict(joint.signals))
         if (mover := m.movers.get(owner)) is not None:
             return "drive", dict(mover.signals)

@@ -92,7 +92,7 @@ class Topology:
         links the angles of others."""
         found = {link for c in self.but_pins if c.kind.winds for link in c.links}
         ties = [c.links for c in self.but_pins if c.kind.parallel]
-        ties += [(d.link, d.on) for d in map(self.mechanism.prescribed, self.mechanism.drives)]
+        ties += [(d.link, d.on) for d in map(self.mechanism.prescribed, self.mechanism.movers)]
         while found and (more := {link for tie in ties if not found.isdisjoint(tie) for link in tie} - found):
             found |= more
         return frozenset(found)

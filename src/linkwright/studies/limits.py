@@ -252,7 +252,7 @@ def _names(compiled: Compiled, expression: Expression) -> Iterator[str | None]:
     for part in nodes(expression.node):
         if isinstance(part, Name | Call) and is_signal(part):
             signal = compiled.quantities.signals.find(part)
-            dynamic = signal.kind in ("force", "shaking", "energy") or signal.attribute in ("torque", "force", "power")
+            dynamic = signal.kind in ("force", "shaking", "energy") or bool(signal.dimension.mass)
             yield signal_text(part) if dynamic else None
         elif isinstance(part, Name) and part.text == "t":
             yield part.text

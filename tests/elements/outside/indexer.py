@@ -13,17 +13,17 @@ from typing import Annotated, Any, ClassVar
 import numpy as np
 from pydantic import BeforeValidator, Field
 
-from linkwright.elements.entries import JointEntry
-from linkwright.elements.follower import Follower, Riding, register_follower
+from linkwright.elements.follower import Follower, FollowerEntry, Riding, register_follower
 from linkwright.elements.joint import Applied
-from linkwright.expressions.fields import Name
-from linkwright.expressions.language import Call
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, Name
+from linkwright.expressions.language import Binary, Call
 from linkwright.expressions.language import Name as Signal
-from linkwright.expressions.typed_fields import Ref
+from linkwright.expressions.typed_fields import Quantity, Ref
 from linkwright.findings import Finding
 
 
-class IndexerEntry(JointEntry):
+class IndexerEntry(FollowerEntry):
     """A link that a barrel cam moves on another."""
 
     kind: ClassVar[str] = "indexer"
@@ -33,6 +33,7 @@ class IndexerEntry(JointEntry):
     )
     motor: Annotated[Name, Ref("drive")] = Field(description="the drive that turns the barrel")
     law: Annotated[Name, Ref("law")] = Field(description="the motion law over the motor's angle")
+    phase: Annotated[Expression, Quantity(u.ANGLE)] = Field(Expression(0), description="where in the law it starts")
 
 
 @register_follower
@@ -66,17 +67,18 @@ class Indexer(Follower):
 
     def riding(self, geometry: Any, motions: Any) -> Riding:
         law = motions[self.entry.law]
-        return Riding(lambda at, angle: law.given(at.parameters).on(angle))
+        return Riding(lambda at, angle: law.given(at.parameters).on(angle + at.number(self.entry.phase, u.ANGLE)))
 
     def tree(self, geometry: Any, motor: Any) -> Any:
-        return Call(self.entry.law, (motor,))
+        return Call(self.entry.law, (Binary("+", motor, geometry.bound(self.entry.phase, u.ANGLE)),))
 
     def calls(self, geometry: Any) -> list[Call]:
-        return [Call(self.entry.law, (Signal(f"{self.motor}.angle"),))]
+        return [self.tree(geometry, Signal(f"{self.motor}.angle"))]
 
     def applied(self, reports: Any, name: str) -> list[Applied]:
         m, effort = reports.geometry.mechanism, reports.rows[f"{name}.{self.effort}"]
-        slope = reports.motions[self.entry.law].at(reports.rows[f"{self.motor}.angle"], 1)
+        asked = reports.rows[f"{self.motor}.angle"] + reports.number(self.entry.phase, u.ANGLE)
+        slope = reports.motions[self.entry.law].at(asked, 1)
         motor, none = m.drives[self.motor], np.zeros((2, reports.count))
         geared = [(motor.link, none, none, -slope * effort), (motor.on, none, none, slope * effort)]
         if self.turning:
