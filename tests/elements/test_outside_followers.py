@@ -191,10 +191,10 @@ def test_what_is_wrong_with_it_is_told(folder: Path) -> None:
     model["joints"]["step"]["phase"] = 0
     model["laws"]["index"] |= {"of": "length"}
     model["parameters"]["h"] = "3 mm"
-    assert "[follower.law]" in run(folder, model, "check", "model.yaml").stderr
+    assert "[joint.follower-law]" in run(folder, model, "check", "model.yaml").stderr
 
 
 def test_a_motor_whose_law_is_its_outputs_is_refused(folder: Path) -> None:
     model = deepcopy(MODELS["a dyad hangs on it"])
     model["drives"]["motor"]["output"] = "rocker"
-    assert "[follower.output]" in run(folder, model, "check", "model.yaml").stderr
+    assert "[joint.follower-output]" in run(folder, model, "check", "model.yaml").stderr

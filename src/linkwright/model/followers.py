@@ -75,10 +75,10 @@ def _unlawful(m: Mechanism, path: Path, made: Follower) -> Iterator[Finding]:
     """Motion laws whose argument or value isn't that of motor and follower; a motor whose law is its output's."""
     motor, value = m.drives[made.motor], "angle" if made.turning else "length"
     if motor.output is not None:
-        yield Finding("follower.output", path, {"motor": made.motor, "output": motor.output})
+        yield Finding("joint.follower-output", path, {"motor": made.motor, "output": motor.output})
     over = "angle" if motor.turns else "length"
     for key, name in made.laws.items():
         law = m.laws.get(name)
         if law is not None and (law.over, law.of) != (over, value):
             given = f"over: {law.over}, of: {law.of}"
-            yield Finding("follower.law", (*path, key), {"law": name, "over": over, "of": value, "given": given})
+            yield Finding("joint.follower-law", (*path, key), {"law": name, "over": over, "of": value, "given": given})

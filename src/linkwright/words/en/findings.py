@@ -1377,11 +1377,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The law of {drive} has no formula; it isn't written as text.",
         "Take its values from motion.csv.",
     ),
-    "follower.output": (
+    "joint.follower-output": (
         "{motor} can't be followed: its law is that of its output {output}.",
         "Name another drive as the motor, or give {motor} a law of its own.",
     ),
-    "follower.law": (
+    "joint.follower-law": (
         "The law {law} isn't over the {over} of the motor with the {of} of the follower as its value: it has {given}.",
         "Write over: {over} and of: {of} in the law, or name another one.",
     ),
