@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import json
-import os
 import re
-import subprocess
-import sys
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +15,7 @@ import pytest
 from elements.kinds_outside import CASES, GEARS, WAVES, Case, structure, studied
 from helpers.expected import expected_angles, expected_forces, expected_motion
 from helpers.newton_euler import Array, Oracle, State
-from helpers.outside import KINDS, table
+from helpers.outside import linkwright, planted, table
 from helpers.plain import UNITS
 from linkwright.exports import TARGETS
 from linkwright.kernels import KERNELS
@@ -39,95 +36,66 @@ CLEARANCE = 0.02
 
 @dataclass(frozen=True)
 class Done:
-    """What command lines gave, in a folder: exit code, standard output, standard error."""
+    """What command lines give in a folder, each performed once: exit code, standard output, standard error."""
 
     folder: Path
-    given: Mapping[tuple[str, ...], tuple[int, str, str]]
+    given: dict[tuple[str, ...], tuple[int, str, str]] = field(default_factory=dict)
 
     def __getitem__(self, words: tuple[str, ...]) -> tuple[int, str, str]:
+        if words not in self.given:
+            done = linkwright(self.folder, *words)
+            self.given[words] = done.returncode, done.stdout, done.stderr
         return self.given[words]
+
+    def run(self, name: str) -> tuple[int, str, str]:
+        """The run of a mechanism."""
+        return self["run", file(name), "--out", file(name) + "_run"]
 
 
 def file(name: str) -> str:
     return re.sub(r"\W+", "_", name) + ".yaml"
 
 
-def started(folder: Path, lines: list[tuple[str, ...]]) -> subprocess.Popen[str]:
-    """Command lines in a process of their own, which knows of the kinds in the folder by their entry points."""
-    info = folder / "outside-1.0.dist-info"
-    info.mkdir()
-    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: outside\nVersion: 1.0\n", encoding="utf-8")
-    points = "[linkwright.elements]\ngears = gear_on_carrier\nwaves = pin_on_wave\n"
-    (info / "entry_points.txt").write_text(points, encoding="utf-8")
-    path = [str(folder), *filter(None, [os.environ.get("PYTHONPATH")])]
-    process = subprocess.Popen(
-        [sys.executable, str(KINDS.parent / "commands.py")],
-        cwd=folder,
-        env={**os.environ, "PYTHONPATH": os.pathsep.join(path), "PYTHONDONTWRITEBYTECODE": "1"},
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        text=True,
-        encoding="utf-8",
-    )
-    assert process.stdin is not None
-    process.stdin.write(json.dumps(lines))
-    process.stdin.close()
-    return process
-
-
 @pytest.fixture(scope="module")
-def every(tmp_path_factory: pytest.TempPathFactory) -> tuple[Done, Done, Done]:
-    """The kinds as they are, with a sign turned over, and in sweeps, side by side."""
-    right, wrong, swept = (tmp_path_factory.mktemp(name) for name in ("right", "wrong", "swept"))
-    for name, swaps in WRONG.items():
-        text = (KINDS / f"{name}.py").read_text(encoding="utf-8")
-        for folder in (right, swept):
-            (folder / f"{name}.py").write_text(text, encoding="utf-8")
-        for sound, turned in swaps.items():
-            assert sound in text
-            text = text.replace(sound, turned)
-        (wrong / f"{name}.py").write_text(text, encoding="utf-8")
-    lines: list[tuple[str, ...]] = [("schema",)]
+def done(tmp_path_factory: pytest.TempPathFactory) -> Done:
+    """The kinds as they are."""
+    folder = tmp_path_factory.mktemp("right")
     for name, case in CASES.items():
         accuracy: dict[str, Any] = {"outputs": [case.output], "poses": 20, "samples": 0}
         if case in WAVES.values():
             accuracy["clearances"] = {case.joint: CLEARANCE}
-        (right / file(name)).write_text(json.dumps(studied(case, accuracy=accuracy)), encoding="utf-8")
-        (wrong / file(name)).write_text(json.dumps(studied(case)), encoding="utf-8")
-        lines += [("run", file(name), "--out", file(name) + "_run")]
-        lines += [(word, file(name)) for word in ("check", "modes", "limits")]
-        lines += [("export", file(name), "--to", target) for target in TARGETS if name in FEW]
-    sweeps: list[tuple[str, ...]] = []
+        (folder / file(name)).write_text(json.dumps(studied(case, accuracy=accuracy)), encoding="utf-8")
+    for word, drawn in (("drawn", True), ("vague", False)):
+        (folder / f"{word}.yaml").write_text(json.dumps(structure(drawn)), encoding="utf-8")
+    played = studied(GEARS["alone in a loop"], accuracy={"outputs": ["Q.x"], "clearances": {"mesh": CLEARANCE}})
+    (folder / "played.yaml").write_text(json.dumps(played), encoding="utf-8")
+    return Done(folder)
+
+
+@pytest.fixture(scope="module")
+def wrong(tmp_path_factory: pytest.TempPathFactory) -> Done:
+    """With a sign turned over in each kind."""
+    folder = tmp_path_factory.mktemp("wrong")
+    for name, swaps in WRONG.items():
+        planted(folder, name, *swaps.items())
+    for name in FEW:
+        (folder / file(name)).write_text(json.dumps(studied(CASES[name])), encoding="utf-8")
+    return Done(folder)
+
+
+@pytest.fixture(scope="module")
+def swept(tmp_path_factory: pytest.TempPathFactory) -> Done:
+    """In sweeps on every kernel."""
+    folder = tmp_path_factory.mktemp("swept")
     for name in SWEPT:
         data = studied(CASES[name])
         ((parameter, entry),) = data["parameters"].items()
         data["measures"] = {"most": {"max": CASES[name].output}}
+        values = [0.9 * entry["value"], entry["value"], 1.1 * entry["value"]]
         for kernel in KERNELS:
-            values = [0.9 * entry["value"], entry["value"], 1.1 * entry["value"]]
             data["studies"]["sweep"] = {"vary": {parameter: values}, "kernel": kernel}
-            (swept / f"{kernel}_{file(name)}").write_text(json.dumps(data), encoding="utf-8")
-            if KERNELS[kernel].available():
-                sweeps += [("run", f"{kernel}_{file(name)}", "--out", f"{kernel}_{file(name)}_run")]
-    for word, drawn in (("drawn", True), ("vague", False)):
-        (right / f"{word}.yaml").write_text(json.dumps(structure(drawn)), encoding="utf-8")
-        lines.append(("run", f"{word}.yaml", "--out", word))
-    played = studied(GEARS["alone in a loop"], accuracy={"outputs": ["Q.x"], "clearances": {"mesh": CLEARANCE}})
-    (right / "played.yaml").write_text(json.dumps(played), encoding="utf-8")
-    lines.append(("check", "played.yaml"))
-    runs: list[tuple[str, ...]] = [("run", file(name), "--out", file(name) + "_run") for name in FEW]
-    made = []
-    all_lines = (right, lines), (wrong, runs), (swept, sweeps)
-    for folder, of, process in [(folder, of, started(folder, of)) for folder, of in all_lines]:
-        assert process.stdout is not None
-        found = json.loads(process.stdout.read())
-        assert process.wait() == 0
-        made.append(Done(folder, {words: tuple(one) for words, one in zip(of, found, strict=True)}))
-    return made[0], made[1], made[2]
-
-
-@pytest.fixture(scope="module")
-def done(every: tuple[Done, Done, Done]) -> Done:
-    return every[0]
+            (folder / file(f"{kernel} {name}")).write_text(json.dumps(data), encoding="utf-8")
+    return Done(folder)
 
 
 @pytest.fixture(scope="module")
@@ -148,6 +116,7 @@ def columns(done: Done, name: str, which: str) -> dict[str, Array]:
     degree = np.pi / 180
     sizes = UNITS | {"mm/s": 1e-3, "mm/s^2": 1e-3, "deg/s": degree, "deg/s^2": degree, "deg/mm": 1e3 * degree}
     found = {}
+    done.run(name)
     for head, values in table(done.folder / (file(name) + "_run") / which)[0].items():
         text, unit = re.fullmatch(r"(.*?)(?: \[(.*)\])?", head).groups()  # type: ignore[union-attr]
         if unit is None or unit in sizes or unit in ("W", "J"):
@@ -158,7 +127,7 @@ def columns(done: Done, name: str, which: str) -> dict[str, Array]:
 @pytest.mark.parametrize("name", CASES)
 def test_it_closes_and_is_proven(name: str, done: Done, followed: Followed) -> None:
     """Poses and rates as raw geometry has them, angles over all turns."""
-    code, _, err = done["run", file(name), "--out", file(name) + "_run"]
+    code, _, err = done.run(name)
     assert code == 0, err
     oracle, t, states = followed[name]
     own = columns(done, name, "cycle.csv")
@@ -213,8 +182,8 @@ def own_reactions(own: Mapping[str, Array], link: str, case: Case) -> list[tuple
 
 
 @pytest.mark.parametrize("name", FEW)
-def test_a_wrong_sign_fails_the_certificate(name: str, every: tuple[Done, Done, Done]) -> None:
-    code, out, err = every[1]["run", file(name), "--out", file(name) + "_run"]
+def test_a_wrong_sign_fails_the_certificate(name: str, wrong: Done) -> None:
+    code, out, err = wrong.run(name)
     assert code == 1, out
     assert "[motion.unproven]" in err
 
@@ -282,6 +251,7 @@ def test_exports_answer_or_refuse_by_name(name: str, target: str, done: Done) ->
 
 @pytest.mark.parametrize("name", CASES)
 def test_the_report_draws_it(name: str, done: Done) -> None:
+    done.run(name)
     text = (done.folder / (file(name) + "_run") / "report.html").read_text(encoding="utf-8")
     data = re.search(r'"outlines":\s*\[', text)
     assert len(re.findall(r'"outlines":\s*\[', text)) == CASES[name].symbols, bool(data)
@@ -309,14 +279,14 @@ def test_the_schema_has_both(done: Done) -> None:
 
 
 @pytest.mark.parametrize("name", SWEPT)
-def test_all_kernels_sweep_it(name: str, every: tuple[Done, Done, Done]) -> None:
-    found, done = {}, every[2]
+def test_all_kernels_sweep_it(name: str, swept: Done) -> None:
+    found = {}
     for kernel in KERNELS:
         if KERNELS[kernel].available():
-            words = ("run", f"{kernel}_{file(name)}", "--out", f"{kernel}_{file(name)}_run")
-            assert done[words][0] == 0, done[words][2]
-            summary = json.loads((done.folder / words[-1] / "summary.json").read_text(encoding="utf-8"))
-            found[kernel] = summary["sweep"]
+            code, _, err = swept.run(f"{kernel} {name}")
+            assert code == 0, err
+            folder = swept.folder / (file(f"{kernel} {name}") + "_run")
+            found[kernel] = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["sweep"]
     values = {kernel: numbers(entry) for kernel, entry in found.items()}
     for kernel in values:
         assert values[kernel] == pytest.approx(values["numpy"], rel=1e-9, abs=1e-9), kernel

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from helpers.outside import linkwright, planted, table
+from helpers.outside import linkwright, planted, table, without_kinds
 
 MODEL = {
     "linkwright": 1,
@@ -86,13 +84,7 @@ def test_a_wrong_sign_in_a_kind_fails_the_certificate(folder: Path) -> None:
 
 
 def test_an_entry_point_that_is_gone_leaves_the_kind_unknown(folder: Path) -> None:
-    done = subprocess.run(
-        [sys.executable, "-m", "linkwright", "check", "model.yaml"],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    done = without_kinds(folder, "check", "model.yaml")
     assert done.returncode == 2
     assert "gear_on_carrier" in done.stderr
     assert "pin_in_slot" in done.stderr

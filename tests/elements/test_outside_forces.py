@@ -4,8 +4,6 @@ a jump and stored energy, and one in each section of files."""
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -16,7 +14,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 from helpers.newton_euler import Oracle, State
-from helpers.outside import linkwright, planted, python, table
+from helpers.outside import linkwright, planted, python, table, without_kinds
 from helpers.plain import Law, Plain, PlainDrive, PlainLink, PlainSlide
 
 MODEL: dict[str, Any] = {
@@ -324,13 +322,7 @@ def test_a_wrong_sign_fails_the_certificate(folder: Path, what: str) -> None:
 
 
 def test_an_entry_point_that_is_gone_leaves_the_kind_unknown(folder: Path) -> None:
-    done = subprocess.run(
-        [sys.executable, "-m", "linkwright", "check", "model.yaml"],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    done = without_kinds(folder, "check", "model.yaml")
     assert done.returncode == 2
     assert "bump_stop" in done.stderr
 

@@ -41,6 +41,12 @@ def python(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
     )
 
 
+def without_kinds(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
+    """The command line where the package isn't installed."""
+    command = [sys.executable, "-m", "linkwright", *words]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+
+
 def linkwright(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
     """The command line: a process forked off one that has started already, which takes longest."""
     if not hasattr(os, "fork"):

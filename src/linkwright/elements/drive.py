@@ -11,7 +11,7 @@ from pydantic import ConfigDict, Field
 
 from linkwright.elements.fields import LinkName
 from linkwright.elements.joint import Applied
-from linkwright.elements.mover import TRAVEL, TURN, MoverReports
+from linkwright.elements.mover import TRAVEL, TURN, MoverReports, MoverSignals
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, Name
 from linkwright.expressions.typed_fields import Ref, Scope, of_drive
@@ -20,7 +20,7 @@ from linkwright.expressions.written import Fault
 _driven = partial(of_drive, drive=lambda c: c.name)
 
 
-class Drive(Frozen):
+class Drive(MoverSignals, Frozen):
     """A prescribed relative motion of two joined links: of ``turns``/``slides`` against ``on``, or of a slide."""
 
     # Said for editors here, by `faults` to the reader: either on which link, or what is extended.
@@ -77,16 +77,6 @@ class Drive(Frozen):
         name = self.turns or self.slides
         assert name is not None
         return name
-
-    @property
-    def effort(self) -> str:
-        """The signal of what it exerts: ``torque`` or ``force``."""
-        return "torque" if self.turns else "force"
-
-    @property
-    def rate(self) -> str:
-        """The signal of its speed: ``omega`` or ``v``."""
-        return "omega" if self.turns else "v"
 
     @property
     def signals(self) -> Mapping[str, u.Dimension]:

@@ -16,6 +16,7 @@ from linkwright.expressions.typed_fields import Context, Quantity
 from linkwright.expressions.units import Dimension
 from linkwright.expressions.written import FaultWithin
 from linkwright.notation.registry import Registry
+from linkwright.words import add
 
 GROUP = "linkwright.elements"
 """The entry points by which packages make kinds of elements known."""
@@ -93,6 +94,16 @@ SECTIONS = ("joints", "loads", "springs", "counterweights")
 """The sections of a file in which elements of several kinds stand."""
 ENTRIES: Mapping[str, Registry[type[JointEntry] | type[ForceEntry]]] = {section: Registry() for section in SECTIONS}
 """By section the entries that are chosen by a key, by the names of their kinds."""
+
+
+def make_known(
+    section: str, name: str, entry: type[JointEntry] | type[ForceEntry] | None, words: Mapping[str, Mapping[str, str]]
+) -> None:
+    """Make a kind's entry known under its name, where it is chosen by a key, and its texts, by language and key."""
+    if entry is not None:
+        ENTRIES[section][name] = entry
+    for language, texts in words.items():
+        add(language, texts)
 
 
 @cache

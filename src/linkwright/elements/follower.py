@@ -14,19 +14,18 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Protocol
 
-from linkwright.elements.entries import ENTRIES, JointEntry
+from linkwright.elements.entries import JointEntry, make_known
 from linkwright.elements.joint import Applied, JointGeometry
-from linkwright.elements.mover import TRAVEL, TURN, MoverReports
+from linkwright.elements.mover import TRAVEL, TURN, MoverReports, MoverSignals
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Call, Node
+from linkwright.expressions.typed_fields import Path
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, Term
 from linkwright.laws import Motion
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
 from linkwright.notation.registry import Registry
-from linkwright.words import add
 
-Path = tuple[str | int, ...]
 Motions = Mapping[str, Any]
 """The motion laws by name: of each ``given(parameters)`` is the :class:`~linkwright.laws.Motion` at some parameters."""
 Value = Callable[[Any, Jet], Jet]
@@ -107,7 +106,7 @@ class UnitEffort:
 
 
 @dataclass(frozen=True)
-class Follower(ABC):
+class Follower(MoverSignals, ABC):
     """A joint that has ``link`` follow the drive ``motor``: ``turning`` about its pin on the link ``on``, or along the
     slide ``joint`` of both. ``turned`` is the sign by which the motor's value counts where its law is asked."""
 
@@ -149,16 +148,6 @@ class Follower(ABC):
     def slides(self) -> str | None:
         """The link where its value is a length."""
         return None if self.turning else self.link
-
-    @property
-    def rate(self) -> str:
-        """The signal of its speed: ``omega`` or ``v``."""
-        return "omega" if self.turning else "v"
-
-    @property
-    def effort(self) -> str:
-        """The signal of what it exerts: ``torque`` or ``force``."""
-        return "torque" if self.turning else "force"
 
     @property
     def extra(self) -> Mapping[str, Dimension]:
@@ -239,8 +228,5 @@ FOLLOWERS: Registry[type[Follower]] = Registry()
 def register_follower(cls: type[Follower]) -> type[Follower]:
     """Register a kind of follower under its name; a second one of the same name is an error."""
     FOLLOWERS[cls.kind] = cls
-    if issubclass(cls.stated, JointEntry):
-        ENTRIES["joints"][cls.kind] = cls.stated
-    for language, texts in cls.words.items():
-        add(language, texts)
+    make_known("joints", cls.kind, cls.stated if issubclass(cls.stated, FollowerEntry) else None, cls.words)
     return cls

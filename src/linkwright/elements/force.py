@@ -14,8 +14,9 @@ from typing import Any, ClassVar, Generic, Literal, NamedTuple, Protocol, TypeVa
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.entries import ENTRIES, ForceEntry
+from linkwright.elements.entries import ForceEntry, make_known
 from linkwright.elements.joint import Applied, JointGeometry
+from linkwright.elements.mover import MoverReports
 from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.fields import Expression, Position, Two
 from linkwright.expressions.language import Node
@@ -24,7 +25,6 @@ from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, Term
 from linkwright.notation import Body, Scalar, Wrench
 from linkwright.notation.registry import Registry
-from linkwright.words import add
 
 Array = NDArray[np.float64]
 E = TypeVar("E", bound=ForceEntry)
@@ -124,25 +124,8 @@ class ForceContext(Protocol):
         tell."""
 
 
-class ForceReports(Protocol):
-    """What a run reports at some times; vectors have shape (2, times)."""
-
-    @property
-    def geometry(self) -> JointGeometry:
-        """The model's dimensions."""
-
-    @property
-    def count(self) -> int:
-        """How many times."""
-
-    def row(self, signal: str) -> Array:
-        """A reported signal, among those that the kind wants ``reported``."""
-
-    def at(self, link: str, local: Any) -> Array:
-        """A link's point in the frame (m)."""
-
-    def turned(self, link: str, local: Any) -> Array:
-        """A vector fixed in a link, in the frame."""
+class ForceReports(MoverReports, Protocol):
+    """What a run reports; its ``rows`` are the signals that the kind wants ``reported``, too."""
 
     def omega(self, link: str) -> Array:
         """A link's angular velocity (rad/s)."""
@@ -341,10 +324,7 @@ FORCES: Registry[ForceKind[Any]] = Registry()
 def register(cls: type[ForceKind[Any]]) -> type[ForceKind[Any]]:
     """Register a kind under its name; a second one of the same name is an error."""
     FORCES[cls.name] = cls()
-    if not cls.usual:
-        ENTRIES[cls.section][cls.name] = cls.entry
-    for language, texts in cls.words.items():
-        add(language, texts)
+    make_known(cls.section, cls.name, None if cls.usual else cls.entry, cls.words)
     return cls
 
 

@@ -16,13 +16,12 @@ from typing import Any, ClassVar, Literal, NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.entries import ENTRIES, JointEntry
+from linkwright.elements.entries import JointEntry, make_known
 from linkwright.elements.play import Held, Stated
 from linkwright.expressions.written import FaultWithin
 from linkwright.findings import Term
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench
 from linkwright.notation.registry import Registry
-from linkwright.words import add
 
 Array = NDArray[np.float64]
 RowUnit = Literal["length", "angle"]
@@ -324,10 +323,7 @@ KINDS: Registry[JointKind] = Registry()
 def register(cls: type[JointKind]) -> type[JointKind]:
     """Register a kind of joint under its name; a second one of the same name is an error."""
     KINDS[cls.name] = cls()
-    if cls.entry is not None:
-        ENTRIES["joints"][cls.name] = cls.entry
-    for language, texts in cls.words.items():
-        add(language, texts)
+    make_known("joints", cls.name, cls.entry, cls.words)
     return cls
 
 

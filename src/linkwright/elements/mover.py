@@ -54,6 +54,10 @@ class Mover(Protocol):
         """The joint or link that follows the law in place of its own value."""
 
     @property
+    def value(self) -> str:
+        """The signal of its value."""
+
+    @property
     def effort(self) -> str:
         """The signal of what it exerts."""
 
@@ -67,3 +71,22 @@ class Mover(Protocol):
 
     def applied(self, reports: Any, name: str) -> list[Applied]:
         """What the reported effort does to the links: its proof, which asks none of the other methods."""
+
+
+class MoverSignals:
+    """How the signals of a mover are called, by whether its value is an angle or a length."""
+
+    @property
+    def value(self: Mover) -> str:
+        """The signal of its value: ``angle`` or ``s``."""
+        return "angle" if self.turns else "s"
+
+    @property
+    def rate(self: Mover) -> str:
+        """The signal of its speed: ``omega`` or ``v``."""
+        return "omega" if self.turns else "v"
+
+    @property
+    def effort(self: Mover) -> str:
+        """The signal of what it exerts: ``torque`` or ``force``."""
+        return "torque" if self.turns else "force"

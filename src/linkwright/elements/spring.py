@@ -248,7 +248,7 @@ class Springs(ForceKind[Spring]):
     def misfits(self, reports: ForceReports, name: str, entry: Spring) -> list[Misfit]:
         x, rate, _, _ = _seen(reports, name, entry)
         force = _elastic_force(reports, entry, x) + _damping_force(reports, entry, rate)
-        return [Misfit(reports.row(f"{name}.{entry.effort}") - force, not entry.torsional)]
+        return [Misfit(reports.rows[f"{name}.{entry.effort}"] - force, not entry.torsional)]
 
     # What is told of it.
 
@@ -388,7 +388,7 @@ def _seen(reports: ForceReports, name: str, entry: Spring) -> tuple[Array, Array
     links = [str(entry.turns), str(entry.on)]
     (c, s), (c0, s0) = (reports.turned(link, (1.0, 0.0)) for link in links)
     angle = np.arctan2(s * c0 - c * s0, c * c0 + s * s0)
-    turns = np.round((reports.row(f"{name}.angle") - angle) / (2 * np.pi))
+    turns = np.round((reports.rows[f"{name}.angle"] - angle) / (2 * np.pi))
     omega, omega0 = (reports.omega(link) for link in links)
     return angle + 2 * np.pi * turns, omega - omega0, nowhere, [(link, nowhere) for link in links]
 

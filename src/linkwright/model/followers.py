@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
-from linkwright.elements.follower import FOLLOWERS, Follower, Path
-from linkwright.expressions.typed_fields import Context
+from linkwright.elements.follower import FOLLOWERS, Follower
+from linkwright.expressions.typed_fields import Context, Path
 from linkwright.findings import Finding, Term
 from linkwright.model.mechanism import Mechanism
-from linkwright.model.pins import pins
+from linkwright.model.pins import Pin, pins
 from linkwright.model.references import reference_faults
 from linkwright.model.walk import references
 
@@ -17,7 +17,7 @@ _ENTRY = {"cams": "a-cam", "joints": "a-joint"}
 """What an entry of a section is called."""
 
 
-def stated(m: Mechanism) -> Iterator[tuple[str, str, Any, type[Follower]]]:
+def follower_entries(m: Mechanism) -> Iterator[tuple[str, str, Any, type[Follower]]]:
     """What a file says of followers: section, name, entry, kind."""
     for section in dict.fromkeys(kind.section for kind in FOLLOWERS.values()):
         for name, entry in getattr(m, section).items():
@@ -25,20 +25,20 @@ def stated(m: Mechanism) -> Iterator[tuple[str, str, Any, type[Follower]]]:
                 yield section, name, entry, found
 
 
-def with_followers(m: Mechanism) -> Mechanism:
-    """The mechanism with its followers as prescribed motions; what has a fault is left out."""
-    every = [*stated(m)]
-    if not every:
-        return m
-    found = {name: made for _, name, entry, kind in every if isinstance(made := _read(m, name, entry, kind), Follower)}
-    return m.with_followers(found)
-
-
-def follower_faults(m: Mechanism) -> Iterator[Finding]:
-    """Faults of followers, in a mechanism whose other short forms are spelled out."""
-    for _, name, entry, kind in stated(m):
-        made = _read(m, name, entry, kind)
-        yield from () if isinstance(made, Follower) else made
+def with_followers(m: Mechanism) -> tuple[Mechanism, list[Finding]]:
+    """A mechanism whose other short forms are spelled out, with its followers as prescribed motions; and what is wrong
+    with those that are left out."""
+    found, faults = dict[str, Follower](), list[Finding]()
+    if not (every := [*follower_entries(m)]):
+        return m, faults
+    pinned = pins(m)
+    for _, name, entry, kind in every:
+        made = _read(m, pinned, name, entry, kind)
+        if isinstance(made, Follower):
+            found[name] = made
+        else:
+            faults += made
+    return m.with_followers(found), faults
 
 
 def no_followers(m: Mechanism, study: str) -> Finding:
@@ -50,11 +50,13 @@ def no_followers(m: Mechanism, study: str) -> Finding:
 def follower_home(m: Mechanism, path: Path) -> Path | None:
     """Where a place of a follower's motion stands in the file."""
     if len(path) > 1 and path[0] == "drives" and path[1] not in m.drives:
-        return next(((section, name) for section, name, _, _ in stated(m) if name == path[1]), None)
+        return next(((section, name) for section, name, _, _ in follower_entries(m) if name == path[1]), None)
     return None
 
 
-def _read(m: Mechanism, name: str, entry: Any, kind: type[Follower]) -> Follower | list[Finding]:
+def _read(
+    m: Mechanism, pinned: Mapping[str, Pin], name: str, entry: Any, kind: type[Follower]
+) -> Follower | list[Finding]:
     """The follower, or what is wrong."""
     path, findings = (kind.section, name), []
     if name in m.drives or (kind.section != "cams" and name in m.cams):
@@ -65,7 +67,7 @@ def _read(m: Mechanism, name: str, entry: Any, kind: type[Follower]) -> Follower
     findings += reference_faults(one for one in named if one.ref.kind == "law")
     if missing:
         return [*findings, *missing]
-    made = kind.read(m, name, pins(m))
+    made = kind.read(m, name, pinned)
     if not isinstance(made, Follower):
         return [*findings, *made]
     return [*findings, *_unlawful(m, path, made)] or made

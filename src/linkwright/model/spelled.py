@@ -8,7 +8,7 @@ from functools import cached_property
 
 from linkwright.findings import Finding
 from linkwright.model.cylinders import cylinder_faults, cylinder_home, with_cylinders
-from linkwright.model.followers import follower_faults, follower_home, with_followers
+from linkwright.model.followers import follower_home, with_followers
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.places import stated
 from linkwright.model.plane import LinkagePlane, in_plane
@@ -55,8 +55,8 @@ def home(m: Mechanism, findings: Iterable[Finding]) -> list[Finding]:
 def spell_out(written: Mechanism) -> Spelled:
     """The mechanism that the solver sees, as far as the short forms are sound."""
     flat = in_plane(written)
-    plain = with_cylinders(with_sketch(flat.mechanism))
+    plain, unfollowed = with_followers(with_cylinders(with_sketch(flat.mechanism)))
     wrong = tuple(finding for finding in flat.findings if finding.severity == "error")
-    findings = (*sketch_faults(written), *wrong, *cylinder_faults(written), *follower_faults(plain))
+    findings = (*sketch_faults(written), *wrong, *cylinder_faults(written), *unfollowed)
     warnings = tuple(finding for finding in flat.findings if finding not in wrong)
-    return Spelled(written, with_followers(plain), findings, flat.plane, warnings, drawn_values(flat.mechanism))
+    return Spelled(written, plain, findings, flat.plane, warnings, drawn_values(flat.mechanism))

@@ -52,7 +52,7 @@ class Reports:
             if "moment" in self.compiled.quantities.signals.of_contact(c)
         ]
         names += [f"{n}.{a}" for n, d in movers.items() for a in (d.effort, d.rate)]
-        names += [f"{f.motor}.{next(iter(movers[f.motor].signals))}" for f in self.mechanism.followers.values()]
+        names += [f"{f.motor}.{movers[f.motor].value}" for f in self.mechanism.followers.values()]
         names += [s.text for s in self.compiled.graph.actions.signals]
         names += [WindowRow(name) for name in self.compiled.graph.actions.windows]
         names += [f"{one.name}.{a}" for one in self.every for a in one.kind.reported(one.entry)]
@@ -144,10 +144,6 @@ class Reports:
     def misfits(self) -> list[Misfit]:
         """By what they report of themselves misses what the motion makes of them."""
         return [found for one in self.every for found in one.kind.misfits(self, one.name, one.entry)]
-
-    def row(self, signal: str) -> Array:
-        """A reported signal."""
-        return self.rows[signal]
 
     def omega(self, link: str) -> Array:
         """A link's angular velocity (rad/s)."""

@@ -114,7 +114,7 @@ class BumpStop(ForceKind[BumpStopEntry]):
         return []
 
     def misfits(self, reports: Any, name: str, entry: Any) -> list[Misfit]:
-        return [Misfit(reports.row(f"{name}.push") - self._seen(reports, entry)[2], force=True)]
+        return [Misfit(reports.rows[f"{name}.push"] - self._seen(reports, entry)[2], force=True)]
 
     def _seen(self, reports: Any, entry: Any) -> Any:
         geometry, found = reports.geometry, homes(reports.geometry.mechanism)

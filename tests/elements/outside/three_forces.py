@@ -56,7 +56,7 @@ class Drag(ForceKind[DragEntry]):
         place = reports.at(entry.drag, reports.geometry.point(entry.drag, entry.at))
         force = -reports.value(entry.coefficient, u.DAMPING) * reports.velocity(entry.drag, place)
         ct = float(reports.geometry.number(entry.turning, u.TORSIONAL_DAMPING))
-        return [(entry.drag, force, place, -ct * reports.row(f"{entry.drag}.omega"))]
+        return [(entry.drag, force, place, -ct * reports.rows[f"{entry.drag}.omega"])]
 
 
 class InerterEntry(ForceEntry):
@@ -120,10 +120,10 @@ class Inerter(ForceKind[InerterEntry]):
         return []
 
     def misfits(self, reports: Any, name: str, entry: Any) -> list[Misfit]:
-        return [Misfit(reports.row(f"{name}.moment") - self._seen(reports, entry), force=False)]
+        return [Misfit(reports.rows[f"{name}.moment"] - self._seen(reports, entry), force=False)]
 
     def _seen(self, reports: Any, entry: Any) -> Any:
-        return -float(reports.geometry.number(entry.inertia, u.INERTIA)) * reports.row(f"{entry.inerter}.alpha")
+        return -float(reports.geometry.number(entry.inertia, u.INERTIA)) * reports.rows[f"{entry.inerter}.alpha"]
 
 
 class BallEntry(ForceEntry):

@@ -10,8 +10,9 @@ import numpy as np
 
 from linkwright.elements.cam_contact.contact import Seat, seat, slant
 from linkwright.elements.cam_contact.second import largest, other_side, rest, room, second_seat
-from linkwright.elements.follower import FollowerGeometry, Path
+from linkwright.elements.follower import FollowerGeometry
 from linkwright.expressions import units as u
+from linkwright.expressions.typed_fields import Path
 from linkwright.findings import Finding
 from linkwright.laws import Motion
 from linkwright.laws.numbers import first

@@ -17,7 +17,6 @@ from linkwright.elements.follower import (
     FollowerGeometry,
     FollowerReports,
     Motions,
-    Path,
     Poses,
     Riding,
     UnitEffort,
@@ -26,6 +25,7 @@ from linkwright.elements.follower import (
 from linkwright.elements.joint import Applied
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Call, Node
+from linkwright.expressions.typed_fields import Path
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding
 from linkwright.laws import Motion

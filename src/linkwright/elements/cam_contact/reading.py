@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from linkwright.elements.cam_contact.entry import Cam
-from linkwright.elements.follower import Path
 from linkwright.expressions.fields import AssemblyRule
+from linkwright.expressions.typed_fields import Path
 from linkwright.expressions.unknown import unknown_point
 from linkwright.findings import Finding
 

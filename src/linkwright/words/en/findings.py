@@ -1747,8 +1747,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Take {key} out.",
     ),
     "clearance.no-play": (
-        "A clearance of {name} can't be stated: where the links of such a joint ({kind}) would rest isn't known.",
-        "Take it out; a play can be stated as the tolerance of a dimension instead.",
+        "A clearance of {name} can't be evaluated: joints of this kind ({kind}) don't state their points of contact.",
+        "Remove it, or state the clearance as the tolerance of a dimension.",
     ),
     "clearance.not-on-pin": (
         "{link} isn't on the pin {name}, so the pin can't be fixed in it.",
