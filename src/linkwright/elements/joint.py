@@ -16,8 +16,8 @@ from typing import Any, ClassVar, Literal, NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.elements.clearance import Held, Stated
 from linkwright.elements.entries import JointEntry, make_known
-from linkwright.elements.play import Held, Stated
 from linkwright.expressions.written import FaultWithin
 from linkwright.findings import Term
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench

@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from linkwright.elements.clearance import Axis, Known, Rows, Seats, Stated
 from linkwright.elements.joint import (
     Array,
     Contact,
@@ -21,7 +22,6 @@ from linkwright.elements.joint import (
     register,
 )
 from linkwright.elements.lower_pair import LowerPair, Slopes
-from linkwright.elements.play import Axis, Known, Rows, Seats, Stated
 from linkwright.expressions import units as u
 from linkwright.expressions.written import FaultWithin
 from linkwright.notation import Body, Jet, Pair, Scalar, Vec, Wrench

@@ -19,6 +19,7 @@ from typing import Annotated, Any, ClassVar, Literal
 import numpy as np
 from pydantic import BeforeValidator, Field
 
+from linkwright.elements.clearance import OnFlank, Stated
 from linkwright.elements.entries import JointEntry
 from linkwright.elements.joint import (
     Array,
@@ -32,7 +33,6 @@ from linkwright.elements.joint import (
     Reaction,
     register,
 )
-from linkwright.elements.play import OnFlank, Stated
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Frozen, LineOn, Name, Two, fault, pair
 from linkwright.expressions.typed_fields import Context, Ends, Quantity, Ref, Sign

@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, ClassVar
 
 from linkwright.elements.force import Acting
 from linkwright.graph.actions import active
+from linkwright.graph.derivative_orders import ORDERS
 from linkwright.graph.forces import lever, unit_efforts
 from linkwright.graph.geometry import ZERO
-from linkwright.graph.orders import ORDERS
 from linkwright.model.signals import Signal
 from linkwright.notation import Body, Scalar
 from linkwright.structure import Structure

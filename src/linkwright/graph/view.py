@@ -15,10 +15,10 @@ from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, signal_text
 from linkwright.expressions.units import Dimension
 from linkwright.graph.actions import active, wrenches
+from linkwright.graph.derivative_orders import DRIVE_ORDERS, LETTERS, LINK_ORDERS, SLIDE_ORDERS
 from linkwright.graph.forces import Forces, solve_forces
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, solve_motion
-from linkwright.graph.orders import DRIVE_ORDERS, LETTERS, LINK_ORDERS, SLIDE_ORDERS
 from linkwright.graph.poles import pole
 from linkwright.model.signals import Signal
 from linkwright.notation import Body, Jet, Scalar, Vec, Wrench

@@ -14,9 +14,9 @@ import numpy as np
 from pydantic import BeforeValidator, Field
 
 from linkwright.elements import Inner, JointKind, register
+from linkwright.elements.clearance import OnFlank, Stated
 from linkwright.elements.entries import JointEntry
 from linkwright.elements.joint import Miss, Rate
-from linkwright.elements.play import OnFlank, Stated
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, LineOn, Name
 from linkwright.expressions.typed_fields import Quantity, Sign

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from helpers.compiled import compiled_from
 from helpers.examples import UNITS
-from linkwright.elements.play import OnFlank
+from linkwright.elements.clearance import OnFlank
 from linkwright.expressions.units import LENGTH
 from linkwright.kernels import Compiled
 from linkwright.studies.accuracy.clearance_options import Clearance

@@ -9,8 +9,8 @@ from typing import Any, ClassVar
 from linkwright.elements.cam_contact import contact as contacts
 from linkwright.elements.cam_contact import proof
 from linkwright.elements.cam_contact.entry import Cam
+from linkwright.elements.cam_contact.entry_reader import read
 from linkwright.elements.cam_contact.faults import faults, not_whole
-from linkwright.elements.cam_contact.reading import read
 from linkwright.elements.cam_contact.second import largest, other_side, second
 from linkwright.elements.follower import (
     Follower,

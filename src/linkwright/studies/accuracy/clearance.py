@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.play import Held
+from linkwright.elements.clearance import Held
 from linkwright.expressions.language import Node
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled

@@ -9,7 +9,7 @@ from typing import Annotated
 from pydantic import Field
 
 from linkwright.elements.cam_contact import cam_followers
-from linkwright.elements.play import Stated
+from linkwright.elements.clearance import Stated
 from linkwright.expressions.fields import Expression, Name
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.expressions.units import LENGTH

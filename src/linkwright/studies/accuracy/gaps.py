@@ -10,7 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.play import Held, Known, Rows
+from linkwright.elements.clearance import Held, Known, Rows
 from linkwright.expressions.language import Node
 from linkwright.notation import Jet
 from linkwright.results import Run

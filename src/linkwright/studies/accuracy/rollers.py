@@ -14,7 +14,7 @@ import numpy as np
 
 from linkwright.elements.cam_contact import cam_followers
 from linkwright.elements.cam_contact.contact import seat, sense
-from linkwright.elements.play import Axis, Known, Rows
+from linkwright.elements.clearance import Axis, Known, Rows
 from linkwright.expressions.language import FUNCTIONS
 from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled

@@ -11,7 +11,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from linkwright.elements.play import Axis, Held, Known, Stated
+from linkwright.elements.clearance import Axis, Held, Known, Stated
 from linkwright.expressions.units import LENGTH
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.rows import BodyPlace, Named

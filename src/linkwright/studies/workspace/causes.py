@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.play import Held, Known
+from linkwright.elements.clearance import Held, Known
 from linkwright.graph.rows import Named
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.accuracy.seats import columns, named
