@@ -37,9 +37,9 @@ def line(text: str) -> str:
     return visible(_LINE_ENDS.sub(" ", text)).strip()
 
 
-def markup(text: str) -> str:
-    """Text in HTML, SVG or XML, in an element or an attribute."""
-    return html.escape(visible(text))
+def markup(text: object) -> str:
+    """Text in HTML, SVG or XML, in an element or an attribute; of what isn't a text yet, its words."""
+    return html.escape(visible(str(text)))
 
 
 def json_text(text: str) -> str:

@@ -20,23 +20,47 @@ def _say(key: str, data: Mapping[str, Any]) -> str:
     return catalogue()[key].format_map(shown)
 
 
-class Term:
-    """A phrase of the catalogue inside a finding's data: it becomes words only when the finding is said."""
+class Said:
+    """A text of the catalogue with the data that it names: it becomes words only where it is shown."""
 
-    def __init__(self, key: str, **data: Any) -> None:
+    def __init__(self, key: str, /, **data: Any) -> None:
         self.key, self.data = key, data
 
     def __str__(self) -> str:
-        return _say(f"term.{self.key}", self.data)
+        return _say(self.key, self.data)
+
+    def __format__(self, spec: str) -> str:
+        return format(str(self), spec)
 
     def __repr__(self) -> str:
-        return f"Term({self.key!r})"
+        return f"{type(self).__name__}({self.key!r})"
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Term) and (self.key, self.data) == (other.key, other.data)
+        return isinstance(other, Said) and (self.key, self.data) == (other.key, other.data)
 
     def __hash__(self) -> int:
         return hash(self.key)
+
+
+class Term(Said):
+    """A phrase of the catalogue inside the data of a finding or another text."""
+
+    def __init__(self, key: str, /, **data: Any) -> None:
+        super().__init__(f"term.{key}", **data)
+
+
+Text = str | Said
+"""What is shown: a name or number as it is, or a text of the catalogue."""
+
+
+class Joined(Said):
+    """Texts one after another, such as the names of a list."""
+
+    def __init__(self, parts: Iterable[Text], between: str = ", ") -> None:
+        super().__init__(between, parts=tuple(parts))
+
+    def __str__(self) -> str:
+        return self.key.join(map(str, self.data["parts"]))
 
 
 @dataclass(frozen=True)

@@ -29,7 +29,7 @@ def model(toleranced: bool = True, **accuracy: Any) -> lw.Document:
 
 def test_the_files(tmp_path: Path) -> None:
     job = perform(examine_document(model()), Site(out=tmp_path))
-    write(job, tmp_path, Writing(netcdf=True))
+    write(job, tmp_path, Writing(["netcdf"]))
     assert {path.name for path in tmp_path.iterdir()} == {
         "linkwright-manifest.json", "report.html", "summary.json", "cycle.csv", "cycle.nc", "accuracy.csv",
         "accuracy_bands.csv", "accuracy.nc",

@@ -128,7 +128,7 @@ def test_names_are_escaped_in_drawings(tmp_path: Path) -> None:
 
 def test_a_parallelogram_names_its_change_points() -> None:
     outcome = lw.modes(Document.model_validate(parallelogram()))
-    from linkwright.report.modes import circuit_text, modes_data
+    from linkwright.studies.modes.report import circuit_text, modes_data
 
     data = modes_data(outcome)
     assert [sorted(abs(v) for v in c["change_points"])[-1] for c in data["circuits"]] == pytest.approx(

@@ -121,7 +121,7 @@ def _one_date(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("study", STUDIES)
 def test_what_studies_write(study: str, tmp_path: Path) -> None:
     def write(file: Path, out: Path) -> None:
-        job = carry_out(examine_file(file), Site(out=out), Writing(netcdf=True, comments=True))
+        job = carry_out(examine_file(file), Site(out=out), Writing(["netcdf"], comments=True))
         assert study in job.outcomes
 
     harmless, hostile = both(example_of(study), tmp_path, write)

@@ -14,7 +14,7 @@ import linkwright as lw
 from app.models import SOUND, STUCK
 from linkwright.cli import cli
 from linkwright.report.build import report_data
-from linkwright.report.limits import limits_entry, limits_tables
+from linkwright.studies.limits.report import limits_entry, limits_tables
 
 ALONE = SOUND.split("studies:", maxsplit=1)[0] + "studies:\n  limits: {signals: [P.x], samples: 90}\n"
 BOTH = SOUND + "  limits: {}\n"

@@ -36,7 +36,7 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> tuple[SweepOutcome, Pat
     folder = tmp_path_factory.mktemp("out")
     job = perform(examine_document(model()), Site(out=folder))
     assert job.sweep is not None
-    write(job, folder, Writing(netcdf=True))
+    write(job, folder, Writing(["netcdf"]))
     return job.sweep, folder
 
 

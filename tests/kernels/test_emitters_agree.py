@@ -22,7 +22,7 @@ from linkwright.graph.program import Program
 from linkwright.graph.rows import determinants
 from linkwright.kernels import KERNELS, Compiled
 from linkwright.model.document import load
-from linkwright.studies.cycle import CycleOptions, span
+from linkwright.studies.cycle.options import CycleOptions, span
 
 # An example called so has the links, groups and forces of another: it shows another study or another law of a drive,
 # which are no part of a program. To compile it would take seconds and prove nothing new.

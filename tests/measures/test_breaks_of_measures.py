@@ -239,7 +239,7 @@ def test_planted_faults_are_caught_by_the_check(fault: str, monkeypatch: pytest.
 
 def test_a_failed_check_fails_the_run(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Probe, "top", lambda p: Peak(p.bottom().value, 0.0, ""))
-    monkeypatch.setattr("linkwright.studies.cycle.enclose", lambda measurer, results: results)
+    monkeypatch.setattr("linkwright.studies.cycle.study.enclose", lambda measurer, results: results)
     job = job_of(slider_crank(measures={"a": {"max": "B.x"}}))
     assert "motion.unproven" in codes(job)
     assert not job.cycle.result.certificate.sound()

@@ -17,15 +17,15 @@ from scipy.io import netcdf_file
 import linkwright as lw
 from helpers.accuracies import LIMITS, MM, NOMINAL, outcome, place, stroke
 from linkwright.app.job import summary_text
-from linkwright.report.accuracy import accuracy_entry, per
-from linkwright.report.accuracy_charts import curve_charts, figure_charts
-from linkwright.report.accuracy_files import bands_csv, contributors_csv, netcdf_bytes
-from linkwright.report.accuracy_page import accuracy_page, sentences
-from linkwright.report.accuracy_tables import overview, review, review_text
 from linkwright.report.build import report_data
-from linkwright.report.disagreement import along, disagreement
 from linkwright.report.page import page
+from linkwright.studies.accuracy.charts import curve_charts, figure_charts
+from linkwright.studies.accuracy.disagreement import along, disagreement
+from linkwright.studies.accuracy.files import bands_csv, contributors_csv, netcdf_bytes
 from linkwright.studies.accuracy.outcome import AccuracyOutcome
+from linkwright.studies.accuracy.report import accuracy_page, sentences
+from linkwright.studies.accuracy.summary import accuracy_entry, per
+from linkwright.studies.accuracy.tables import overview, review, review_text
 from studies.models import slider_crank
 
 SIZES = np.array([[low, high] for low, high, _ in LIMITS.values()])  # mm

@@ -9,9 +9,14 @@ import numpy as np
 import pytest
 
 from linkwright.app.job import summary_text
-from linkwright.report.accuracy_design import allocation_entry, calibration_entry, design_sentences, design_tables
 from linkwright.studies.accuracy.allocated import Allocation, Allotted, Held, Optimality
 from linkwright.studies.accuracy.calibrated import Calibration, Confounded, Estimate, Observed
+from linkwright.studies.accuracy.design_report import (
+    allocation_entry,
+    calibration_entry,
+    design_sentences,
+    design_tables,
+)
 
 MM, DEG = 1e-3, np.pi / 180
 

@@ -21,8 +21,8 @@ from linkwright.cli import cli
 from linkwright.formulas.evaluate import value
 from linkwright.model.document import parse_document
 from linkwright.report.build import report_data
-from linkwright.report.cam_files import FILES
 from linkwright.report.page import page
+from linkwright.studies.cam.files import FILES
 from linkwright.studies.cam.outcome import CamOutcome
 
 

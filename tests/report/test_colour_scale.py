@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from linkwright.report.colour_scale import colours
+from linkwright.drawing.colour_scale import colours
 
 
 def luminance(colour: str) -> float:

@@ -15,8 +15,8 @@ import pytest
 from helpers.accuracies import outcome
 from helpers.workspaces import five_bar, performed
 from linkwright.report import ReportData, Scene, page
-from linkwright.report.accuracy_page import accuracy_page
 from linkwright.report.build import report_data
+from linkwright.studies.accuracy.report import accuracy_page
 
 pytestmark = pytest.mark.browser
 sync_api = pytest.importorskip("playwright.sync_api")

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from xml.etree import ElementTree
 
+from linkwright.drawing.tiled import tiled
 from linkwright.report.data import Chart, Slider
 from linkwright.report.stacks import stacks
-from linkwright.report.tiled import tiled
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" class="lw still workspace" viewBox="0 0 560 {high}"></svg>'
 

@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 import linkwright as lw
-from linkwright.report.charts import ticks
-from linkwright.report.sweep_charts import charts
+from linkwright.drawing.charts import ticks
+from linkwright.studies.sweep.charts import charts
 from studies.models import CRANK, four_bar, slider_crank
 
 

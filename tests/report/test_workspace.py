@@ -16,9 +16,9 @@ from helpers.workspaces import arm, five_bar, four_bar, performed
 from linkwright.app.job import Job
 from linkwright.report.build import report_data
 from linkwright.report.page import page
-from linkwright.report.workspace import workspace_page, workspace_tables
-from linkwright.report.workspace_files import boundary_csv, dxf, geojson, svg
 from linkwright.studies.workspace.certificate import Certificate, Fault
+from linkwright.studies.workspace.files import boundary_csv, dxf, geojson, svg
+from linkwright.studies.workspace.report import workspace_page, workspace_tables
 
 
 @pytest.fixture(scope="module")

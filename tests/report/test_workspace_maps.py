@@ -18,10 +18,10 @@ from shapely.geometry import shape
 from helpers.workspaces import arm, performed
 from linkwright.app.job import Job
 from linkwright.report.build import report_data
-from linkwright.report.map_picture import levels_of
 from linkwright.report.page import page
-from linkwright.report.workspace_files import geojson
-from linkwright.report.workspace_maps import errors_csv, quality_charts, quality_csv, quality_svg
+from linkwright.studies.workspace.files import geojson
+from linkwright.studies.workspace.map_picture import levels_of
+from linkwright.studies.workspace.maps_report import errors_csv, quality_charts, quality_csv, quality_svg
 
 A, B = 40.0, 30.0
 

@@ -14,17 +14,17 @@ from numpy.typing import NDArray
 
 from helpers.workspaces import arm, five_bar, performed
 from linkwright.app.job import Job
-from linkwright.report.plane import Plane
-from linkwright.report.trajectory_picture import LARGEST, ColouredLine, Scale, trajectory_picture
-from linkwright.report.workspace import workspace_page
-from linkwright.report.workspace_trajectories import (
+from linkwright.drawing.plane import Plane
+from linkwright.studies.workspace.outcome import WorkspaceOutcome
+from linkwright.studies.workspace.report import workspace_page
+from linkwright.studies.workspace.trajectories_report import (
     trajectories_charts,
     trajectories_csv,
     trajectories_sentences,
     trajectories_svg,
     trajectories_tables,
 )
-from linkwright.studies.workspace.outcome import WorkspaceOutcome
+from linkwright.studies.workspace.trajectory_picture import LARGEST, ColouredLine, Scale, trajectory_picture
 
 
 @pytest.fixture(scope="module")

@@ -313,7 +313,7 @@ def test_dead_masses_and_no_gravity_need_no_forces() -> None:
 @pytest.mark.parametrize("miss", [1e-6, np.nan])
 def test_a_run_whose_proof_fails_is_not_done(miss: float, monkeypatch: pytest.MonkeyPatch) -> None:
     """Its figures are there, but the exit code says that they don't hold."""
-    monkeypatch.setattr("linkwright.studies.cycle.certify", lambda run: replace(certify(run), closure=miss))
+    monkeypatch.setattr("linkwright.studies.cycle.study.certify", lambda run: replace(certify(run), closure=miss))
     job = job_of(slider_crank(**cycle(turns="1 motor")))
     assert job.exit_code == 1
     (failure,) = job.found

@@ -10,10 +10,10 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from helpers.compiled import compiled_from
-from linkwright.report.limits import limits_entry, limits_tables
 from linkwright.structure.loops import loops_of_four
-from linkwright.studies.four_links import FourLinks, four_links
-from linkwright.studies.ranges import ranges
+from linkwright.studies.limits.four_links import FourLinks, four_links
+from linkwright.studies.limits.ranges import ranges
+from linkwright.studies.limits.report import limits_entry, limits_tables
 from studies.models import CRANK, UNITS, four_bar, job_of, slider_crank
 
 ANGLES = np.exp(1j * np.linspace(0, 2 * np.pi, 2001))

@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 
 import linkwright as lw
 from linkwright.graph.rows import Determinant
-from linkwright.studies.extremes import Course
-from linkwright.studies.limits import LimitsOutcome, Stretch
-from linkwright.studies.ranges import Range
+from linkwright.studies.limits.extremes import Course
+from linkwright.studies.limits.outcome import LimitsOutcome, Stretch
+from linkwright.studies.limits.ranges import Range
 from studies.models import UNITS, codes, four_bar, job_of, refused, slider_crank
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

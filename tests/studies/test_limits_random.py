@@ -15,8 +15,9 @@ from helpers.random_mechanisms import Seeded, build, driven_elsewhere, mechanism
 from linkwright.graph.rows import Determinant, Reach
 from linkwright.model.document import Document
 from linkwright.structure import decompose
-from linkwright.studies.limits import Limits, LimitsOptions, Stretch
-from linkwright.studies.ranges import Range
+from linkwright.studies.limits.outcome import Stretch
+from linkwright.studies.limits.ranges import Range
+from linkwright.studies.limits.study import Limits, LimitsOptions
 
 STUDY = Limits()
 

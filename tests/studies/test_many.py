@@ -26,7 +26,7 @@ from linkwright.measures import MeasureResult, bound, measure_all
 from linkwright.model.document import Document, load, replaced
 from linkwright.model.mechanism import REDUCTIONS
 from linkwright.results import Run
-from linkwright.studies.cycle import CycleOptions, span
+from linkwright.studies.cycle.options import CycleOptions, span
 from linkwright.studies.many import Many, Measuring, measure_many
 from studies.models import UNITS, four_bar, slider_crank
 from studies.test_measures import SIGNALS

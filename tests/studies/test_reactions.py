@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 
 import linkwright as lw
 from linkwright.app.job import Job
-from linkwright.report.reactions import reactions_csv, reactions_tables
-from linkwright.studies.reactions import ReactionsOutcome
+from linkwright.studies.reactions.outcome import ReactionsOutcome
+from linkwright.studies.reactions.report import reactions_csv, reactions_tables
 from studies.models import UNITS, codes, four_bar, job_of, speakable
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "bracket.yaml"

@@ -26,7 +26,7 @@ import linkwright as lw
 from helpers.heat_seal import heat_seal, performed
 from linkwright.formulas.evaluate import value
 from linkwright.model.document import parse_document
-from linkwright.report.cam_files import FILES
+from linkwright.studies.cam.files import FILES
 
 M = 12.0
 WAVE = f"{M / (2 * math.pi):.15g}"  # 1.90985931710274

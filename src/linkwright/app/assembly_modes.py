@@ -10,10 +10,11 @@ from linkwright.app.job import Examined, read_file
 from linkwright.compilation import examine, prepare
 from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.model.document import Document
-from linkwright.report.modes import told
+from linkwright.report.summary import worded
 from linkwright.structure import decompose
 from linkwright.studies import ModesOptions, ModesOutcome, find_modes, read_studies
-from linkwright.studies.modes import own_mode
+from linkwright.studies.modes.report import modes_data
+from linkwright.studies.modes.study import own_mode
 
 
 @dataclass
@@ -31,7 +32,7 @@ class ModesJob:
     @property
     def summary(self) -> dict[str, Any]:
         """What was found as plain data."""
-        data: dict[str, Any] = {} if self.outcome is None else told(self.outcome)
+        data: dict[str, Any] = {} if self.outcome is None else worded(modes_data(self.outcome))
         return data | {"findings": [finding.as_dict() for finding in self.examined.findings]}
 
 

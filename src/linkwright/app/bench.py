@@ -23,7 +23,7 @@ from linkwright.kernels import KERNELS, Compiled
 from linkwright.kernels.spread import pool, spread, stretches
 from linkwright.model.signals import Signal
 from linkwright.model.temporary import temporary_folder
-from linkwright.studies.cycle import CycleOptions, span
+from linkwright.studies.cycle.options import CycleOptions, span
 
 Array = NDArray[np.float64]
 

@@ -24,27 +24,20 @@ from linkwright.model.references import option_faults
 from linkwright.model.spelled import home
 from linkwright.model.walk import Options, option_places
 from linkwright.model.yaml_text import MAX_BYTES, Source
+from linkwright.presentation.blocks import FileOf
 from linkwright.report.build import report_data
 from linkwright.report.page import page
-from linkwright.report.parts import PARTS, drawn, found, summary
+from linkwright.report.summary import drawn, found, summary
 from linkwright.studies import (
     NOWHERE,
     STUDIES,
-    CycleOutcome,
-    LimitsOutcome,
-    ModesOutcome,
     Site,
     Stopped,
     Study,
-    SweepOutcome,
     Task,
     read_studies,
 )
-from linkwright.studies.accuracy.outcome import AccuracyOutcome
-from linkwright.studies.cam.outcome import CamOutcome
-from linkwright.studies.reactions import ReactionsOutcome
 from linkwright.studies.registry import OfStructures
-from linkwright.studies.workspace.outcome import WorkspaceOutcome
 
 CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite", "export.cannot-")
 """Codes that begin so mean a model that can't do what is asked (exit code 1); all others a wrong file (2)."""
@@ -203,45 +196,11 @@ class Job:
     stopped: Stopped | None = None
     outdated: Path | None = None
 
-    @property
-    def cycle(self) -> CycleOutcome | None:
-        """The cycle's outcome, where the file asks for one."""
-        return self.outcomes.get("cycle")
-
-    @property
-    def modes(self) -> ModesOutcome | None:
-        """The assembly modes, where the file asks for them."""
-        return self.outcomes.get("modes")
-
-    @property
-    def limits(self) -> LimitsOutcome | None:
-        """The outcome of the limits study, where the file asks for it."""
-        return self.outcomes.get("limits")
-
-    @property
-    def reactions(self) -> ReactionsOutcome | None:
-        """A structure's reactions, where the file asks for them."""
-        return self.outcomes.get("reactions")
-
-    @property
-    def sweep(self) -> SweepOutcome | None:
-        """The outcome of the sweep, where the file asks for one."""
-        return self.outcomes.get("sweep")
-
-    @property
-    def accuracy(self) -> AccuracyOutcome | None:
-        """The outcome of the accuracy study, where the file asks for it."""
-        return self.outcomes.get("accuracy")
-
-    @property
-    def workspace(self) -> WorkspaceOutcome | None:
-        """The outcome of the workspace study, where the file asks for it."""
-        return self.outcomes.get("workspace")
-
-    @property
-    def cam(self) -> CamOutcome | None:
-        """The cam's outcome, where the file asks for it."""
-        return self.outcomes.get("cam")
+    def __getattr__(self, name: str) -> Any:
+        """The outcome of a study by its name; ``None`` where the file doesn't ask for it."""
+        if name not in STUDIES:
+            raise AttributeError(name)
+        return self.outcomes.get(name)
 
     @property
     def found(self) -> list[Finding]:
@@ -286,13 +245,16 @@ def perform(examined: Examined, site: Site = NOWHERE) -> Job:
 
 @dataclass(frozen=True)
 class Writing:
-    """How results are written: files that are asked for besides the usual ones, whether foreign files may be
-    overwritten, whether CSV files begin with comments that name their origin."""
+    """How results are written: which kinds of files are asked for besides the usual ones (``netcdf``, ``png``), whether
+    foreign files may be overwritten, whether CSV files begin with comments that name their origin."""
 
-    netcdf: bool = False
-    png: bool = False
+    asked: Collection[str] = ()
     force: bool = False
     comments: bool = False
+
+    def files(self, study: Study) -> dict[str, FileOf]:
+        """What a study writes, by name."""
+        return {name: file for name, file in study.files.items() if not file.asked or file.asked in self.asked}
 
 
 USUAL = Writing()
@@ -313,8 +275,8 @@ def carry_out(examined: Examined, site: Site, how: Writing = USUAL) -> Job:
     job = Job(examined)
     try:
         with _folder(examined, site.out, how) as folder:
-            names = [PARTS[task.study.name].all_files(how.netcdf, how.png) for task in examined.tasks]
-            stores = [PARTS[task.study.name].stores(task.options) for task in examined.tasks]
+            names = [how.files(task.study) for task in examined.tasks]
+            stores = [task.study.stores(task.options) for task in examined.tasks]
             folder.begin([REPORT, SUMMARY, *(name for some in (*names, *stores) for name in some)])
             job = perform(examined, replace(site, keep=folder.keep))
             if job.outcomes:
@@ -334,7 +296,7 @@ def write(job: Job, folder: Path, how: Writing = USUAL) -> None:
     it can't be written to.
     """
     with _folder(job.examined, folder, how) as place:
-        names = [PARTS[study].all_files(how.netcdf, how.png) for study in job.outcomes]
+        names = [how.files(STUDIES[study]) for study in job.outcomes]
         place.begin([REPORT, SUMMARY, *(name for some in names for name in some)])
         _write(job, place, how)
 
@@ -351,12 +313,12 @@ def _write(job: Job, folder: ResultsFolder, how: Writing) -> None:
     if document is not None and drawn(job.outcomes) is not None:
         folder.write(REPORT, page(report_data(document, job.outcomes, job.examined.findings, job.examined.origin)))
     for study, outcome in job.outcomes.items():
-        for name, content in PARTS[study].all_files(how.netcdf, how.png).items():
-            if (made := content(outcome)) is not None:
+        for name, file in how.files(STUDIES[study]).items():
+            if (made := file.make(outcome)) is not None:
                 folder.write(name, made)
     folder.write(SUMMARY, summary_text(job.summary) + "\n")
     for study, outcome in job.outcomes.items():
-        PARTS[study].settle(outcome)
+        STUDIES[study].settle(outcome)
     stores = [store for outcome in job.outcomes.values() if (store := getattr(outcome, "store", None))]
     state: State = "interrupted" if job.stopped is not None else "failed" if job.examined.exit_code else "done"
     folder.done(job.outcomes, stores, state)

@@ -70,7 +70,7 @@ def run(file: Path, out: Path | None, force: bool, comments: bool, netcdf: bool,
     """Perform a file's studies."""
     from linkwright import app
 
-    how = app.Writing(netcdf=netcdf, force=force, comments=comments)
+    how = app.Writing(["netcdf"] if netcdf else [], force=force, comments=comments)
     _carry_out(app.examine_file(file), file, "run", out, as_json, how)
 
 
@@ -204,7 +204,7 @@ def _perform_alone(
     from linkwright import app
 
     examined = app.examine_alone(file, study, given)
-    how = app.Writing(netcdf=netcdf, force=force, comments=comments)
+    how = app.Writing(["netcdf"] if netcdf else [], force=force, comments=comments)
     with app.runner_of(workers, cluster) as runner:
         _carry_out(examined, file, study, out, as_json, how, runner, fresh)
 
@@ -245,7 +245,7 @@ def workspace(
                 needed(package, extra)
         except ModelError as error:
             examined.findings += error.findings
-    how = app.Writing(png=png, force=force, comments=comments)
+    how = app.Writing(["png"] if png else [], force=force, comments=comments)
     _carry_out(examined, file, "workspace", out, as_json, how, fresh=fresh)
 
 

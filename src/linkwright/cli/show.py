@@ -15,26 +15,15 @@ from rich.table import Table
 
 from linkwright.app import Bench, Examined, ExportJob, Job, ModesJob
 from linkwright.blocks import Progress as Told
-from linkwright.cli.consoles import err, out, wide
+from linkwright.cli import terminal
+from linkwright.cli.consoles import err, out
 from linkwright.cli.progress import Bar
 from linkwright.escape import json_text, line
-from linkwright.expressions.units import TIME
 from linkwright.findings import Finding
-from linkwright.report.accuracy_page import sentences as accuracy_sentences
-from linkwright.report.accuracy_tables import further, overview
-from linkwright.report.cam import cam_sentences, cam_tables
-from linkwright.report.data import Grid, MeasureValue
-from linkwright.report.facts import checks, facts, remarks
-from linkwright.report.limits import limits_entry, limits_tables
-from linkwright.report.modes import circuit_text, mode_text, modes_data
-from linkwright.report.parts import measure
-from linkwright.report.reactions import reactions_tables
-from linkwright.report.sweep import sentence as sweep_sentence
-from linkwright.report.sweep import sweep_tables
-from linkwright.report.workspace import workspace_sentences, workspace_tables
+from linkwright.report.facts import facts
+from linkwright.studies.registry import STUDIES, ranked
 from linkwright.words import say
 
-_NUMBERS = ("value", "figure", "cold", "pose", "ratio", "deviation")
 _STYLES = {"error": "bold red", "warning": "bold yellow", "note": "bold"}
 
 
@@ -108,28 +97,9 @@ def check_data(examined: Examined) -> dict[str, Any]:
 
 def job(done: Job, file: Path) -> None:
     """A job's measures, certificate and failures, and where its files lie."""
-    if done.cycle is not None:
-        _measures(done)
-        _certificate(done)
-    if done.limits is not None:
-        _grids(limits_tables(limits_entry(done.limits)["limits"]))
-    if done.reactions is not None:
-        _grids(reactions_tables(done.reactions))
-    if done.sweep is not None:
-        out.print(escape(sweep_sentence(done.sweep)))
-        _grids(sweep_tables(done.sweep))
-    if done.accuracy is not None:
-        for text in accuracy_sentences(done.accuracy):
-            out.print(escape(text))
-        _grids([*overview(done.accuracy), *further(done.accuracy)])
-    if done.workspace is not None:
-        for text in workspace_sentences(done.workspace):
-            out.print(escape(text))
-        _grids(workspace_tables(done.workspace))
-    if done.cam is not None:
-        for text in cam_sentences(done.cam):
-            out.print(escape(text))
-        _grids(cam_tables(done.cam))
+    for study, outcome in ranked(done.outcomes):
+        for section in study.report(outcome).sections:
+            terminal.show(section)
     for item in done.examined.located(done.found):
         finding(item, file)
     _where(done)
@@ -154,79 +124,9 @@ def export(done: ExportJob, file: Path) -> None:
 
 def modes(done: ModesJob) -> None:
     """Assembly modes, the circuits on which they lie, the lines that select them."""
-    if done.outcome is None:
-        return
-    data = modes_data(done.outcome)
-    table = _table("mode", "where_on", "assembly")
-    for entry in data["modes"]:
-        lines = entry["assembly"] or [say("modes.untold")]
-        table.add_row(str(entry["number"]), escape(mode_text(entry)), escape("\n".join(lines)))
-    for sentence in (*data["sentences"], *(circuit_text(entry, data) for entry in data["circuits"])):
-        out.print(escape(sentence))
-    if data["modes"]:
-        out.print()
-        out.print(table)
-
-
-def _table(*columns: str) -> Table:
-    table = Table(box=None, header_style="bold", padding=(0, 2, 0, 0))
-    for column in columns:
-        table.add_column(
-            say(f"cli.column.{column}"), overflow="fold", justify="right" if column in _NUMBERS else "left"
-        )
-    return table
-
-
-_NOTHING: MeasureValue = {"label": "", "value": None, "text": "", "at": "", "grade": ""}
-
-
-def _measures(done: Job) -> None:
-    assert done.cycle is not None
-    if not done.cycle.measures:
-        return
-    time_unit, second = done.cycle.result.run.compiled.quantities.unit_of(TIME)
-    table = _table("measure", "value", "unit", "at", "requirement", "verdict", "grade")
-    for m in done.cycle.measures:
-        entry = measure(m, second, time_unit)
-        verdict = {True: f"[green]{say('cli.met')}[/]", False: f"[bold red]{say('cli.not_met')}[/]", None: ""}
-        for i, value in enumerate(entry["values"] or [_NOTHING]):
-            name = " ".join(filter(None, (m.name, value["label"])))
-            number = value["text"] or ("-" if value["value"] is None else f"{value['value']:.7g}")
-            last = (entry["requirement"] or "", verdict[m.verdict]) if i == 0 else ("", "")
-            table.add_row(
-                escape(name), number, escape(m.unit), escape(value["at"]), escape(last[0]), last[1], value["grade"]
-            )
-    wide.print(table)
-    out.print()
-
-
-def _certificate(done: Job) -> None:
-    assert done.cycle is not None
-    certificate = done.cycle.result.certificate
-    if certificate is None:
-        return
-    time_unit, second = done.cycle.result.run.compiled.quantities.unit_of(TIME)
-    at = f"{certificate.nearest.time / second:.6g} {time_unit}" if certificate.nearest else ""
-    table = _table("check", "figure", "verdict")
-    for check in checks(certificate, at):
-        mark = "[green]✓[/]" if check["ok"] else "[bold red]✗[/]"
-        table.add_row(escape(check["name"]), check["figure"], f"{mark} {escape(check['sentence'])}")
-    out.print(table)
-    for note in remarks(certificate):
-        out.print(escape(note))
-    out.print()
-
-
-def _grids(grids: list[Grid]) -> None:
-    for grid in grids:
-        table = Table(box=None, header_style="bold", padding=(0, 2, 0, 0))
-        for head in grid["heads"]:
-            table.add_column(escape(head), overflow="fold")
-        for row in grid["rows"]:
-            table.add_row(*map(escape, row))
-        out.print(f"[bold underline]{escape(grid['title'])}[/]")
-        wide.print(table)
-        out.print()
+    if done.outcome is not None:
+        for section in STUDIES["modes"].report(done.outcome).sections:
+            terminal.show(section)
 
 
 def cannot_write(folder: Path, error: OSError) -> None:
@@ -241,7 +141,7 @@ def bench(done: Bench | None) -> None:
     fill = f"{done.fill_ns_per_pose:.3g}"
     counts = {"outputs": len(done.outputs), "instructions": done.instructions, "threads": done.threads}
     out.print(say("cli.bench.work", poses=done.poses, fill=fill, **counts))
-    table = _table("kernel", "cold", "pose", "ratio", "deviation")
+    table = terminal.table(*(say(f"cli.column.{name}") for name in ("kernel", "cold", "pose", "ratio", "deviation")))
     for name, times in done.kernels.items():
         ratio = times.ns_per_pose / done.fill_ns_per_pose
         numbers = (f"{times.cold_s:.3f}", f"{times.ns_per_pose:.3g}", f"{ratio:.3g}", f"{times.deviation:.1e}")

@@ -9,7 +9,7 @@ from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.document import Document
 from linkwright.results import Run
-from linkwright.studies.cycle import CycleOptions, span
+from linkwright.studies.cycle.options import CycleOptions, span
 from linkwright.studies.feasible import unassembled
 from linkwright.studies.through import carried
 

@@ -99,7 +99,7 @@ def _finding(fault: Any, raw: Any, owner: Any) -> Finding:
 def _with_section(found: Finding) -> Finding:
     """A finding on what should be entries by name, with an example of the section."""
     hint = found.data.get("hint")
-    if not isinstance(hint, Term) or hint.key != "mapping-as" or not {*found.path[:1]} & {*_SECTIONS}:
+    if not isinstance(hint, Term) or hint.key != "term.mapping-as" or not {*found.path[:1]} & {*_SECTIONS}:
         return found
     return replace(found, data={**found.data, "hint": Term(f"section-{found.path[0]}")})
 

@@ -1,13 +1,10 @@
 """The HTML report: one self-contained file with the animated drawing, plots, measures and certificate."""
 
 from linkwright.report.data import (
-    Check,
     Fact,
     Failure,
     Joint,
     Link,
-    Measure,
-    MeasureValue,
     Plot,
     Pose,
     ReportData,
@@ -20,13 +17,10 @@ from linkwright.report.page import page
 from linkwright.report.payload import compact
 
 __all__ = [
-    "Check",
     "Fact",
     "Failure",
     "Joint",
     "Link",
-    "Measure",
-    "MeasureValue",
     "Plot",
     "Pose",
     "ReportData",

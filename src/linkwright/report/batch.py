@@ -10,7 +10,7 @@ from urllib.parse import quote
 from linkwright import _version
 from linkwright.escape import markup
 from linkwright.model.origin import Origin
-from linkwright.report.html_file import html_file
+from linkwright.presentation.html_file import html_file
 from linkwright.words import say
 
 

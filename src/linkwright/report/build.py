@@ -13,6 +13,7 @@ from linkwright.expressions.units import ANGLE, LENGTH, TIME
 from linkwright.findings import Finding
 from linkwright.model.document import Document, dump
 from linkwright.model.origin import Origin, hashed
+from linkwright.presentation.plain import listed
 from linkwright.report.cam_shapes import cam_shapes
 from linkwright.report.centrodes import centrodes
 from linkwright.report.data import (
@@ -27,14 +28,14 @@ from linkwright.report.data import (
     Spring,
     Time,
     Trace,
-    listed,
 )
 from linkwright.report.facts import facts
 from linkwright.report.joint_shapes import joint_shapes
-from linkwright.report.parts import PARTS, drawn, found
+from linkwright.report.summary import drawn, found
 from linkwright.results import Result
 from linkwright.structure import FRAME
-from linkwright.studies.sweep import Sweep
+from linkwright.studies.drive_sweep import Sweep
+from linkwright.studies.registry import ranked
 from linkwright.words import catalogue, say
 
 Array = NDArray[np.float64]
@@ -58,7 +59,7 @@ def report_data(
     ``examined`` are the findings on the file itself. Without an ``origin`` it is that of a document made in Python.
     """
     origin = origin or Origin(None, hashed(dump(document).encode()))
-    whole = drawn(outcomes)
+    whole, shown = drawn(outcomes), [study.report(outcome) for study, outcome in ranked(outcomes)]
     assert whole is not None
     result = whole.thinned(MAX_STEPS)
     findings = [*examined, *found(outcomes)]
@@ -73,19 +74,14 @@ def report_data(
         "time": axis(result),
         "scene": scene(result),
         "plots": plots(result) if result.t[-1] > result.t[0] else [],
-        "measures": [],
-        "certificate": [],
-        "remarks": [],
-        "limits": [],
+        "sections": [section for one in shown for section in one.sections],
         "structure": facts(result.run.compiled),
         "failures": [_failure(finding) for finding in findings if finding.severity != "note"],
         "notes": [_failure(finding) for finding in findings if finding.severity == "note"],
         "model_text": dump(document),
     }
-    for name, part in PARTS.items():
-        if name in outcomes:
-            data |= part.page(outcomes[name])  # type: ignore[typeddict-item]
-            data["scene"] |= part.scene(outcomes[name])  # type: ignore[typeddict-item]
+    if areas := [area for one in shown for area in one.areas]:
+        data["scene"]["areas"] = [{"name": str(area.name), "rings": area.rings} for area in areas]
     return data
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.report.data import Centrode, listed
+from linkwright.presentation.plain import listed
+from linkwright.report.data import Centrode
 from linkwright.results import Result
 
 Array = NDArray[np.float64]

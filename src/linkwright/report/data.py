@@ -7,25 +7,11 @@ are plain Python numbers; ``None`` stands for "no value here" (a pose that can't
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import isfinite
 from typing import Literal, NotRequired, TypedDict
 
-import numpy as np
-from numpy.typing import NDArray
-
-from linkwright.report.modes import ModesData
+from linkwright.presentation.blocks import Section
 
 Values = Sequence[float | None]
-
-
-def listed(values: NDArray[np.float64]) -> list[float | None]:
-    """An array as plain numbers."""
-    return [known(value) for value in values.tolist()]
-
-
-def known(value: float) -> float | None:
-    """A number, where it is one."""
-    return value if isfinite(value) else None
 
 
 class Time(TypedDict):
@@ -106,7 +92,7 @@ class Spring(TypedDict):
     look: Literal["coil", "strut"]
 
 
-class Area(TypedDict):
+class AreaData(TypedDict):
     """What lies behind the mechanism: a shape by its rings of places [x, y], holes among them, in the length unit."""
 
     name: str
@@ -123,7 +109,7 @@ class Scene(TypedDict):
     traces: Sequence[Trace]
     centrodes: NotRequired[Sequence[Centrode]]
     springs: NotRequired[Sequence[Spring]]
-    areas: NotRequired[Sequence[Area]]
+    areas: NotRequired[Sequence[AreaData]]
 
 
 class Series(TypedDict):
@@ -140,109 +126,6 @@ class Plot(TypedDict):
     group: Literal["motion", "force"]
     unit: str
     series: Sequence[Series]
-
-
-class MeasureValue(TypedDict):
-    """One number of a measure; ``label`` tells the ends of extremes apart, ``at`` says where it happens, ``grade`` how
-    sure it is; ``text`` stands for a value that is no number."""
-
-    label: str
-    value: float | None
-    text: str
-    at: str
-    grade: str
-
-
-class Measure(TypedDict):
-    """A named result with its requirement. ``verdict``: met, not met, or None where nothing is required."""
-
-    name: str
-    text: str
-    values: Sequence[MeasureValue]
-    unit: str
-    requirement: str | None
-    verdict: bool | None
-
-
-class Grid(TypedDict):
-    """A table of text: its heads and rows of equal length."""
-
-    name: str
-    title: str
-    heads: Sequence[str]
-    rows: Sequence[Sequence[str]]
-
-
-class Chart(TypedDict):
-    """A still chart: its title and the SVG. Charts of one ``stack`` show the same for other values of parameters;
-    ``step`` are the positions of their sliders."""
-
-    title: str
-    drawing: str
-    stack: NotRequired[str]
-    step: NotRequired[Sequence[int]]
-
-
-class Slider(TypedDict):
-    """A varied parameter: its values as texts, rising, and the number of the one at which it starts."""
-
-    name: str
-    texts: Sequence[str]
-    start: int
-
-
-class SweepData(TypedDict):
-    """A sweep: what was done in a sentence, tables of text, charts."""
-
-    sentence: str
-    tables: Sequence[Grid]
-    charts: Sequence[Chart]
-
-
-class OutputData(TypedDict):
-    """One output of the accuracy study: sentences, its contributors as a table and tab-separated, charts."""
-
-    name: str
-    sentences: Sequence[str]
-    review: Grid
-    copied: str
-    charts: Sequence[Chart]
-
-
-class AccuracyData(TypedDict):
-    """The accuracy study: what was done in sentences, a table of all outputs, each output, further tables."""
-
-    sentences: Sequence[str]
-    overview: Sequence[Grid]
-    outputs: Sequence[OutputData]
-    tables: Sequence[Grid]
-
-
-class WorkspaceData(TypedDict):
-    """The workspace study: what was found in sentences, a picture of each workspace, the sliders that choose among
-    them, tables."""
-
-    sentences: Sequence[str]
-    charts: Sequence[Chart]
-    sliders: Sequence[Slider]
-    tables: Sequence[Grid]
-
-
-class CamData(TypedDict):
-    """The cam study: what was found in sentences, pictures and charts, tables."""
-
-    sentences: Sequence[str]
-    charts: Sequence[Chart]
-    tables: Sequence[Grid]
-
-
-class Check(TypedDict):
-    """One line of the certificate: its figure and what it means, in a sentence."""
-
-    name: str
-    figure: str
-    sentence: str
-    ok: bool
 
 
 class Fact(TypedDict):
@@ -262,7 +145,7 @@ class Failure(TypedDict):
 
 class ReportData(TypedDict):
     """Everything on the page. Sentences: ``source``, what the mechanism is taken from; ``origin``, model file, hash,
-    date and version. ``remarks``: what else is to be said of the run beside its checks; ``words``: the texts of the
+    date and version. ``sections``: what the studies show; ``words``: the texts of the
     catalogue, in ``language``."""
 
     title: str
@@ -274,17 +157,8 @@ class ReportData(TypedDict):
     time: Time
     scene: Scene
     plots: Sequence[Plot]
-    measures: Sequence[Measure]
-    certificate: Sequence[Check]
-    remarks: Sequence[str]
-    limits: NotRequired[Sequence[Grid]]
-    reactions: NotRequired[Sequence[Grid]]
+    sections: Sequence[Section]
     structure: Sequence[Fact]
     failures: Sequence[Failure]
     notes: NotRequired[Sequence[Failure]]
     model_text: str
-    modes: NotRequired[ModesData]
-    sweep: NotRequired[SweepData]
-    accuracy: NotRequired[AccuracyData]
-    workspace: NotRequired[WorkspaceData]
-    cam: NotRequired[CamData]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -17,16 +15,9 @@ from linkwright.laws.curve import ROUND_OFF
 from linkwright.model.plane import LinkagePlane
 from linkwright.notation import MAX_ORDER
 from linkwright.report import understood
-from linkwright.report.data import Check, Fact
-from linkwright.results import Certificate
-from linkwright.results.certificate import PROVEN
+from linkwright.report.data import Fact
 from linkwright.structure import Driven, Group, Topology
 from linkwright.words import say
-
-CLOSE = 1e-2
-"""A foretold pose corrected by less than this (rad, or over the size) can't have been mistaken for another mode's."""
-FAR = 1e-3
-"""A normalised determinant over this is well away from a singular pose."""
 
 
 def _fact(name: str, text: str) -> Fact:
@@ -147,68 +138,3 @@ def _order(compiled: Compiled) -> list[str]:
         key = "fact.order.mode" if mode else "fact.order.group"
         lines.append(say(key, links=links, signature=step.signature, mode=mode))
     return lines
-
-
-def checks(certificate: Certificate, time_text: str) -> list[Check]:
-    """What the certificate verifies, in words; ``time_text`` is the time of the nearest singular pose with its unit.
-
-    Only what can fail stands here; what else is to be said of a run is one of its :func:`remarks`.
-    """
-    return [check for made in CHECKS for check in made(certificate, time_text)]
-
-
-def remarks(certificate: Certificate) -> list[str]:
-    """What is to be said of a run that is no check: that it has no forces, which kernel computed it."""
-    c = certificate
-    said = [say("proof.note.forces")] if c.equilibrium is None else []
-    return [*said, say("proof.note.kernel", poses=c.poses, kernel=c.kernel, reason=c.choice.reason)]
-
-
-def _residuals(c: Certificate, time_text: str) -> Iterator[Check]:
-    for name, value in c.residuals.items():
-        yield _proof(name, f"{value:.1e}", value < PROVEN, poses=c.poses)
-
-
-def _mobility(c: Certificate, time_text: str) -> Iterator[Check]:
-    yield _proof("mobility", str(c.mobility), c.mobility == c.gruebler, rank=c.rank, gruebler=c.gruebler)
-
-
-def _nearest(c: Certificate, time_text: str) -> Iterator[Check]:
-    if (near := c.nearest) is not None:
-        figure, ok = f"{near.determinant:.4g}", near.determinant > FAR
-        check = _proof("nearest", figure, ok, group=near.group, time=time_text)
-        if c.changes:
-            check["sentence"] += " " + say("proof.nearest.apart")
-        yield check
-
-
-def _branches(c: Certificate, time_text: str) -> Iterator[Check]:
-    if kept := [str(rule) for rule in c.branches.values() if rule]:
-        text = say(f"proof.branches.{'changed' if c.changes else 'text'}", branches="; ".join(kept))
-        yield {"name": say("proof.branches"), "figure": str(len(kept)), "sentence": text, "ok": True}
-
-
-def _followed(c: Certificate, time_text: str) -> Iterator[Check]:
-    if c.followed:
-        steps, worst = (max(column) for column in zip(*c.followed.values(), strict=True))
-        groups = ", ".join(c.followed)
-        yield _proof("followed", f"{worst:.1e}", worst < CLOSE, groups=groups, steps=steps)
-
-
-CHECKS: tuple[Callable[[Certificate, str], Iterator[Check]], ...] = (
-    _residuals,
-    _mobility,
-    _nearest,
-    _branches,
-    _followed,
-)
-"""In the order in which they are shown; each gives a line, or none where there is nothing of its kind."""
-
-
-def _proof(name: str, figure: str, ok: bool, **data: object) -> Check:
-    return {
-        "name": say(f"proof.{name}"),
-        "figure": figure,
-        "sentence": say(f"proof.{name}.text", **data),
-        "ok": ok,
-    }

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 
+from linkwright.presentation.html_file import asset, html_file
 from linkwright.report import sections
 from linkwright.report.data import ReportData
-from linkwright.report.html_file import asset, html_file
+from linkwright.report.html_blocks import section
 from linkwright.report.payload import script_json
 
 SCRIPT_WORDS = (
@@ -44,16 +45,8 @@ def page(data: ReportData) -> str:
             "<main>",
             sections.stage(data),
             '<div class="results">',
-            sections.measures(data),
-            sections.certificate(data),
-            sections.limits(data),
-            sections.reactions(data),
-            sections.sweep(data),
-            sections.accuracy(data),
-            sections.workspace(data),
-            sections.cam(data),
+            *map(section, data["sections"]),
             sections.plots(data),
-            sections.modes(data),
             sections.structure(data),
             sections.model(data),
             "</div>",
@@ -64,19 +57,19 @@ def page(data: ReportData) -> str:
     scripts = f"""<script type="application/json" id="data">{payload}</script>
 <script>
 /*! uPlot
-{asset("LICENSE.uplot.txt").strip()}
+{asset(__package__, "LICENSE.uplot.txt").strip()}
 */
-{asset("uplot.iife.min.js")}
+{asset(__package__, "uplot.iife.min.js")}
 </script>
 <script type="module">
 const mechanism = (() => {{
-{_inlined(asset("mechanism.js"))}
+{_inlined(asset(__package__, "mechanism.js"))}
 return {{ render, still }};
 }})();
-{asset("report.js")}
-{asset("stacks.js")}
+{asset(__package__, "report.js")}
+{asset(__package__, "stacks.js")}
 </script>"""
-    return html_file(data["title"], f"{body}\n{scripts}", before=f"{asset('uplot.min.css')}\n")
+    return html_file(data["title"], f"{body}\n{scripts}", before=asset(__package__, "uplot.min.css") + "\n")
 
 
 def _inlined(module: str) -> str:

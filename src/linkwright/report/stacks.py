@@ -6,9 +6,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from itertools import product
 
+from linkwright.drawing.figures import figures
 from linkwright.escape import markup
-from linkwright.report.charts import figures
-from linkwright.report.data import Chart, Slider
+from linkwright.presentation.blocks import Chart, Slider
 from linkwright.words import say
 
 MARKS = 9
@@ -23,7 +23,7 @@ def stacks(charts: Sequence[Chart], sliders: Sequence[Slider]) -> str:
         return f'<div class="plots">{figures(charts)}</div>'
     found: dict[str, dict[Sequence[int], Chart]] = {}
     for number, chart in enumerate(charts):  # of two pictures for the same values one is enough
-        found.setdefault(chart.get("stack", str(number)), {}).setdefault(chart.get("step", ()), chart)
+        found.setdefault(chart.stack or str(number), {}).setdefault(chart.step, chart)
     bars = "".join(_slider(number, slider) for number, slider in enumerate(sliders))
     label = markup(say("report.steps"))
     pictures = "".join(_stack(some, sliders) for some in found.values())
@@ -35,7 +35,7 @@ def stacks(charts: Sequence[Chart], sliders: Sequence[Slider]) -> str:
 
 def _slider(number: int, slider: Slider) -> str:
     """A slider with its parameter's name, the value at which it stands, and marks."""
-    name, texts, start = markup(slider["name"]), slider["texts"], slider["start"]
+    name, texts, start = markup(slider.name), slider.texts, slider.start
     last = len(texts) - 1
     own = f"step-{number}"
     ends = range(len(texts)) if len(texts) <= MARKS else (0, last)
@@ -59,7 +59,7 @@ def _stack(charts: Mapping[Sequence[int], Chart], sliders: Sequence[Slider]) -> 
     if () in charts:  # the same for all values
         return figures([charts[()]])
     made = ""
-    for step in product(*(range(len(slider["texts"])) for slider in sliders)):
+    for step in product(*(range(len(slider.texts)) for slider in sliders)):
         place = f'data-step="{" ".join(map(str, step))}"'
         if step in charts:
             made += figures([charts[step]]).replace("<figure ", f"<figure {place} ", 1)

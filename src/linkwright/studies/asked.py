@@ -18,7 +18,7 @@ from linkwright.kernels import Compiled
 from linkwright.model.names import Names
 from linkwright.model.places import Place, Scope
 from linkwright.model.sampled import dependent
-from linkwright.studies.cycle import TURNS, CycleOptions, beside, span
+from linkwright.studies.cycle.options import TURNS, CycleOptions, beside, span
 
 
 def one_of(study: str, key: str, known: Sequence[str], code: str = "study.choice") -> Any:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.drawing.charts import widened
+
 Array = NDArray[np.float64]
 Counts = NDArray[np.int64]
 
@@ -24,12 +26,6 @@ def ends(values: Array) -> tuple[float, float]:
     """The least and the largest of the finite ones of some values, apart where they are all the same."""
     known = values[np.isfinite(values)]
     return widened(float(known.min()), float(known.max())) if known.size else widened(0.0, 0.0)
-
-
-def widened(low: float, high: float) -> tuple[float, float]:
-    """A range that has a width: values that differ by no more than round-off lie in its middle."""
-    size = max(abs(low), abs(high)) or 1.0
-    return (low, high) if high - low > 1e-12 * size else (low - 1e-6 * size, high + 1e-6 * size)
 
 
 def reach(values: Array) -> tuple[float, float]:

@@ -12,7 +12,7 @@ from linkwright.findings import Finding, Term
 from linkwright.model.plausible import amount
 from linkwright.results import Run
 from linkwright.structure import Group
-from linkwright.studies.four_links import EQUAL, FourLinks, four_links
+from linkwright.studies.limits.four_links import EQUAL, FourLinks, four_links
 
 Places = dict[str, NDArray[np.complex128]]
 

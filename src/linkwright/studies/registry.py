@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from abc import ABC, abstractmethod
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar, Protocol, runtime_checkable
@@ -14,23 +15,63 @@ from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.mechanism import Mechanism
 from linkwright.notation.registry import Registry
+from linkwright.presentation.blocks import FileOf, StudyReport
+from linkwright.results import Result
 from linkwright.studies.sections import read_section
 from linkwright.studies.site import Site
 
 
-class Study(Protocol):
-    """What a study gives: its name in the file, its options (``example`` as a file has them), and a run that makes an
-    outcome."""
+class Outcome(Protocol):
+    """What a study's run gives."""
+
+    @property
+    def done(self) -> bool:
+        """Whether it is all that was asked: it decides the exit code."""
+
+    @property
+    def failures(self) -> Sequence[Finding]:
+        """Why it isn't."""
+
+    @property
+    def warnings(self) -> Sequence[Finding]:
+        """What else was found."""
+
+    @property
+    def result(self) -> Result | None:
+        """The motion that the drawing of a report shows."""
+
+
+class Study(ABC):
+    """A study: its name in the file, its options (``example`` as a file has them), a run that makes an outcome, and
+    what the outcome shows."""
 
     name: ClassVar[str]
     example: ClassVar[str]
     options: ClassVar[type[BaseModel]]
+    rank: ClassVar[int] = 100
+    """Where it stands among the others in report and summary."""
+    files: ClassVar[Mapping[str, FileOf]] = {}
+    """What it writes besides, by name."""
 
     def check(self, compiled: Compiled, options: Any) -> list[Finding]:
         """What is wrong with options that are well-formed."""
+        return []
 
+    @abstractmethod
     def run(self, compiled: Compiled, options: Any, site: Site) -> Any:
-        """The study's outcome, performed where ``site`` says."""
+        """The study's :class:`Outcome`, performed where ``site`` says."""
+
+    @abstractmethod
+    def report(self, outcome: Any) -> StudyReport:
+        """What an outcome shows."""
+
+    def stores(self, options: Any) -> Sequence[str]:
+        """The names of the folders (Zarr stores, parts of an interrupted study) that it fills while it runs."""
+        return ()
+
+    def settle(self, outcome: Any) -> None:
+        """All is written."""
+        return
 
 
 @runtime_checkable
@@ -66,3 +107,9 @@ def read_studies(raw: Mapping[str, Mapping[str, Any]]) -> tuple[list[Task], list
     """The studies that a file names, and what is wrong with their options."""
     read, findings = read_section("studies", raw, STUDIES, "study.unknown", "study.options")
     return [Task(study, options) for study, options in read], findings
+
+
+def ranked(outcomes: Mapping[str, Any]) -> Iterator[tuple[Study, Any]]:
+    """Outcomes with their studies, in the order in which report and summary have them."""
+    for name in sorted(outcomes, key=lambda name: STUDIES[name].rank):
+        yield STUDIES[name], outcomes[name]

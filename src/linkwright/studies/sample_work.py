@@ -31,7 +31,7 @@ from linkwright.notation.angles import whole_turns
 from linkwright.results import Run
 from linkwright.results.result import si_unit
 from linkwright.studies.asked import Sampling
-from linkwright.studies.cycle import span
+from linkwright.studies.cycle.options import span
 from linkwright.studies.figures import Figures
 from linkwright.studies.histograms import fine
 from linkwright.studies.registry import read_studies

@@ -18,7 +18,7 @@ from linkwright.exports.process_simulate.linkage import Refused
 from linkwright.kernels import Compiled
 from linkwright.model.document import load
 from linkwright.results import Run
-from linkwright.studies.sweep import sweeping
+from linkwright.studies.drive_sweep import sweeping
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 DIALECTS = ("seed", "wizard")

@@ -14,7 +14,7 @@ from helpers.reach.judging import OUTCOMES, RAISED, REFUSED, Claim, Verdict, cla
 from helpers.reach.raster import FIRST, raster
 from linkwright.expressions import units as u
 from linkwright.findings import ModelError
-from linkwright.report.workspace import workspace_entry
+from linkwright.studies.workspace.report import workspace_entry
 
 
 class Refused(Exception):

@@ -16,7 +16,7 @@ from linkwright.blocks import RUNNERS, UNIT
 from linkwright.results import Run
 from linkwright.studies import Interrupted, Site, sample_kept
 from linkwright.studies.accuracy.monte_carlo import Random, check_monte_carlo, monte_carlo
-from linkwright.studies.cycle import span
+from linkwright.studies.cycle.options import span
 from linkwright.studies.sample_work import SampleWork
 from studies.accuracy.by_hand import contributors, options, stated
 from studies.models import four_bar, slider_crank

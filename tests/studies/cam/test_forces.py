@@ -14,9 +14,9 @@ from linkwright.cam.closing import groove
 from linkwright.cam.hertz import Material, pressure
 from linkwright.cam.loads import Loads, forces
 from linkwright.cam.springs import highest_speed, least_preload
-from linkwright.report.cam import cam_page
 from linkwright.results import Run
 from linkwright.studies.cam.outcome import CamOutcome
+from linkwright.studies.cam.report import cam_page
 
 INERTIA, RATE, RPM = 1.2e-3, 2.0, math.pi / 30
 GIVEN: dict[str, Any] = {"inertia": "0.0012 kg*m^2", "spring": {"rate": "2 N*m/rad", "preload": "0.6 N*m"}}

@@ -12,11 +12,11 @@ import pytest
 
 from helpers.heat_seal import NC, findings, heat_seal, performed
 from linkwright.cam.nc.posts import Grbl, Post
-from linkwright.report.cam import cam_tables
-from linkwright.report.cam_charts import charts
-from linkwright.report.cam_files import FILES
-from linkwright.report.cam_picture import picture, still
 from linkwright.report.cam_shapes import cam_shapes
+from linkwright.studies.cam.charts import charts
+from linkwright.studies.cam.files import FILES
+from linkwright.studies.cam.picture import picture, still
+from linkwright.studies.cam.report import cam_tables
 
 GROOVE = {"closed": "groove"}
 

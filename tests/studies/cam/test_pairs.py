@@ -24,8 +24,8 @@ from linkwright.cam.disc import TURN
 from linkwright.cam.pairs import second as second_of
 from linkwright.model.document import load, plain
 from linkwright.report.build import report_data
-from linkwright.report.cam_files import FILES
 from linkwright.results import Run
+from linkwright.studies.cam.files import FILES
 from linkwright.studies.cam.outcome import CamOutcome
 
 EXAMPLE = Path(__file__).parents[3] / "examples" / "conjugate_cam.yaml"

@@ -18,8 +18,8 @@ from linkwright.cam.checks import undercut
 from linkwright.cam.disc import TURN
 from linkwright.cam.nc.posts import POSTS, Grbl, Post
 from linkwright.cam.sizing import resized
-from linkwright.report.cam_files import FILES
 from linkwright.results import Run
+from linkwright.studies.cam.files import FILES
 from linkwright.studies.cam.outcome import CamOutcome
 
 SMALL = {"base": 20, "roller": 30, "sense": "counter-clockwise"}

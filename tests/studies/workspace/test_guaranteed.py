@@ -19,7 +19,7 @@ from linkwright.model.document import load
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.stated import contributors
-from linkwright.studies.cycle import CycleOptions
+from linkwright.studies.cycle.options import CycleOptions
 from linkwright.studies.workspace.causes import Causes
 from linkwright.studies.workspace.curves import curves
 from linkwright.studies.workspace.errors import Errors, errors

@@ -10,9 +10,9 @@ import shapely
 
 from helpers.workspaces import arm, findings, five_bar, four_bar, performed
 from linkwright.app.job import Job
-from linkwright.report.workspace_maps import errors_sentences
 from linkwright.studies.workspace.covered import covered
 from linkwright.studies.workspace.errors_part import ErrorsPart
+from linkwright.studies.workspace.maps_report import errors_sentences
 from linkwright.studies.workspace.quality import Task, quality
 from linkwright.studies.workspace.quality_part import QualityPart
 from linkwright.studies.workspace.raster import raster

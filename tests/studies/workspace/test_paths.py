@@ -19,10 +19,10 @@ from helpers.workspaces import arm, findings, four_bar, performed
 from linkwright.app.job import Job
 from linkwright.cli import cli
 from linkwright.model.document import parse_document, plain
-from linkwright.report.workspace import workspace_tables
-from linkwright.report.workspace_files import svg
-from linkwright.report.workspace_path_files import drives_yaml, laws_csv
-from linkwright.report.workspace_paths import path_charts
+from linkwright.studies.workspace.files import svg
+from linkwright.studies.workspace.path_files import drives_yaml, laws_csv
+from linkwright.studies.workspace.paths_report import path_charts
+from linkwright.studies.workspace.report import workspace_tables
 
 EXAMPLE = Path(__file__).parents[3] / "examples" / "five_bar_path.yaml"
 REACH = {"motor": "shoulder", "duration": "2 s"}

@@ -11,11 +11,11 @@ import shapely
 import linkwright as lw
 from helpers.compiled import compiled_from
 from linkwright.model.document import parse_document
-from linkwright.report.workspace import workspace_entry, workspace_sentences, workspace_tables
 from linkwright.studies.workspace import searched as module
 from linkwright.studies.workspace.certificate import SEARCHED
 from linkwright.studies.workspace.curves import Segments, smooth, traced
 from linkwright.studies.workspace.mesh import Box, Mesh, found_pits, mesh
+from linkwright.studies.workspace.report import workspace_entry, workspace_sentences, workspace_tables
 from linkwright.studies.workspace.searched import ROUGH, _with_slivers, reached, searched
 from linkwright.studies.workspace.sheet import Sheet
 from linkwright.words import say

@@ -23,10 +23,10 @@ from linkwright.kernels import Compiled
 from linkwright.kernels.law import Law
 from linkwright.kernels.laws import uniform, values_at
 from linkwright.model.references import option_faults
-from linkwright.report.data import known
+from linkwright.presentation.plain import known
 from linkwright.structure import FRAME
-from linkwright.studies.extremes import Transmission, transmission
-from linkwright.studies.sweep import Sweep, sweeping
+from linkwright.studies.drive_sweep import Sweep, sweeping
+from linkwright.studies.limits.extremes import Transmission, transmission
 
 Array = NDArray[np.float64]
 

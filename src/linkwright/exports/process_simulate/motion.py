@@ -14,7 +14,7 @@ from linkwright.exports.process_simulate.trees import Array
 from linkwright.kernels import Compiled
 from linkwright.results import Run
 from linkwright.structure import FRAME, Group, Structure
-from linkwright.studies.sweep import sweeping
+from linkwright.studies.drive_sweep import sweeping
 
 STEPS = 720
 

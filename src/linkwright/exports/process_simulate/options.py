@@ -24,7 +24,7 @@ from linkwright.expressions.unknown import unknown
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.studies.asked import one_of
-from linkwright.studies.limits import WIDEST
+from linkwright.studies.limits.study import WIDEST
 from linkwright.studies.numbers import constant, interval
 
 ALLOWED = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,59}")

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.kernels.laws import values_at
-from linkwright.studies.extremes import touches
-from linkwright.studies.ranges import Range, ranges
+from linkwright.studies.limits.extremes import touches
+from linkwright.studies.limits.ranges import Range, ranges
 
 SAMPLES = 360
 SHORT = {"pole": 1e-2}

@@ -4,21 +4,23 @@ what the linkage does over its driving range."""
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from importlib.resources import files
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright import _version
+from linkwright.drawing.charts import Axes, points
+from linkwright.drawing.figures import figures
+from linkwright.drawing.plane import Plane
 from linkwright.escape import markup
 from linkwright.exports.process_simulate.facts import HingeFacts
 from linkwright.exports.process_simulate.functions import JointFunction, JointFunctions
 from linkwright.exports.process_simulate.sheet_drawing import anchors, linkage, places
 from linkwright.kernels import Compiled
-from linkwright.report.charts import Axes, figures, points
-from linkwright.report.data import Chart
-from linkwright.report.html_file import html_file
-from linkwright.report.plane import Plane
+from linkwright.presentation.blocks import Chart
+from linkwright.presentation.html_file import html_file
 from linkwright.words import say
 
 Array = NDArray[np.float64]
@@ -214,7 +216,7 @@ def _charts(facts: HingeFacts) -> list[Chart]:
             zero = np.array([x.min(), x.max()])
             shapes = [axes.line(zero, 0 * zero, "shift")] if known.min() < 0 < known.max() else []
             shapes += [axes.line(x, row, f"mean s{i % 3}") for i, row in enumerate(rows)]
-            made.append({"title": title, "drawing": axes.drawing(shapes, title)})
+            made.append(Chart(title, partial(axes.drawing, shapes, title)))
 
     title = say("sheet.chart.opening", link=facts.panel, unit=angle_unit)
     chart(title, say("sheet.chart.drive", drive=facts.drive, unit=drive_unit), value, [opening])

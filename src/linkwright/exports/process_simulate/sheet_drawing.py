@@ -7,11 +7,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.drawing.charts import points
 from linkwright.escape import markup
 from linkwright.kernels import Compiled
-from linkwright.report.charts import points
 from linkwright.structure import FRAME
-from linkwright.studies.sweep import sweeping
+from linkwright.studies.drive_sweep import sweeping
 
 Array = NDArray[np.float64]
 

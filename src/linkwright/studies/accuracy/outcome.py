@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.results import Run
+from linkwright.results import Result, Run
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.figures import Column
 
@@ -180,6 +180,11 @@ class AccuracyOutcome:
     def done(self) -> bool:
         """Whether the nominal motion could be followed."""
         return not self.failures
+
+    @property
+    def result(self) -> Result:
+        """The nominal motion, for a drawing."""
+        return Result(self.run)
 
     @property
     def every(self) -> dict[str, Figure]:

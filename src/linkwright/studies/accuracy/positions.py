@@ -16,7 +16,7 @@ from linkwright.model.actions import Measure
 from linkwright.model.document import Document
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.asked import of_signals, signal_faults
-from linkwright.studies.cycle import span
+from linkwright.studies.cycle.options import span
 from linkwright.studies.numbers import constant
 
 PATH = ("studies", "accuracy", "positions")

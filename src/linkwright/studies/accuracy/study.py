@@ -11,6 +11,7 @@ from linkwright.kernels import Compiled
 from linkwright.kernels.cut import cut
 from linkwright.kernels.varied import Varied
 from linkwright.model.document import Document
+from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.results import Run
 from linkwright.studies.accuracy.clearance import PATH as CLEARANCES
 from linkwright.studies.accuracy.clearance_figures import state_plays
@@ -18,28 +19,36 @@ from linkwright.studies.accuracy.clearance_options import check_clearances
 from linkwright.studies.accuracy.designing import add_allocation, add_calibration, check_design
 from linkwright.studies.accuracy.deviations import Deviations, Shift
 from linkwright.studies.accuracy.figures import curves, figures
+from linkwright.studies.accuracy.files import bands_csv, contributors_csv, netcdf_bytes
 from linkwright.studies.accuracy.lawful import check_laws
 from linkwright.studies.accuracy.monte_carlo import check_monte_carlo, monte_carlo
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, Figure
 from linkwright.studies.accuracy.positions import WIDEST, augmented, check_positions
+from linkwright.studies.accuracy.report import report
 from linkwright.studies.accuracy.slopes import Slopes
 from linkwright.studies.accuracy.stated import check_contributors, contributors, skipped
 from linkwright.studies.accuracy.vertices import check_searched, evaluating, search
 from linkwright.studies.asked import check_outputs, check_span
-from linkwright.studies.cycle import span
-from linkwright.studies.registry import read_studies, register
+from linkwright.studies.cycle.options import span
+from linkwright.studies.registry import Study, read_studies, register
 from linkwright.studies.sampling import refused
 from linkwright.studies.site import Site
 
 
 @register
-class AccuracyStudy:
+class AccuracyStudy(Study):
     """What deviations do to the outputs."""
 
     name = "accuracy"
     example = "{outputs: [rocker.angle], positions: {middle: 0.5 s}}"
     options = AccuracyOptions
+    rank = 4
+    files = {
+        "accuracy.csv": FileOf(contributors_csv),
+        "accuracy_bands.csv": FileOf(bands_csv),
+        "accuracy.nc": FileOf(netcdf_bytes, "netcdf"),
+    }
 
     def check(self, compiled: Compiled, options: AccuracyOptions) -> list[Finding]:
         """What is wrong with the options."""
@@ -91,6 +100,14 @@ class AccuracyStudy:
         _place(outcome, every, placed.places)
         add_allocation(outcome)
         return outcome
+
+    def report(self, outcome: AccuracyOutcome) -> StudyReport:
+        """Each output with what contributes to it."""
+        return report(outcome)
+
+    def settle(self, outcome: AccuracyOutcome) -> None:
+        """The state from which the same study would go on isn't needed any more."""
+        outcome.settle()
 
 
 def _check(compiled: Compiled, options: AccuracyOptions) -> Iterator[Finding]:

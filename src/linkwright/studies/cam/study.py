@@ -18,15 +18,18 @@ from linkwright.cam.splines import splines
 from linkwright.expressions import units as u
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
+from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.studies.cam.closed import held
 from linkwright.studies.cam.figures import Figure, every
+from linkwright.studies.cam.files import FILES
 from linkwright.studies.cam.force_findings import press
 from linkwright.studies.cam.milled import milled, seen
 from linkwright.studies.cam.options import PATH, CamOptions
 from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.studies.cam.plate import Plate
+from linkwright.studies.cam.report import report
 from linkwright.studies.cam.stated import Reader, Stated
-from linkwright.studies.registry import register
+from linkwright.studies.registry import Study, register
 from linkwright.studies.site import NOWHERE, Site
 
 LARGER = 20.0
@@ -48,12 +51,14 @@ UP = 1 + 1e-6
 
 
 @register
-class CamStudy:
+class CamStudy(Study):
     """A plate cam from its law to its NC code."""
 
     name = "cam"
     example = "{cam: seal, limits: {pressure_rise: 30}}"
     options = CamOptions
+    rank = 7
+    files = {name: FileOf(make) for name, make in FILES.items()}
 
     def without(self, wrong: set[str]) -> set[str] | None:
         """The keys to leave out where some are wrong in form; ``None`` where nothing can be judged then."""
@@ -93,6 +98,10 @@ class CamStudy:
             _shape(outcome, plate)
             _mill(outcome, plate)
         return outcome
+
+    def report(self, outcome: CamOutcome) -> StudyReport:
+        """Pictures, charts, figures and checks of the cam."""
+        return report(outcome)
 
 
 def _read(compiled: Compiled, options: CamOptions, name: str) -> tuple[Stated, list[Finding]]:

@@ -21,8 +21,8 @@ from linkwright.model.followers import no_followers
 from linkwright.model.references import option_faults
 from linkwright.structure import FRAME
 from linkwright.studies.asked import one_of
+from linkwright.studies.limits.ranges import stroke
 from linkwright.studies.numbers import constant, interval
-from linkwright.studies.ranges import stroke
 from linkwright.studies.workspace.errors_asked import ErrorsOptions
 from linkwright.studies.workspace.fit_options import RequiredFits
 from linkwright.studies.workspace.mesh import Box

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -12,17 +12,20 @@ from linkwright.blocks import Threads
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
-from linkwright.studies.registry import register
+from linkwright.presentation.blocks import StudyReport
+from linkwright.studies.registry import Study, register
 from linkwright.studies.site import NOWHERE, Site
 from linkwright.studies.stopped import Stopped
 from linkwright.studies.workspace.doubts import doubts
+from linkwright.studies.workspace.files import FILES
 from linkwright.studies.workspace.never import never
 from linkwright.studies.workspace.one import Curve, curve
 from linkwright.studies.workspace.options import PATH, WorkspaceOptions, check
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, values_text
 from linkwright.studies.workspace.parts import perform
-from linkwright.studies.workspace.region_files import resumable
+from linkwright.studies.workspace.region_files import FOLDER, resumable
 from linkwright.studies.workspace.regions import Region, region
+from linkwright.studies.workspace.report import report
 from linkwright.studies.workspace.sheet import Sheet
 from linkwright.studies.workspace.signs import Signs, combinations, named
 from linkwright.studies.workspace.together import together
@@ -39,12 +42,14 @@ FLAT = 1e-9
 
 
 @register
-class WorkspaceStudy:
+class WorkspaceStudy(Study):
     """Reachable regions with their boundaries."""
 
     name = "workspace"
     example = "{point: P}"
     options = WorkspaceOptions
+    rank = 5
+    files = FILES
 
     def check(self, compiled: Compiled, options: WorkspaceOptions) -> list[Finding]:
         """What is wrong with the options."""
@@ -67,6 +72,14 @@ class WorkspaceStudy:
             outcome.failures.append(Finding("workspace.stopped", PATH, {"done": done, "total": total}))
             raise Stopped(outcome, outcome.failures[-1]) from None
         return outcome
+
+    def report(self, outcome: WorkspaceOutcome) -> StudyReport:
+        """Pictures and tables of regions."""
+        return report(outcome)
+
+    def stores(self, options: WorkspaceOptions) -> Sequence[str]:
+        """Where regions that are done wait for the rest."""
+        return [FOLDER]
 
 
 def _regions(outcome: WorkspaceOutcome, site: Site) -> tuple[int, int, bool]:

@@ -1,0 +1,116 @@
+"""What an outcome shows on a terminal, block by block."""
+
+from __future__ import annotations
+
+from functools import singledispatch
+
+from rich.markup import escape
+from rich.table import Table as Grid
+
+from linkwright.cli.consoles import out, wide
+from linkwright.presentation.blocks import (
+    Block,
+    Bullets,
+    Cards,
+    Cell,
+    Checks,
+    Measure,
+    Measures,
+    MeasureValue,
+    Number,
+    Section,
+    Sentences,
+    Table,
+    filled,
+)
+from linkwright.words import say
+
+
+def show(section: Section) -> None:
+    """A section without its heading: its blocks but those that are for pages."""
+    for block in section.blocks:
+        if filled(block) and not getattr(block, "detail", False):
+            lines(block)
+
+
+def table(*heads: object, right: tuple[int, ...] = ()) -> Grid:
+    """A table with these heads, the columns of these numbers set right."""
+    made = Grid(box=None, header_style="bold", padding=(0, 2, 0, 0))
+    for i, head in enumerate(heads):
+        made.add_column(escape(str(head)), overflow="fold", justify="right" if i in right else "left")
+    return made
+
+
+@singledispatch
+def lines(block: Block) -> None:
+    """Print a block that has something in it; those of pictures have nothing here."""
+
+
+@lines.register(Sentences)
+@lines.register(Bullets)
+def _(block: Sentences | Bullets) -> None:
+    for text in block.texts:
+        out.print(escape(str(text)))
+
+
+@lines.register
+def _(block: Table) -> None:
+    columns = [*zip(*block.rows, strict=True)]
+    made = table(*block.heads, right=tuple(i for i, cells in enumerate(columns) if _numbers(cells)))
+    for row in block.rows:
+        made.add_row(*(escape(str(cell)) for cell in row))
+    out.print(f"[bold underline]{escape(str(block.title))}[/]")
+    wide.print(made)
+    out.print()
+
+
+def _numbers(cells: tuple[Cell, ...]) -> bool:
+    """Whether a column has numbers alone, whose units stand elsewhere."""
+    return all(isinstance(cell, Number) and not cell.unit for cell in cells)
+
+
+@lines.register
+def _(block: Cards) -> None:
+    made = table(*block.heads)
+    for number, card in enumerate(block.cards, start=1):
+        made.add_row(str(number), escape(str(card.note)), escape("\n".join(card.lines) or str(card.unknown)))
+    out.print()
+    out.print(made)
+
+
+@lines.register
+def _(block: Measures) -> None:
+    heads = ("measure", "value", "unit", "at", "requirement", "verdict", "grade")
+    made = table(*(say(f"cli.column.{head}") for head in heads), right=(1,))
+    for measure in block.measures:
+        for i, value in enumerate(measure.values or [MeasureValue()]):
+            made.add_row(*_measured(measure, value, first=i == 0))
+    wide.print(made)
+    out.print()
+
+
+def _measured(measure: Measure, value: MeasureValue, *, first: bool) -> list[str]:
+    """A line of a measure; what is required and whether it is met stand on its first one."""
+    name = " ".join(filter(None, (measure.name, str(value.label))))
+    number = str(value.text) or ("-" if value.value is None else f"{value.value:.7g}")
+    required = [measure.requirement or "", _verdict(measure.verdict)] if first else ["", ""]
+    at, grade = escape(str(value.at)), escape(str(value.grade))
+    return [escape(name), number, escape(measure.unit), at, escape(required[0]), required[1], grade]
+
+
+def _verdict(met: bool | None) -> str:
+    if met is None:
+        return ""
+    return f"[green]{say('cli.met')}[/]" if met else f"[bold red]{say('cli.not_met')}[/]"
+
+
+@lines.register
+def _(block: Checks) -> None:
+    made = table(*(say(f"cli.column.{head}") for head in ("check", "figure", "verdict")), right=(1,))
+    for check in block.checks:
+        mark = "[green]✓[/]" if check.ok else "[bold red]✗[/]"
+        made.add_row(escape(str(check.name)), check.figure, f"{mark} {escape(str(check.sentence))}")
+    out.print(made)
+    for note in block.remarks:
+        out.print(escape(str(note)))
+    out.print()

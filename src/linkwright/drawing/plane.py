@@ -1,0 +1,133 @@
+"""The plane of a workspace as a picture: axes, outlines and curves in it, the legend below."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.drawing.charts import LETTER, points, ticks
+from linkwright.escape import markup
+from linkwright.findings import Text
+
+Array = NDArray[np.float64]
+Bounds = tuple[float, float, float, float]
+"""Least x, least y, largest x, largest y."""
+
+WIDTH, LEFT, RIGHT, TOP, BOTTOM, LINE = 560.0, 58.0, 12.0, 8.0, 36.0, 17.0
+TALLEST = 700.0
+MARGIN = 0.04
+STYLE = """
+.still.workspace text { font: 12px system-ui, Arial, "DejaVu Sans", "Liberation Sans", "Noto Sans", sans-serif; }
+.still.workspace .grid { fill: none; stroke: #8886; stroke-width: 0.5; }
+.still.workspace .region { fill-opacity: 0.28; stroke: none; fill-rule: evenodd; }
+.still.workspace .path { fill: none; stroke-width: 1.6; }
+.still.workspace .m0 { fill: #1f6fb5; stroke: #1f6fb5; }
+.still.workspace .m1 { fill: #c2571a; stroke: #c2571a; }
+.still.workspace .m2 { fill: #2f8a4c; stroke: #2f8a4c; }
+.still.workspace .m3 { fill: #8a4fb5; stroke: #8a4fb5; }
+.still.workspace .region { stroke: none; }
+.still.workspace .path { fill: none; }
+.still.workspace .kind { fill: none; stroke: currentColor; stroke-width: 1; }
+.still.workspace .k-modes { stroke-dasharray: 5 3; stroke-width: 1.6; }
+.still.workspace .k-pins { stroke-dasharray: 1 3; stroke-width: 2; }
+.still.workspace .k-limit { stroke: #888; stroke-width: 2; }
+.still.workspace .over { fill: none; stroke: #8a4fb5; stroke-width: 2; }
+.still.workspace .blocked, .still.workspace .misses { stroke: #c8102e; }
+.still.workspace .blocked { stroke-width: 3.5; }
+.still.workspace .fits { stroke: #2f8a4c; }
+"""
+"""How a picture looks; it stands in each picture, since one is written as a file of its own."""
+
+
+class Plane:
+    """Places in a picture of a ``box``; one scale for both axes."""
+
+    def __init__(self, box: Bounds, unit: str) -> None:
+        low, high = np.array(box[:2]), np.array(box[2:])
+        wide = float((high - low).max()) or 1.0
+        low, high = low - MARGIN * wide, high + MARGIN * wide
+        span = np.maximum(high - low, 0.2 * wide)
+        self.scale = min((WIDTH - LEFT - RIGHT) / span[0], (TALLEST - TOP - BOTTOM) / span[1])
+        self.low, self.unit = low, unit
+        self.right, self.bottom = LEFT + span[0] * self.scale, TOP + span[1] * self.scale
+        self.high = low + span
+
+    @classmethod
+    def of(cls, box: Bounds, unit: str, size: float) -> Plane:
+        """Of a box in m, in a ``unit`` of ``size`` m."""
+        low_x, low_y, high_x, high_y = (edge / size for edge in box)
+        return cls((low_x, low_y, high_x, high_y), unit)
+
+    def at(self, x: Array, y: Array) -> tuple[Array, Array]:
+        """Where places lie in the picture."""
+        return LEFT + (x - self.low[0]) * self.scale, self.bottom - (y - self.low[1]) * self.scale
+
+    def grid(self) -> str:
+        """Lines and numbers of the axes."""
+        lines, numbers = [], []
+        for value in ticks(self.low[0], self.high[0], 6):
+            x = float(self.at(np.array(value), np.array(0.0))[0])
+            lines.append(f"M{x:.1f} {TOP:.0f}V{self.bottom:.1f}")
+            numbers.append(f'<text x="{x:.1f}" y="{self.bottom + 14:.1f}" text-anchor="middle">{_number(value)}</text>')
+        for value in ticks(self.low[1], self.high[1], 6):
+            y = float(self.at(np.array(0.0), np.array(value))[1])
+            lines.append(f"M{LEFT:.0f} {y:.1f}H{self.right:.1f}")
+            numbers.append(f'<text x="{LEFT - 6:.0f}" y="{y + 4:.1f}" text-anchor="end">{_number(value)}</text>')
+        label = f"x, y, {self.unit}" if self.unit else "x, y"
+        middle = (LEFT + self.right) / 2
+        numbers.append(f'<text x="{middle:.0f}" y="{self.bottom + 30:.1f}" text-anchor="middle">{markup(label)}</text>')
+        return f'<path class="grid" d="{"".join(lines)}"/>{"".join(numbers)}'
+
+
+def _number(value: float) -> str:
+    return f"{value:.7g}".replace("-", "−")
+
+
+def framed_box(boxes: Iterable[Bounds]) -> Bounds:
+    """The box around all boxes, so that pictures have the same axes."""
+    x0, y0, x1, y1 = np.array(list(boxes)).T
+    return float(x0.min()), float(y0.min()), float(x1.max()), float(y1.max())
+
+
+def framed(
+    plane: Plane, shapes: Sequence[str], legend: Sequence[tuple[str, Text]], title: Text, room: float = 0.0
+) -> str:
+    """The whole: axes, shapes, and the legend ``room`` below them."""
+    told, y = "", plane.bottom + 52 + room
+    for look, text in legend:
+        lines = [*folded(str(text), int((WIDTH - LEFT - 40) / LETTER))]
+        box = "v8h-24z" if look.startswith("region") else ""
+        told += f'<path class="{look}" d="M{LEFT - 30:.0f} {y - 8 + 4 * (not box):.0f}h24{box}"/>'
+        for line in lines:
+            told += f'<text x="{LEFT:.0f}" y="{y:.0f}">{markup(line)}</text>'
+            y += LINE
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" class="lw still workspace" viewBox="0 0 {WIDTH:.0f} {y:.0f}" '
+        f'fill="currentColor" role="img" aria-label="{markup(title)}"><style>{STYLE}</style>'
+        f"{plane.grid()}{''.join(shapes)}{told}</svg>"
+    )
+
+
+def folded(text: str, room: int) -> Iterator[str]:
+    """A text in lines of so many letters."""
+    line = ""
+    for word in text.split():
+        if line and len(line) + 1 + len(word) > room:
+            yield line
+            line = word
+        else:
+            line = f"{line} {word}".strip()
+    yield line
+
+
+def outline(shape: Any, plane: Plane, size: float) -> str:
+    """All rings of a shape, thinned to what can be seen."""
+    import shapely
+
+    drawn = shapely.get_parts(shape.simplify(0.1 / plane.scale * size))
+    filled = [part for part in drawn if part.geom_type == "Polygon" and not part.is_empty]
+    rings = [ring for polygon in filled for ring in (polygon.exterior, *polygon.interiors)]
+    return "".join(f"M{points(*plane.at(*(np.array(ring.coords).T / size)))}Z" for ring in rings)

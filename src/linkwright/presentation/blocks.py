@@ -1,0 +1,242 @@
+"""What an outcome shows as plain values: sections of sentences, tables, charts and the like.
+
+Texts are those of the catalogue (:class:`~linkwright.findings.Said`), which become words where a terminal or a page
+shows them; charts are drawn only where they are shown.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from linkwright.findings import Said, Text
+
+UNKNOWN = "–"
+"""What stands for a number that there isn't."""
+
+
+@dataclass(frozen=True)
+class Number:
+    """A number with so many significant ``digits``, in ``unit`` where that stands beside it; ``unknown`` stands for
+    one that there isn't."""
+
+    value: float | None
+    digits: int = 7
+    unit: str = ""
+    unknown: Text = UNKNOWN
+    form: str = "g"
+
+    def __str__(self) -> str:
+        if self.value is None:
+            return str(self.unknown)
+        return f"{self.value:.{self.digits}{self.form}} {self.unit}".rstrip()
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """Whether something is as it should be, in a word."""
+
+    passed: bool
+    text: Text
+
+    def __str__(self) -> str:
+        return str(self.text)
+
+
+Cell = Text | Number | Verdict
+
+
+@dataclass(frozen=True)
+class Sentences:
+    """Paragraphs; ``note`` sets them small, ``detail`` leaves them to the page."""
+
+    texts: Sequence[Text]
+    note: bool = False
+    detail: bool = False
+
+
+@dataclass(frozen=True)
+class Bullets:
+    """Sentences as a list."""
+
+    texts: Sequence[Text]
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table: its heads and rows of equal length. One without rows isn't shown; ``detail`` leaves it to the page."""
+
+    name: str
+    title: Text
+    heads: Sequence[Text]
+    rows: Sequence[Sequence[Cell]]
+    detail: bool = False
+
+
+@dataclass(frozen=True)
+class Chart:
+    """A still picture, drawn as SVG where it is shown. Charts of one ``stack`` show the same for other values of
+    parameters; ``step`` are the positions of their sliders."""
+
+    title: Text
+    draw: Callable[[], str]
+    stack: str | None = None
+    step: tuple[int, ...] = ()
+
+    @cached_property
+    def drawing(self) -> str:
+        """The SVG."""
+        return self.draw()
+
+
+@dataclass(frozen=True)
+class Slider:
+    """A varied parameter: its values as texts, rising, and the number of the one at which it starts."""
+
+    name: str
+    texts: Sequence[str]
+    start: int
+
+
+@dataclass(frozen=True)
+class Charts:
+    """Pictures beside each other, with the sliders that choose among those of a stack."""
+
+    charts: Sequence[Chart]
+    sliders: Sequence[Slider] = ()
+
+
+@dataclass(frozen=True)
+class Copied:
+    """A text for the clipboard, as a spreadsheet takes it, behind a button with a ``title``."""
+
+    title: Text
+    text: str
+
+
+@dataclass(frozen=True)
+class Card:
+    """A small picture with a title, a note, and lines for a file; ``unknown`` stands where there are none."""
+
+    title: Text
+    note: Text
+    draw: Callable[[], str]
+    lines: Sequence[str]
+    unknown: Text
+
+
+@dataclass(frozen=True)
+class Cards:
+    """Pictures with their lines, which stand in a ``section`` of a file; ``heads`` are those of a table of the same."""
+
+    section: str
+    heads: tuple[Text, Text, Text]
+    cards: Sequence[Card]
+
+
+@dataclass(frozen=True)
+class MeasureValue:
+    """One number of a measure, in its unit: ``label`` tells the ends of extremes apart, ``at`` says where it happens,
+    ``grade`` how sure it is; ``text`` stands for a value that is no number."""
+
+    label: Text = ""
+    value: float | None = None
+    text: Text = ""
+    at: Text = ""
+    grade: Text = ""
+
+
+@dataclass(frozen=True)
+class Measure:
+    """A named result with its requirement. ``verdict``: met, not met, or ``None`` where nothing is required."""
+
+    name: str
+    text: Text
+    values: Sequence[MeasureValue]
+    unit: str
+    requirement: str | None
+    verdict: bool | None
+
+
+@dataclass(frozen=True)
+class Measures:
+    """The measures of a run."""
+
+    measures: Sequence[Measure]
+
+
+@dataclass(frozen=True)
+class Check:
+    """One line of a verification: its figure and what it means, in a sentence."""
+
+    name: Text
+    figure: str
+    sentence: Text
+    ok: bool
+
+
+@dataclass(frozen=True)
+class Checks:
+    """What verifies a run, and what else is to be said of it."""
+
+    checks: Sequence[Check]
+    remarks: Sequence[Text] = ()
+
+
+Block = Sentences | Bullets | Table | Charts | Copied | Cards | Measures | Checks
+
+
+@dataclass(frozen=True)
+class Section:
+    """A part of an outcome under a heading of its own, ``report.NAME`` of the catalogue."""
+
+    name: str
+    blocks: Sequence[Block]
+
+    @property
+    def title(self) -> Said:
+        """The heading."""
+        return Said(f"report.{self.name}")
+
+    @property
+    def shown(self) -> bool:
+        """Whether there is anything in it."""
+        return any(map(filled, self.blocks))
+
+
+@dataclass(frozen=True)
+class Area:
+    """What lies behind the mechanism: a shape by its rings of places [x, y], holes among them, in the length unit."""
+
+    name: Text
+    rings: Sequence[Sequence[Sequence[float]]]
+
+
+@dataclass(frozen=True)
+class StudyReport:
+    """What an outcome shows: its sections, its entries of ``summary.json``, what lies behind the mechanism."""
+
+    sections: Sequence[Section]
+    summary: Mapping[str, Any]
+    areas: Sequence[Area] = ()
+
+
+File = str | bytes | None
+"""What a file holds; ``None`` where there is none to write."""
+
+
+@dataclass(frozen=True)
+class FileOf:
+    """How a file is made of an outcome; ``asked`` names the option without which it isn't written."""
+
+    make: Callable[[Any], File]
+    asked: str = ""
+
+
+def filled(block: Block) -> bool:
+    """Whether there is anything in a block."""
+    whole = {"Table": "rows", "Cards": "cards"}.get(type(block).__name__)
+    (first, *_) = vars(block).values()
+    return bool(getattr(block, whole) if whole else first)

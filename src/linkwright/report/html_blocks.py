@@ -1,0 +1,148 @@
+"""What an outcome shows as HTML, block by block. Every text from outside passes through ``markup`` exactly once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from functools import singledispatch
+
+from linkwright.escape import markup
+from linkwright.expressions.units import printed
+from linkwright.presentation.blocks import (
+    Block,
+    Bullets,
+    Card,
+    Cards,
+    Cell,
+    Charts,
+    Check,
+    Checks,
+    Copied,
+    Measure,
+    Measures,
+    Section,
+    Sentences,
+    Table,
+    filled,
+)
+from linkwright.report.stacks import stacks
+from linkwright.words import say
+
+WIDE = 7
+"""Tables of more columns are set narrower."""
+
+
+def section(shown: Section) -> str:
+    """A section under its heading; nothing where there is nothing in it."""
+    body = "".join(html(block) for block in shown.blocks if filled(block))
+    return body and f'<section id="{shown.name}"><h2>{markup(shown.title)}</h2>{body}</section>'
+
+
+@singledispatch
+def html(block: Block) -> str:
+    """A block that has something in it."""
+    raise NotImplementedError(type(block).__name__)
+
+
+@html.register
+def _(block: Sentences) -> str:
+    kind = ' class="note"' if block.note else ""
+    return "".join(f"<p{kind}>{markup(text)}</p>" for text in block.texts)
+
+
+@html.register
+def _(block: Bullets) -> str:
+    return f"<ul>{''.join(f'<li>{markup(text)}</li>' for text in block.texts)}</ul>"
+
+
+@html.register
+def _(block: Table) -> str:
+    heads = [markup(head) for head in block.heads]
+    rows = ([_lines(cell) for cell in row] for row in block.rows)
+    kind = "limits wide" if len(heads) > WIDE else "limits"
+    return f"<h3>{markup(block.title)}</h3>{table(kind, heads, rows)}"
+
+
+@html.register
+def _(block: Charts) -> str:
+    return stacks(block.charts, block.sliders)
+
+
+@html.register
+def _(block: Copied) -> str:
+    return (
+        f'<button type="button" class="copy screen" data-copy="{markup(block.text)}" hidden>'
+        f"{markup(block.title)}</button>"
+    )
+
+
+@html.register
+def _(block: Cards) -> str:
+    return f'<div class="modes">{"".join(_card(card, block.section) for card in block.cards)}</div>'
+
+
+def _card(card: Card, section: str) -> str:
+    lines = [f"{section}:", *(f"  {line}" for line in card.lines)] if card.lines else [str(card.unknown)]
+    head = f"<b>{markup(card.title)}</b> {markup(card.note)}"
+    return f"<figure>{card.draw()}<figcaption>{head}<pre>{markup(chr(10).join(lines))}</pre></figcaption></figure>"
+
+
+@html.register
+def _(block: Measures) -> str:
+    heads = (say(f"report.{head}") for head in ("measure", "value", "where", "requirement", "verdict"))
+    return table("measures", heads, map(_measure, block.measures))
+
+
+def _measure(measure: Measure) -> Sequence[str]:
+    unit = f'<span class="unit">{markup(printed(measure.unit))}</span>'
+    values = "".join(
+        f'<span class="line"><span class="end">{markup(entry.label)}</span> '
+        f"<b>{markup(entry.text) or _number(entry.value)}</b> {unit}</span>"
+        for entry in measure.values
+    )
+    where = "".join(f'<span class="line">{markup(entry.at)}</span>' for entry in measure.values)
+    text = f'<span class="note">{markup(measure.text)}</span>'
+    for grade in dict.fromkeys(str(entry.grade) for entry in measure.values):
+        text += f'<span class="note">{markup(grade)}</span>'
+    judged = "–"
+    if measure.verdict is not None:
+        judged = mark(measure.verdict, say("report.pass" if measure.verdict else "report.fail"))
+    requirement = markup(measure.requirement) if measure.requirement else "–"
+    return (f"<b>{markup(measure.name)}</b>{text}", values, where, requirement, judged)
+
+
+@html.register
+def _(block: Checks) -> str:
+    heads = (say(f"report.{head}") for head in ("check", "figure", "meaning", "verdict"))
+    after = "".join(f'<p class="note">{markup(remark)}</p>' for remark in block.remarks)
+    return table("certificate", heads, map(_check, block.checks)) + after
+
+
+def _check(check: Check) -> Sequence[str]:
+    verdict = mark(check.ok, say("report.holds" if check.ok else "report.violated"))
+    figure = f'<span class="figure">{markup(check.figure)}</span>'
+    return (f"<b>{markup(check.name)}</b>", figure, markup(check.sentence), verdict)
+
+
+def table(kind: str, heads: Iterable[str], rows: Iterable[Sequence[str]]) -> str:
+    """A table of markup; each cell has its column's head besides, which narrow screens show instead of the heads."""
+    heads = list(heads)
+    body = "".join(
+        "<tr>" + "".join(f'<td data-head="{head}">{cell}</td>' for head, cell in zip(heads, row, strict=True)) + "</tr>"
+        for row in rows
+    )
+    head = "".join(f'<th scope="col">{title}</th>' for title in heads)
+    return f'<table class="{kind}"><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>'
+
+
+def mark(ok: bool, text: str) -> str:
+    """A verdict that reads without colour: a sign and a word."""
+    sign, kind = ("✓", "ok") if ok else ("✗", "bad")
+    return f'<span class="mark {kind}"><span aria-hidden="true">{sign}</span> {markup(text)}</span>'
+
+
+def _number(value: float | None) -> str:
+    return "–" if value is None else f"{value:.6g}".replace("-", "−")
+
+
+def _lines(cell: Cell) -> str:
+    return markup(cell).replace("\n", "<br>")

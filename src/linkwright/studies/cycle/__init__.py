@@ -1,0 +1,1 @@
+"""The cycle: a file's motion, with its measures and its verification."""

@@ -1,0 +1,112 @@
+"""How long a cycle lasts, and on how many steps."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import BeforeValidator, Field, ValidationError, ValidationInfo, model_validator
+
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, Frozen, fault
+from linkwright.expressions.typed_fields import Quantity
+from linkwright.expressions.unknown import unknown
+from linkwright.expressions.written import unexpected
+from linkwright.findings import Finding, Term
+from linkwright.kernels import Compiled
+from linkwright.studies.numbers import constant
+
+LONGEST = 1e12
+"""No run is longer (s)."""
+
+
+TURNS = re.compile(r"\s*((?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s+(\w+)\s*")
+
+
+def _counted(raw: Any) -> Any:
+    if raw is not None and not isinstance(raw, str):
+        raise unexpected("turns", raw)
+    return raw
+
+
+class CycleOptions(Frozen):
+    """How long, and on how many steps. One of period, duration and turns says how long."""
+
+    period: Annotated[Expression | None, Quantity(u.TIME)] = Field(
+        None, description="the motion's period: it must close"
+    )
+    duration: Annotated[Expression | None, Quantity(u.TIME)] = Field(None, description="how long the run lasts")
+    turns: Annotated[str | None, BeforeValidator(_counted)] = Field(
+        None, description="'2 engine': so many turns of a drive of constant speed"
+    )
+    samples: int = Field(200, ge=2, le=100_000, description="number of equal steps; rows are samples + 1")
+    through: Literal["keep", "stop"] = Field(
+        "stop", description="at a change point: keep goes on smoothly through it, stop refuses the run"
+    )
+
+    @model_validator(mode="after")
+    def _one_length(self) -> CycleOptions:
+        given = [name for name in ("period", "duration", "turns") if getattr(self, name) is not None]
+        if len(given) != 1:
+            key = given[0] if given else "period"
+            raise fault("study.options", study="cycle", key=key, reason=Term("one-length"))
+        return self
+
+
+def beside(info: ValidationInfo) -> CycleOptions | None:
+    """The options of the cycle in the same file, for those of another study; None where it has none, or wrong ones, of
+    which the cycle itself tells."""
+    given = (info.context or {}).get("cycle")
+    try:
+        return None if given is None else CycleOptions.model_validate(given)
+    except ValidationError:
+        return None
+
+
+def span(compiled: Compiled, options: CycleOptions) -> tuple[float, list[Finding]]:
+    """The length of the run (s), and what is wrong with it."""
+    if options.turns is not None:
+        return _turns(compiled, options.turns)
+    key, length = ("period", options.period) if options.period is not None else ("duration", options.duration)
+    assert length is not None
+    path = ("studies", "cycle", key)
+    seconds, found = constant(compiled.quantities, length, u.TIME, path, math.inf)
+    if seconds is None:
+        return 0.0, found
+    if seconds <= 0:
+        return _wrong(key, Term("length-positive"))
+    return (seconds, []) if seconds < LONGEST else _wrong(key, _too_long(seconds))
+
+
+def _turns(compiled: Compiled, text: str) -> tuple[float, list[Finding]]:
+    m, match = compiled.mechanism, TURNS.fullmatch(text)
+    if match is None:
+        return _wrong("turns", Term("turns-form", text=text[:60], drive=compiled.graph.drives[0]))
+    count, name = float(match[1]), match[2]
+    if name not in m.movers:
+        return 0.0, [unknown("drive", ("studies", "cycle", "turns"), name, m.movers)]
+    drive = m.drives.get(name)
+    if (
+        drive is None
+        or drive.speed is None
+        or drive.output is not None
+        or drive.acceleration is not None
+        or not drive.turns
+    ):
+        return _wrong("turns", Term("turns-constant", drive=name))
+    speed = compiled.quantities.value(drive.speed, u.OMEGA)
+    if speed == 0 or count == 0:
+        return _wrong("turns", Term("turns-none", drive=name))
+    seconds = 2 * np.pi * count / abs(speed)
+    return (seconds, []) if seconds < LONGEST else _wrong("turns", _too_long(seconds))
+
+
+def _wrong(key: str, reason: Term) -> tuple[float, list[Finding]]:
+    data = {"study": "cycle", "key": key, "reason": reason}
+    return 0.0, [Finding("study.options", ("studies", "cycle", key), data)]
+
+
+def _too_long(seconds: float) -> Term:
+    return Term("length-limit", seconds=f"{seconds:.3g}", limit=f"{LONGEST:.3g}")

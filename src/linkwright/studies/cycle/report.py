@@ -1,0 +1,144 @@
+"""What a cycle shows: its measures and its verification; and what ``summary.json`` says of it, in the file's units."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from linkwright.expressions.units import TIME
+from linkwright.findings import Said
+from linkwright.measures import Grade, MeasureResult
+from linkwright.presentation.blocks import Checks, Measure, Measures, MeasureValue, Section, StudyReport
+from linkwright.results import Certificate, Result
+from linkwright.results.netcdf import netcdf_bytes
+from linkwright.studies.cycle.outcome import CycleOutcome
+from linkwright.studies.cycle.verification import checks, remarks
+
+
+def report(outcome: CycleOutcome) -> StudyReport:
+    """Measures, then what verifies them."""
+    certificate, quantities = outcome.result.certificate, outcome.result.run.compiled.quantities
+    time_unit, second = quantities.unit_of(TIME)
+    sections = [Section("measures", [Measures([measure(m, second, time_unit) for m in outcome.measures])])]
+    if certificate is not None:
+        near = certificate.nearest
+        nearest = f"{near.time / second:.6g} {time_unit}" if near else ""
+        sections.append(Section("certificate", [Checks(checks(certificate, nearest), remarks(certificate))]))
+    return StudyReport(sections, cycle_entry(outcome))
+
+
+def measure(m: MeasureResult, second: float, time_unit: str) -> Measure:
+    """A measure as it is shown."""
+    entry, reduction = m.measure, m.measure.reduction
+    data = {
+        "reduction": reduction,
+        "signal": m.measure.subject,
+        "window": entry.window,
+        "where": entry.where,
+    }
+    key = "measure.text.where" if entry.where else "measure.text.window" if entry.window else "measure.text"
+    values = [
+        MeasureValue(
+            label=Said(f"measure.{f.label}") if f.label else "",
+            value=None if f.unbounded else f.value / m.size,
+            text=Said("value.unbounded") if f.unbounded else "",
+            at="" if f.time is None else _at(f.side, f"{f.time / second:.6g} {time_unit}"),
+            grade=grade_text(f.grade, second, time_unit),
+        )
+        for f in m.found
+    ]
+    return Measure(m.name, Said(key, **data), values, m.unit, m.requirement, m.verdict)
+
+
+def _at(side: str, time: str) -> Said:
+    return Said(f"measure.at.{side}" if side else "measure.at", time=time)
+
+
+def grade_text(grade: Grade, second: float, time_unit: str) -> Said:
+    """How sure a number is, with the width below which a search may miss features."""
+    width = "" if grade.width is None else f"{grade.width / second:.2g} {time_unit}"
+    return Said(f"grade.{grade.kind.value}", width=width)
+
+
+def cycle_entry(outcome: CycleOutcome) -> dict[str, Any]:
+    """The run, its measures (in the file's units) and its certificate."""
+    run = outcome.result.run
+    time_unit, second = run.compiled.quantities.unit_of(TIME)
+    return {
+        "run": {
+            "start": run.start / second,
+            "stop": run.stop / second,
+            "unit": time_unit,
+            "rows": run.t.size,
+            "kernel": run.compiled.kernel,
+        },
+        "measures": {m.name: measure_entry(m, second, time_unit) for m in outcome.measures},
+        "certificate": certificate_entry(outcome.result, second, time_unit),
+    }
+
+
+def measure_entry(m: MeasureResult, second: float, time_unit: str) -> dict[str, Any]:
+    """One measure: ``value`` (or ``min`` and ``max``) and ``unit``, where it happens, and its verdict."""
+    entry: dict[str, Any] = {(f.label or "value"): None if f.unbounded else f.value / m.size for f in m.found}
+    entry["unit"] = m.unit
+
+    def put(key: str, each: dict[str, Any]) -> None:
+        """What is known of a measure's numbers: of the only one itself, of several by their labels."""
+        if each:
+            entry[key] = each.get("", each)
+
+    put("at", {f.label: f.time / second for f in m.found if f.time is not None})
+    if "at" in entry:
+        entry["at_unit"] = time_unit
+    far = [f for f in m.found if f.unbounded]
+    put("unbounded", {f.label: {"side": f.side, "t": (f.time or 0.0) / second, "to": _sign(f.value)} for f in far})
+    put("approached", {f.label: f.side for f in m.found if f.side and not f.unbounded})
+    put("grade", {f.label: grade_entry(f.grade, second) for f in m.found})
+    if m.requirement is not None:
+        entry |= {"require": m.requirement, "met": m.verdict}
+    return entry
+
+
+def _sign(value: float) -> str:
+    return "+infinity" if value > 0 else "-infinity"
+
+
+def grade_entry(grade: Grade, second: float) -> dict[str, Any]:
+    """How sure a number is: ``kind``, and of a searched one the ``width`` below which features may be missed and
+    why it isn't enclosed, where that was tried."""
+    entry: dict[str, Any] = {"kind": grade.kind.value}
+    if grade.width is not None:
+        entry["width"] = grade.width / second
+    return entry | ({"not_enclosed": grade.reason} if grade.reason else {})
+
+
+def certificate_entry(result: Result, second: float, time_unit: str) -> dict[str, Any] | None:
+    """The certificate's figures; ``None`` where the motion can't be followed."""
+    c: Certificate | None = result.certificate
+    if c is None:
+        return None
+    entry: dict[str, Any] = {
+        "closure": c.closure,
+        "equilibrium": c.equilibrium,
+        "power": c.power,
+        "work": c.work,
+        "measures": c.measures,
+    }
+    entry |= {"mobility": c.mobility, "gruebler": c.gruebler, "rank": c.rank, "loops": c.loops}
+    if c.nearest is not None:
+        entry["smallest_determinant"] = c.nearest.determinant
+        entry["smallest_determinant_at"] = {
+            "group": c.nearest.group,
+            "time": c.nearest.time / second,
+            "unit": time_unit,
+        }
+    if c.changes:
+        entry["branch_changes"] = {group: [time / second for time in times] for group, times in c.changes.items()}
+    if c.followed:
+        entry["followed"] = {group: {"steps": n, "correction": worst} for group, (n, worst) in c.followed.items()}
+    branches = {group: str(rule) for group, rule in c.branches.items()}
+    return entry | {"branches": branches, "poses": c.poses, "kernel": c.kernel, "kernel_reason": str(c.choice.reason)}
+
+
+def netcdf(outcome: CycleOutcome) -> bytes:
+    """All signals as a netCDF file."""
+    return netcdf_bytes(outcome.result, outcome.result.names, outcome.warnings)

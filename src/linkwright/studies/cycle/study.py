@@ -1,0 +1,131 @@
+"""The cycle study: motion and forces of a mechanism over a span of time, proven, with its measures."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from linkwright.expressions import units as u
+from linkwright.findings import Finding, ModelError, Term
+from linkwright.kernels import Compiled
+from linkwright.measures import Measurer, enclose, misfit
+from linkwright.presentation.blocks import FileOf, StudyReport
+from linkwright.results import Result, Run, certify
+from linkwright.studies.acting import lifted, loose, outside, undefined, unseated
+from linkwright.studies.cycle.options import CycleOptions, span
+from linkwright.studies.cycle.outcome import CycleOutcome
+from linkwright.studies.cycle.report import netcdf, report
+from linkwright.studies.feasible import near, singular, strokes, travels, unassembled
+from linkwright.studies.locked import locked
+from linkwright.studies.outputs import powerless
+from linkwright.studies.plausible import coincident, crossed
+from linkwright.studies.registry import Study, register
+from linkwright.studies.site import NOWHERE, Site
+from linkwright.studies.through import carried, warnings
+
+
+@register
+class Cycle(Study):
+    """Motion and forces over time."""
+
+    name = "cycle"
+    example = "{turns: 1 motor, samples: 360}"
+    options = CycleOptions
+    rank = 0
+    files = {
+        "cycle.csv": FileOf(lambda outcome: outcome.result.to_csv()),
+        "cycle.nc": FileOf(netcdf, "netcdf"),
+    }
+
+    def check(self, compiled: Compiled, options: CycleOptions) -> list[Finding]:
+        """What is wrong with the length of the run."""
+        stop, findings = span(compiled, options)
+        if not findings:
+            t = np.linspace(0.0, stop, options.samples + 1)
+            for law in compiled.laws.values():
+                try:
+                    law(t)
+                except ModelError as error:
+                    findings += error.findings
+        return findings
+
+    def run(self, compiled: Compiled, options: CycleOptions, site: Site = NOWHERE) -> CycleOutcome:
+        """Follow the motion, prove it, take the measures."""
+        stop, _ = span(compiled, options)
+        run = Run(compiled, 0.0, stop, options.samples)
+        code = "motion.singular"
+        if options.through == "keep":
+            code = "motion.cannot-carry"
+            run, kept = carried(run)
+            if kept:
+                return CycleOutcome(Result(run, kept))
+        if gaps := unassembled(run):
+            return CycleOutcome(Result(run, gaps))
+        if poses := singular(run, code):
+            return CycleOutcome(Result(run, poses))
+        if stops := locked(run):
+            return CycleOutcome(Result(run, stops))
+        if dead := powerless(run):
+            return CycleOutcome(Result(run, dead))
+        if undecided := undefined(run):
+            return CycleOutcome(Result(run, undecided))
+        certificate = certify(run)
+        result = Result(run, certificate=certificate)
+        measurer = Measurer(run, [*compiled.mechanism.measures])
+        measures = enclose(measurer, measurer.all())
+        result.certificate = replace(certificate, measures=misfit(measurer, measures))
+        measurer.findings += lost(run)
+        faults = [finding for finding in measurer.findings if finding.severity == "error"]
+        result.failures += [*unproven(result), *faults, *strokes(run), *travels(run)]
+        warned = [finding for finding in measurer.findings if finding not in faults]
+        warned += [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
+        notes = [*coincident(run), *crossed(run)]
+        warned += [*outside(run), *lifted(run), *loose(run), *unseated(run)]
+        return CycleOutcome(result, measures, [*warned, *notes])
+
+    def report(self, outcome: CycleOutcome) -> StudyReport:
+        """Measures and what verifies them."""
+        return report(outcome)
+
+
+CHECKS = {
+    "closure": Term("closure"),
+    "equilibrium": Term("equilibrium"),
+    "power": Term("power"),
+    "work": Term("work"),
+    "measures": Term("measures"),
+}
+
+
+def unproven(result: Result) -> list[Finding]:
+    """A finding for each proof of the certificate that fails: figures that can't be trusted."""
+    assert result.certificate is not None
+    found = []
+    for name, figure in result.certificate.unproven().items():
+        data = {"check": CHECKS[name], "figure": f"{figure:.1e}" if figure == figure else Term("unknown-share")}
+        found.append(Finding("motion.unproven", ("studies", "cycle"), data))
+    return found
+
+
+def lost(run: Run) -> list[Finding]:
+    """A finding for each angle that turns too often to be followed."""
+    names = sorted(name.partition(".")[0] for name in run.lost)
+    return [Finding("motion.too-many-turns", ("links", name), {"name": name}) for name in names]
+
+
+def not_periodic(run: Run) -> list[Finding]:
+    """A warning where a motion said to be periodic doesn't come back to where it began."""
+    points = list(run.compiled.quantities.signals.homes)
+    names = [f"{point}.{axis}" for point in points for axis in "xy"]
+    ends = run.evaluate(names, np.array([run.start, run.stop]))
+    away = np.hypot(*(ends[:, 1] - ends[:, 0]).reshape(-1, 2).T)
+    worst = int(np.argmax(away))
+    if away[worst] < 1e-6 * (np.ptp(ends) or 1.0):
+        return []
+    unit, size = run.compiled.quantities.unit_of(u.LENGTH)
+    time_unit, second = run.compiled.quantities.unit_of(u.TIME)
+    data: dict[str, Any] = {"element": points[worst], "distance": f"{away[worst] / size:.4g}", "unit": unit}
+    data["period"] = f"{(run.stop - run.start) / second:.6g} {time_unit}"
+    return [Finding("motion.not-periodic", ("studies", "cycle", "period"), data, severity="warning")]

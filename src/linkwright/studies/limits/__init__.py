@@ -1,0 +1,1 @@
+"""The limits study: ranges of drives, dead centres, strokes, transmission angles."""

@@ -1,0 +1,299 @@
+"""What happens to signals and dyads over a run: extremes, dead centres, strokes, change points, transmission angles."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.expressions.language import Node
+from linkwright.expressions.units import Dimension
+from linkwright.graph.rows import Determinant, Span, reaches
+from linkwright.measures.features import features
+from linkwright.measures.probe import Limits, Search
+from linkwright.results import Run
+from linkwright.results.run import BLIND
+from linkwright.results.stationary import magnitude, stationary
+from linkwright.studies.drive_sweep import NEAR, Sweep
+from linkwright.studies.feasible import SINGULAR, TOUCH
+
+Array = NDArray[np.float64]
+Signals = Mapping[str, tuple[Node, Dimension]]
+"""Expressions of signals as written, with their trees bound to SI and their dimensions."""
+
+SAME = 1e-9
+"""Places closer than this share of the run are one."""
+CAP = 1e4
+"""Values and rates are looked at up to so many times their usual size."""
+NEARER = 1e-10
+"""The share of the run inside a dead end at which a signal that grows without limit is over that at ``NEAR`` ..."""
+RUNS = 1e3
+"""A signal that is so many times its usual size at ``NEAR`` runs away with a slide."""
+GROWS = 50.0
+"""... by this factor: 1/sqrt(t) grows by 100."""
+
+
+@dataclass(frozen=True)
+class Extreme:
+    """A value (SI; infinite where the signal grows without limit) and the time of the run where it is reached."""
+
+    value: float
+    time: float
+
+
+@dataclass(frozen=True)
+class Reversal:
+    """A dead centre: where a signal's rate passes through zero. ``top`` where it was rising before."""
+
+    value: float
+    time: float
+    top: bool
+
+
+@dataclass(frozen=True)
+class Strokes:
+    """Ways of the drive (rad) for the rising and the falling stroke of an output, and their ratio."""
+
+    rising: float
+    falling: float
+
+    @property
+    def ratio(self) -> float:
+        """The time ratio at constant speed: the slower stroke over the faster one."""
+        return max(self.rising, self.falling) / min(self.rising, self.falling)
+
+
+@dataclass(frozen=True)
+class Course:
+    """One signal over a run: its extremes, its dead centres, whole turns it makes, the strokes between two of them."""
+
+    signal: str
+    dimension: Dimension
+    low: Extreme
+    high: Extreme
+    reversals: tuple[Reversal, ...]
+    turns: int = 0
+    strokes: Strokes | None = None
+
+    @property
+    def stroke(self) -> float:
+        """Largest less smallest value: stroke or swing."""
+        return self.high.value - self.low.value
+
+
+@dataclass(frozen=True)
+class Transmission:
+    """A dyad's least transmission angle (rad, 0 to a right angle) and its time; none where it stays the same."""
+
+    group: str
+    signature: str
+    angle: float
+    time: float | None
+
+
+@dataclass(frozen=True)
+class Touch:
+    """A change point: the two assembly modes of a group meet at a time."""
+
+    group: str
+    time: float
+
+
+def turning(
+    run: Run, rates: Callable[[Array], tuple[Array, Array]], scales: Sequence[float] | None = None
+) -> list[Array]:
+    """The times at which each row's rate changes sign, also at ends where the motion may go on, but not where a
+    change point may give it a kink; ``scales`` as for :func:`stationary`."""
+    low, high = run.looked if isinstance(run, Sweep) else (0.0, 1.0)
+
+    def scaled(share: Array) -> tuple[Array, Array]:
+        t, slope = run.place(share)
+        values, slopes = rates(t)
+        return values, np.where(run.clear(t), slopes * slope, np.nan)
+
+    def capped(share: Array) -> tuple[Array, Array]:
+        """What grows without limit towards an end would make all else look like round-off."""
+        values, slopes = scaled(share)
+        return np.clip(values, -caps[0], caps[0]), np.clip(slopes, -caps[1], caps[1])
+
+    with np.errstate(all="ignore"):
+        caps = [CAP * _usual(rows) for rows in scaled(np.linspace(0.0, 1.0, 258)[1:-1])]
+        found = stationary(capped, low, high, run.grid, scales)
+    tiny = SAME * (run.stop - run.start)
+    kept = []
+    for shares in found:
+        t = run.place(shares)[0]
+        inside = t[(t >= run.start - tiny) & (t <= run.stop + tiny) & run.clear(t, 3 * BLIND)]
+        if isinstance(run, Sweep):
+            inside = inside[run.regular(inside)]
+        kept.append(np.unique(np.clip(inside, run.start, run.stop)))
+    return kept
+
+
+def _usual(rows: Array) -> Array:
+    """The usual magnitude of each row: (rows, 1)."""
+    known = [np.abs(row[np.isfinite(row) & (row != 0)]) for row in rows]
+    return np.array([[float(np.median(row)) if row.size else np.inf] for row in known])
+
+
+def touches(run: Run) -> list[Touch]:
+    """The change points of a run: where the reach of a group touches zero, or its two outer pins meet."""
+    closing = reaches(run.compiled.structure)
+    apart = [Span(row.group) for row in closing]
+    if not closing:
+        return []
+
+    places, found = turning(run, partial(run.compiled.rates, [*closing, *apart])), []
+    spans = np.abs(run.compiled.evaluate(apart, run.place(np.linspace(0, 1, 65))[0]))
+    for i, rows in enumerate(zip(closing, apart, strict=True)):
+        times = np.union1d(places[i], places[len(closing) + i])
+        reach, span = np.abs(run.compiled.evaluate(rows, times))
+        meet = (reach <= TOUCH) | (span <= SINGULAR * spans[i].max())
+        found += [Touch(rows[0].group, float(time)) for time in times[meet]]
+    return found
+
+
+def transmission(run: Run, flat: Sequence[tuple[str, float]] = ()) -> list[Transmission]:
+    """The least transmission angle of each dyad. ``flat``: groups known to be stretched or folded, and when."""
+    groups = run.compiled.structure.groups
+    names = [Determinant(group.label) for group in groups]
+    if not names:
+        return []
+
+    def rates(t: Array) -> tuple[Array, Array]:
+        return magnitude(*run.compiled.rates(names, t))
+
+    found = []
+    for group, name, times in zip(groups, names, turning(run, rates), strict=True):
+        times = np.concatenate([times, [run.start, run.stop]])
+        sines = np.minimum(np.abs(run.compiled.evaluate([name], times)[0]), 1.0)
+        ends = [time for label, time in flat if label == group.label]
+        times, sines = np.concatenate([times, ends]), np.concatenate([sines, np.zeros(len(ends))])
+        known = np.isfinite(sines)
+        times, sines = times[known], sines[known]
+        if sines.size:
+            least = int(np.argmin(sines))
+            moves = np.ptp(sines) > 1e-12
+            time = float(times[least]) if moves else None
+            found.append(Transmission(group.label, group.signature, float(np.arcsin(sines[least])), time))
+    return found
+
+
+def courses(run: Run, signals: Signals, full: bool = False, forward: bool = True) -> list[Course]:
+    """What each signal does over a run. ``full``: its ends are one pose; ``forward``: the drive's value rises."""
+    if not signals:
+        return []
+    trees = [node for node, _ in signals.values()]
+    with np.errstate(all="ignore"):
+        # At unit speed of the drive, rates are of the size of what moves.
+        size = run.compiled.graph.size
+        scales = [size**d.length if d.mass == 0 else 0.0 for _, d in signals.values()]
+        places = turning(run, partial(run.all_rates, trees), scales)
+        broken = Search(run, [tree for tree in trees if features(tree, run.compiled.quantities.signals.find)])
+        found = []
+        for (name, (node, dimension)), times in zip(signals.items(), places, strict=True):
+            limits = broken.limits(node) if node in broken.trees else []
+            found.append(_Course(run, node, times, full, forward, limits).read(name, dimension))
+    return found
+
+
+@dataclass
+class _Course:
+    run: Run
+    node: Node
+    times: Array
+    full: bool
+    forward: bool
+    limits: list[Limits]
+
+    def __post_init__(self) -> None:
+        near = 1e-10 * (self.run.stop - self.run.start)
+        for place in self.limits:
+            self.times = self.times[np.abs(self.times - place.time) > near]
+
+    def values(self, t: Array) -> Array:
+        return np.array(self.run.jets(self.node, t).d[0])
+
+    def read(self, name: str, dimension: Dimension) -> Course:
+        run = self.run
+        inner = self.values(self.times)
+        ends = self.values(np.array([run.start, run.stop]))
+        if isinstance(run, Sweep):
+            for side in (0, 1):
+                if run.dead[side]:
+                    ends[side] = self.limit(run, side)
+        seams, at_seams = self.seams()
+        times = np.concatenate([self.times, [run.start, run.stop], seams, *([p.time, p.time] for p in self.limits)])
+        sides = [[p.before.value, p.after.value] for p in self.limits]
+        values = np.concatenate([inner, ends, at_seams, *sides])
+        known = ~np.isnan(values)
+        times, values = times[known], values[known]
+        if not values.size:
+            nowhere = Extreme(float("nan"), run.start)
+            return Course(name, dimension, nowhere, nowhere, ())
+        low, high = (int(pick(values)) for pick in (np.argmin, np.argmax))
+        reversals = self.reversals(inner) if dimension.time == 0 else ()  # a rate has no dead centres
+        turns = round(float(ends[1] - ends[0]) / (2 * np.pi)) if self.full and np.isfinite(ends).all() else 0
+        turns = turns if dimension.angle == 1 and dimension.physical == Dimension() else 0
+        return Course(
+            name,
+            dimension,
+            Extreme(float(values[low]), float(times[low])),
+            Extreme(float(values[high]), float(times[high])),
+            reversals,
+            turns,
+            None if turns else self.strokes(reversals),
+        )
+
+    def seams(self) -> tuple[Array, Array]:
+        """Times and values beside the change points, and right there where the value goes through."""
+        run = self.run
+        aside = 3 * BLIND * (run.stop - run.start)
+        times = np.array([[t, t - aside, t + aside] for t in run.change_points]).reshape(-1, 3)
+        times = np.clip(times, run.start, run.stop)
+        values = self.values(times.ravel()).reshape(-1, 3)
+        jumps = np.abs(values[:, 1:] - values[:, :1]).max(axis=1) > 1e-3 * np.abs(values).max(initial=1e-300)
+        values[jumps, 0] = np.nan
+        return times.ravel(), values.ravel()
+
+    def limit(self, run: Sweep, side: int) -> float:
+        """The value at a dead end; infinite where it grows without limit towards it."""
+        length = run.stop - run.start
+        inside = np.array([NEAR, NEARER, *np.linspace(0.1, 0.9, 9)]) * length
+        near, nearer, *rest = self.values(run.start + inside if side == 0 else run.stop - inside).tolist()
+        usual, stop = max(map(abs, rest)), run.stops[side]
+        if abs(nearer) > GROWS * max(abs(near), usual):
+            return float(np.copysign(np.inf, nearer))
+        if stop is not None and stop.pole:
+            return float(np.copysign(np.inf, near)) if abs(near) > RUNS * usual else near
+        names = run.signals_of([self.node])
+        time = np.array([(run.start, run.stop)[side]])
+        rows = {name: (row, np.zeros(1)) for name, row in zip(names, run.settled(names, side), strict=True)}
+        value = float(run.combine(self.node, time, rows).d[0][0])
+        return value if np.isfinite(value) else nearer
+
+    def reversals(self, values: Array) -> tuple[Reversal, ...]:
+        """Where the signal turns round; once for the two ends of a full turn."""
+        run, length = self.run, self.run.stop - self.run.start
+        edges = np.concatenate([[run.start], self.times, [run.stop]])
+        found: list[Reversal] = []
+        for i, (time, value) in enumerate(zip(self.times.tolist(), values.tolist(), strict=True)):
+            if self.full and run.stop - time < SAME * length and found and found[0].time - run.start < SAME * length:
+                continue
+            before = edges[i] if time - edges[i] > SAME * length else time - 1e-3 * length
+            earlier = float(self.values(np.array([(before + time) / 2]))[0])
+            found.append(Reversal(value, time, earlier < value))
+        return tuple(found)
+
+    def strokes(self, reversals: tuple[Reversal, ...]) -> Strokes | None:
+        """The two strokes of an output that turns round twice in a full turn of the drive."""
+        tops = [r.time for r in reversals if r.top]
+        bottoms = [r.time for r in reversals if not r.top]
+        if not self.full or len(tops) != 1 or len(bottoms) != 1:
+            return None
+        up = (tops[0] - bottoms[0]) % (2 * np.pi)
+        rising = up if self.forward else 2 * np.pi - up
+        return Strokes(rising, 2 * np.pi - rising)

@@ -1,0 +1,1 @@
+"""The modes study: assembly modes and circuits."""

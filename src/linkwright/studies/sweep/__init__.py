@@ -1,0 +1,1 @@
+"""The sweep: many samples of a mechanism's parameters."""

@@ -1,0 +1,140 @@
+"""What a sweep shows, and what ``summary.json`` says of it, in the file's units."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from linkwright.findings import Said
+from linkwright.presentation.blocks import Block, Cell, Charts, Number, Section, Sentences, StudyReport, Table
+from linkwright.presentation.plain import known
+from linkwright.studies.shares import CONFIDENCE
+from linkwright.studies.sweep.charts import charts
+from linkwright.studies.sweep.outcome import Statistics, SweepOutcome
+
+
+def sweep_entry(outcome: SweepOutcome) -> dict[str, Any]:
+    """What ``summary.json`` says of a sweep."""
+    return {
+        "sweep": {
+            "plan": outcome.plan.name,
+            "samples": outcome.samples,
+            "seed": outcome.options.seed if outcome.plan.chosen else None,
+            "failed": outcome.failed,
+            "poses": outcome.t.size,
+            "kernel": outcome.kernel,
+            "kernel_why": str(outcome.why),
+            "vary": {name: _varied(outcome, i) for i, name in enumerate(outcome.names)},
+            "measures": {s.column.name: _statistics(s) for s in outcome.measures},
+            "require": _shares(outcome),
+            "signals": {text: _band(outcome, text) for text in outcome.bands},
+            "files": outcome.files,
+        }
+    }
+
+
+def _varied(outcome: SweepOutcome, index: int) -> dict[str, Any]:
+    quantities = outcome.compiled.quantities
+    name = outcome.names[index]
+    unit, size = quantities.unit_of(quantities.dimensions.of(name))
+    entry: dict[str, Any] = {"unit": unit, "nominal": quantities.parameters[name] / size}
+    if outcome.table is not None:
+        values = outcome.table.parameters[index]
+        entry |= {"min": float(values.min()) / size, "max": float(values.max()) / size}
+    return entry
+
+
+def _statistics(found: Statistics) -> dict[str, Any]:
+    size = found.column.size
+    entry: dict[str, Any] = {"unit": found.column.unit, "count": found.count}
+    entry |= {"mean": known(found.mean / size), "deviation": known(found.deviation / size)}
+    entry |= {"min": known(found.least / size), "max": known(found.largest / size)}
+    return entry | {"min_sample": found.least_at, "max_sample": found.largest_at}
+
+
+def _shares(outcome: SweepOutcome) -> dict[str, Any]:
+    require = outcome.compiled.mechanism.require
+    return {
+        name: {
+            "require": str(require[name].raw),
+            "met": share.met,
+            "samples": share.samples,
+            "share": share.value,
+            "low": share.low,
+            "high": share.high,
+            "confidence": None if share.low is None else CONFIDENCE,
+        }
+        for name, share in outcome.shares.items()
+    }
+
+
+def _band(outcome: SweepOutcome, text: str) -> dict[str, Any]:
+    band = outcome.bands[text]
+    unit, size = outcome.compiled.quantities.unit_of(band.dimension)
+    return {
+        "unit": unit,
+        "min": known(float(np.fmin.reduce(band.least)) / size),
+        "max": known(float(np.fmax.reduce(band.largest)) / size),
+        "deviation_max": known(float(np.fmax.reduce(band.deviation)) / size),
+        "count_min": int(band.count.min()),
+    }
+
+
+def report(outcome: SweepOutcome) -> StudyReport:
+    """What was done, what came out, and its charts."""
+    drawn = charts(outcome)
+    legend = Sentences([Said("sweep.chart.legend")] if drawn else [], note=True, detail=True)
+    blocks: list[Block] = [Sentences([sentence(outcome)]), *tables(outcome), legend, Charts(drawn)]
+    return StudyReport([Section("sweep", blocks)], sweep_entry(outcome))
+
+
+def tables(outcome: SweepOutcome) -> list[Table]:
+    """What was varied, measures and their requirements, signals."""
+    if not outcome.performed:
+        return []
+    entry = sweep_entry(outcome)["sweep"]
+
+    def numbers(name: str, heads: tuple[str, ...], keys: tuple[str, ...]) -> Table:
+        """A table of figures with their units."""
+        rows = [[key, *(_number(e.get(k)) for k in keys), e["unit"]] for key, e in entry[name].items()]
+        return _table(name, (*heads, "unit"), rows)
+
+    shares = [[name, e["require"], _percent(e["share"]), _interval(e)] for name, e in entry["require"].items()]
+    return [
+        numbers("vary", ("parameter", "nominal", "min", "max"), ("nominal", "min", "max")),
+        numbers("measures", ("measure", *_SPREAD), _SPREAD),
+        _table("require", ("measure", "requirement", "share", "interval"), shares),
+        numbers("signals", ("signal", *_BAND), _BAND),
+    ]
+
+
+_SPREAD = ("mean", "deviation", "min", "max")
+_BAND = ("min", "max", "deviation_max")
+
+
+def _table(name: str, heads: tuple[str, ...], rows: list[list[Cell]]) -> Table:
+    return Table(name, Said(f"sweep.table.{name}"), [Said(f"sweep.column.{head}") for head in heads], rows)
+
+
+def sentence(outcome: SweepOutcome) -> Said:
+    """What was done."""
+    if not outcome.performed:
+        return Said("sweep.sentence.none")
+    key = "sweep.sentence.failed" if outcome.failed else "sweep.sentence"
+    data = {"samples": f"{outcome.samples:,}", "poses": f"{outcome.t.size:,}", "failed": f"{outcome.failed:,}"}
+    return Said(key, plan=outcome.plan.name, kernel=outcome.kernel, **data)
+
+
+def _number(value: float | None) -> Number:
+    return Number(value, 6)
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.4g} %"
+
+
+def _interval(entry: dict[str, Any]) -> str:
+    if entry["low"] is None:
+        return "–"
+    return f"{_percent(entry['low'])} .. {_percent(entry['high'])}"

@@ -1,0 +1,316 @@
+"""Quality and errors over workspaces, written: sentences, pictures, tables, CSV, shapes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import lru_cache, partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.drawing.charts import named
+from linkwright.drawing.plane import Plane, framed_box, outline
+from linkwright.drawing.tiled import tiled
+from linkwright.expressions import units as u
+from linkwright.findings import Joined, Said, Text
+from linkwright.model.csv_text import cell, head, written
+from linkwright.presentation.blocks import Chart, Table
+from linkwright.studies.workspace.curve_lines import lines
+from linkwright.studies.workspace.errors_part import ErrorsPart, RegionErrors
+from linkwright.studies.workspace.map_picture import levels_of, map_picture
+from linkwright.studies.workspace.mapped_regions import RegionMaps
+from linkwright.studies.workspace.outcome import WorkspaceOutcome
+from linkwright.studies.workspace.quality import better
+from linkwright.studies.workspace.quality_part import QualityPart, by_drives, closures
+from linkwright.studies.workspace.raster import raster
+from linkwright.studies.workspace.steps import Steps
+
+Array = NDArray[np.float64]
+Part = QualityPart | ErrorsPart
+
+CELLS = 160
+"""Places of a picture's grid along its longer side."""
+PICTURES = 24
+"""The most pictures of a part."""
+ROWS = 5_000
+"""About so many rows of a table of maps, at the most."""
+
+
+def quality_sentences(outcome: WorkspaceOutcome) -> list[Text]:
+    """Which determinants are meant, what the pictures show."""
+    part = _quality(outcome)
+    data = {"determinant": by_drives(outcome), "point": outcome.point}
+    told = [Said("workspace.quality", **data)]
+    if groups := closures(outcome):
+        told.append(Said("workspace.quality.closures", groups=groups))
+    return [*told, *_pictured(part, "better")]
+
+
+def errors_sentences(outcome: WorkspaceOutcome) -> list[Text]:
+    """What deviates, what is guaranteed."""
+    part = _errors(outcome)
+    unit, size = outcome.compiled.quantities.unit_of(u.LENGTH)
+    told = [*_causes(part, unit, size)]
+    if part.limit is not None:
+        told.append(Said("workspace.errors.precise", limit=f"{part.limit / size:.6g}", unit=unit, point=outcome.point))
+    return [*told, *_pictured(part, "worse")]
+
+
+def _causes(part: ErrorsPart, unit: str, size: float) -> Iterator[Text]:
+    """What deviates within limits, how joints with clearance are taken to lie, by kind; that the rest is guaranteed."""
+    every = [one.causes for one in part.regions]
+    names = dict.fromkeys(name for one in every for name in one.contributors.names)
+    data = {"point": part.outcome.point}
+    yield Said("workspace.errors" if names else "workspace.errors.clearances", names=", ".join(names), **data)
+    held = [joint for one in every for joint in one.held]
+    for kind in dict.fromkeys(joint.kind for joint in held):
+        plays = dict.fromkeys((joint.joint, joint.clearance) for joint in held if joint.kind == kind)
+        told = (f"{joint} {clearance / size:.6g} {unit}" for joint, clearance in plays)
+        yield Said(f"workspace.errors.{kind}", joints=", ".join(told))
+    yield Said("workspace.errors.guaranteed", **data)
+
+
+def _pictured(part: Part, which: str) -> Iterator[Text]:
+    if part.shown:
+        yield Said(f"workspace.shown.{which}")
+    if (count := len(part.regions) * len(part.shown)) > PICTURES:
+        yield Said("workspace.shown.first", count=count, limit=PICTURES)
+
+
+def quality_tables(outcome: WorkspaceOutcome) -> list[Table]:
+    """The least and greatest values of the maps by region; singular positions."""
+    entries, names = _quality(outcome).as_dict(), [*outcome.options.for_]
+    maps = [
+        [*_front(entry, names), title(outcome, name), _ends(one), one["unit"] or "-"]
+        for entry in entries
+        for name, one in entry["maps"].items()
+    ]
+    unit = outcome.compiled.quantities.unit_of(u.LENGTH)[0]
+    loci = [
+        [
+            *_front(entry, names),
+            Said(f"workspace.locus.{one['kind']}"),
+            one["determinant"] or "-",
+            str(one["curves"]),
+            f"{one['length']:.6g}",
+            unit,
+        ]
+        for entry in entries
+        for one in entry["loci"]
+    ]
+    return [
+        _grid("quality", [*names, *_heads("mode", "map", "ends", "unit")], maps),
+        _grid("loci", [*names, *_heads("mode", "locus", "determinant", "count", "length", "unit")], loci),
+    ]
+
+
+def errors_tables(outcome: WorkspaceOutcome) -> list[Table]:
+    """The worst errors, and what is sure of each region."""
+    part, names = _errors(outcome), [*outcome.options.for_]
+    errors, sure = [], []
+    for entry in part.as_dict():
+        found = entry["maps"]
+        rows = [(found[f"error {axis} least"]["least"], found[f"error {axis} most"]["greatest"]) for axis in "xy"]
+        told = [_ends(found["error worst"]), *(_between(*ends) for ends in rows), _ends(found["spread worst"])]
+        errors.append([*_front(entry, names), *told, entry["unit"]])
+        kept, precise = entry["guaranteed"], entry.get("precise")
+        row: list[Text] = []
+        unit = entry["unit"]
+        for what in (kept, precise) if precise else (kept,):
+            row += [f"{what['area']:.6g} {u.squared(unit)}".rstrip(), f"{100 * what['share']:.4g} %"]
+        inward = " .. ".join("-" if way is None else f"{way:.4g}" for way in kept["inward"])
+        sure.append([*_front(entry, names), *row, f"{inward} {unit}".rstrip()])
+    heads = ["guaranteed", "share-region", *(["precise", "share-region"] if part.limit is not None else []), "inward"]
+    data = {"point": outcome.point}
+    shown = [title(outcome, "error worst"), *(Said("workspace.column.error", axis=axis, **data) for axis in "xy")]
+    shown.append(title(outcome, "spread worst"))
+    return [
+        _grid("errors", [*names, *_heads("mode"), *shown, *_heads("unit")], errors),
+        _grid("guaranteed", [*names, *_heads("mode", *heads)], sure),
+    ]
+
+
+def title(outcome: WorkspaceOutcome, name: str) -> Said:
+    """What a map shows, in words."""
+    drive = name.removeprefix("effort ")
+    if drive != name:
+        turns = outcome.compiled.mechanism.prescribed(drive).turns
+        return Said("workspace.map.torque" if turns else "workspace.map.push", drive=drive)
+    return Said(f"workspace.map.{name.replace(' ', '-')}", determinant=by_drives(outcome), point=outcome.point)
+
+
+def _heads(*columns: str) -> list[Text]:
+    return [Said(f"workspace.column.{column}") for column in columns]
+
+
+def _front(entry: dict[str, Any], names: Sequence[str]) -> list[Text]:
+    return [*(f"{entry[name]:.6g}" for name in names), entry["mode"] or Said("workspace.one-mode")]
+
+
+def _ends(one: dict[str, Any]) -> Text:
+    return _between(one["least"], one["greatest"])
+
+
+def _between(*ends: dict[str, Any] | None) -> Text:
+    told: list[Text] = [
+        "-" if end is None else Said("workspace.endless") if end["value"] is None else f"{end['value']:.5g}"
+        for end in ends
+    ]
+    return Joined(told, " .. ")
+
+
+def _grid(name: str, heads: Sequence[Text], rows: Sequence[Sequence[Text]]) -> Table:
+    return Table(f"workspace-{name}", Said(f"workspace.table.{name}"), heads, rows)
+
+
+def quality_charts(outcome: WorkspaceOutcome) -> Sequence[Chart]:
+    """A picture of each map that is shown, for each region."""
+    return _charts(_quality(outcome))
+
+
+def errors_charts(outcome: WorkspaceOutcome) -> Sequence[Chart]:
+    """The same of the errors, with what is sure of the region."""
+    return _charts(_errors(outcome))
+
+
+@lru_cache(maxsize=4)
+def _charts(part: Part) -> Sequence[Chart]:
+    """The pictures of a part; they are wanted for the report and as a file. Those of a mode have the same axes."""
+    count = -(-PICTURES // max(len(part.shown), 1))
+    regions = [one for one in part.regions[:count] if part.shown and not one.reached.shape.is_empty]
+    modes: dict[str, list[RegionMaps]] = {}
+    for one in regions:
+        modes.setdefault(one.reached.mode, []).append(one)
+    pictured = {mode: _Pictured(part, some) for mode, some in modes.items()}
+    return tuple(chart for one in regions for chart in pictured[one.reached.mode].charts(one))[:PICTURES]
+
+
+class _Pictured:
+    """The pictures of one mode's regions: the same axes, and by map the same levels, for all values."""
+
+    def __init__(self, part: Part, regions: Sequence[RegionMaps]) -> None:
+        self.part, self.steps = part, Steps(part.outcome)
+        self.unit, self.size = part.outcome.compiled.quantities.unit_of(u.LENGTH)
+        self.plane = Plane.of(framed_box(one.reached.shape.bounds for one in regions), self.unit, self.size)
+        self.found = {id(one): raster(one.reached.region, one.maps, CELLS) for one in regions}
+        self.levels = {name: self._levels(name, regions) for name in part.shown}
+
+    def _values(self, one: RegionMaps, name: str) -> Array:
+        return self.found[id(one)].map(name, _score(self.part, name)) / one.maps.maps[name].size
+
+    def _levels(self, name: str, regions: Sequence[RegionMaps]) -> list[float]:
+        if (stated := self.part.levels.get(name)) is not None:
+            return [level / regions[0].maps.maps[name].size for level in stated]
+        return levels_of(np.concatenate([self._values(one, name).ravel() for one in regions]))
+
+    def charts(self, one: RegionMaps) -> Iterator[Chart]:
+        """A picture of each map that is shown of a region."""
+        outcome, shape = self.part.outcome, outline(one.reached.shape, self.plane, self.size)
+        over, legend = _over(self.part, one, self.plane, self.size)
+        found = self.found[id(one)]
+        axes = (found.x / self.size, found.y / self.size)
+        values_text = outcome.told(one.workspace)
+        told = Said("workspace.for", values=values_text) if values_text else ""
+        data = {"point": outcome.point, "mode": one.reached.mode or Said("workspace.one-mode"), "values": told}
+        for name in self.part.shown:
+            heading = Said("workspace.map", map=title(outcome, name), **data)
+            scale = named(title(outcome, name), one.maps.maps[name].unit)
+            values, levels = self._values(one, name), self.levels[name]
+            drawing = partial(map_picture, self.plane, axes, values, levels, shape, over, legend, heading, scale)
+            stack = f"{type(self.part).__name__} {name} {one.reached.mode}"
+            yield self.steps.chart(one.workspace, stack, heading, drawing)
+
+
+def _score(part: Part, name: str) -> Callable[[Array], Array]:
+    """Which of several poses counts: of the quality the better, of errors the worse."""
+    return np.abs if isinstance(part, ErrorsPart) else lambda values: better(name, values)
+
+
+def _over(part: Part, one: RegionMaps, plane: Plane, size: float) -> tuple[list[str], list[tuple[str, Text]]]:
+    """What lies over a map, and the legend of it: singular positions by kind, or what is sure."""
+    outcome, region = part.outcome, one.reached.region
+    shapes: list[str] = []
+    legend: list[tuple[str, Text]] = []
+    if isinstance(one, RegionErrors):
+        for kind, shape in (("guaranteed", one.sure.shape), ("precise", one.sure.precise)):
+            if shape is not None and not shape.is_empty:
+                shapes.append(f'<path class="part p-{kind}" d="{outline(shape, plane, size)}"/>')
+                legend.append((f"part p-{kind}", Said(f"workspace.kind.{kind}")))
+        return shapes, legend
+    data = {"point": outcome.point, "drives": ", ".join(outcome.compiled.graph.drives)}
+    data["groups"] = "; ".join(group.label for group in outcome.compiled.graph.branched)
+    for kind in ("singular", "modes", "pins"):
+        ways = [*lines(region.sheet, region.segments, kind, plane, size)]
+        shapes += [f'<polyline class="locus k-{kind}" points="{way}"/>' for way in ways]
+        legend += [(f"locus k-{kind}", Said(f"workspace.kind.{kind}", **data))] if ways else []
+    return shapes, legend
+
+
+def quality_svg(outcome: WorkspaceOutcome) -> str | None:
+    """The pictures: a row for each map and mode."""
+    return tiled(quality_charts(outcome)) if "quality" in outcome.parts and quality_charts(outcome) else None
+
+
+def errors_svg(outcome: WorkspaceOutcome) -> str | None:
+    """The same of the errors."""
+    return tiled(errors_charts(outcome)) if "errors" in outcome.parts and errors_charts(outcome) else None
+
+
+def errors_shapes(outcome: WorkspaceOutcome) -> Iterator[tuple[Any, dict[str, Any]]]:
+    """What is sure of each region."""
+    part = _errors(outcome)
+    for one, entry in zip(part.regions, part.as_dict(), strict=True):
+        told = {"mode": one.reached.mode, "values": outcome.shown(one.workspace)}
+        for kind, shape in (("guaranteed", one.sure.shape), ("precise", one.sure.precise)):
+            if shape is not None:
+                limit = {"limit": entry[kind]["limit"]} if kind == "precise" else {}
+                yield shape, {"kind": kind, **told, **limit, "area": entry[kind]["area"]}
+
+
+def quality_csv(outcome: WorkspaceOutcome) -> str | None:
+    """The maps at some of the drives' values."""
+    return _csv(outcome.parts.get("quality"))
+
+
+def errors_csv(outcome: WorkspaceOutcome) -> str | None:
+    """The same of the errors."""
+    return _csv(outcome.parts.get("errors"))
+
+
+def _csv(part: Part | None) -> str | None:
+    if part is None or not part.regions:
+        return None
+    outcome = part.outcome
+    quantities = outcome.compiled.quantities
+    unit, size = quantities.unit_of(u.LENGTH)
+    names, maps = [*outcome.options.for_], part.regions[0].maps.maps.values()
+    drives = [(drive, *quantities.drive_unit(drive)) for drive in outcome.compiled.graph.drives]
+    heads = [head(n, quantities.unit_of(quantities.dimensions.of(n))[0]) for n in names]
+    heads += ["mode", *(head(d, w) for d, w, _ in drives), head("x", unit), head("y", unit)]
+    sizes = [*(scale for _, _, scale in drives), size, size, *(one.size for one in maps)]
+    stride = int(np.ceil((part.steps + 1) / max((ROWS / len(part.regions)) ** 0.5, 8.0)))
+    return written([*heads, *(head(one.name, one.unit) for one in maps)], _rows(part, stride, np.array(sizes)))
+
+
+def _rows(part: Part, stride: int, sizes: Array) -> Iterable[list[str]]:
+    for one in part.regions:
+        values = part.outcome.shown(one.workspace).values()
+        front = [*map(cell, values), one.reached.mode]
+        q = np.stack(np.meshgrid(*one.maps.axes, indexing="ij"))
+        columns = np.concatenate([q, one.maps.at, [found.values for found in one.maps.maps.values()]])
+        some = columns[:, ::stride, ::stride].reshape(len(columns), -1)
+        for row in (some[:, np.isfinite(some[2])] / sizes[:, None]).T.tolist():
+            yield [*front, *map(cell, row)]
+
+
+def _quality(outcome: WorkspaceOutcome) -> QualityPart:
+    found = outcome.parts["quality"]
+    assert isinstance(found, QualityPart)
+    return found
+
+
+def _errors(outcome: WorkspaceOutcome) -> ErrorsPart:
+    found = outcome.parts["errors"]
+    assert isinstance(found, ErrorsPart)
+    return found

@@ -1,0 +1,140 @@
+"""Wanted paths of a workspace study: tables, pictures, charts of the drives' laws."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.drawing.charts import LEFT, LETTER, MOST_CHARTS, MOST_POSES, TOP, Axes, named, shortened, thinned
+from linkwright.escape import markup
+from linkwright.expressions import units as u
+from linkwright.findings import Joined, Said, Text
+from linkwright.presentation.blocks import Chart, Table
+from linkwright.studies.workspace.followed import Attempt, Followed
+from linkwright.studies.workspace.outcome import WorkspaceOutcome
+from linkwright.studies.workspace.overlay import Overlay
+from linkwright.studies.workspace.wayback import ServoLaw
+
+Array = NDArray[np.float64]
+
+PLACES = 721
+"""Places of a path that is drawn."""
+
+
+def path_sentences(outcome: WorkspaceOutcome) -> list[Text]:
+    """Which determinant the tables tell of."""
+    laws = [entry for entry in outcome.parts["paths"].as_dict() if entry["followed"]]
+    every = dict.fromkeys(entry["determinant_of"] for entry in laws)
+    return [Said("paths.sentence", determinant=one) for one in every]
+
+
+def path_tables(outcome: WorkspaceOutcome) -> list[Table]:
+    """Each path in each region; the drives along the best way of each."""
+    part: Followed = outcome.parts["paths"]
+    names = [*outcome.options.for_]
+    own = ("followed", "duration", "reversals", "dead", "residual", "determinant", "share")
+    heads: list[Text] = [Said("paths.column.path"), *names, Said("workspace.column.mode")]
+    heads += [Said(f"paths.column.{c}") for c in own]
+    rows, drives = list[list[Text]](), list[list[Text]]()
+    for entry in part.as_dict():
+        front = [entry["path"], *(f"{entry[n]:.6g}" for n in names), entry["mode"] or Said("workspace.one-mode")]
+        rows.append([*front, *_told(entry)])
+        if entry["followed"] and entry["best"]:
+            drives += [[entry["path"], name, *_drive(told)] for name, told in entry["drives"].items()]
+    columns = ("path", "drive", "value", "speed", "acceleration", "effort", "power", "work")
+    return [
+        Table("workspace-paths", Said("paths.table"), heads, rows),
+        Table("workspace-drives", Said("paths.drives"), [Said(f"paths.column.{c}") for c in columns], drives),
+    ]
+
+
+def _told(entry: dict[str, Any]) -> list[Text]:
+    if not entry["followed"]:
+        texts = [_stretch(one, entry["unit"]) for one in entry["stretches"]]
+        told = Said("paths.not", stretches=Joined(texts, "; ")) if texts else Said("paths.nothing")
+        return [told, *["-"] * 6]
+    how = "best" if entry["best"] and entry["kept"] else "yes" if entry["kept"] else "reverses"
+    share = entry["servo_share"]
+    return [
+        Said(f"paths.{how}"),
+        f"{entry['duration']:.6g} {entry['time_unit']}",
+        str(len(entry["reversals"])),
+        str(len(entry["dead_positions"])),
+        f"{entry['residual']:.2g} {entry['unit']}",
+        "-" if entry["determinant"] is None else f"{entry['determinant']:.4g}",
+        "-" if share is None else f"{100 * share:.4g} %",
+    ]
+
+
+def _stretch(one: dict[str, Any], unit: str) -> Said:
+    ends = {"start": f"{one['from']:.4g}", "stop": f"{one['to']:.4g}"}
+    return Said(f"paths.stretch.{one['why']}", by=f"{one['by']:.4g} {unit}", drive=one["drive"] or "", **ends)
+
+
+def _drive(told: dict[str, Any]) -> list[str]:
+    value = told["value"]
+    largest = (told.get(key) for key in ("speed", "acceleration", "effort", "power"))
+    work = told.get("work")
+    return [
+        f"{value['from']:.6g} .. {value['to']:.6g} {value['unit']}",
+        *("-" if one is None else f"{_number(one['largest'])} {one['unit']}" for one in largest),
+        f"{_number(work['given'])}, {_number(work['taken'])} {work['unit']}" if work else "-",
+    ]
+
+
+def _number(value: float | None) -> str:
+    return "-" if value is None else f"{value:.6g}"
+
+
+def path_overlays(outcome: WorkspaceOutcome, index: int) -> list[Overlay]:
+    """The paths over one workspace, and what of them none of its modes can follow."""
+    part: Followed = outcome.parts["paths"]
+    found = part.within(index).values()
+    blocked = [one.wanted.of(np.linspace(s.start, s.stop, PLACES))[0] for one in found for s in one.way.stretches]
+    whole = [one.wanted.of(np.linspace(0.0, 1.0, PLACES))[0] for one in found]
+    lines = {"wanted": whole, "blocked": blocked}
+    texts = {"wanted": Said("paths.kind.path"), "blocked": Said("paths.kind.blocked")}
+    return [Overlay(kind, some, texts[kind]) for kind, some in lines.items() if some]
+
+
+def path_charts(outcome: WorkspaceOutcome) -> list[Chart]:
+    """The laws of both drives along the best way of each path, over the time."""
+    part: Followed = outcome.parts["paths"]
+    charts = [chart for one in part.best.values() if one.law is not None for chart in _charts(part, one, one.law)]
+    return charts[:MOST_CHARTS]
+
+
+def _charts(part: Followed, one: Attempt, law: ServoLaw) -> list[Chart]:
+    units = [part.units(name) for name in law.names]
+    rows = {key: (law.motor[i], law.servo[i]) for i, key in enumerate(("value", "speed", "acceleration"))}
+    if law.efforts is not None and np.abs(law.efforts.effort).max() > 0:
+        rows |= {"effort": (law.efforts.effort[0], law.efforts.effort[1])}
+        rows |= {"power": (law.efforts.power[0], law.efforts.power[1])}
+    some = thinned(law.t.size, MOST_POSES)
+    charts = []
+    for key, values in rows.items():
+        title = Said(f"paths.chart.{key}", path=one.name)
+        told = [(name, row[some], *units[k][key]) for k, (name, row) in enumerate(zip(law.names, values, strict=True))]
+        for unit in dict.fromkeys(entry[2] for entry in told):
+            lines = [(name, row / size) for name, row, its, size in told if its == unit]
+            charts.append(_chart(part, law.t[some], named(title, unit), lines))
+    return charts
+
+
+def _chart(part: Followed, t: Array, title: Text, lines: Sequence[tuple[str, Array]]) -> Chart:
+    time_unit, second = part.compiled.quantities.unit_of(u.TIME)
+    every = np.concatenate([row[np.isfinite(row)] for _, row in lines])
+    low, high = (float(every.min()), float(every.max())) if every.size else (0.0, 1.0)
+    axes = Axes((t[0] / second, t[-1] / second), (low, high + 0.12 * (high - low)), named(Said("plot.time"), time_unit))
+    shapes, x = [], LEFT + 4
+    for k, (name, row) in enumerate(lines):
+        text = shortened(name, 16)
+        shapes.append(axes.line(t / second, row, f"line lw-c{k}"))
+        shapes.append(f'<path class="line lw-c{k}" d="M{x:.0f} {TOP + 7:.0f}h10"/>')
+        shapes.append(f'<text x="{x + 13:.0f}" y="{TOP + 11:.0f}">{markup(text)}</text>')
+        x += 20 + LETTER * len(text)
+    return Chart(title, partial(axes.drawing, shapes, title))

@@ -1,0 +1,164 @@
+"""Trajectories over workspaces, written: sentence, pictures, table, CSV."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import lru_cache, partial
+
+from linkwright.drawing.charts import named
+from linkwright.drawing.plane import Bounds, Plane, framed_box, outline
+from linkwright.drawing.tiled import tiled
+from linkwright.expressions import units as u
+from linkwright.findings import Said, Text
+from linkwright.model.csv_text import cell, head, written
+from linkwright.presentation.blocks import Chart, Table
+from linkwright.studies.workspace.curve_lines import lines
+from linkwright.studies.workspace.outcome import WorkspaceOutcome
+from linkwright.studies.workspace.steps import Steps
+from linkwright.studies.workspace.trajectories_part import RegionTrajectories, TrajectoriesPart
+from linkwright.studies.workspace.trajectory_picture import ColouredLine, Scale, trajectory_picture
+
+KINDS = ("singular", "modes", "pins")
+PICTURES = 48
+"""The most pictures."""
+
+
+def trajectories_sentences(outcome: WorkspaceOutcome) -> list[Text]:
+    """What is held, what moves, what the pictures show."""
+    part = _part(outcome)
+    held, moving = part.drives
+    data = {"point": outcome.point, "held": held, "moving": moving}
+    told: list[Text] = [Said("trajectories.sentence", count=len(part.values), **data)]
+    if len(part.regions) > PICTURES:
+        told.append(Said("workspace.shown.first", count=len(part.regions), limit=PICTURES))
+    return told
+
+
+def trajectories_tables(outcome: WorkspaceOutcome) -> list[Table]:
+    """The trajectories of each region counted and measured."""
+    names = [*outcome.options.for_]
+    own = ("mode", "held", "values", "drive-unit", "assembled", "whole", "stretches", "length", "unit")
+    data = dict(zip(("held", "moving"), _part(outcome).drives, strict=True))
+    heads: list[Text] = [*names, *(Said(f"trajectories.column.{column}", **data) for column in own)]
+    rows = []
+    for entry in _part(outcome).as_dict():
+        values = entry["values"]
+        row = [*(f"{entry[name]:.6g}" for name in names), entry["mode"] or Said("workspace.one-mode"), entry["hold"]]
+        row += [
+            f"{values['from']:.6g} .. {values['to']:.6g}",
+            values["unit"],
+            f"{entry['assembled']}/{values['count']}",
+        ]
+        row += [str(entry["whole"]), str(entry["stretches"]), f"{entry['length']:.7g}", entry["unit"]]
+        rows.append(row)
+    return [Table("workspace-trajectories", Said("trajectories.table"), heads, rows)]
+
+
+def trajectories_charts(outcome: WorkspaceOutcome) -> Sequence[Chart]:
+    """A picture of each region's trajectories."""
+    return _charts(_part(outcome))
+
+
+@lru_cache(maxsize=2)
+def _charts(part: TrajectoriesPart) -> Sequence[Chart]:
+    """The pictures; they are wanted for the report and as a file. Those of a mode have the same axes."""
+    regions = [one for one in part.regions if not one.reached.shape.is_empty][:PICTURES]
+    modes = {one.reached.mode for one in regions}
+    boxes = {
+        mode: framed_box(one.reached.shape.bounds for one in regions if one.reached.mode == mode) for mode in modes
+    }
+    steps = Steps(part.outcome)
+    return tuple(_chart(part, one, boxes[one.reached.mode], steps) for one in regions)
+
+
+def _chart(part: TrajectoriesPart, one: RegionTrajectories, box: Bounds, steps: Steps) -> Chart:
+    """The picture of one region."""
+    outcome, compiled = part.outcome, part.outcome.compiled
+    unit, size = compiled.quantities.unit_of(u.LENGTH)
+    plane, (held, moving) = Plane.of(box, unit, size), part.drives
+    drive_unit, drive_size = compiled.quantities.drive_unit(held)
+    values = outcome.told(one.workspace)
+    mode = one.reached.mode or Said("workspace.one-mode")
+    told = Said("workspace.for", values=values) if values else ""
+    data = {"point": outcome.point, "held": held, "moving": moving}
+    title = Said("trajectories.picture", mode=mode, values=told, **data)
+    each = [
+        ColouredLine(
+            each.held / drive_size,
+            [stretch.at / size for stretch in each.stretches],
+            f"{held} = {each.held / drive_size:.6g} {drive_unit}".strip(),
+        )
+        for each in one.found.each
+    ]
+    over, legend = _singular(outcome, one, plane, size)
+    scale = _scale(part, named(Said("trajectories.scale", **data), drive_unit))
+    shape = outline(one.reached.shape, plane, size)
+    drawing = partial(trajectory_picture, plane, each, scale, shape, over, legend, title)
+    return steps.chart(one.workspace, f"trajectories {one.reached.mode}", title, drawing)
+
+
+def _singular(
+    outcome: WorkspaceOutcome, one: RegionTrajectories, plane: Plane, size: float
+) -> tuple[list[str], list[tuple[str, Text]]]:
+    """The singular positions of a region by kind, which lie over its trajectories, and the legend of them."""
+    region, compiled = one.reached.region, outcome.compiled
+    over: list[str] = []
+    legend: list[tuple[str, Text]] = []
+    data = {"point": outcome.point, "drives": ", ".join(compiled.graph.drives)}
+    data["groups"] = "; ".join(group.label for group in compiled.graph.branched)
+    for kind in KINDS:
+        curves = [*lines(region.sheet, region.segments, kind, plane, size)]
+        over += [f'<polyline class="kind k-{kind}" points="{curve}"/>' for curve in curves]
+        legend += [(f"kind k-{kind}", Said(f"workspace.kind.{kind}", **data))] if curves else []
+    return over, legend
+
+
+def _scale(part: TrajectoriesPart, name: Text) -> Scale:
+    """The colours of the held drive's values: over its whole range."""
+    box = part.outcome.box
+    assert box is not None
+    unit, size = part.outcome.compiled.quantities.drive_unit(part.drives[0])
+    return Scale(box.low[part.hold] / size, box.high[part.hold] / size, unit, box.turns[part.hold], name)
+
+
+def trajectories_svg(outcome: WorkspaceOutcome) -> str | None:
+    """The pictures: a row for each mode."""
+    return (
+        tiled(trajectories_charts(outcome))
+        if "trajectories" in outcome.parts and trajectories_charts(outcome)
+        else None
+    )
+
+
+def trajectories_csv(outcome: WorkspaceOutcome) -> str | None:
+    """Each corner of each trajectory: the values of both drives, x, y."""
+    part = _part(outcome)
+    if not part.regions:
+        return None
+    quantities = outcome.compiled.quantities
+    unit = quantities.unit_of(u.LENGTH)[0]
+    names = [*outcome.options.for_]
+    heads = [head(n, quantities.unit_of(quantities.dimensions.of(n))[0]) for n in names]
+    drives = [head(drive, quantities.drive_unit(drive)[0]) for drive in part.drives]
+    return written([*heads, "mode", drives[0], "stretch", drives[1], head("x", unit), head("y", unit)], _rows(part))
+
+
+def _rows(part: TrajectoriesPart) -> Iterator[list[str]]:
+    outcome = part.outcome
+    quantities = outcome.compiled.quantities
+    length = quantities.unit_of(u.LENGTH)[1]
+    held, moving = (quantities.drive_unit(drive)[1] for drive in part.drives)
+    for one in part.regions:
+        front = [*map(cell, outcome.shown(one.workspace).values()), one.reached.mode]
+        for each in one.found.each:
+            at_value = [*front, cell(each.held / held)]
+            for number, stretch in enumerate(each.stretches, start=1):
+                columns = [stretch.q / moving, *(stretch.at / length)]
+                for row in zip(*(column.tolist() for column in columns), strict=True):
+                    yield [*at_value, str(number), *map(cell, row)]
+
+
+def _part(outcome: WorkspaceOutcome) -> TrajectoriesPart:
+    found = outcome.parts["trajectories"]
+    assert isinstance(found, TrajectoriesPart)
+    return found
