@@ -172,8 +172,21 @@ def test_a_follower_without_a_formula_is_left_out_of_motor_expressions(folder: P
     planted(folder, "indexer", ("    def tree(", "    def other("))
     done = run(folder, MODELS["alone"], "export", "model.yaml", "--to", "motor-expressions", "--out", "motors")
     assert done.returncode == 0, done.stderr
-    assert "The law of step has no formula" in done.stderr
+    assert "joints.step: The law of step has no formula" in done.stderr
     assert "step," not in (folder / "motors" / "motors.csv").read_text(encoding="utf-8-sig")
+
+
+def test_its_place_in_the_file_is_told(folder: Path) -> None:
+    done = run(folder, MODELS["alone"], "export", "model.yaml", "--to", "mjcf", "--out", "mjcf")
+    assert "joints: MuJoCo has no cam pairs: the followers of step" in done.stderr
+    done = run(
+        folder,
+        changed(drives={"second": {"turns": "table", "on": "frame", "speed": 1, "start": 0}}),
+        "check",
+        "model.yaml",
+    )
+    assert "joints.step" in done.stderr
+    assert "drives.step" not in done.stderr
 
 
 def test_what_is_wrong_with_it_is_told(folder: Path) -> None:

@@ -122,8 +122,6 @@ class Follower(MoverSignals, ABC):
     """As files have it."""
     stated: ClassVar[type[Any]]
     """What a file says of one."""
-    section: ClassVar[str] = "joints"
-    """The section of a file in which it stands."""
     words: ClassVar[Mapping[str, Mapping[str, str]]] = {}
     """Texts that the catalogue lacks, by language and key; ``term.kind-NAME`` is what it is called."""
     output: ClassVar[None] = None

@@ -13,7 +13,7 @@ def unfollowed(compiled: Compiled, target: str) -> Iterator[Finding]:
     for name, follower in compiled.mechanism.followers.items():
         if name not in compiled.mechanism.cams:
             data = {"name": target, "joint": name, "kind": follower.title}
-            yield Finding("export.joint", (follower.section, name), data)
+            yield Finding("export.joint", compiled.mechanism.path_of(name), data)
 
 
 def unwritten(compiled: Compiled, target: str) -> Iterator[Finding]:

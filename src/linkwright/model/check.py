@@ -58,7 +58,8 @@ def _collisions(m: Mechanism) -> Iterator[Finding]:
     kinds += [(one.noun, one.name) for one in m.acting() if one.kind.signals(one.entry)]
     for kind, name in kinds:
         if name in owners:
-            path = ("links", points[name], "points", name) if kind == "point" else (f"{kind}s", name)
+            path: tuple[str, ...] = m.path_of(name) if kind == "drive" else (f"{kind}s", name)
+            path = ("links", points[name], "points", name) if kind == "point" else path
             data = {"name": name, "first": owners[name], "second": Term(f"a-{kind}")}
             yield Finding("name.taken", path, data)
         owners.setdefault(name, Term(f"a-{kind}"))
@@ -102,7 +103,7 @@ def _drives(m: Mechanism) -> Iterator[Finding]:
     acting: dict[frozenset[str], str] = {}
     moved: dict[frozenset[str], str] = {}
     for name, drive in m.movers.items():
-        path = ("drives", name)
+        path = m.path_of(name)
         if drive.link == drive.on:
             yield Finding("joint.same-link", path, {"name": drive.link})
         if drive.output is not None:

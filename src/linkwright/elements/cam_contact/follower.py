@@ -49,7 +49,6 @@ class CamFollower(Follower):
 
     kind: ClassVar[str] = "cam"
     stated: ClassVar[type[Any]] = Cam
-    section: ClassVar[str] = "cams"
 
     @classmethod
     def read(cls, m: Any, name: str, pins: Mapping[str, Any]) -> CamFollower | list[Finding]:
