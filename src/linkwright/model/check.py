@@ -50,12 +50,13 @@ def _links(m: Mechanism) -> Iterator[Finding]:
 
 
 def _collisions(m: Mechanism) -> Iterator[Finding]:
-    """Names of links, points, prismatic joints, drives and springs are owners of signals, and must differ."""
+    """Names of links, points, prismatic joints, drives and springs are owners of signals, and must differ; so must
+    those of what else has whole turns counted, as links and drives have."""
     points, slides = homes(m), dict(m.joints_but_pins())
     owners = {"shaking": Term("the-shaking"), "energy": Term("the-energies")}
     kinds = [("link", name) for name in m.links] + [("point", name) for name in points]
     kinds += [("joint", name) for name in slides] + [("drive", name) for name in m.movers]
-    kinds += [(one.noun, one.name) for one in m.acting() if one.kind.signals(one.entry)]
+    kinds += [(one.noun, one.name) for one in m.acting() if one.kind.signals(one.entry) or one.kind.turned(one.entry)]
     for kind, name in kinds:
         if name in owners:
             path: tuple[str, ...] = m.path_of(name) if kind == "drive" else (f"{kind}s", name)
@@ -125,6 +126,8 @@ def _drives(m: Mechanism) -> Iterator[Finding]:
 def _acting(m: Mechanism) -> Iterator[Finding]:
     for one in m.acting():
         yield from one.kind.faults(m, one.path, one.entry)
+        if (weight := one.kind.weighs(one.entry)) is not None and weight.link == FRAME:
+            yield Finding("model.frame-mass", one.path)
 
 
 _PARTS = (_parameters, _links, _collisions, _joints, _pins, _drives, _acting)
