@@ -189,10 +189,71 @@ def test_its_place_in_the_file_is_told(folder: Path) -> None:
     assert "drives.step" not in done.stderr
 
 
+TOLD = """@property
+    def extra(self) -> Any:
+        return {"slope": u.ANGLE, "slip": u.SPEED}
+
+    @property
+    def pressures(self) -> Any:
+        return ["slope"]
+
+    def acting(self, name: str, poses: Any, ratio: Any) -> Any:
+        made = super().acting(name, poses, ratio)
+        return type(made)(made.wrenches, signals={"slope": 1.0 * ratio, "slip": 3.0 * ratio})
+
+    def findings(self, run: Any, path: Any) -> Any:
+        most = run.geometry.written(run.row(f"{path[1]}.slip")[1].max(), u.SPEED)
+        yield Finding("indexer.slips", path, {"most": most}, severity="warning")
+
+    def applied"""
+"""Signals of a contact, one of them a pressure angle (rad) of at most 1, and what is told of a motion."""
+WORDS = (
+    '"indexer.joint.mend"',
+    '"indexer.slips.what": "Slips by {most}.", "indexer.slips.mend": "-", "indexer.joint.mend"',
+)
+
+
+def test_its_contact_has_charts_and_findings(folder: Path) -> None:
+    planted(folder, "indexer", ("def applied", TOLD), WORDS)
+    done = run(folder, MODELS["alone"])
+    assert done.returncode == 0, done.stderr
+    assert "joints.step: Slips by 3000 mm/s." in done.stderr
+    page = (folder / "out" / "report.html").read_text(encoding="utf-8")
+    assert [f"Followers: {name}" in page for name in ("torque", "slope", "slip")] == [True] * 3
+    assert "Contact force of the cam" not in page
+
+
+def test_it_locks_where_its_pressure_angle_is_square(folder: Path) -> None:
+    planted(folder, "indexer", ("def applied", TOLD.replace("1.0 * ratio", "2.0 * ratio")), WORDS)
+    model = deepcopy(MODELS["alone"])
+    model["studies"]["sweep"] = {"vary": {"h": ["60 deg", "90 deg"]}}
+    done = run(folder, model)
+    assert done.returncode == 1, done.stderr
+    assert "joints.step: The link that step (barrel cam) moves locks" in done.stderr
+    assert "[joint.locks]" in done.stderr
+
+
+def test_a_contact_that_can_t_pull_lifts_off(folder: Path) -> None:
+    entry = """description="where in the law it starts")
+
+    @property
+    def one_sided(self) -> Any:
+        return {"torque": 1}
+"""
+    planted(folder, "indexer", ('description="where in the law it starts")\n', entry))
+    done = run(folder, MODELS["alone"])
+    assert done.returncode == 0, done.stderr
+    assert "joints.step: The links of step (barrel cam) leave each other" in done.stderr
+    assert "[joint.lifts-off]" in done.stderr
+    assert " N*m at t = " in done.stderr
+
+
 def test_what_is_wrong_with_it_is_told(folder: Path) -> None:
     model = changed(joints={"step": {"indexer": ["barrel", "table"], "motor": "moter", "law": "indx"}})
+    model["measures"]["turned"] = {"max": "step.angle"}
     done = run(folder, model, "check", "model.yaml")
     assert done.returncode == 2
+    assert "measures.turned" not in done.stderr  # what is declared is known
     assert "moter" in done.stderr
     assert "indx" in done.stderr
     model["joints"]["step"].update(motor="motor", law="index")
