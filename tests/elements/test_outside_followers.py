@@ -152,9 +152,6 @@ def test_it_is_known_everywhere(folder: Path) -> None:
     for study in (["sweep", "--kernel", "numpy"], ["sweep", "--kernel", "numba"]):
         done = run(folder, model, study[0], "model.yaml", *study[1:], "--out", "".join(study))
         assert done.returncode == 0, (study, done.stderr)
-    refused = run(folder, model, "export", "model.yaml", "--to", "process-simulate", "--out", "ps")
-    assert refused.returncode != 0
-    assert "step (barrel cam)" in refused.stderr + refused.stdout
 
 
 def test_a_wrong_sign_in_its_action_fails_the_certificate(folder: Path) -> None:
@@ -174,6 +171,26 @@ def test_a_follower_without_a_formula_is_left_out_of_motor_expressions(folder: P
     assert done.returncode == 0, done.stderr
     assert "joints.step: The law of step has no formula" in done.stderr
     assert "step," not in (folder / "motors" / "motors.csv").read_text(encoding="utf-8-sig")
+
+
+@pytest.mark.parametrize("which", ["alone", "a dyad hangs on it", "on a slide"])
+def test_its_formula_is_written_as_joint_functions(which: str, folder: Path) -> None:
+    """Each is held to the motion, by the reader of the dialect."""
+    words = ("--to", "process-simulate", "--out", "ps")
+    done = run(folder, MODELS[which], "export", "model.yaml", *words)
+    assert done.returncode == 0, done.stderr
+    joint = "guide" if which == "on a slide" else "A"
+    assert joint in (folder / "ps" / "joint_functions.txt").read_text(encoding="utf-8")
+    asked = {**MODELS[which], "exports": {"process-simulate": {"master": joint}}}
+    assert "[functions.master-cam]" in run(folder, asked, "export", "model.yaml", *words).stderr
+    for tree in (
+        "def other(",
+        "def tree(self, geometry: Any, motor: Any) -> Any:\n        return motor\n\n    def other(",
+    ):
+        planted(folder, "indexer", ("    def tree(", f"    {tree}"), ("[self.tree(", "[self.other("))
+        refused = run(folder, MODELS[which], "export", "model.yaml", *words)
+        assert refused.returncode != 0
+        assert "step (barrel cam)" in refused.stderr
 
 
 def test_its_place_in_the_file_is_told(folder: Path) -> None:
