@@ -238,13 +238,13 @@ def test_its_contact_has_charts_and_findings(folder: Path) -> None:
     page = (folder / "out" / "report.html").read_text(encoding="utf-8")
     assert [f"Followers: {name}" in page for name in ("torque", "slope", "slip")] == [True] * 3
     assert "Contact force of the cam" not in page
+    model = changed(loads={"brake": {"on": "table", "torque": "step.slip/(1 mm/s)*1 N*mm"}})
+    assert "[load.signal]" in run(folder, model, "check", "model.yaml").stderr
 
 
 def test_it_locks_where_its_pressure_angle_is_square(folder: Path) -> None:
     planted(folder, "indexer", ("def applied", TOLD.replace("1.0 * ratio", "2.0 * ratio")), WORDS)
-    model = deepcopy(MODELS["alone"])
-    model["studies"]["sweep"] = {"vary": {"h": ["60 deg", "90 deg"]}}
-    done = run(folder, model)
+    done = run(folder, MODELS["alone"])
     assert done.returncode == 1, done.stderr
     assert "joints.step: The link that step (barrel cam) moves locks" in done.stderr
     assert "[joint.locks]" in done.stderr
