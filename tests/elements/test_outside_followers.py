@@ -285,6 +285,13 @@ def test_what_is_wrong_with_it_is_told(folder: Path) -> None:
     assert "[joint.follower-law]" in run(folder, model, "check", "model.yaml").stderr
 
 
+def test_it_shares_no_name_with_a_cam(folder: Path) -> None:
+    cam = {"cam": "barrel", "follower": "table", "on": "frame", "base": 60, "law": "index", "roller": 5, "at": "B"}
+    done = run(folder, {**MODELS["alone"], "cams": {"step": cam}}, "check", "model.yaml")
+    (told,) = [line for line in done.stderr.splitlines() if "joints.step" in line]
+    assert "a cam" in told
+
+
 def test_a_motor_whose_law_is_its_outputs_is_refused(folder: Path) -> None:
     model = deepcopy(MODELS["a dyad hangs on it"])
     model["drives"]["motor"]["output"] = "rocker"

@@ -51,8 +51,8 @@ def home(m: Mechanism, findings: Iterable[Finding]) -> list[Finding]:
     found = [replace(f, path=next((at for of in homes if (at := of(m, f.path))), f.path)) for f in findings]
     told = {f.code for f in found if len(f.path) == 2 and f.path[0] == "sketch"}
     declared = {name for _, name, _, _ in follower_entries(m)}
-    unknown = [f for f in found if f.code == "name.unknown-element" and f.data["name"] in declared]
-    return [f for f in found if f not in unknown and (f.path != ("sketch",) or f.code not in told)]
+    found = [f for f in found if f.code != "name.unknown-element" or f.data["name"] not in declared]
+    return [f for f in found if f.path != ("sketch",) or f.code not in told]
 
 
 def spell_out(written: Mechanism) -> Spelled:
