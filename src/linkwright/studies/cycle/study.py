@@ -13,7 +13,7 @@ from linkwright.kernels import Compiled
 from linkwright.measures import Measurer, enclose, misfit
 from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.results import Result, Run, certify
-from linkwright.studies.acting import lifted, loose, outside, undefined, unseated
+from linkwright.studies.acting import contacts, outside, undefined
 from linkwright.studies.cycle.options import CycleOptions, span
 from linkwright.studies.cycle.outcome import CycleOutcome
 from linkwright.studies.cycle.report import netcdf, report
@@ -82,7 +82,7 @@ class Cycle(Study):
         warned = [finding for finding in measurer.findings if finding not in faults]
         warned += [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
         notes = [*coincident(run), *crossed(run)]
-        warned += [*outside(run), *lifted(run), *loose(run), *unseated(run)]
+        warned += [*outside(run), *contacts(run)]
         return CycleOutcome(result, measures, [*warned, *notes])
 
     def report(self, outcome: CycleOutcome) -> StudyReport:
