@@ -36,6 +36,20 @@ def examine_alone(path: Path, study: str, given: Mapping[str, Any] = MappingProx
     return examine_one(read.document, path.parent, study, given).read_from(read)
 
 
+def placed(path: Path, study: str, values: Mapping[tuple[str, ...], Any]) -> dict[str, Any]:
+    """The options of a file's study that change where ``values`` stand at their places within them."""
+    document = read_file(path).document
+    options = dict((document.studies.get(study) or {}) if document is not None else {})
+    changed: dict[str, Any] = {}
+    for (first, *rest), value in values.items():
+        inner = changed[first] = value if not rest else dict(options.get(first) or {})
+        for key in rest[:-1]:
+            inner[key] = inner = dict(inner.get(key) or {})
+        if rest:
+            inner[rest[-1]] = [*value] if isinstance(value, tuple) else value
+    return changed
+
+
 _SECTIONS: dict[str, tuple[str, str, Mapping[str, Any]]] = {
     "studies": ("study.missing", "only", STUDIES),
     "exports": ("export.missing", "to", TARGETS),

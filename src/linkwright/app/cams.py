@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from linkwright.app.alone import examine_alone, perform_alone
-from linkwright.app.job import Examined, read_file
+from linkwright.app.alone import perform_alone
+from linkwright.app.job import read_file
 from linkwright.model.document import Document
 from linkwright.studies.cam.outcome import CamOutcome
 
@@ -34,11 +34,6 @@ def plate_cam(
     outcome = perform_alone(model, "cam", given | _posts(document, given, post), out=out, folder=folder, force=force)
     assert isinstance(outcome, CamOutcome)
     return outcome
-
-
-def examine_cam(file: Path, post: Sequence[str] = ()) -> Examined:
-    """Read and compile a model file for its cam study alone; ``post`` are other controls to write NC code for."""
-    return examine_alone(file, "cam", _posts(read_file(file).document, {}, post or None))
 
 
 def _posts(document: Document | None, given: Mapping[str, Any], post: str | Sequence[str] | None) -> dict[str, Any]:

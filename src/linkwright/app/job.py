@@ -18,7 +18,7 @@ from linkwright.expressions.unknown import likeliest, proposed
 from linkwright.findings import Finding, ModelError, Term, raise_errors
 from linkwright.kernels import Compiled
 from linkwright.model.document import Document, dump, located, read_document
-from linkwright.model.input_files import read_at_most, reason
+from linkwright.model.input_files import STDIN, STDIN_NAME, read_at_most, reason
 from linkwright.model.origin import Origin, hashed, table_hashes
 from linkwright.model.references import option_faults
 from linkwright.model.spelled import home
@@ -102,7 +102,14 @@ def read_file(path: Path) -> Examined:
         return Examined(findings=[Finding("file.unreadable", data=data)], file=path)
     document, source = read_document(raw)
     findings = source.findings if document is None else []
-    return Examined(document, findings=findings, source=source, folder=path.parent, file=path, content=raw)
+    return Examined(
+        document,
+        findings=findings,
+        source=source,
+        folder=path.parent,
+        file=STDIN_NAME if path == STDIN else path,
+        content=raw,
+    )
 
 
 def _other_file(path: Path) -> Term:
@@ -254,7 +261,7 @@ class Writing:
 
     def files(self, study: Study) -> dict[str, FileOf]:
         """What a study writes, by name."""
-        return {name: file for name, file in study.files.items() if not file.asked or file.asked in self.asked}
+        return {name: file for name, file in study.files.items() if not file.asked or file.option in self.asked}
 
 
 USUAL = Writing()

@@ -12,17 +12,43 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from linkwright._version import __version__
+from linkwright.cli import studies
+from linkwright.cli.running import (
+    COMMENTS,
+    FILE,
+    FORCE,
+    JSON,
+    NETCDF,
+    OPEN,
+    OUT,
+    QUIET,
+    VERBOSE,
+    Telling,
+    beside,
+    carry_out,
+    end,
+    options,
+    writable,
+)
 from linkwright.cli.streams import failed, interrupted, misused, prepare, read_or_not
 from linkwright.cli.usage import Group
 from linkwright.words import say
 
 if TYPE_CHECKING:
-    from linkwright.app import Examined, Writing
-    from linkwright.blocks import Runner
+    from linkwright.app import Examined
 
 
 class Commands(Group):
     """The commands; what makes one impossible from the start is told as findings."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Their names, with the studies that have one."""
+        return sorted({*super().list_commands(ctx), *studies.names()})
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """A command by name."""
+        own = super().get_command(ctx, cmd_name)
+        return studies.StudyCommand(cmd_name) if own is None and cmd_name in studies.names() else own
 
     def invoke(self, ctx: click.Context) -> Any:
         """Carry out a command."""
@@ -44,97 +70,18 @@ def cli() -> None:
     """The group of commands."""
 
 
-_file = click.argument("file", type=click.Path(path_type=Path))
-_json = click.option("--json", "as_json", is_flag=True, help=say("cli.json"))
-_out = click.option("--out", type=click.Path(path_type=Path), help=say("cli.out"))
-_netcdf = click.option("--netcdf", is_flag=True, help=say("cli.netcdf"))
-
-
-def _written(command: Callable[..., None]) -> Callable[..., None]:
-    """The options of a command that writes results to a folder."""
-    for option in (
-        click.option("--csv-comments", "comments", is_flag=True, help=say("cli.csv_comments")),
-        click.option("--force", is_flag=True, help=say("cli.force_folder")),
-        _out,
-        _file,
-    ):
-        command = option(command)
-    return command
-
-
 @cli.command(help=say("cli.run"))
-@_written
-@_netcdf
-@_json
-def run(file: Path, out: Path | None, force: bool, comments: bool, netcdf: bool, as_json: bool) -> None:
+@options(FILE, OUT, OPEN, FORCE, COMMENTS, NETCDF, QUIET, VERBOSE, JSON)
+def run(file: Path, out: Path | None, force: bool, comments: bool, netcdf: bool, **told: bool) -> None:
     """Perform a file's studies."""
     from linkwright import app
 
     how = app.Writing(["netcdf"] if netcdf else [], force=force, comments=comments)
-    _carry_out(app.examine_file(file), file, "run", out, as_json, how)
-
-
-def _carry_out(
-    examined: Examined,
-    file: Path,
-    study: str,
-    out: Path | None,
-    as_json: bool,
-    how: Writing,
-    runner: Runner | None = None,
-    fresh: bool = False,
-) -> None:
-    """Perform the studies of a file, write what comes of them, and tell it."""
-    from linkwright import app
-    from linkwright.cli import show
-    from linkwright.studies import Site
-
-    folder = out or _beside(file)
-    with show.working(file, study, quiet=as_json) as progress, _writable(folder):
-        job = app.carry_out(examined, Site(out=folder, runner=runner, progress=progress, fresh=fresh), how)
-    _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
-
-
-def _beside(file: Path) -> Path:
-    """The usual folder of a file's results. Raises :class:`ModelError` for a link: it may have come with the file."""
-    from linkwright.model.output_files import refuse_link
-
-    folder = file.parent / f"{file.stem}_linkwright"
-    refuse_link(folder)
-    return folder
-
-
-def _end(
-    file: Path, examined: Examined, as_json: bool, data: Callable[[], Any], tell: Callable[[], None], code: int
-) -> None:
-    """What came out of a command, as JSON or for people, and its exit code."""
-    from linkwright.app.job import summary_text
-    from linkwright.cli import show
-
-    with read_or_not():
-        if as_json:
-            show.plain(summary_text(data()))
-        else:
-            show.findings(examined, file)
-            tell()
-    sys.exit(code)
-
-
-@contextmanager
-def _writable(folder: Path) -> Iterator[None]:
-    """A folder that can't be written to is told as such."""
-    from linkwright.cli import show
-
-    try:
-        yield
-    except OSError as error:
-        show.cannot_write(folder, error)
-        sys.exit(2)
+    carry_out(app.examine_file(file), file, "run", out, Telling(**told), how)
 
 
 @cli.command(help=say("cli.check"))
-@_file
-@_json
+@options(FILE, JSON)
 def check(file: Path, as_json: bool) -> None:
     """Examine a file."""
     from linkwright import app
@@ -142,12 +89,11 @@ def check(file: Path, as_json: bool) -> None:
 
     examined: Examined = app.examine_file(file)
     tell = partial(show.structure, examined)
-    _end(file, examined, as_json, partial(show.check_data, examined), tell, examined.exit_code)
+    end(file, examined, Telling(as_json), partial(show.check_data, examined), tell, examined.exit_code)
 
 
-@cli.command(help=say("cli.modes"))
-@_file
-@_json
+@cli.command(help=say("cli.study.modes"))
+@options(FILE, JSON)
 def modes(file: Path, as_json: bool) -> None:
     """Find a file's assembly modes."""
     from linkwright import app
@@ -155,106 +101,15 @@ def modes(file: Path, as_json: bool) -> None:
 
     with show.working(file, "modes", quiet=as_json):
         done = app.modes_of_file(file)
-    _end(file, done.examined, as_json, lambda: done.summary, lambda: show.modes(done), done.exit_code)
-
-
-@cli.command(help=say("cli.limits"))
-@_file
-@_json
-def limits(file: Path, as_json: bool) -> None:
-    """Perform the limits study alone."""
-    from linkwright import app
-    from linkwright.cli import show
-
-    examined = app.examine_alone(file, "limits")
-    with show.working(file, "limits", quiet=as_json):
-        job = app.perform(examined)
-    _end(file, examined, as_json, lambda: job.summary, lambda: show.job(job, file), job.exit_code)
-
-
-def _at_length(command: Callable[..., None]) -> Callable[..., None]:
-    """The options of a command that performs one long study alone."""
-    for option in (
-        _json,
-        _netcdf,
-        click.option("--fresh", is_flag=True, help=say("cli.fresh")),
-        click.option("--kernel", metavar="NAME", help=say("cli.kernel")),
-        click.option("--workers", type=click.IntRange(1, 1024), help=say("cli.workers")),
-        click.option("--cluster", metavar="ADDRESS", help=say("cli.cluster")),
-        _written,
-    ):
-        command = option(command)
-    return command
-
-
-def _perform_alone(
-    study: str,
-    given: Mapping[str, Any],
-    file: Path,
-    out: Path | None,
-    cluster: str | None,
-    workers: int | None,
-    fresh: bool,
-    force: bool,
-    comments: bool,
-    netcdf: bool,
-    as_json: bool,
-) -> None:
-    """Perform one study of a file, with the options ``given`` in place of its own."""
-    from linkwright import app
-
-    examined = app.examine_alone(file, study, given)
-    how = app.Writing(["netcdf"] if netcdf else [], force=force, comments=comments)
-    with app.runner_of(workers, cluster) as runner:
-        _carry_out(examined, file, study, out, as_json, how, runner, fresh)
-
-
-@cli.command(help=say("cli.sweep"))
-@_at_length
-def sweep(kernel: str | None, **others: Any) -> None:
-    """Perform the sweep alone, or go on with an interrupted one."""
-    _perform_alone("sweep", {"kernel": kernel}, **others)
-
-
-@cli.command(help=say("cli.accuracy"))
-@click.option("--samples", type=click.IntRange(0, 10**9), help=say("cli.samples"))
-@_at_length
-def accuracy(samples: int | None, kernel: str | None, **others: Any) -> None:
-    """Perform the accuracy study alone, or go on with an interrupted one."""
-    _perform_alone("accuracy", {"samples": samples, "kernel": kernel}, **others)
-
-
-@cli.command(help=say("cli.workspace"))
-@_written
-@click.option("--dxf", is_flag=True, help=say("cli.dxf"))
-@click.option("--png", is_flag=True, help=say("cli.png"))
-@click.option("--fresh", is_flag=True, help=say("cli.fresh"))
-@_json
-def workspace(
-    file: Path, out: Path | None, force: bool, comments: bool, dxf: bool, png: bool, fresh: bool, as_json: bool
-) -> None:
-    """Perform the workspace study alone, or resume an interrupted one."""
-    from linkwright import app
-    from linkwright._machine import needed
-    from linkwright.findings import ModelError
-
-    examined = app.examine_alone(file, "workspace")
-    for asked, package, extra in ((dxf, "ezdxf", "cad"), (png, "resvg_py", "png")):
-        try:
-            if asked:
-                needed(package, extra)
-        except ModelError as error:
-            examined.findings += error.findings
-    how = app.Writing(["png"] if png else [], force=force, comments=comments)
-    _carry_out(examined, file, "workspace", out, as_json, how, fresh=fresh)
+    end(file, done.examined, Telling(as_json), lambda: done.summary, lambda: show.modes(done), done.exit_code)
 
 
 @cli.command(help=say("cli.export"))
-@_written
+@options(FILE, OUT, FORCE, COMMENTS)
 @click.option("--to", metavar="NAME", help=say("cli.to"))
 @click.option("--dialect", metavar="NAME", help=say("cli.dialect"))
 @click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help=say("cli.set"))
-@_json
+@JSON
 def export(
     file: Path,
     out: Path | None,
@@ -272,33 +127,22 @@ def export(
     if to is None:
         show.refusals([app.no_target()])
         sys.exit(2)
-    folder, how = out or _beside(file), app.Writing(force=force, comments=comments)
-    with show.working(file, to, quiet=as_json), _writable(folder):
+    folder, how = out or beside(file), app.Writing(force=force, comments=comments)
+    with show.working(file, to, quiet=as_json), writable(folder):
         if file.suffix.lower() == ".csv":
             job = app.export_batch(file, to, folder, how, settings, {"dialect": dialect})
         else:
             job = app.export_into(app.examine_export(file, to, settings, {"dialect": dialect}), to, folder, how)
-    _end(file, job.examined, as_json, lambda: job.summary, lambda: show.export(job, file), job.exit_code)
-
-
-@cli.command(help=say("cli.cam"))
-@_written
-@click.option("--post", metavar="NAME", multiple=True, help=say("cli.post"))
-@_json
-def cam(file: Path, out: Path | None, force: bool, comments: bool, post: tuple[str, ...], as_json: bool) -> None:
-    """Perform the cam study alone."""
-    from linkwright import app
-
-    _carry_out(app.examine_cam(file, post), file, "cam", out, as_json, app.Writing(force=force, comments=comments))
+    end(file, job.examined, Telling(as_json), lambda: job.summary, lambda: show.export(job, file), job.exit_code)
 
 
 @cli.command(help=say("cli.bench"))
-@_file
+@FILE
 @click.option("--poses", type=click.IntRange(1, 10**9), default=1_000_000, show_default=True, help=say("cli.poses"))
 @click.option("--output", "outputs", multiple=True, metavar="SIGNAL", help=say("cli.outputs"))
 @click.option("--kernel", "kernels", multiple=True, metavar="NAME", help=say("cli.kernels"))
 @click.option("--threads", type=click.IntRange(1, 1024), help=say("cli.threads"))
-@_json
+@JSON
 def bench(
     file: Path, poses: int, outputs: tuple[str, ...], kernels: tuple[str, ...], threads: int | None, as_json: bool
 ) -> None:
@@ -310,10 +154,10 @@ def bench(
     with show.working(file, "bench", quiet=as_json):
         done = app.bench_file(examined, outputs, poses, threads or 0, kernels)
     code = examined.exit_code
-    _end(
+    end(
         file,
         examined,
-        as_json,
+        Telling(as_json),
         lambda: done.as_dict() if done else show.check_data(examined),
         lambda: show.bench(done),
         code,
@@ -324,7 +168,7 @@ def bench(
 @click.argument("name", required=False)
 @click.option("--list", "as_list", is_flag=True, help=say("cli.list"))
 @click.option("--table", "as_table", is_flag=True, help=say("cli.new_table"))
-@click.option("--out", type=click.Path(path_type=Path), help=say("cli.new_out"))
+@click.option("-o", "--out", type=click.Path(path_type=Path), help=say("cli.new_out"))
 @click.option("--force", is_flag=True, help=say("cli.force"))
 def new(name: str | None, as_list: bool, as_table: bool, out: Path | None, force: bool) -> None:
     """Start a model file from the gallery, or a table for a batch of exports."""

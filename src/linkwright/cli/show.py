@@ -18,6 +18,7 @@ from linkwright.blocks import Progress as Told
 from linkwright.cli import terminal
 from linkwright.cli.consoles import err, out
 from linkwright.cli.progress import Bar
+from linkwright.cli.running import Telling
 from linkwright.escape import json_text, line
 from linkwright.findings import Finding
 from linkwright.report.facts import facts
@@ -95,14 +96,22 @@ def check_data(examined: Examined) -> dict[str, Any]:
     }
 
 
-def job(done: Job, file: Path) -> None:
-    """A job's measures, certificate and failures, and where its files lie."""
-    for study, outcome in ranked(done.outcomes):
-        for section in study.report(outcome).sections:
-            terminal.show(section)
+def job(done: Job, file: Path, telling: Telling) -> None:
+    """What the studies of a job show, what they found, and where its files lie."""
+    if not telling.quiet:
+        for study, outcome in ranked(done.outcomes):
+            for section in study.report(outcome).sections:
+                terminal.show(section, telling.verbose)
     for item in done.examined.located(done.found):
         finding(item, file)
-    _where(done)
+    if not telling.quiet:
+        _where(done)
+
+
+def opened(folder: Path) -> None:
+    """Show a folder's report in a browser."""
+    if (page := folder / "report.html").is_file():
+        click.launch(str(page))
 
 
 def _where(done: Job | ExportJob) -> None:
@@ -126,7 +135,7 @@ def modes(done: ModesJob) -> None:
     """Assembly modes, the circuits on which they lie, the lines that select them."""
     if done.outcome is not None:
         for section in STUDIES["modes"].report(done.outcome).sections:
-            terminal.show(section)
+            terminal.show(section, verbose=True)
 
 
 def cannot_write(folder: Path, error: OSError) -> None:

@@ -26,11 +26,23 @@ from linkwright.presentation.blocks import (
 from linkwright.words import say
 
 
-def show(section: Section) -> None:
-    """A section without its heading: its blocks but those that are for pages."""
+def show(section: Section, verbose: bool = False) -> None:
+    """A section without its heading: its blocks, those that are details only where these are asked for."""
     for block in section.blocks:
-        if filled(block) and not getattr(block, "detail", False):
+        if isinstance(block, Checks) and not verbose:
+            summed(block)
+        elif filled(block) and (verbose or not getattr(block, "detail", False)):
             lines(block)
+
+
+def summed(block: Checks) -> None:
+    """A verification in a line, and what of it fails."""
+    passed = sum(check.ok for check in block.checks)
+    mark = "[green]✓[/]" if passed == len(block.checks) else "[bold red]✗[/]"
+    out.print(f"{mark} {escape(say('cli.verified', passed=passed, total=len(block.checks)))}")
+    if failed := [check for check in block.checks if not check.ok]:
+        lines(Checks(failed))
+    out.print()
 
 
 def table(*heads: object, right: tuple[int, ...] = ()) -> Grid:

@@ -35,7 +35,7 @@ class Group(click.Group):
         """The command that is asked for. Raises :class:`click.UsageError`."""
         name = args[0]
         if self.get_command(ctx, name) is None and not name.startswith("-") and not ctx.resilient_parsing:
-            raise click.UsageError(_no_command(name, sorted(self.commands)), ctx)
+            raise click.UsageError(_no_command(name, self.list_commands(ctx)), ctx)
         return super().resolve_command(ctx, args)
 
 

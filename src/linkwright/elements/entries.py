@@ -1,14 +1,13 @@
 """What a file says of elements whose kinds are chosen by a key, and need not be of this package.
 
 In each section the usual entries stand without such a key: pins and slides among the joints, springs among the springs.
-A kind of another package is made known by an entry point of the group :data:`GROUP`: a module that registers it. Such
-modules are loaded when a file names a kind that isn't known yet, and for the schema.
+A kind of another package is made known by a module that registers it (:mod:`linkwright.plugins`). Such modules are
+loaded when a file names a kind that isn't known yet, and for the schema.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from functools import cache
 from typing import Any, ClassVar
 
 from linkwright.expressions.fields import Expression, Frozen
@@ -16,10 +15,8 @@ from linkwright.expressions.typed_fields import Context, Quantity
 from linkwright.expressions.units import Dimension
 from linkwright.expressions.written import FaultWithin
 from linkwright.notation.registry import Registry
+from linkwright.plugins import load
 from linkwright.words import add
-
-GROUP = "linkwright.elements"
-"""The entry points by which packages make kinds of elements known."""
 
 
 class JointEntry(Frozen):
@@ -106,19 +103,10 @@ def make_known(
         add(language, texts)
 
 
-@cache
-def load_plugins() -> None:
-    """Load the modules by which other packages make kinds of elements known, once."""
-    from importlib.metadata import entry_points
-
-    for point in sorted(entry_points(group=GROUP), key=lambda point: point.name):
-        point.load()
-
-
 def entry_for(section: str, keys: Iterable[Any], known: Iterable[str]) -> type[JointEntry] | type[ForceEntry] | None:
     """The entry of a section whose kind is among the keys of what a file says; ``known`` are keys that speak of
     none."""
     entries, keys = ENTRIES[section], [*keys]
     if not entries.keys() & keys and {*keys} - {*known}:
-        load_plugins()
+        load("elements")
     return next((entries[key] for key in keys if key in entries), None)

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import os
 import stat
+import sys
+from functools import cache
 from pathlib import Path
 
 from linkwright.findings import Finding, ModelError, Term
@@ -25,9 +27,16 @@ _KINDS = {
 }
 
 
+STDIN, STDIN_NAME = Path("-"), Path("stdin.yaml")
+"""How a user names standard input, and what it is called in results."""
+
+
 def read_at_most(path: Path, limit: int = 1 << 40) -> bytes:
-    """The content of a regular file, or of one that a link leads to: ``limit`` bytes of it and one more, whatever size
-    the system states. Raises :class:`ModelError` for anything but a regular file, OSError where the system refuses."""
+    """The content of a regular file, or of one that a link leads to, or of standard input: ``limit`` bytes of it and
+    one more, whatever size the system states. Raises :class:`ModelError` for anything but a regular file, OSError where
+    the system refuses."""
+    if path == STDIN:
+        return _standard_input(limit)
     _refuse_irregular(path, path.stat())  # before opening, which some devices answer with a deed
     handle = os.open(path, os.O_RDONLY | _FLAGS)
     try:
@@ -39,6 +48,12 @@ def read_at_most(path: Path, limit: int = 1 << 40) -> bytes:
     finally:
         os.close(handle)
     return b"".join(parts)
+
+
+@cache
+def _standard_input(limit: int) -> bytes:
+    """What stands on standard input, which can be read but once."""
+    return sys.stdin.buffer.read(limit + 1)
 
 
 def _refuse_irregular(path: Path, found: os.stat_result) -> None:

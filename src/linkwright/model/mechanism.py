@@ -22,7 +22,7 @@ from linkwright.elements.cam_contact.entry import Cam
 from linkwright.elements.counterweight import Counterweight
 from linkwright.elements.cylinder import Cylinder
 from linkwright.elements.drive import Drive
-from linkwright.elements.entries import ENTRIES, entry_for, load_plugins
+from linkwright.elements.entries import ENTRIES, entry_for
 from linkwright.elements.fields import freeze
 from linkwright.elements.follower import Follower
 from linkwright.elements.force import Acting, acting
@@ -49,6 +49,7 @@ from linkwright.model.actions import BOUND, REDUCTIONS, Measure, Table, Window
 from linkwright.model.gravity import Gravity
 from linkwright.model.motions import MotionLaw
 from linkwright.model.parts import Joint, Link, Parameter, Plane, Units
+from linkwright.plugins import load
 
 __all__ = [
     "FRAME",
@@ -124,7 +125,7 @@ class _AnyKind:
         return [self.usual] if self.own & {*keys} else [self.usual, *self.entries.values()]
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
-        load_plugins()
+        load("elements")
         others = [handler(entry.__pydantic_core_schema__) for entry in self.entries.values()]
         return {"anyOf": [handler(schema), *others]} if others else handler(schema)
 

@@ -229,10 +229,13 @@ File = str | bytes | None
 
 @dataclass(frozen=True)
 class FileOf:
-    """How a file is made of an outcome; ``asked`` names the option without which it isn't written."""
+    """How a file is made of an outcome. ``option`` of the command speaks of it: without it, one that has to be ``asked``
+    for isn't written, any other only where the package that it ``needs`` (with the extra that brings it) is there."""
 
     make: Callable[[Any], File]
-    asked: str = ""
+    option: str = ""
+    asked: bool = False
+    needs: tuple[str, str] | None = None
 
 
 def filled(block: Block) -> bool:

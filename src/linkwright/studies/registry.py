@@ -15,10 +15,12 @@ from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.mechanism import Mechanism
 from linkwright.notation.registry import Registry
+from linkwright.plugins import load
 from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.results import Result
 from linkwright.studies.sections import read_section
 from linkwright.studies.site import Site
+from linkwright.words import add
 
 
 class Outcome(Protocol):
@@ -41,6 +43,30 @@ class Outcome(Protocol):
         """The motion that the drawing of a report shows."""
 
 
+@dataclass(frozen=True)
+class Setting:
+    """What the command of a study takes as ``--NAME`` in place of what the file says at ``place`` of its options; its
+    help is ``cli.NAME`` of the catalogue. Whole numbers have a range from ``low`` on, texts have none."""
+
+    name: str
+    place: tuple[str, ...]
+    low: int | None = None
+    high: int = 10**9
+    several: bool = False
+
+
+@dataclass(frozen=True)
+class Command:
+    """How a study is performed alone from the command line; ``cli.study.NAME`` of the catalogue says what that does.
+    ``work`` is large and can be shared out, ``fresh`` begins anew what was interrupted; without ``writes``, nothing is
+    written."""
+
+    settings: Sequence[Setting] = ()
+    work: bool = False
+    fresh: bool = False
+    writes: bool = True
+
+
 class Study(ABC):
     """A study: its name in the file, its options (``example`` as a file has them), a run that makes an outcome, and
     what the outcome shows."""
@@ -52,6 +78,10 @@ class Study(ABC):
     """Where it stands among the others in report and summary."""
     files: ClassVar[Mapping[str, FileOf]] = {}
     """What it writes besides, by name."""
+    command: ClassVar[Command | None] = None
+    """The command that performs it alone, where there is one."""
+    words: ClassVar[Mapping[str, Mapping[str, str]]] = {}
+    """Texts that the catalogue lacks, by language and key."""
 
     def check(self, compiled: Compiled, options: Any) -> list[Finding]:
         """What is wrong with options that are well-formed."""
@@ -92,6 +122,8 @@ def register(cls: type) -> type:
     """Register a study under its name; a second one of the same name is an error."""
     study = cls()
     STUDIES[study.name] = study
+    for language, texts in study.words.items():
+        add(language, texts)
     return cls
 
 
@@ -105,6 +137,8 @@ class Task:
 
 def read_studies(raw: Mapping[str, Mapping[str, Any]]) -> tuple[list[Task], list[Finding]]:
     """The studies that a file names, and what is wrong with their options."""
+    if raw.keys() - STUDIES.keys():
+        load("studies")
     read, findings = read_section("studies", raw, STUDIES, "study.unknown", "study.options")
     return [Task(study, options) for study, options in read], findings
 

@@ -6,12 +6,14 @@ from collections.abc import Mapping
 from typing import Any
 
 from linkwright.model.schema import json_schema
+from linkwright.plugins import load
 from linkwright.studies.registry import STUDIES
 from linkwright.studies.sections import Optioned
 
 
 def studies_schema() -> dict[str, Any]:
     """The model's schema with the options of every study."""
+    load("studies")
     return with_section(json_schema(), "studies", "what to do with the mechanism, by study", STUDIES)
 
 

@@ -31,7 +31,7 @@ from linkwright.studies.accuracy.stated import check_contributors, contributors,
 from linkwright.studies.accuracy.vertices import check_searched, evaluating, search
 from linkwright.studies.asked import check_outputs, check_span
 from linkwright.studies.cycle.options import span
-from linkwright.studies.registry import Study, read_studies, register
+from linkwright.studies.registry import Command, Setting, Study, read_studies, register
 from linkwright.studies.sampling import refused
 from linkwright.studies.site import Site
 
@@ -44,10 +44,11 @@ class AccuracyStudy(Study):
     example = "{outputs: [rocker.angle], positions: {middle: 0.5 s}}"
     options = AccuracyOptions
     rank = 4
+    command = Command([Setting("samples", ("samples",), low=0), Setting("kernel", ("kernel",))], work=True, fresh=True)
     files = {
         "accuracy.csv": FileOf(contributors_csv),
         "accuracy_bands.csv": FileOf(bands_csv),
-        "accuracy.nc": FileOf(netcdf_bytes, "netcdf"),
+        "accuracy.nc": FileOf(netcdf_bytes, "netcdf", asked=True),
     }
 
     def check(self, compiled: Compiled, options: AccuracyOptions) -> list[Finding]:

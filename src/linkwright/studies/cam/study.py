@@ -29,7 +29,7 @@ from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.studies.cam.plate import Plate
 from linkwright.studies.cam.report import report
 from linkwright.studies.cam.stated import Reader, Stated
-from linkwright.studies.registry import Study, register
+from linkwright.studies.registry import Command, Setting, Study, register
 from linkwright.studies.site import NOWHERE, Site
 
 LARGER = 20.0
@@ -58,6 +58,7 @@ class CamStudy(Study):
     example = "{cam: seal, limits: {pressure_rise: 30}}"
     options = CamOptions
     rank = 7
+    command = Command([Setting("post", ("nc", "post"), several=True)])
     files = {name: FileOf(make) for name, make in FILES.items()}
 
     def without(self, wrong: set[str]) -> set[str] | None:

@@ -36,7 +36,7 @@ class Cycle(Study):
     rank = 0
     files = {
         "cycle.csv": FileOf(lambda outcome: outcome.result.to_csv()),
-        "cycle.nc": FileOf(netcdf, "netcdf"),
+        "cycle.nc": FileOf(netcdf, "netcdf", asked=True),
     }
 
     def check(self, compiled: Compiled, options: CycleOptions) -> list[Finding]:

@@ -32,7 +32,7 @@ from linkwright.studies.limits.outcome import DriveLimits, LimitsOutcome, Stretc
 from linkwright.studies.limits.ranges import Range, ranges
 from linkwright.studies.limits.report import report
 from linkwright.studies.numbers import interval
-from linkwright.studies.registry import Study, register
+from linkwright.studies.registry import Command, Study, register
 from linkwright.studies.site import NOWHERE, Site
 
 WIDEST = {True: 200 * math.pi, False: 1000.0}
@@ -76,6 +76,7 @@ class Limits(Study):
     example = "{signals: [rocker.angle]}"
     options = LimitsOptions
     rank = 1
+    command = Command(writes=False)
 
     def check(self, compiled: Compiled, options: LimitsOptions) -> list[Finding]:
         """What is wrong with ranges and signals."""

@@ -18,7 +18,7 @@ from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.results import Run
 from linkwright.studies.cycle.options import span
 from linkwright.studies.plans import Plan
-from linkwright.studies.registry import Study, register
+from linkwright.studies.registry import Command, Setting, Study, register
 from linkwright.studies.sample_kept import store
 from linkwright.studies.sample_work import FINE
 from linkwright.studies.sampling import Performed, chosen, perform, refused
@@ -38,10 +38,11 @@ class SweepStudy(Study):
     example = "{vary: {AB: {from: 150, to: 160, count: 11}}}"
     options = SweepOptions
     rank = 3
+    command = Command([Setting("kernel", ("kernel",))], work=True, fresh=True)
     files = {
         "sweep.csv": FileOf(samples_csv),
         "sweep_bands.csv": FileOf(bands_csv),
-        "sweep.nc": FileOf(netcdf_bytes, "netcdf"),
+        "sweep.nc": FileOf(netcdf_bytes, "netcdf", asked=True),
     }
 
     def check(self, compiled: Compiled, options: SweepOptions) -> list[Finding]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from importlib.util import find_spec
 from typing import Any
 
@@ -185,15 +185,21 @@ def _layer(drawing: Any, text: str, number: int) -> str:
     return name
 
 
+_RESVG = ("resvg_py", "png")
+
+
+def _png(drawn: Callable[[WorkspaceOutcome], str | None]) -> FileOf:
+    """A picture that is written as SVG, as pixels."""
+    return FileOf(lambda outcome: png(drawn(outcome), needed(*_RESVG)), "png", asked=True, needs=_RESVG)
+
+
 FILES = {
     "workspace.geojson": FileOf(geojson),
     "workspace.svg": FileOf(svg),
     "workspace_boundary.csv": FileOf(boundary_csv),
-    "workspace.dxf": FileOf(dxf),
+    "workspace.dxf": FileOf(dxf, "dxf", needs=("ezdxf", "cad")),
     **{name: FileOf(make) for name, make in PARTS.items()},
-    "workspace.png": FileOf(lambda outcome: png(svg(outcome), needed("resvg_py", "png")), "png"),
-    "workspace_trajectories.png": FileOf(
-        lambda outcome: png(trajectories_svg(outcome), needed("resvg_py", "png")), "png"
-    ),
+    "workspace.png": _png(svg),
+    "workspace_trajectories.png": _png(trajectories_svg),
 }
 """By name."""

@@ -13,7 +13,7 @@ from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
 from linkwright.presentation.blocks import StudyReport
-from linkwright.studies.registry import Study, register
+from linkwright.studies.registry import Command, Study, register
 from linkwright.studies.site import NOWHERE, Site
 from linkwright.studies.stopped import Stopped
 from linkwright.studies.workspace.doubts import doubts
@@ -49,6 +49,7 @@ class WorkspaceStudy(Study):
     example = "{point: P}"
     options = WorkspaceOptions
     rank = 5
+    command = Command(fresh=True)
     files = FILES
 
     def check(self, compiled: Compiled, options: WorkspaceOptions) -> list[Finding]:
