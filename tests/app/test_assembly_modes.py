@@ -134,7 +134,7 @@ def test_a_parallelogram_names_its_change_points() -> None:
     assert [sorted(abs(v) for v in c["change_points"])[-1] for c in data["circuits"]] == pytest.approx(
         [180.0] * 2, abs=1e-4
     )
-    assert "change points" in circuit_text(data["circuits"][0], data)
+    assert "change points" in str(circuit_text(data["circuits"][0], data))
 
 
 def test_a_saved_document_gives_the_same(tmp_path: Path) -> None:

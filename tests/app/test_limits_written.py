@@ -12,9 +12,11 @@ import pytest
 
 import linkwright as lw
 from app.models import SOUND, STUCK
+from helpers.shown import blocks, rows
 from linkwright.cli import cli
+from linkwright.presentation.blocks import Table, filled
 from linkwright.report.build import report_data
-from linkwright.studies.limits.report import limits_entry, limits_tables
+from linkwright.studies.limits.report import report
 
 ALONE = SOUND.split("studies:", maxsplit=1)[0] + "studies:\n  limits: {signals: [P.x], samples: 90}\n"
 BOTH = SOUND + "  limits: {}\n"
@@ -67,7 +69,9 @@ def test_the_report_of_limits_alone_runs_over_the_drives_value(write: Any) -> No
     assert data["scene"]["time"] == data["time"]["values"]
     assert {plot["unit"] for plot in data["plots"]} == {"mm", "deg"}  # no rates, no forces
     assert {plot["group"] for plot in data["plots"]} == {"motion"}
-    assert [grid["name"] for grid in data["limits"]] == [
+    (section,) = data["sections"]
+    assert section.name == "limits"
+    assert [table.name for table in section.blocks if isinstance(table, Table) and filled(table)] == [
         "ranges", "signals", "dead_centres", "transmission", "four_links",
     ]  # fmt: skip
 
@@ -85,9 +89,11 @@ def test_limits_beside_a_cycle(write: Any, tmp_path: Path) -> None:
     assert '<a href="#limits">' in page
     assert "Turns fully." in page
     assert job.limits is not None
-    for grid in limits_tables(limits_entry(job.limits)["limits"]):
-        assert all(len(row) == len(grid["heads"]) for row in grid["rows"])
-        assert grid["title"] in page
+    shown = [table for table in blocks(report(job.limits), Table) if table.rows]
+    assert len(shown) > 4
+    for table in shown:
+        assert str(table.title) in page
+        assert all(str(row[0]) in page for row in rows(table))
 
 
 def test_the_gap_stands_in_the_page(write: Any, tmp_path: Path) -> None:

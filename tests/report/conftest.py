@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from linkwright.presentation.blocks import Check, Checks, Measure, Measures, MeasureValue, Section
 from linkwright.report import Link, Plot, ReportData, Scene
 from linkwright.words.en.report import REPORT
 
@@ -111,6 +112,51 @@ def plots_of(feeder: Feeder) -> list[Plot]:
     return out
 
 
+MEASURES = Measures(
+    [
+        Measure(
+            "stroke",
+            "span of E.x",
+            [MeasureValue(value=680.2777, at="t = 0.5711 s", grade="sampled")],
+            "mm",
+            ">= 680 mm",
+            verdict=True,
+        ),
+        Measure(
+            "FAx_return",
+            "extremes of force(frame, crank).x",
+            [
+                MeasureValue("min", -41.23456, at="t = 0.3125 s", grade="sampled"),
+                MeasureValue("max", 97.5, at="t = 0.0975 s", grade="sampled"),
+            ],
+            "N",
+            "<= 90 N",
+            verdict=False,
+        ),
+        Measure(
+            "feed_speed_max",
+            "largest |E.vx| in feed",
+            [MeasureValue(value=1204.118, at="t = 1.012 s", grade="sampled")],
+            "mm/s",
+            None,
+            None,
+        ),
+    ]
+)
+CHECKS = Checks(
+    [
+        Check("closure", "3.1e-16", "No loop is open by more than 1.8e-13 mm.", ok=True),
+        Check(
+            "conditioning",
+            "0.031",
+            "The transmission angle at C falls to 1.8 deg at t = 0.42 s: near a dead centre.",
+            ok=False,
+        ),
+    ],
+    ["201 poses computed with the numpy kernel: little work."],
+)
+
+
 @pytest.fixture(scope="session")
 def feeder() -> Feeder:
     return Feeder()
@@ -136,50 +182,7 @@ def report(feeder: Feeder) -> ReportData:
         "time": {"values": feeder.t.tolist(), "unit": "s", "label": "time"},
         "scene": scene_of(feeder),
         "plots": plots_of(feeder),
-        "measures": [
-            {
-                "name": "stroke",
-                "text": "span of E.x",
-                "values": [{"label": "", "value": 680.2777, "text": "", "at": "t = 0.5711 s", "grade": "sampled"}],
-                "unit": "mm",
-                "requirement": ">= 680 mm",
-                "verdict": True,
-            },
-            {
-                "name": "FAx_return",
-                "text": "extremes of force(frame, crank).x",
-                "values": [
-                    {"label": "min", "value": -41.23456, "text": "", "at": "t = 0.3125 s", "grade": "sampled"},
-                    {"label": "max", "value": 97.5, "text": "", "at": "t = 0.0975 s", "grade": "sampled"},
-                ],
-                "unit": "N",
-                "requirement": "<= 90 N",
-                "verdict": False,
-            },
-            {
-                "name": "feed_speed_max",
-                "text": "largest |E.vx| in feed",
-                "values": [{"label": "", "value": 1204.118, "text": "", "at": "t = 1.012 s", "grade": "sampled"}],
-                "unit": "mm/s",
-                "requirement": None,
-                "verdict": None,
-            },
-        ],
-        "remarks": ["201 poses computed with the numpy kernel: little work."],
-        "certificate": [
-            {
-                "name": "closure",
-                "figure": "3.1e-16",
-                "sentence": "No loop is open by more than 1.8e-13 mm.",
-                "ok": True,
-            },
-            {
-                "name": "conditioning",
-                "figure": "0.031",
-                "sentence": "The transmission angle at C falls to 1.8 deg at t = 0.42 s: near a dead centre.",
-                "ok": False,
-            },
-        ],
+        "sections": [Section("measures", [MEASURES]), Section("certificate", [CHECKS])],
         "structure": [
             {"name": "Mobility", "sentence": "1 (Gruebler 1, rank 1)"},
             {"name": "Groups", "sentence": "crank; RRR dyad B-C-D; RPP dyad E-G"},

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 from collections.abc import Iterator
+from dataclasses import replace
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -14,9 +15,10 @@ import pytest
 
 from helpers.accuracies import outcome
 from helpers.workspaces import five_bar, performed
+from linkwright.presentation.blocks import Copied, Measures, Section
 from linkwright.report import ReportData, Scene, page
 from linkwright.report.build import report_data
-from linkwright.studies.accuracy.report import accuracy_page
+from linkwright.studies.accuracy.report import report as accuracy_report
 
 pytestmark = pytest.mark.browser
 sync_api = pytest.importorskip("playwright.sync_api")
@@ -96,8 +98,11 @@ def show(browser: Any, tmp_path: Path) -> Iterator[Any]:
 
 
 @pytest.fixture
-def accuracy() -> dict[str, Any]:
-    return {**accuracy_page(outcome(count=50))}
+def accuracy(report: ReportData) -> Section:
+    """What an accuracy study shows, as a part of the report."""
+    (section,) = accuracy_report(outcome(count=50)).sections
+    report["sections"] = [*report["sections"], section]
+    return section
 
 
 def test_loads_silently_and_asks_for_nothing(show: Any, report: ReportData) -> None:
@@ -254,7 +259,11 @@ def test_hostile_names_show_as_text(show: Any, report: ReportData) -> None:
     scene["traces"][0]["name"] = HOSTILE
     report["plots"][0]["title"] = HOSTILE
     report["plots"][0]["series"][0]["name"] = HOSTILE
-    report["title"] = report["measures"][0]["name"] = report["model_text"] = HOSTILE
+    (measures,) = report["sections"][0].blocks
+    assert isinstance(measures, Measures)
+    first, *others = measures.measures
+    report["sections"] = [Section("measures", [Measures([replace(first, name=HOSTILE), *others])])]
+    report["title"] = report["model_text"] = HOSTILE
     view = show(report)
     view.settle()
     assert view.page.title() == HOSTILE
@@ -332,17 +341,19 @@ def test_prints_with_still_drawing_and_all_plots(show: Any, report: ReportData, 
     assert view.complaints == []
 
 
-def test_fits_a_phone(show: Any, report: ReportData, accuracy: dict[str, Any]) -> None:
-    view = show({**report, **accuracy}, viewport={"width": 360, "height": 740})
+@pytest.mark.usefixtures("accuracy")
+def test_fits_a_phone(show: Any, report: ReportData) -> None:
+    view = show(report, viewport={"width": 360, "height": 740})
     assert view.page.evaluate("document.documentElement.scrollWidth") == 360
 
 
-def test_a_drawing_review_is_copied_for_a_spreadsheet(show: Any, report: ReportData, accuracy: dict[str, Any]) -> None:
-    view = show({**report, **accuracy}, permissions=["clipboard-read", "clipboard-write"])
+def test_a_drawing_review_is_copied_for_a_spreadsheet(show: Any, report: ReportData, accuracy: Section) -> None:
+    view = show(report, permissions=["clipboard-read", "clipboard-write"])
     button = view.page.locator("button.copy").first
     button.click()
     view.page.wait_for_function("document.querySelector('button.copy').textContent === 'Copied'")
-    assert view.page.evaluate("navigator.clipboard.readText()") == accuracy["accuracy"]["outputs"][0]["copied"]
+    first = next(block for block in accuracy.blocks if isinstance(block, Copied))
+    assert view.page.evaluate("navigator.clipboard.readText()") == first.text
     assert view.complaints == []
 
 

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import is_dataclass, replace
 from html.parser import HTMLParser
+from typing import Any
 
 import numpy as np
 import pytest
 
+from linkwright.presentation.blocks import Checks, Measures, Section
 from linkwright.report import ReportData, compact, page
 from linkwright.report.page import SCRIPT_WORDS
 from linkwright.report.payload import script_json
@@ -78,18 +81,24 @@ def test_payload_is_what_was_given(report: ReportData) -> None:
     assert set(data["words"]) == set(SCRIPT_WORDS)
 
 
+def hostile(value: Any) -> Any:
+    """A part of a report with all its texts hostile, but for names of sections, which are the program's own."""
+    if isinstance(value, str):
+        return HOSTILE
+    if isinstance(value, list | tuple):
+        return [hostile(each) for each in value]
+    if not is_dataclass(value) or isinstance(value, type):
+        return value
+    kept = ("name",) if isinstance(value, Section) else ()
+    return replace(value, **{key: hostile(each) for key, each in vars(value).items() if each and key not in kept})
+
+
 def test_hostile_names_are_text_everywhere(report: ReportData) -> None:
     clean = [tag for tag, _ in Page(page(report)).tags]
     for key in ("title", "subtitle", "source", "origin", "version", "model_text"):
         report[key] = HOSTILE
-    report["remarks"] = [HOSTILE]
     report["words"] = dict.fromkeys(REPORT, HOSTILE)
-    for measure in report["measures"]:
-        measure.update(name=HOSTILE, text=HOSTILE, unit=HOSTILE, requirement=HOSTILE)
-        for value in measure["values"]:
-            value.update(label=HOSTILE, at=HOSTILE)
-    for check in report["certificate"]:
-        check.update(name=HOSTILE, figure=HOSTILE, sentence=HOSTILE)
+    report["sections"] = [hostile(section) for section in report["sections"]]
     for fact in report["structure"]:
         fact.update(name=HOSTILE, sentence=HOSTILE)
     for plot in report["plots"]:
@@ -119,8 +128,8 @@ def test_failures_make_a_banner(report: ReportData) -> None:
 
 
 def test_empty_parts_leave_no_headings(report: ReportData) -> None:
-    for part in ("measures", "certificate", "structure", "plots"):
-        report[part] = []
+    report["sections"] = [Section("measures", [Measures([])]), Section("certificate", [Checks([])])]
+    report["structure"] = report["plots"] = []
     report["model_text"] = ""
     html = page(report)
     Page(html)
@@ -132,7 +141,7 @@ def test_empty_parts_leave_no_headings(report: ReportData) -> None:
 def test_every_word_comes_from_the_catalogue(report: ReportData) -> None:
     """With every word marked, no letter outside the marks is left but those of the data."""
     report.update(title="1", subtitle="2", source="6", version="3", model_text="4", origin="5", plots=[], structure=[])
-    report.update(measures=[], certificate=[], notes=[], failures=[])
+    report.update(sections=[], notes=[], failures=[])
     report["words"] = dict.fromkeys(REPORT, "#")
     body = page(report).split("<body>")[1].split("<script")[0]
     assert re.findall(r"[A-Za-z]+", re.sub(r"<[^>]*>", "", body)) == []

@@ -1,29 +1,28 @@
-"""Pictures for several values of parameters, as HTML and as one file."""
+"""Pictures for several values of parameters, as HTML."""
 
 from __future__ import annotations
 
 import re
 from xml.etree import ElementTree
 
-from linkwright.drawing.tiled import tiled
-from linkwright.report.data import Chart, Slider
+from linkwright.presentation.blocks import Chart, Slider
 from linkwright.report.stacks import stacks
 
-SVG = '<svg xmlns="http://www.w3.org/2000/svg" class="lw still workspace" viewBox="0 0 560 {high}"></svg>'
+SVG = '<svg xmlns="http://www.w3.org/2000/svg" class="lw still workspace" viewBox="0 0 560 100"></svg>'
 
 
-def chart(stack: str, *step: int, high: int = 100) -> Chart:
-    return {"title": f"{stack} <{step}>", "drawing": SVG.format(high=high), "stack": stack, "step": step}
+def chart(stack: str, *step: int) -> Chart:
+    return Chart(f"{stack} <{step}>", lambda: SVG, stack, step)
 
 
 def slider(name: str, *texts: str, start: int = 0) -> Slider:
-    return {"name": name, "texts": texts, "start": start}
+    return Slider(name, texts, start)
 
 
 def test_a_stack_has_a_picture_or_a_note_for_each_combination() -> None:
     sliders = [slider("a<", "0 deg", "60 deg", "90 deg", start=1), slider("b", "1 mm", "2 mm")]
     charts = [chart("one", i, k) for i in range(3) for k in range(2) if (i, k) != (2, 0)]
-    page = stacks([*charts, {"title": "law", "drawing": SVG.format(high=1)}], sliders)
+    page = stacks([*charts, Chart("law", lambda: SVG)], sliders)
     root = ElementTree.fromstring(page.replace(" hidden>", ">"))
     assert page.count('class="stack"') == 1 and page.count("<figure ") == 6
     assert re.findall(r'data-step="([^"]+)"', page) == ["0 0", "0 1", "1 0", "1 1", "2 0", "2 1"]
@@ -53,16 +52,3 @@ def test_many_values_have_marks_at_the_ends_alone() -> None:
     page = stacks([chart("one", k) for k in range(30)], [slider("a", *(f"{k} mm" for k in range(30)))])
     assert re.findall(r"<span[^>]*>([^<]+)</span>", page) == ["0", "29"]
     assert page.count("data-text-") == 30
-
-
-def test_a_file_has_a_row_for_each_stack() -> None:
-    text = tiled([chart("one", k, high=100 + k) for k in range(5)] + [chart("two", 0, high=40)])
-    root = ElementTree.fromstring(text)
-    space = "{http://www.w3.org/2000/svg}"
-    places = [(float(one.get("x", "")), float(one.get("y", ""))) for one in root.findall(f"{space}svg")]
-    assert [x for x, _ in places] == [0, 560, 1120, 1680, 0, 0]
-    (head,) = {y for _, y in places[:4]}
-    assert [y for _, y in places[4:]] == [head + 103 + head, 2 * (head + 103) + 1 + head]
-    assert root.get("width") == "2240" and float(root.get("height", "")) == places[-1][1] + 40
-    titles = [one.text for one in root.findall(f"{space}text")]
-    assert titles == [*(f"one <({k},)>" for k in range(5)), "two <(0,)>"]

@@ -1,4 +1,4 @@
-"""What the package's source says about its findings: their codes, and the data each call site gives them."""
+"""What the package's source says about its texts: codes of findings and keys, and the data each call site gives them."""
 
 from __future__ import annotations
 
@@ -103,3 +103,45 @@ def wanted() -> set[str]:
                 if isinstance(last, ast.Constant):
                     found.add(str(last.value))
     return found
+
+
+TEXTS = {"say": "", "Said": "", "Term": "term."}
+"""What makes words of the catalogue's texts, and how the keys begin that it takes."""
+
+
+def spoken() -> Iterator[tuple[str, set[str] | None]]:
+    """Each place that names a text: a pattern of its key, and the names of its data (``None`` where not plain to see,
+    or where the key isn't plain itself)."""
+    for tree in trees():
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Call) and _name(node.func) in TEXTS and node.args:
+                names = {keyword.arg for keyword in node.keywords}
+                for key in _patterns(node.args[0]):
+                    whole = None in names or HOLE in key
+                    given = None if whole else {name for name in names if name}
+                    yield re.escape(TEXTS[_name(node.func)]) + key, given
+
+
+def keys() -> re.Pattern[str]:
+    """All keys that strings of the source make up, those with holes too where they tell at least a key's group."""
+    nodes = [node for tree in trees() for node in ast.walk(tree) if isinstance(node, ast.expr)]
+    found = {key for node in nodes for key in _patterns(node) if HOLE not in key or GROUP.match(key)}
+    return re.compile("|".join(found - {re.escape("term.") + HOLE}))
+
+
+HOLE = ".+"
+GROUP = re.compile(r"[a-z_]+\\\.")
+
+
+def _patterns(node: ast.expr) -> list[str]:
+    """What a string may be, as regular expressions; nothing of what isn't plainly one."""
+    match node:
+        case ast.Constant(value=str(text)):
+            return [re.escape(text)]
+        case ast.JoinedStr(values=parts):
+            return ["".join(_patterns(part)[0] if isinstance(part, ast.Constant) else HOLE for part in parts)]
+        case ast.IfExp(body=body, orelse=other):
+            return [*_patterns(body), *_patterns(other)]
+        case ast.BinOp(left=left, op=ast.Add(), right=right):
+            return [first + second for first in _patterns(left) for second in _patterns(right)]
+    return []

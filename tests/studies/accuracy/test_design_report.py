@@ -12,6 +12,7 @@ from linkwright.app.job import summary_text
 from linkwright.studies.accuracy.allocated import Allocation, Allotted, Held, Optimality
 from linkwright.studies.accuracy.calibrated import Calibration, Confounded, Estimate, Observed
 from linkwright.studies.accuracy.design_report import (
+    Rows,
     allocation_entry,
     calibration_entry,
     design_sentences,
@@ -54,6 +55,10 @@ def calibration() -> Calibration:
     )  # fmt: skip
 
 
+def words(rows: Rows) -> list[list[str]]:
+    return [[str(cell) for cell in row] for row in rows]
+
+
 def test_the_cheapest_tolerances() -> None:
     entry = allocation_entry(allocation())
     assert entry is not None
@@ -71,7 +76,7 @@ def test_the_cheapest_tolerances() -> None:
 
 
 def test_what_can_be_said_of_a_price() -> None:
-    tables = {name: rows for name, _, rows in design_tables(allocation(), None)}
+    tables = {name: words(rows) for name, _, rows in design_tables(allocation(), None)}
     assert tables["allocation"][0] == ["AB", "0.05", "0.02", "0.0195", "IT8", "0.0125", "mm"]
     assert tables["allocation"][1][4] == "fixed"
     assert tables["targets"] == [["swing", "0.06", "0.08", "0.06", "0.058", "0.003", "deg"]]
@@ -88,7 +93,7 @@ def test_what_can_be_said_of_a_price() -> None:
     ],
 )
 def test_how_an_allocation_ended(more: dict[str, Any], said: str) -> None:
-    assert said in " ".join(design_sentences(allocation(**more), None))
+    assert said in " ".join(map(str, design_sentences(allocation(**more), None)))
 
 
 def test_estimated_dimensions() -> None:
@@ -107,12 +112,11 @@ def test_estimated_dimensions() -> None:
 
 
 def test_what_can_not_be_told_apart() -> None:
-    told = " ".join(design_sentences(None, calibration()))
+    told = " ".join(map(str, design_sentences(None, calibration())))
     assert "AB, BC can't be told apart" in told
     assert "Row 7, E.x: 1 away" in told
-    rows = {
-        row[0]: row for name, _, found in design_tables(None, calibration()) if name == "calibration" for row in found
-    }
+    tables = {name: words(rows) for name, _, rows in design_tables(None, calibration())}
+    rows = {row[0]: row for row in tables["calibration"]}
     assert rows["AB"][1:6] == ["155", "155.02", "0.02", "0.018 .. 0.022", "0.001"]
     assert rows["BC"][4:6] == ["can't be told", "–"]
 

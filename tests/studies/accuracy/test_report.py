@@ -16,14 +16,17 @@ from scipy.io import netcdf_file
 
 import linkwright as lw
 from helpers.accuracies import LIMITS, MM, NOMINAL, outcome, place, stroke
+from helpers.shown import heads, rows, told
 from linkwright.app.job import summary_text
+from linkwright.presentation.blocks import Sentences, filled
 from linkwright.report.build import report_data
 from linkwright.report.page import page
+from linkwright.report.summary import worded
 from linkwright.studies.accuracy.charts import curve_charts, figure_charts
 from linkwright.studies.accuracy.disagreement import along, disagreement
 from linkwright.studies.accuracy.files import bands_csv, contributors_csv, netcdf_bytes
 from linkwright.studies.accuracy.outcome import AccuracyOutcome
-from linkwright.studies.accuracy.report import accuracy_page, sentences
+from linkwright.studies.accuracy.report import report, sentences
 from linkwright.studies.accuracy.summary import accuracy_entry, per
 from linkwright.studies.accuracy.tables import overview, review, review_text
 from studies.models import slider_crank
@@ -38,7 +41,7 @@ def made() -> AccuracyOutcome:
 
 @pytest.fixture(scope="module")
 def entry(made: AccuracyOutcome) -> dict[str, Any]:
-    plain: dict[str, Any] = json.loads(summary_text(accuracy_entry(made)))
+    plain: dict[str, Any] = json.loads(summary_text(worded(accuracy_entry(made))))
     return plain
 
 
@@ -131,31 +134,31 @@ def test_without_samples() -> None:
     found = accuracy_entry(done)["accuracy"]
     assert found["stroke"]["monte_carlo"] is None
     assert found["stroke"]["disagreement"] is None
-    assert "no random samples" in sentences(done)[0]
-    assert "NaN" not in summary_text(accuracy_entry(done))
-    assert overview(done)[0]["rows"][0][5] == "–"
+    assert "no random samples" in str(sentences(done)[0])
+    assert "NaN" not in summary_text(worded(accuracy_entry(done)))
+    assert rows(overview(done)[0])[0][5] == "–"
 
 
 def test_what_clearances_add_stands_with_the_outputs_where_there_are_any(made: AccuracyOutcome) -> None:
     (with_play,), (without,) = overview(made), overview(replace(made, joints=[]))
-    assert with_play["heads"][6] == "Clearances"
-    assert with_play["rows"][0][6] == "±0.040"
-    assert without["heads"] == [*with_play["heads"][:6], with_play["heads"][7]]
-    assert without["rows"] == [[*row[:6], row[7]] for row in with_play["rows"]]
+    assert heads(with_play)[6] == "Clearances"
+    assert rows(with_play)[0][6] == "±0.040"
+    assert heads(without) == [*heads(with_play)[:6], heads(with_play)[7]]
+    assert rows(without) == [[*row[:6], row[7]] for row in rows(with_play)]
 
 
 def test_a_number_that_is_none_is_null(made: AccuracyOutcome) -> None:
     figure = replace(made.figures["stroke"], nominal=np.nan, shares=np.full(3, np.nan))
     entry = accuracy_entry(replace(made, figures={"stroke": figure}))
     assert entry["accuracy"]["stroke"]["nominal"] is None
-    assert "NaN" not in summary_text(entry)
-    assert "nan" not in str(overview(replace(made, figures={"stroke": figure}))[0]["rows"])
+    assert "NaN" not in summary_text(worded(entry))
+    assert "nan" not in str(rows(overview(replace(made, figures={"stroke": figure}))[0]))
 
 
 def test_failed_samples_are_told() -> None:
     done = outcome(count=500, failed=25)
     assert accuracy_entry(done)["accuracy_study"]["failed_share"] == 25 / 525
-    assert "25 of 525 samples (4.76 %)" in " ".join(sentences(done))
+    assert "25 of 525 samples (4.76 %)" in " ".join(map(str, sentences(done)))
 
 
 @pytest.mark.parametrize(
@@ -190,9 +193,9 @@ def test_they_part_ways_by_how_much() -> None:
     assert entry["parted"]
     assert entry["sigma_ratio"] == pytest.approx(1.5, abs=0.1)
     assert entry["sigma_errors"] == pytest.approx(0.5 / 1.5 * (2 * 2000) ** 0.5, rel=0.1)
-    assert f"{entry['sigma_ratio']:.4g} times that of RSS" in entry["sentence"]
+    assert f"{entry['sigma_ratio']:.4g} times that of RSS" in str(entry["sentence"])
     assert along(done.curves["C.x"], done).all()
-    assert any("part ways" in text for text in sentences(done))
+    assert any("part ways" in str(text) for text in sentences(done))
 
 
 def test_few_samples_prove_nothing() -> None:
@@ -213,7 +216,7 @@ def test_round_off_is_no_disagreement(made: AccuracyOutcome) -> None:
     assert (found.parted, found.sigma_ratio, found.mean_shift) == (False, 1, 0)
     scattered = disagreement(replace(figure, sigma=0.0), made)
     assert scattered is not None
-    assert "scatter" in (scattered.sentence("it") or "")
+    assert "scatter" in str(scattered.sentence("it"))
 
 
 # Tables.
@@ -221,33 +224,33 @@ def test_round_off_is_no_disagreement(made: AccuracyOutcome) -> None:
 
 def test_the_review_for_a_spreadsheet_adds_up(made: AccuracyOutcome) -> None:
     figure = made.figures["stroke"]
-    head, *rows = csv.reader(io.StringIO(review_text(figure, made)), delimiter="\t")
-    assert all(len(row) == len(head) == 12 for row in rows)
-    assert [row[0] for row in rows[:3]] == ["r", "e", "l"]
-    parts = np.array([[float(cell) for cell in row[9:11]] for row in rows])
+    head, *lines = csv.reader(io.StringIO(review_text(figure, made)), delimiter="\t")
+    assert all(len(row) == len(head) == 12 for row in lines)
+    assert [row[0] for row in lines[:3]] == ["r", "e", "l"]
+    parts = np.array([[float(cell) for cell in row[9:11]] for row in lines])
     np.testing.assert_allclose(parts[:3].sum(axis=0), parts[3], rtol=1e-8)
     np.testing.assert_allclose(parts[3], np.array(figure.worst) / MM, rtol=1e-8)
-    lower, upper, slope = (float(cell) for cell in rows[0][4:7])
+    lower, upper, slope = (float(cell) for cell in lines[0][4:7])
     np.testing.assert_allclose([slope * lower, slope * upper], parts[0], rtol=1e-8)
-    assert rows[2][3] == "[-0.02, 0.08]"
+    assert lines[2][3] == "[-0.02, 0.08]"
 
 
 def test_a_tie_shows_both_sides(made: AccuracyOutcome) -> None:
     figure = made.figures["stroke"]
     slopes = np.array([[-1.0, 1.0], [0.5, 0.5], [0, 0]])
     tied = replace(made, figures={"stroke": replace(figure, coefficients=slopes, tie=True)}, curves={})
-    rows = {row[0]: row for row in review(tied.figures["stroke"], tied)["rows"]}
-    assert rows["r"][4] == "−1 / 1 mm/mm"
+    lines = {row[0]: row for row in rows(review(tied.figures["stroke"], tied))}
+    assert lines["r"][4] == "−1 / 1 mm/mm"
     first = next(row for row in accuracy_entry(tied)["accuracy"]["stroke"]["contributors"] if row["parameter"] == "r")
     assert (first["coefficients"], first["worst"]) == ([-1, 1], pytest.approx([0, 0.05]))
     assert "two places" in section_of(tied)
 
 
 def test_a_csv_row_for_each_output_and_contributor(made: AccuracyOutcome) -> None:
-    rows = list(csv.DictReader(io.StringIO(contributors_csv(made) or "")))
-    assert len(rows) == 4 * 3
-    assert [row["output"] for row in rows[::3]] == ["stroke", "C.x", "C.x at far", "C.x at out"]
-    for row in rows:
+    lines = list(csv.DictReader(io.StringIO(contributors_csv(made) or "")))
+    assert len(lines) == 4 * 3
+    assert [row["output"] for row in lines[::3]] == ["stroke", "C.x", "C.x at far", "C.x at out"]
+    for row in lines:
         index = made.contributors.names.index(row["parameter"])
         exact = made.every[row["output"]].coefficients[index]
         assert (float(row["coefficient below"]), float(row["coefficient above"])) == pytest.approx(tuple(exact))
@@ -255,8 +258,8 @@ def test_a_csv_row_for_each_output_and_contributor(made: AccuracyOutcome) -> Non
 
 
 def test_a_csv_row_for_each_pose(made: AccuracyOutcome) -> None:
-    header, *rows = csv.reader(io.StringIO(bands_csv(made) or ""))
-    columns = dict(zip(header, np.array(rows, dtype=float).T, strict=True))
+    header, *lines = csv.reader(io.StringIO(bands_csv(made) or ""))
+    columns = dict(zip(header, np.array(lines, dtype=float).T, strict=True))
     curve = made.curves["C.x"]
     angle = 2 * np.pi * columns["t [s]"]
     exact = place(angle, *NOMINAL.values())
@@ -265,7 +268,7 @@ def test_a_csv_row_for_each_pose(made: AccuracyOutcome) -> None:
         np.testing.assert_allclose(columns[f"d(C.x)/d({name}) [mm/mm]"], slope, atol=1e-14)
     assert curve.sampled is not None
     np.testing.assert_allclose(columns["C.x sampled sigma [mm]"] * MM, curve.sampled[1], rtol=1e-14)
-    assert rows[0][header.index("C.x count")] == "2000"
+    assert lines[0][header.index("C.x count")] == "2000"
     assert {"C.x play shift [mm]", "C.x play bound [mm]", "C.x worst low [mm]"} <= set(header)
 
 
@@ -301,9 +304,9 @@ def test_names_are_escaped() -> None:
 def test_a_gap_in_a_signal_is_a_gap_in_its_band(made: AccuracyOutcome) -> None:
     curve = made.curves["C.x"]
     gone = np.where((curve.t > 0.4) & (curve.t < 0.6), np.nan, 1.0)
-    rows = {"nominal": curve.nominal * gone, "coefficients": curve.coefficients * gone, "worst": curve.worst * gone}
-    rows |= {"mean": curve.mean * gone, "sigma": curve.sigma * gone}
-    whole, holed = (curve_charts(each, made)[0]["drawing"] for each in (curve, replace(curve, **rows)))
+    some = {"nominal": curve.nominal * gone, "coefficients": curve.coefficients * gone, "worst": curve.worst * gone}
+    some |= {"mean": curve.mean * gone, "sigma": curve.sigma * gone}
+    whole, holed = (curve_charts(each, made)[0].drawing for each in (curve, replace(curve, **some)))
     assert (whole.count('class="mean"'), holed.count('class="mean"')) == (1, 2)
     assert "nan" not in holed
 
@@ -317,14 +320,15 @@ def test_many_contributors_are_gathered(made: AccuracyOutcome) -> None:
     many = replace(made.contributors, every=made.contributors.every * 5, correlation=np.eye(15))
     figure = replace(made.figures["stroke"], shares=np.full(15, 1 / 15), monte_carlo=None)
     (chart,) = figure_charts(figure, replace(made, contributors=many))
-    assert chart["drawing"].count('class="bar"') == 9
-    assert "7 more" in chart["drawing"]
+    assert chart.drawing.count('class="bar"') == 9
+    assert "7 more" in chart.drawing
 
 
 def test_nothing_computed_is_said(made: AccuracyOutcome) -> None:
     empty = replace(made, figures={}, curves={}, joints=[])
-    data = accuracy_page(empty)["accuracy"]
-    assert data["sentences"] == ["Nothing was computed."]
-    assert (data["overview"], data["outputs"]) == ([], [])
+    (section,) = report(empty).sections
+    assert told(section) == "Nothing was computed."
+    kinds = [getattr(block, "name", type(block)) for block in section.blocks if filled(block)]
+    assert kinds == [Sentences, "correlations"]  # neither outputs nor anything of one
     assert accuracy_entry(empty)["accuracy"] == {}
     assert (contributors_csv(empty), bands_csv(empty)) == (None, None)

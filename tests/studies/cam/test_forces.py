@@ -10,13 +10,15 @@ import numpy as np
 import pytest
 
 from helpers.heat_seal import findings, heat_seal, performed
+from helpers.shown import told
 from linkwright.cam.closing import groove
 from linkwright.cam.hertz import Material, pressure
 from linkwright.cam.loads import Loads, forces
 from linkwright.cam.springs import highest_speed, least_preload
+from linkwright.presentation.blocks import Charts
 from linkwright.results import Run
 from linkwright.studies.cam.outcome import CamOutcome
-from linkwright.studies.cam.report import cam_page
+from linkwright.studies.cam.report import report
 
 INERTIA, RATE, RPM = 1.2e-3, 2.0, math.pi / 30
 GIVEN: dict[str, Any] = {"inertia": "0.0012 kg*m^2", "spring": {"rate": "2 N*m/rad", "preload": "0.6 N*m"}}
@@ -70,8 +72,9 @@ def test_a_spring_is_sized_and_does() -> None:
     assert found["lift_off_speed"] == pytest.approx(highest.value) == pytest.approx(omega)
     hertz = pressure(wanted, 10e-3, Material(70e9, 0.33)).highest.value
     assert found["hertz_pressure_max"] == pytest.approx(hertz)
-    page = cam_page(sized)["cam"]
-    assert any("is sized" in text for text in page["sentences"]) and len(page["charts"]) == 11
+    (section,) = report(sized).sections
+    (pictures,) = [block for block in section.blocks if isinstance(block, Charts)]
+    assert "is sized" in told(section) and len(pictures.charts) == 11
     by_rate = figures(study(FAST | {"spring": {"preload": "1.1 N*m"}}))
     assert by_rate["contact_force_min"] == pytest.approx(5.0, rel=1e-7) and by_rate["spring_rate_min"] > 0
 
@@ -112,7 +115,8 @@ def test_a_groove_bears_on_both_flanks() -> None:
     highest = max(pressure(wanted, 10e-3, second=side).highest.value for side in (False, True))
     assert found["hertz_pressure_max"] == pytest.approx(highest)
     assert not {"lift_off_speed", "spring_preload_min", "spring_rate_min"} & found.keys()
-    assert any("45 deg, 307.5 deg" in text for text in cam_page(outcome)["cam"]["sentences"])
+    (section,) = report(outcome).sections
+    assert "45 deg, 307.5 deg" in told(section)
 
 
 def test_what_is_wrong_is_said_at_once() -> None:

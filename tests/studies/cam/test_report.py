@@ -16,14 +16,17 @@ from click.testing import CliRunner
 
 import linkwright as lw
 from helpers.heat_seal import NC, heat_seal, performed
+from helpers.shown import blocks
 from linkwright.app.job import Job
 from linkwright.cli import cli
 from linkwright.formulas.evaluate import value
 from linkwright.model.document import parse_document
+from linkwright.presentation.blocks import Charts
 from linkwright.report.build import report_data
 from linkwright.report.page import page
 from linkwright.studies.cam.files import FILES
 from linkwright.studies.cam.outcome import CamOutcome
+from linkwright.studies.cam.report import report
 
 
 @pytest.fixture(scope="module")
@@ -117,10 +120,12 @@ def test_summary_and_page(job: Job, outcome: CamOutcome) -> None:
     ElementTree.fromstring(str(FILES["cam.svg"](outcome)))
     assert job.examined.document is not None
     data = report_data(job.examined.document, job.outcomes)
-    assert len(data["cam"]["charts"]) == 11
-    for chart in data["cam"]["charts"]:
-        ElementTree.fromstring(chart["drawing"])
+    (pictures,) = blocks(report(outcome), Charts)
+    assert len(pictures.charts) == 11
     text = page(data)
+    for chart in pictures.charts:
+        ElementTree.fromstring(chart.drawing)
+        assert chart.drawing in text
     assert '<section id="cam">' in text and "animateTransform" in text
 
 

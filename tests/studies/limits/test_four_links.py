@@ -10,10 +10,12 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from helpers.compiled import compiled_from
+from helpers.shown import blocks, tables
+from linkwright.presentation.blocks import Table
 from linkwright.structure.loops import loops_of_four
 from linkwright.studies.limits.four_links import FourLinks, four_links
 from linkwright.studies.limits.ranges import ranges
-from linkwright.studies.limits.report import limits_entry, limits_tables
+from linkwright.studies.limits.report import report
 from studies.models import CRANK, UNITS, four_bar, job_of, slider_crank
 
 ANGLES = np.exp(1j * np.linspace(0, 2 * np.pi, 2001))
@@ -92,9 +94,9 @@ def test_a_change_point_is_told_alike_in_both_tables() -> None:
     drives = {"motor": {**CRANK, "start": "70 deg"}}
     job = job_of(four_bar(50, 100, 50, 100, drives=drives, studies={"limits": {}}))
     assert job.limits is not None
-    tables = {grid["name"]: grid["rows"] for grid in limits_tables(limits_entry(job.limits)["limits"])}
-    assert tables["ranges"][0][-1] == "Turns fully, through change points."
-    assert tables["four_links"][0][1:3] == ["change-point", "rocker, crank, through change points"]
+    shown = tables(blocks(report(job.limits), Table))
+    assert shown["ranges"][0][-1] == "Turns fully, through change points."
+    assert shown["four_links"][0][1:3] == ["change-point", "rocker, crank, through change points"]
 
 
 @pytest.mark.parametrize("driven", [True, False])

@@ -18,7 +18,7 @@ from linkwright.studies.limits.outcome import LimitsOutcome, Stretch
 from linkwright.studies.limits.ranges import Range
 from studies.models import UNITS, codes, four_bar, job_of, refused, slider_crank
 
-EXAMPLES = Path(__file__).parents[2] / "examples"
+EXAMPLES = Path(__file__).parents[3] / "examples"
 MM, DEG = 1e-3, np.pi / 180
 
 

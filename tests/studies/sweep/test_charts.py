@@ -5,29 +5,13 @@ from __future__ import annotations
 import re
 from typing import Any
 
-import pytest
-
 import linkwright as lw
-from linkwright.drawing.charts import ticks
 from linkwright.studies.sweep.charts import charts
 from studies.models import CRANK, four_bar, slider_crank
 
 
-@pytest.mark.parametrize(
-    ("low", "high", "count", "expected"),
-    [
-        (0.0, 1.5, 6, [0.0, 0.5, 1.0, 1.5]),
-        (-48.4, 669.6, 5, [0, 200, 400, 600]),
-        (73.66, 73.89, 6, [73.7, 73.75, 73.8, 73.85]),
-        (-1e-7, 1e-7, 4, [-1e-7, -5e-8, 0, 5e-8, 1e-7]),
-    ],
-)
-def test_ticks_are_round_numbers(low: float, high: float, count: int, expected: list[float]) -> None:
-    assert ticks(low, high, count) == pytest.approx(expected, abs=1e-12 * (high - low))
-
-
 def drawn(data: dict[str, Any], *given: Any, **options: Any) -> list[str]:
-    return [chart["drawing"] for chart in charts(lw.sweep(lw.Document.model_validate(data), *given, **options))]
+    return [chart.drawing for chart in charts(lw.sweep(lw.Document.model_validate(data), *given, **options))]
 
 
 def test_a_band_has_gaps_where_no_sample_has_a_value() -> None:

@@ -16,7 +16,7 @@ from linkwright.studies import SweepOutcome
 from linkwright.studies.sample_work import SampleWork
 from studies.models import slider_crank
 
-EXAMPLES = Path(__file__).parents[2] / "examples"
+EXAMPLES = Path(__file__).parents[3] / "examples"
 VARY = {"r": {"normal": 50, "sigma": 0.5}, "l": {"uniform": [150, 170]}}
 MANY: dict[str, Any] = {"vary": VARY, "outputs": ["stroke", "C.x", "motor.torque"], "samples": 4500, "poses": 30}
 

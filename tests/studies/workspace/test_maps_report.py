@@ -54,7 +54,7 @@ def pixels(drawing: str) -> tuple[np.ndarray, np.ndarray]:
 def test_the_picture_shows_the_closed_form(job: Job) -> None:
     assert job.workspace is not None
     (chart,) = quality_charts(job.workspace)
-    drawing = chart["drawing"]
+    drawing = chart.drawing
     colours, palette = pixels(drawing)
     assert len(palette) == 3  # below 500, up to 1000, above
     x, y = (np.linspace(-(A + B), A + B, n) for n in colours.shape[::-1])
@@ -78,7 +78,7 @@ def test_lines_are_circles(job: Job) -> None:
     assert job.workspace is not None
     (chart,) = quality_charts(job.workspace)
     radii = []
-    for text in re.findall(r'class="line" points="([^"]+)"', chart["drawing"]):
+    for text in re.findall(r'class="line" points="([^"]+)"', chart.drawing):
         at = np.array([[float(v) for v in place.split(",")] for place in text.split()])
         middle = (at.max(axis=0) + at.min(axis=0)) / 2
         away = np.hypot(*(at - middle).T)

@@ -12,13 +12,15 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
+from helpers.shown import blocks, heads, rows
 from helpers.workspaces import arm, five_bar, four_bar, performed
 from linkwright.app.job import Job
+from linkwright.presentation.blocks import Charts
 from linkwright.report.build import report_data
 from linkwright.report.page import page
 from linkwright.studies.workspace.certificate import Certificate, Fault
 from linkwright.studies.workspace.files import boundary_csv, dxf, geojson, svg
-from linkwright.studies.workspace.report import workspace_page, workspace_tables
+from linkwright.studies.workspace.report import report, workspace_tables
 
 
 @pytest.fixture(scope="module")
@@ -58,7 +60,7 @@ def test_what_is_proven_of_a_region_is_in_the_summary_and_the_table(job: Job) ->
     assert low < area < high and high - low < 2e-3 * area
     assert job.workspace is not None
     table = workspace_tables(job.workspace)[0]
-    row = dict(zip(table["heads"], table["rows"][0], strict=True))
+    row = dict(zip(heads(table), rows(table)[0], strict=True))
     assert "Unit" not in row
     assert row["Area"] == f"{region['area']:.7g} mm²"
     assert row["Lies between"] == f"{low:.7g} .. {high:.7g} mm²"
@@ -95,7 +97,7 @@ def test_what_is_not_proven_is_said_in_the_table(
     reached = replace(one.regions[0], region=replace(one.regions[0].region, certificate=certificate))
     changed = replace(job.workspace, workspaces=[replace(one, regions=(reached,))])
     table = workspace_tables(changed)[0]
-    row = dict(zip(table["heads"], table["rows"][0], strict=True))
+    row = dict(zip(heads(table), rows(table)[0], strict=True))
     found = [row[head] for head in ("Lies between", "Parts", "Holes", "Grade")]
     assert found == [within, parts, holes, grade]
 
@@ -191,8 +193,8 @@ def test_where_nothing_is_reached_there_is_no_picture() -> None:
     job = performed(five_bar(**{"for": {"base": [100, 200]}}, trajectories={}, quality={"steps": 10}))
     assert job.workspace is not None
     assert job.workspace.workspaces == [] and svg(job.workspace) is None
-    data = workspace_page(job.workspace)["workspace"]
-    assert (data["charts"], data["sliders"]) == ([], [])
+    (pictures,) = blocks(report(job.workspace), Charts)
+    assert (pictures.charts, pictures.sliders) == ([], [])
 
 
 def test_one_value_of_several_at_which_the_links_close_has_no_slider() -> None:

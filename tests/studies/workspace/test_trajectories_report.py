@@ -5,18 +5,19 @@ from __future__ import annotations
 import csv
 import io
 import re
-from typing import Any
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from helpers.shown import blocks, heads, rows
 from helpers.workspaces import arm, five_bar, performed
 from linkwright.app.job import Job
 from linkwright.drawing.plane import Plane
+from linkwright.presentation.blocks import Charts
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
-from linkwright.studies.workspace.report import workspace_page
+from linkwright.studies.workspace.report import report
 from linkwright.studies.workspace.trajectories_report import (
     trajectories_charts,
     trajectories_csv,
@@ -50,13 +51,13 @@ def placed(text: str) -> list[NDArray[np.float64]]:
 
 
 def test_the_csv_holds_places_on_both_couplers(outcome: WorkspaceOutcome) -> None:
-    rows = [*csv.DictReader(io.StringIO(trajectories_csv(outcome) or ""))]
-    assert [*rows[0]] == ["l [mm]", "mode", "servo [deg]", "stretch", "motor [deg]", "x [mm]", "y [mm]"]
+    lines = [*csv.DictReader(io.StringIO(trajectories_csv(outcome) or ""))]
+    assert [*lines[0]] == ["l [mm]", "mode", "servo [deg]", "stretch", "motor [deg]", "x [mm]", "y [mm]"]
     names = ("l [mm]", "servo [deg]", "motor [deg]", "x [mm]", "y [mm]")
-    length, servo, motor, x, y = (np.array([float(row[name]) for row in rows]) for name in names)
+    length, servo, motor, x, y = (np.array([float(row[name]) for row in lines]) for name in names)
     for pin in (10 * np.exp(1j * np.radians(motor)), 10 + 10 * np.exp(1j * np.radians(servo))):
         assert np.abs(np.abs(x + 1j * y - pin) - length).max() < 1e-9
-    assert {row["mode"] for row in rows} == {"C: left of B-D", "C: right of B-D"}
+    assert {row["mode"] for row in lines} == {"C: left of B-D", "C: right of B-D"}
     assert {*np.round(servo, 9).tolist()} <= {*np.arange(0.0, 360, 30).tolist()}
     assert {*length.tolist()} == {11, 12}
 
@@ -64,18 +65,18 @@ def test_the_csv_holds_places_on_both_couplers(outcome: WorkspaceOutcome) -> Non
 def test_the_table_and_the_sentence(outcome: WorkspaceOutcome, job: Job) -> None:
     (table,) = trajectories_tables(outcome)
     entries = job.summary["workspace"]["trajectories"]
-    assert len(table["rows"]) == len(entries) == 4
-    assert table["heads"][:2] == ["l", "Mode"] and "Full range of motor at" in table["heads"]
-    assert table["rows"][0][3:6] == ["0 .. 330", "deg", f"{entries[0]['assembled']}/12"]
-    assert "12 constant values of servo" in trajectories_sentences(outcome)[0]
+    assert len(table.rows) == len(entries) == 4
+    assert heads(table)[:2] == ["l", "Mode"] and "Full range of motor at" in heads(table)
+    assert rows(table)[0][3:6] == ["0 .. 330", "deg", f"{entries[0]['assembled']}/12"]
+    assert "12 constant values of servo" in str(trajectories_sentences(outcome)[0])
 
 
 def test_pictures_of_a_mode_have_the_same_axes_and_all_lie_in_their_region(outcome: WorkspaceOutcome) -> None:
     charts = trajectories_charts(outcome)
-    assert [chart.get("step") for chart in charts] == [(0,), (0,), (1,), (1,)]
+    assert [chart.step for chart in charts] == [(0,), (0,), (1,), (1,)]
     stacks: dict[str, list[str]] = {}
     for chart in charts:
-        stacks.setdefault(chart.get("stack", ""), []).append(chart["drawing"])
+        stacks.setdefault(str(chart.stack), []).append(chart.drawing)
     for drawings in stacks.values():
         axes = {re.search(r'<path class="grid" d="([^"]+)"', drawing).group(1) for drawing in drawings}  # type: ignore[union-attr]
         assert len(drawings) == 2 and len(axes) == 1
@@ -84,7 +85,7 @@ def test_pictures_of_a_mode_have_the_same_axes_and_all_lie_in_their_region(outco
 def test_lines_lie_where_the_point_goes(outcome: WorkspaceOutcome) -> None:
     """Each place of the picture, back in mm by the numbers at its axes, lies 12 mm from the held crank's end."""
     chart = trajectories_charts(outcome)[2]
-    root = ElementTree.fromstring(chart["drawing"])
+    root = ElementTree.fromstring(chart.drawing)
     space = "{http://www.w3.org/2000/svg}"
     texts = [(t.text.replace("−", "-"), t) for t in root.iter(f"{space}text") if t.text and t.text[-1].isdigit()]
     along = [(float(text), float(t.get("x", ""))) for text, t in texts if t.get("text-anchor") == "middle"]
@@ -132,9 +133,9 @@ def test_many_trajectories_are_thinned() -> None:
 def test_a_mechanism_without_other_values_has_no_slider() -> None:
     job = performed(arm(trajectories={"steps": 4}))
     assert job.workspace is not None
-    data: dict[str, Any] = workspace_page(job.workspace)["workspace"]  # type: ignore[assignment]
-    assert data["sliders"] == [] and len(data["charts"]) == 2
-    assert trajectories_charts(job.workspace)[0].get("step") == ()
+    (pictures,) = blocks(report(job.workspace), Charts)
+    assert pictures.sliders == [] and len(pictures.charts) == 2
+    assert trajectories_charts(job.workspace)[0].step == ()
 
 
 def test_marks_are_round() -> None:
