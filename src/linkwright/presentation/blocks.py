@@ -229,8 +229,8 @@ File = str | bytes | None
 
 @dataclass(frozen=True)
 class FileOf:
-    """How a file is made of an outcome. ``option`` of the command speaks of it: without it, one that has to be ``asked``
-    for isn't written, any other only where the package that it ``needs`` (with the extra that brings it) is there."""
+    """How a file is made of an outcome. ``option`` of the command speaks of it: without it, one that has to be
+    ``asked`` for isn't written, any other only where the package that it ``needs`` (with its extra) is there."""
 
     make: Callable[[Any], File]
     option: str = ""

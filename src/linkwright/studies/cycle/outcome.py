@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from linkwright.findings import Finding
 from linkwright.measures import MeasureResult
 from linkwright.results import Result
+from linkwright.studies.cycle.overview import Overview, overview
 
 
 @dataclass
@@ -16,6 +18,14 @@ class CycleOutcome:
     result: Result
     measures: list[MeasureResult] = field(default_factory=list)
     warnings: list[Finding] = field(default_factory=list)
+
+    @cached_property
+    def overview(self) -> Overview | None:
+        """What the run comes to, where the file has no measures and the motion could be followed."""
+        certificate = self.result.certificate
+        if self.measures or self.failures or certificate is None:
+            return None
+        return overview(self.result.run, certificate.equilibrium is not None)
 
     @property
     def failures(self) -> list[Finding]:

@@ -21,7 +21,6 @@ from linkwright.kernels.laws import values_at
 from linkwright.model.places import Path
 from linkwright.presentation.blocks import StudyReport
 from linkwright.results import Run
-from linkwright.structure import FRAME
 from linkwright.studies.asked import name_faults, unit_faults
 from linkwright.studies.cycle.options import CycleOptions, beside, span
 from linkwright.studies.drive_sweep import Sweep
@@ -32,6 +31,7 @@ from linkwright.studies.limits.outcome import DriveLimits, LimitsOutcome, Stretc
 from linkwright.studies.limits.ranges import Range, ranges
 from linkwright.studies.limits.report import report
 from linkwright.studies.numbers import interval
+from linkwright.studies.output_signals import output_signals
 from linkwright.studies.registry import Command, Study, register
 from linkwright.studies.site import NOWHERE, Site
 
@@ -148,23 +148,9 @@ def _too_far(run: Run) -> Iterator[Finding]:
             yield Finding("study.long-motion", ("studies", "cycle"), data)
 
 
-def outputs(compiled: Compiled) -> list[str]:
-    """The angles of all links hinged on the frame and the travels of all slides, but those that a drive holds."""
-    m, topology = compiled.mechanism, compiled.structure.topology
-    moved = {name: m.prescribed(name) for name in m.movers}
-    driven = {topology.driven(name)[0].joint: {drive.link, drive.on} for name, drive in moved.items()}
-    found = []
-    for pin in topology.pins.values():
-        if FRAME in pin.links:
-            held = driven.get(pin.name, set())
-            found += [f"{link}.angle" for link in pin.links if link != FRAME and {link, FRAME} != held]
-    found += [f"{name}.s" for name, _ in m.prismatic_joints() if name not in driven]
-    return list(dict.fromkeys(found))
-
-
 def _wanted(compiled: Compiled, options: LimitsOptions) -> Signals:
     quantities = compiled.quantities
-    texts = dict.fromkeys([*outputs(compiled), *(signal.text for signal in options.signals)])
+    texts = dict.fromkeys([*output_signals(compiled), *(signal.text for signal in options.signals)])
     return {
         text: (quantities.bind(Expression(text), None), quantities.dimensions.dimension(parse(text))) for text in texts
     }

@@ -22,6 +22,7 @@ REPORT: dict[str, str] = {
     "report.made_with": "Made with linkwright {version}",
     "report.meaning": "What it says",
     "report.measure": "Measure",
+    "report.overview": "Overview",
     "report.measures": "Measures",
     "report.mechanism": "Mechanism",
     "report.mend": "Mend",

@@ -1,0 +1,123 @@
+"""What a cycle without measures shows: strokes and swings, efforts and powers, reactions, transmission angles."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from linkwright.expressions.fields import Expression
+from linkwright.expressions.language import parse
+from linkwright.expressions.units import ANGLE, TIME, Dimension
+from linkwright.measures.probe import Peak, Probe, Search
+from linkwright.results import Run
+from linkwright.results.windows import intervals
+from linkwright.studies.limits.extremes import Transmission, transmission
+from linkwright.studies.output_signals import output_signals
+
+
+@dataclass(frozen=True)
+class Extent:
+    """An expression over a run: its smallest and largest value, and the root of its mean square (SI)."""
+
+    text: str
+    dimension: Dimension
+    low: Peak
+    high: Peak
+    rms: float
+
+    @property
+    def peak(self) -> Peak:
+        """The value of the largest magnitude."""
+        return max(self.low, self.high, key=lambda peak: abs(peak.value))
+
+
+@dataclass(frozen=True)
+class Overview:
+    """What a run comes to: its outputs; of each drive effort and power; of each contact, by joint and two links, the
+    magnitude of its force; the transmission angles of its dyads. Without masses and loads there are no forces."""
+
+    outputs: tuple[Extent, ...]
+    drives: Mapping[str, tuple[Extent, Extent]]
+    reactions: Mapping[tuple[str, str, str], Extent]
+    transmission: tuple[Transmission, ...]
+
+
+def overview(run: Run, forces: bool) -> Overview:
+    """The overview of a run that could be followed; ``forces`` says whether any act."""
+    quantities, drives = run.compiled.quantities, run.compiled.mechanism.drives
+    outputs = output_signals(run.compiled)
+    efforts = {name: (f"{name}.{drives[name].effort}", f"{name}.power") for name in run.compiled.graph.motors}
+    reactions = dict(_reactions(run)) if forces else {}
+    texts = [*outputs, *(text for pair in efforts.values() if forces for text in pair), *reactions.values()]
+    trees = {text: quantities.bind(Expression(text), None) for text in texts}
+    search = Search(run, [*trees.values()])
+
+    def extent(text: str) -> Extent:
+        probe = Probe(search, trees[text], intervals(run, None))
+        square = probe.mean(2).value
+        dimension = quantities.dimensions.dimension(parse(text))
+        return Extent(text, dimension, probe.bottom(), probe.top(), float(np.sqrt(max(square, 0.0))))
+
+    return Overview(
+        tuple(map(extent, outputs)),
+        {name: (extent(effort), extent(power)) for name, (effort, power) in efforts.items() if forces},
+        {key: extent(text) for key, text in reactions.items()},
+        tuple(transmission(run)),
+    )
+
+
+def _reactions(run: Run) -> Iterator[tuple[tuple[str, str, str], str]]:
+    """The magnitude of each contact's force, one way round, by joint and links."""
+    signals, seen = run.compiled.quantities.signals, set[frozenset[str]]()
+    between = [frozenset((contact.link, contact.on)) for contact in signals.contacts]
+    for contact, pair in zip(signals.contacts, between, strict=True):
+        if (both := pair | {contact.joint}) in seen:
+            continue
+        seen.add(both)
+        several = between.count(pair) > 2  # two links that meet in several joints: each is named
+        where = f", {contact.joint}" if several else ""
+        name = f"force({contact.link}, {contact.on}{where})"
+        yield (contact.joint, contact.link, contact.on), f"hypot({name}.x, {name}.y)"
+
+
+def overview_entry(found: Overview, run: Run) -> dict[str, Any]:
+    """What ``summary.json`` says of it, in the file's units; ``null`` for what is unbounded."""
+    quantities = run.compiled.quantities
+    time_unit, second = quantities.unit_of(TIME)
+    degree, size_of_angle = quantities.unit_of(ANGLE)
+
+    def number(value: float, size: float) -> float | None:
+        return value / size if np.isfinite(value) else None
+
+    def place(peak: Peak, size: float) -> dict[str, Any]:
+        return {"value": number(peak.value, size), "at": peak.time / second}
+
+    def told(extent: Extent) -> dict[str, Any]:
+        unit, size = quantities.unit_of(extent.dimension)
+        ends = {"min": place(extent.low, size), "max": place(extent.high, size)}
+        return {**ends, "rms": number(extent.rms, size), "unit": unit, "at_unit": time_unit}
+
+    def largest(extent: Extent) -> dict[str, Any]:
+        unit, size = quantities.unit_of(extent.dimension)
+        return {**place(extent.peak, size), "rms": number(extent.rms, size), "unit": unit, "at_unit": time_unit}
+
+    return {
+        "outputs": {one.text: told(one) for one in found.outputs},
+        "drives": {name: {"effort": largest(a), "power": largest(b)} for name, (a, b) in found.drives.items()},
+        "reactions": [
+            {"joint": joint, "links": [link, on], **largest(one)} for (joint, link, on), one in found.reactions.items()
+        ],
+        "transmission": [
+            {
+                "group": one.group,
+                "least": one.angle / size_of_angle,
+                "unit": degree,
+                "at": None if one.time is None else one.time / second,
+                "at_unit": time_unit,
+            }
+            for one in found.transmission
+        ],
+    }
