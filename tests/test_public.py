@@ -22,6 +22,7 @@ from linkwright.groups.dyad import register as register_group
 from linkwright.kernels import KERNELS
 from linkwright.kernels.registry import register as register_kernel
 from linkwright.studies import STUDIES
+from linkwright.studies.registry import Study
 from linkwright.studies.registry import register as register_study
 
 PUBLIC = [
@@ -142,8 +143,20 @@ def test_a_kernel_registers_once(name: str) -> None:
 def test_a_study_registers_once(name: str) -> None:
     before = dict(STUDIES)
     with pytest.raises(ValueError, match=name):
-        register_study(type("Second", (), {"name": name}))
+        register_study(type("Second", (type(STUDIES[name]),), {}))
     assert before == STUDIES
+
+
+@pytest.mark.parametrize("missing", ["run", "report"])
+def test_a_study_runs_and_says_what_it_found(missing: str) -> None:
+    """Nothing is a study that can't be performed or of which nothing can be shown."""
+    both = {"run": lambda *given: None, "report": lambda *given: None}
+    assert type("Whole", (Study,), {"name": "whole", **both})()
+    del both[missing]
+    before = dict(STUDIES)
+    with pytest.raises(TypeError, match=missing):
+        register_study(type("Half", (Study,), {"name": "half", **both}))
+    assert before == STUDIES and all(isinstance(study, Study) for study in STUDIES.values())
 
 
 @pytest.mark.parametrize("name", TARGETS)
@@ -166,9 +179,10 @@ def test_a_registered_name_stands_on_its_class(registry: dict[str, Any], key: st
 # Imports go down only.
 
 LEVELS = {
-    **dict.fromkeys(("_version", "escape", "interrupts", "notation", "words", "gallery"), 0),
+    **dict.fromkeys(("_version", "escape", "interrupts", "notation", "plugins", "words", "gallery"), 0),
     **dict.fromkeys(("findings", "laws", "tolerances"), 1),
-    **dict.fromkeys(("_machine", "expressions"), 2),
+    **dict.fromkeys(("_machine", "expressions", "presentation"), 2),
+    "drawing": 2.5,
     "elements": 3,
     "model": 4,
     **dict.fromkeys(("formulas", "groups"), 4.5),
@@ -188,10 +202,12 @@ LEVELS = {
 }
 # The side floors know of nothing but what is named here.
 SIDES = {
-    **{side: set[str]() for side in ("_version", "escape", "interrupts", "notation", "words", "gallery")},
+    **{side: set[str]() for side in ("_version", "escape", "interrupts", "notation", "plugins", "words", "gallery")},
     "findings": {"escape", "words"},
     "laws": {"notation"},
     "tolerances": {"notation"},
+    "presentation": {"_version", "escape", "findings", "words"},
+    "drawing": {"escape", "findings", "presentation"},
 }
 
 

@@ -1,4 +1,4 @@
-"""What the package's source says about its texts: codes of findings and keys, and the data each call site gives them."""
+"""What the package's source says about its texts: codes of findings, keys, and the data each call site gives them."""
 
 from __future__ import annotations
 

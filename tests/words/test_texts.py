@@ -1,4 +1,4 @@
-"""Texts are words only where they are shown: their keys are there, they get the data that they ask for, all are used."""
+"""Texts become words only where they are shown: their keys are there, they get the data they ask for, all are used."""
 
 from __future__ import annotations
 

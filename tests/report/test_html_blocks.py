@@ -1,0 +1,95 @@
+"""Blocks as HTML: what each kind becomes, texts escaped once, nothing of what is empty."""
+
+from __future__ import annotations
+
+from xml.etree import ElementTree
+
+import pytest
+
+from linkwright.findings import Said
+from linkwright.presentation.blocks import (
+    Block,
+    Bullets,
+    Card,
+    Cards,
+    Chart,
+    Charts,
+    Check,
+    Checks,
+    Copied,
+    Measure,
+    Measures,
+    MeasureValue,
+    Number,
+    Section,
+    Sentences,
+    Slider,
+    Table,
+)
+from linkwright.report.html_blocks import html, section
+
+HOSTILE = "<img src=x>&\"'"
+SVG = "<svg/>"
+HOSTILES: list[tuple[Block, int]] = [
+    (Sentences([HOSTILE]), 1),
+    (Bullets([HOSTILE]), 1),
+    (Table("one", HOSTILE, [HOSTILE], [[HOSTILE], [Number(None, unknown=HOSTILE)]]), 6),  # heads stand by cells too
+    (Charts([Chart(HOSTILE, lambda: SVG)]), 1),
+    (Charts([Chart("", lambda: SVG, HOSTILE, (0,))], [Slider(HOSTILE, [HOSTILE, "2 mm"], 0)]), 4),
+    (Copied(HOSTILE, HOSTILE), 2),
+    (Cards("assembly", ("", "", ""), [Card(HOSTILE, HOSTILE, lambda: SVG, [HOSTILE], "")]), 3),
+    (Cards("assembly", ("", "", ""), [Card("", "", lambda: SVG, [], HOSTILE)]), 1),
+    (Measures([Measure(HOSTILE, HOSTILE, [MeasureValue(HOSTILE, 1.0, "", HOSTILE, HOSTILE)], "", HOSTILE, True)]), 6),
+    (Measures([Measure("", "", [MeasureValue(text=HOSTILE)], HOSTILE, None, None)]), 2),
+    (Checks([Check(HOSTILE, HOSTILE, HOSTILE, ok=True)], [HOSTILE]), 4),
+]
+
+
+@pytest.mark.parametrize(("block", "least"), HOSTILES, ids=lambda given: type(given).__name__)
+def test_texts_are_escaped_once(block: Block, least: int) -> None:
+    """Read back, they are what they were: as texts of elements, or as attributes."""
+    root = ElementTree.fromstring(f"<div>{html(block).replace(' hidden', '')}</div>")
+    assert not [*root.iter("img")]
+    attributes = [value for element in root.iter() for value in element.attrib.values()]
+    assert sum(text.count(HOSTILE) for text in [*root.itertext(), *attributes]) >= least
+    assert not any("&lt;" in text or "&amp;" in text for text in [*root.itertext(), *attributes])
+
+
+def test_every_kind_of_block_is_tried() -> None:
+    assert {type(block) for block, _ in HOSTILES} == {*Block.__args__}
+
+
+def test_a_section_has_its_heading_and_what_is_filled() -> None:
+    blocks = [Sentences([]), Sentences(["One."]), Table("one", "Title", ["a"], []), Bullets(["two"])]
+    text = section(Section("limits", blocks))
+    heading = str(Said("report.limits"))
+    assert text == f'<section id="limits"><h2>{heading}</h2><p>One.</p><ul><li>two</li></ul></section>'
+    assert section(Section("limits", [Sentences([]), Table("one", "Title", ["a"], [])])) == ""
+
+
+def test_details_and_notes_stand_on_the_page() -> None:
+    assert (
+        html(Sentences(["One.", "Two."], note=True, detail=True)) == '<p class="note">One.</p><p class="note">Two.</p>'
+    )
+
+
+def test_cells_bear_their_heads_and_lines() -> None:
+    table = html(Table("one", "Title", ["a", "b"], [["x\ny", Number(2.5, unit="mm")]]))
+    assert '<td data-head="a">x<br>y</td><td data-head="b">2.5 mm</td>' in table
+    assert "<h3>Title</h3>" in table and 'class="limits"' in table
+    wide = Table("one", "Title", [str(i) for i in range(8)], [[str(i) for i in range(8)]])
+    assert 'class="limits wide"' in html(wide)
+
+
+def test_a_card_has_lines_for_the_file_or_says_that_there_are_none() -> None:
+    with_lines = Card("First", "own", lambda: SVG, ["B: left of A-C"], "can't be told")
+    text = html(Cards("assembly", ("", "", ""), [with_lines, Card("Second", "", lambda: SVG, [], "unknown")]))
+    assert text.count(SVG) == 2
+    assert "<pre>assembly:\n  B: left of A-C</pre>" in text and "<pre>unknown</pre>" in text
+
+
+def test_measures_read_without_colour() -> None:
+    values = [MeasureValue("min", -41.23456, grade="sampled"), MeasureValue("max", None, grade="sampled")]
+    text = html(Measures([Measure("force", "", values, "N*m", "<= 90 N", False), Measure("x", "", [], "", None, None)]))
+    assert "−41.2346" in text and "<b>–</b>" in text and "✗</span> not met" in text and "N·m" in text
+    assert text.count("sampled") == 1  # what is the same of both ends is said once

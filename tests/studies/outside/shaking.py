@@ -1,0 +1,119 @@
+"""A study of another package: the shaking force of a cycle, as a polar curve, and how much of it turns with the crank."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import partial
+from typing import Annotated, Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field
+
+from linkwright.drawing.charts import Axes
+from linkwright.expressions import units as u
+from linkwright.expressions.fields import Expression, Frozen
+from linkwright.expressions.typed_fields import Quantity
+from linkwright.findings import Finding, Said
+from linkwright.kernels import Compiled
+from linkwright.model.csv_text import cell, head, written
+from linkwright.presentation.blocks import Chart, Charts, FileOf, Number, Section, Sentences, StudyReport, Table
+from linkwright.results import Result, Run
+from linkwright.studies.numbers import constant
+from linkwright.studies.registry import Command, Setting, Study, register
+from linkwright.studies.site import Site
+
+PATH = ("studies", "shaking")
+
+
+class ShakingOptions(Frozen):
+    """Over which time, and at how many poses."""
+
+    over: Annotated[Expression, Quantity(u.TIME)] = Field(description="how long the force is looked at")
+    samples: int = Field(360, ge=8, le=100_000, description="equal steps")
+    kernel: str | None = Field(None, description="the kernel to compute with")
+
+
+@dataclass
+class ShakingOutcome:
+    """The force (N) at the times (s): (2, times)."""
+
+    compiled: Compiled
+    run: Run
+    kernel: str
+    force: NDArray[np.float64] = field(default_factory=lambda: np.zeros((2, 0)))
+    failures: list[Finding] = field(default_factory=list)
+    warnings: list[Finding] = field(default_factory=list)
+    done = True
+
+    @property
+    def result(self) -> Result:
+        """The motion, for a drawing."""
+        return Result(self.run)
+
+
+@register
+class Shaking(Study):
+    """The shaking force over a time."""
+
+    name = "shaking"
+    example = "{over: 1 s}"
+    options = ShakingOptions
+    command = Command([Setting("samples", ("samples",), low=8), Setting("kernel", ("kernel",))])
+    words = {
+        "en": {
+            "cli.study.shaking": "Look at the shaking force of a cycle.",
+            "report.shaking": "Shaking force",
+            "shaking.sentence": "Largest shaking force: {force} {unit} ({kernel} kernel).",
+            "shaking.table": "Harmonics of the shaking force",
+            "shaking.order": "Order",
+            "shaking.size": "Amplitude, {unit}",
+            "shaking.chart": "Shaking force over time",
+        }
+    }
+
+    def check(self, compiled: Compiled, options: ShakingOptions) -> list[Finding]:
+        """What is wrong with the time."""
+        return constant(compiled.quantities, options.over, u.TIME, (*PATH, "over"))[1]
+
+    def run(self, compiled: Compiled, options: ShakingOptions, site: Site) -> ShakingOutcome:
+        """Compute the force."""
+        stop = compiled.quantities.value(options.over, u.TIME)
+        run = Run(compiled, 0.0, stop, options.samples)
+        kernel = options.kernel or "numpy"
+        own = compiled.with_kernel(kernel) if hasattr(compiled, "with_kernel") else compiled
+        force = own.evaluate(["shaking.x", "shaking.y"], run.t)
+        return ShakingOutcome(compiled, run, kernel, np.asarray(force))
+
+    def report(self, outcome: ShakingOutcome) -> StudyReport:
+        """The largest force, its harmonics, a chart."""
+        unit, size = outcome.compiled.quantities.unit_of(u.FORCE)
+        x, y = outcome.force / size
+        whole = np.hypot(x, y)
+        largest = float(whole.max())
+        sizes = np.abs(np.fft.fft(x[:-1] + 1j * y[:-1]))[:4] / (x.size - 1)
+        told = Said("shaking.sentence", force=f"{largest:.6g}", unit=unit, kernel=outcome.kernel)
+        heads = [Said("shaking.order"), Said("shaking.size", unit=unit)]
+        rows = [[str(k), Number(float(value), 6)] for k, value in enumerate(sizes)]
+        title = Said("shaking.chart")
+        blocks = [
+            Sentences([told]),
+            Table("harmonics", Said("shaking.table"), heads, rows),
+            Charts([Chart(title, partial(_drawn, outcome.run.t, whole, title))]),
+        ]
+        summary = {"shaking": {"largest": largest, "unit": unit, "harmonics": sizes.tolist(), "kernel": outcome.kernel}}
+        return StudyReport([Section("shaking", blocks)], summary)
+
+
+def _drawn(t: Any, force: Any, title: Said) -> str:
+    axes = Axes((float(t[0]), float(t[-1])), (0.0, float(force.max())), title)
+    return axes.drawing([axes.line(t, force, "mean")], title)
+
+
+def _csv(outcome: ShakingOutcome) -> str:
+    unit, size = outcome.compiled.quantities.unit_of(u.FORCE)
+    rows = zip(outcome.run.t.tolist(), *(outcome.force / size).tolist(), strict=True)
+    return written([head("t", "s"), head("x", unit), head("y", unit)], (list(map(cell, row)) for row in rows))
+
+
+Shaking.files = {"shaking.csv": FileOf(_csv)}
