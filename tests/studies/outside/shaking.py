@@ -1,8 +1,8 @@
-"""A study of another package: the shaking force of a cycle, as a polar curve, and how much of it turns with the crank."""
+"""A study of another package: the shaking force over a time, with its harmonics."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Annotated, Any
 
@@ -59,6 +59,7 @@ class Shaking(Study):
     name = "shaking"
     example = "{over: 1 s}"
     options = ShakingOptions
+    files = {"shaking.csv": FileOf(lambda outcome: _csv(outcome))}
     command = Command([Setting("samples", ("samples",), low=8), Setting("kernel", ("kernel",))])
     words = {
         "en": {
@@ -81,8 +82,7 @@ class Shaking(Study):
         stop = compiled.quantities.value(options.over, u.TIME)
         run = Run(compiled, 0.0, stop, options.samples)
         kernel = options.kernel or "numpy"
-        own = compiled.with_kernel(kernel) if hasattr(compiled, "with_kernel") else compiled
-        force = own.evaluate(["shaking.x", "shaking.y"], run.t)
+        force = replace(compiled, kernel=kernel, _kernels={}).evaluate(["shaking.x", "shaking.y"], run.t)
         return ShakingOutcome(compiled, run, kernel, np.asarray(force))
 
     def report(self, outcome: ShakingOutcome) -> StudyReport:
@@ -114,6 +114,3 @@ def _csv(outcome: ShakingOutcome) -> str:
     unit, size = outcome.compiled.quantities.unit_of(u.FORCE)
     rows = zip(outcome.run.t.tolist(), *(outcome.force / size).tolist(), strict=True)
     return written([head("t", "s"), head("x", unit), head("y", unit)], (list(map(cell, row)) for row in rows))
-
-
-Shaking.files = {"shaking.csv": FileOf(_csv)}
