@@ -121,7 +121,8 @@ def test_measures_have_a_line_for_each_of_their_numbers(shown: Printed) -> None:
     assert "force min" in low and "t = 0.3 s" in low and "<= 90 N" in low and "NOT met" in low and "certified" in low
     assert high.split() == ["force", "max", "97.5", "N"]  # what is required stands on the first line
     assert str(Said("value.unbounded")) in far and none.split() == ["none", "-", "s"]
-    edges = {place(line, text)[1] for line, text in zip([stroke, low, high], ["680.2777", "-41.23456", "97.5"])}
+    numbers = zip((stroke, low, high), ("680.2777", "-41.23456", "97.5"), strict=True)
+    edges = {place(line, text)[1] for line, text in numbers}
     assert len(edges) == 1
 
 

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from helpers.heat_seal import NC, findings, heat_seal, performed
+from helpers.shown import heads, rows
 from linkwright.cam.nc.posts import Grbl, Post
 from linkwright.report.cam_shapes import cam_shapes
 from linkwright.studies.cam.charts import charts
@@ -28,10 +29,10 @@ def test_a_groove_and_what_is_written_of_it() -> None:
     assert all(one["written"] and one["lift_error"] < 2e-3 for one in entry.values())
     least, most = entry["fanuc"]["play_mm"]
     assert -4e-3 < least < most < 4e-3  # 2e-3 deg of an arm of 90 mm are 3 um on each flank
-    (table,) = [grid for grid in cam_tables(job.cam) if grid["name"] == "cam-nc"]
-    assert table["heads"].index("Play, mm") == table["heads"].index("Rest, mm") + 1
-    assert all(len(row) == len(table["heads"]) for row in table["rows"])
-    drawn = {chart["title"]: chart["drawing"] for chart in charts(job.cam)}
+    (table,) = [one for one in cam_tables(job.cam) if one.name == "cam-nc"]
+    assert heads(table).index("Play, mm") == heads(table).index("Rest, mm") + 1
+    assert [row[0] for row in rows(table)] == ["fanuc", "grbl"]
+    drawn = {str(chart.title): chart.drawing for chart in charts(job.cam)}
     assert drawn["The cutter's path"].count("<polygon") == 2 and "outer flank" in drawn["The cutter's path"]
     (error,) = [drawing for title, drawing in drawn.items() if "on both flanks" in title]
     assert error.count("<polyline") >= 4

@@ -18,15 +18,19 @@ import shapely
 from helpers.cams import closed_pair, pair
 from helpers.compiled import compiled_from
 from helpers.heat_seal import findings, performed
+from helpers.shown import blocks, rows
 from linkwright.app.job import Job
 from linkwright.cam.checks import undercut
 from linkwright.cam.disc import TURN
 from linkwright.cam.pairs import second as second_of
 from linkwright.model.document import load, plain
+from linkwright.presentation.blocks import Charts, Table
 from linkwright.report.build import report_data
+from linkwright.report.page import page
 from linkwright.results import Run
 from linkwright.studies.cam.files import FILES
 from linkwright.studies.cam.outcome import CamOutcome
+from linkwright.studies.cam.report import report
 
 EXAMPLE = Path(__file__).parents[3] / "examples" / "conjugate_cam.yaml"
 NC = {
@@ -114,11 +118,13 @@ def test_all_that_is_made_of_one_disc_is_made_of_both(job: Job, outcome: CamOutc
     assert entry["figures"]["between"]["value"] == pytest.approx(1.35)
     assert 0.03 <= told["size"]["base"] <= told["base"]
     assert job.examined.document is not None
-    data = report_data(job.examined.document, job.outcomes)
-    assert len(data["cam"]["charts"]) == 15  # two of the second disc's milling
-    for chart in data["cam"]["charts"]:
-        ElementTree.fromstring(chart["drawing"])
-    labels = [row[0] for table in data["cam"]["tables"] for row in table["rows"]]
+    shown, text = report(outcome), page(report_data(job.examined.document, job.outcomes))
+    (pictures,) = blocks(shown, Charts)
+    assert len(pictures.charts) == 15  # two of the second disc's milling
+    for chart in pictures.charts:
+        ElementTree.fromstring(chart.drawing)
+        assert chart.drawing in text
+    labels = [row[0] for table in blocks(shown, Table) for row in rows(table)]
     assert "grbl, second disc" in labels and "area within the profile, second disc" in labels
     picture = str(FILES["cam.svg"](outcome))
     assert picture.count('circle class="follower"') == 3 and 'class="profile second"' in picture  # rollers and pivot

@@ -157,7 +157,7 @@ def test_clearances_of_the_accuracy_study_count() -> None:
     assert 0.9995 * area < kept["area"] < area * 1.00001
     cosine = 1.7**2 / 2 - 1
     assert entry["precise"]["area"] == pytest.approx(np.pi * 4 * A * B * cosine, rel=2e-3)
-    told = " ".join(errors_sentences(job.workspace)) if job.workspace else ""
+    told = " ".join(map(str, errors_sentences(job.workspace))) if job.workspace else ""
     assert "a, b deviates within its limits" in told and "A 0.05 mm, B 0.02 mm" in told
     assert "any direction" in told and "radial clearance" in told and "guide" not in told
     # The worst case of the accuracy study itself: with tolerances and all joints in their worst directions.
@@ -177,7 +177,7 @@ def test_some_clearances_and_clearances_alone() -> None:
     (entry,) = job.summary["workspace"]["errors"]
     ends = [entry["maps"]["error worst"][end]["value"] for end in ("least", "greatest")]
     assert ends == pytest.approx([0.05, 0.05]) and entry["contributors"] == ["A"]
-    assert job.workspace is not None and "no dimension deviates" in " ".join(errors_sentences(job.workspace))
+    assert job.workspace is not None and "no dimension deviates" in " ".join(map(str, errors_sentences(job.workspace)))
 
 
 def test_clearances_stated_wrongly() -> None:

@@ -15,6 +15,7 @@ from click.testing import CliRunner
 from ruamel.yaml import YAML
 
 import linkwright as lw
+from helpers.shown import tables
 from helpers.workspaces import arm, findings, four_bar, performed
 from linkwright.app.job import Job
 from linkwright.cli import cli
@@ -102,11 +103,9 @@ def test_modes_and_values_are_told_apart_and_the_best_is_pasted(ring: Job) -> No
 
 def test_how_they_are_written(ring: Job) -> None:
     outcome = ring.outcomes["workspace"]
-    grids = {grid["name"]: grid for grid in workspace_tables(outcome)}
-    paths = grids["workspace-paths"]
-    assert all(len(row) == len(paths["heads"]) for row in paths["rows"])
-    assert [row[3] for row in paths["rows"]] == ["yes, the best", "not at u = 0 .. 1: outside by 14.57 mm"]
-    assert [row[1] for row in grids["workspace-drives"]["rows"]] == ["motor", "servo"]
+    shown = tables(workspace_tables(outcome))
+    assert [row[3] for row in shown["workspace-paths"]] == ["yes, the best", "not at u = 0 .. 1: outside by 14.57 mm"]
+    assert [row[1] for row in shown["workspace-drives"]] == ["motor", "servo"]
     head, rows = columns(laws_csv(outcome))
     assert head[:7] == ["path", "alpha [deg]", "mode", "t [s]", "u", "P.x [mm]", "P.y [mm]"]
     assert len(rows) == 41 and all(len(row) == len(head) for row in rows)

@@ -10,6 +10,7 @@ import shapely
 
 import linkwright as lw
 from helpers.compiled import compiled_from
+from helpers.shown import heads, rows
 from linkwright.model.document import parse_document
 from linkwright.studies.workspace import searched as module
 from linkwright.studies.workspace.certificate import SEARCHED
@@ -157,10 +158,10 @@ def test_what_has_no_inverse_in_closed_form_is_searched_for_and_says_so() -> Non
     assert not certificate.parts and not certificate.holes
     entry = workspace_entry(outcome)["workspace"]["regions"][0]["certificate"]
     assert entry["grade"] == SEARCHED and entry["area"] is None and entry["certified"] is False
-    sentences = workspace_sentences(outcome)
+    sentences = [*map(str, workspace_sentences(outcome))]
     assert say("workspace.searched", count=1) in sentences and say("workspace.certified") not in sentences
-    table = next(grid for grid in workspace_tables(outcome) if grid["name"] == "workspace-regions")
-    row = dict(zip(table["heads"], table["rows"][0], strict=True))
+    table = next(one for one in workspace_tables(outcome) if one.name == "workspace-regions")
+    row = dict(zip(heads(table), rows(table)[0], strict=True))
     assert row[say("workspace.column.within")] == "-" and row[say("workspace.column.grade")] == "searched"
     assert held(one.region.sheet, one.region.shape) > 0.999
 
