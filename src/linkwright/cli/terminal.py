@@ -12,12 +12,10 @@ from linkwright.presentation.blocks import (
     Block,
     Bullets,
     Cards,
-    Cell,
     Checks,
     Measure,
     Measures,
     MeasureValue,
-    Number,
     Section,
     Sentences,
     Table,
@@ -67,18 +65,12 @@ def _(block: Sentences | Bullets) -> None:
 
 @lines.register
 def _(block: Table) -> None:
-    columns = [*zip(*block.rows, strict=True)]
-    made = table(*block.heads, right=tuple(i for i, cells in enumerate(columns) if _numbers(cells)))
+    made = table(*block.heads, right=block.numeric)
     for row in block.rows:
         made.add_row(*(escape(str(cell)) for cell in row))
     out.print(f"[bold underline]{escape(str(block.title))}[/]")
     wide.print(made)
     out.print()
-
-
-def _numbers(cells: tuple[Cell, ...]) -> bool:
-    """Whether a column has numbers alone, whose units stand elsewhere."""
-    return all(isinstance(cell, Number) and not cell.unit for cell in cells)
 
 
 @lines.register

@@ -74,6 +74,12 @@ class Table:
     rows: Sequence[Sequence[Cell]]
     detail: bool = False
 
+    @property
+    def numeric(self) -> tuple[int, ...]:
+        """The columns that hold numbers alone, whose units stand elsewhere."""
+        columns = enumerate(zip(*self.rows, strict=True))
+        return tuple(i for i, cells in columns if all(isinstance(c, Number) and not c.unit for c in cells))
+
 
 @dataclass(frozen=True)
 class Chart:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Sequence
 from functools import singledispatch
 
 from linkwright.escape import markup
@@ -59,7 +59,7 @@ def _(block: Table) -> str:
     heads = [markup(head) for head in block.heads]
     rows = ([_lines(cell) for cell in row] for row in block.rows)
     kind = "limits wide" if len(heads) > WIDE else "limits"
-    return f"<h3>{markup(block.title)}</h3>{table(kind, heads, rows)}"
+    return f"<h3>{markup(block.title)}</h3>{table(kind, heads, rows, block.numeric)}"
 
 
 @html.register
@@ -113,8 +113,14 @@ def _measure(measure: Measure) -> Sequence[str]:
 @html.register
 def _(block: Checks) -> str:
     heads = (say(f"report.{head}") for head in ("check", "figure", "meaning", "verdict"))
+    passed, total = sum(check.ok for check in block.checks), len(block.checks)
+    line = mark(passed == total, say("report.summary_checks", ok=passed, total=total))
     after = "".join(f'<p class="note">{markup(remark)}</p>' for remark in block.remarks)
-    return table("certificate", heads, map(_check, block.checks)) + after
+    opened = " open" if passed < total else ""
+    return (
+        f"<details{opened}><summary>{line}</summary>"
+        f"{table('certificate', heads, map(_check, block.checks))}{after}</details>"
+    )
 
 
 def _check(check: Check) -> Sequence[str]:
@@ -123,14 +129,17 @@ def _check(check: Check) -> Sequence[str]:
     return (f"<b>{markup(check.name)}</b>", figure, markup(check.sentence), verdict)
 
 
-def table(kind: str, heads: Iterable[str], rows: Iterable[Sequence[str]]) -> str:
-    """A table of markup; each cell has its column's head besides, which narrow screens show instead of the heads."""
-    heads = list(heads)
+def table(kind: str, heads: Iterable[str], rows: Iterable[Sequence[str]], numeric: Container[int] = ()) -> str:
+    """A table of markup, its ``numeric`` columns set right; each cell has its column's head besides, which narrow
+    screens show instead of the heads."""
+    columns = [(' class="number"' if i in numeric else "", head) for i, head in enumerate(heads)]
     body = "".join(
-        "<tr>" + "".join(f'<td data-head="{head}">{cell}</td>' for head, cell in zip(heads, row, strict=True)) + "</tr>"
+        "<tr>"
+        + "".join(f'<td{of} data-head="{head}">{cell}</td>' for (of, head), cell in zip(columns, row, strict=True))
+        + "</tr>"
         for row in rows
     )
-    head = "".join(f'<th scope="col">{title}</th>' for title in heads)
+    head = "".join(f'<th scope="col"{of}>{title}</th>' for of, title in columns)
     return f'<table class="{kind}"><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>'
 
 
