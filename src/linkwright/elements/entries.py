@@ -11,6 +11,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cache
 from typing import Any, ClassVar
 
+from pydantic import BaseModel
+
 from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Context, Quantity
 from linkwright.expressions.units import Dimension
@@ -115,10 +117,18 @@ def load_plugins() -> None:
         point.load()
 
 
-def entry_for(section: str, keys: Iterable[Any], known: Iterable[str]) -> type[JointEntry] | type[ForceEntry] | None:
-    """The entry of a section whose kind is among the keys of what a file says; ``known`` are keys that speak of
-    none."""
-    entries, keys = ENTRIES[section], [*keys]
-    if not entries.keys() & keys and {*keys} - {*known}:
+def keys_of(entry: type[BaseModel]) -> set[str]:
+    """The keys of an entry as files have them."""
+    return {field.alias or name for name, field in entry.model_fields.items()}
+
+
+def stated(keys: Iterable[Any], usual: type[BaseModel]) -> dict[Any, type[BaseModel]]:
+    """The entries of the kinds, of any section, that the keys of one entry name; ``usual`` is that of no such key."""
+    keys, entries = {*keys}, [*ENTRIES.values()]
+
+    def found() -> dict[Any, type[BaseModel]]:
+        return {key: of[key] for of in entries for key in of if key in keys - keys_of(usual)}
+
+    if keys.difference(*map(keys_of, found().values() or [usual])):
         load_plugins()
-    return next((entries[key] for key in keys if key in entries), None)
+    return found()

@@ -147,6 +147,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "'{name}: {kind}': the kind of an entry is a key of its own.",
         "{near}",
     ),
+    "file.kinds": (
+        "An entry has one kind; here are keys of several: {keys}.",
+        "Keep the keys of one kind, and write an entry of its own for the other.",
+    ),
     "file.expected": (
         "Wanted here: {wanted}. Given: {given}.",
         "{hint}",
