@@ -92,7 +92,9 @@ class ForceEntry(Frozen):
         yield from ()
 
 
-SECTIONS = ("joints", "loads", "springs", "counterweights")
+NOUNS = {"loads": "load", "springs": "spring", "counterweights": "counterweight"}
+"""The sections of what acts on links, in the order in which it acts, and what one of each is called."""
+SECTIONS = ("joints", *NOUNS)
 """The sections of a file in which elements of several kinds stand."""
 ENTRIES: Mapping[str, Registry[type[JointEntry] | type[ForceEntry]]] = {section: Registry() for section in SECTIONS}
 """By section the entries that are chosen by a key, by the names of their kinds."""

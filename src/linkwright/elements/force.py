@@ -14,7 +14,7 @@ from typing import Any, ClassVar, Generic, Literal, NamedTuple, Protocol, TypeVa
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.entries import ForceEntry, make_known
+from linkwright.elements.entries import NOUNS, ForceEntry, make_known
 from linkwright.elements.joint import Applied, JointGeometry
 from linkwright.elements.mover import MoverReports
 from linkwright.expressions.dimensions import Wanted
@@ -28,10 +28,6 @@ from linkwright.notation.registry import Registry
 
 Array = NDArray[np.float64]
 E = TypeVar("E", bound=ForceEntry)
-
-NOUNS = {"loads": "load", "springs": "spring", "counterweights": "counterweight"}
-"""The sections in which such elements stand, in the order in which they act, and what one of each is called."""
-
 
 class Use(NamedTuple):
     """An expression that an entry stands for without a field that holds it: the key where it is told, what it is."""
@@ -153,7 +149,7 @@ class ForceKind(ABC, Generic[E]):
     name: ClassVar[str]
     """As files have it, where it isn't the usual one of its section; that of its term ``kind-NAME``."""
     section: ClassVar[str]
-    """Where its elements stand in a file: one of :data:`NOUNS`."""
+    """Where its elements stand in a file: one of :data:`~linkwright.elements.entries.NOUNS`."""
     entry: ClassVar[type[ForceEntry]]
     """What a file says of one."""
     usual: ClassVar[bool] = False

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from linkwright.elements.entries import NOUNS
 from linkwright.elements.follower import UnitEffort
-from linkwright.elements.force import NOUNS
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, signal_text
 from linkwright.expressions.units import Dimension
