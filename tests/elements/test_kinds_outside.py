@@ -188,6 +188,24 @@ def test_a_wrong_sign_fails_the_certificate(name: str, wrong: Done) -> None:
     assert "[motion.unproven]" in err
 
 
+HEADED = [(f"{link}.angle", f"{link}.heading") for link in ("bodies[link]", "a", "b", "c")]
+"""Takes directions in place of angles."""
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [(), [("    phased = True\n", "")], HEADED],
+    ids=["in what it fixes", "in its closure", "in its signal"],
+)
+def test_a_kind_that_asks_angles_without_saying_so_is_told_by_name(changes: Any, tmp_path: Path) -> None:
+    planted(tmp_path, "gear_on_carrier", ("    winds = True\n", ""), *changes)
+    (tmp_path / "model.yaml").write_text(json.dumps(studied(GEARS["on a link of a dyad"])), encoding="utf-8")
+    done = linkwright(tmp_path, "run", "model.yaml", "--out", "out")
+    assert done.returncode == 2, done.stderr
+    assert "joints.mesh: The kind of this joint, gears on a carrier, asks for the angle" in done.stderr
+    assert "winds = True" in done.stderr
+
+
 @pytest.mark.parametrize("name", CASES)
 def test_accuracy_has_the_derivatives_of_raw_geometry(name: str, done: Done, followed: Followed) -> None:
     """By the kind's own dimension, and by play across where it has any."""

@@ -29,6 +29,7 @@ from linkwright.notation.registry import Registry
 Array = NDArray[np.float64]
 E = TypeVar("E", bound=ForceEntry)
 
+
 class Use(NamedTuple):
     """An expression that an entry stands for without a field that holds it: the key where it is told, what it is."""
 

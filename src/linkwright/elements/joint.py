@@ -240,7 +240,8 @@ class JointKind(ABC):
     """Whether the pose in which it is drawn fixes constants of its closure (:meth:`phase`)."""
     winds: ClassVar[bool] = False
     """Whether it asks the angles of its links (``Body.angle``), over any number of turns: groups whose closed forms
-    know no more than the directions of such links are solved by Newton, which follows their angles."""
+    know no more than the directions of such links are solved by Newton, which follows their angles. A kind that asks an
+    angle without saying so is refused (``joint.winds``) where that isn't known."""
     plays: ClassVar[tuple[str, ...] | None] = None
     """What clearances in it say besides their size (``length``, ``centre``, ``in``); ``None`` where they are refused,
     as it isn't known where its links would rest."""

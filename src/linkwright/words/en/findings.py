@@ -1381,6 +1381,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The law of {drive} has no formula; it isn't written as text.",
         "Take its values from motion.csv.",
     ),
+    "joint.winds": (
+        "The kind of this joint, {kind}, asks for the angle of a link of which only the direction is known.",
+        "Its package has to state winds = True in the kind, so that angles are followed over whole turns.",
+    ),
     "joint.follower-output": (
         "{motor} can't be followed: its law is that of its output {output}.",
         "Name another drive as the motor, or give {motor} a law of its own.",
