@@ -35,7 +35,7 @@ Array = NDArray[np.float64]
 Made = TypeVar("Made")
 
 
-@dataclass
+@dataclass(repr=False)
 class Compiled:
     """A mechanism ready to run. ``laws`` gives each drive's value and rates (SI) at an array of times (s)."""
 
@@ -58,6 +58,10 @@ class Compiled:
         self.graph = Graph(self.quantities, self.structure)
         self.parameters = np.array([self.quantities.parameters[name] for name in self.graph.parameters])
         self._supplied()
+
+    def __repr__(self) -> str:
+        links, joints = len(self.mechanism.links), self.structure.topology.joint_count
+        return f"<{type(self).__name__} {self.mechanism.title!r}: links {links}, joints {joints}>"
 
     def kept(self, key: object, make: Callable[[], Made]) -> Made:
         """What others derive of it, made once for a key."""
