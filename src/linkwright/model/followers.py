@@ -31,9 +31,10 @@ def with_followers(m: Mechanism) -> tuple[Mechanism, list[Finding]]:
     found, faults = dict[str, Follower](), list[Finding]()
     if not (every := [*follower_entries(m)]):
         return m, faults
-    pinned = pins(m)
+    pinned, taken = pins(m), {*m.drives}
     for _, name, entry, kind in every:
-        made = _read(m, pinned, name, entry, kind)
+        made = _read(m, pinned, name, entry, kind, name in taken)
+        taken.add(name)
         if isinstance(made, Follower):
             found[name] = made
         else:
@@ -55,11 +56,11 @@ def follower_home(m: Mechanism, path: Path) -> Path | None:
 
 
 def _read(
-    m: Mechanism, pinned: Mapping[str, Pin], name: str, entry: Any, kind: type[Follower]
+    m: Mechanism, pinned: Mapping[str, Pin], name: str, entry: Any, kind: type[Follower], taken: bool
 ) -> Follower | list[Finding]:
-    """The follower, or what is wrong."""
+    """The follower, or what is wrong; whether its name is ``taken`` by another mover."""
     path, findings = (kind.section, name), []
-    if name in m.drives or (kind.section != "cams" and name in m.cams):
+    if taken:
         data = {"name": name, "first": Term("a-drive"), "second": Term(_ENTRY[kind.section])}
         findings.append(Finding("name.taken", path, data))
     named = [*references(entry, Context(m, path))]
