@@ -276,8 +276,8 @@ class JointKind(ABC):
 
     def phase(self, geometry: JointGeometry, joint: str, bodies: Mapping[str, Body]) -> tuple[float, ...]:
         """Of a kind that is ``phased`` the constants of its closure, such as how two gears mesh, from the pose in which
-        its links are drawn at the nominal dimensions; :meth:`JointGeometry.phases` has them from then on, for all samples
-        of these dimensions."""
+        its links are drawn at the nominal dimensions; :meth:`JointGeometry.phases` has them from then on, for samples
+        of other dimensions too."""
         raise NotImplementedError
 
     def play(self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: Stated) -> Sequence[Held]:

@@ -39,7 +39,7 @@ class View:
     p: Any
     motion: Motion
     laws: dict[str, Jet]
-    given: dict[str, Any]  # the inputs of loads and springs
+    given: dict[str, Any]  # the inputs of acting elements and followers
     plays: list[Any]
 
     @classmethod

@@ -44,7 +44,7 @@ class Compiled:
     structure: Structure
     assembly: Assembly
     laws: dict[str, Law]
-    tables: dict[str, StatedTable] = field(default_factory=dict)  # those that loads and springs ask
+    tables: dict[str, StatedTable] = field(default_factory=dict)  # those that acting elements ask
     motions: dict[str, StatedMotion] = field(default_factory=dict)  # the motion laws, that drives ask
     kernel: str = "numpy"
     passages: Passages = field(default_factory=Passages)
@@ -78,7 +78,7 @@ class Compiled:
 
     def inputs(self, t: Array, clusters: int | None = None, actions: bool = True, starts: bool = False) -> Array:
         """The per-pose inputs at times ``t`` (s): (inputs, poses), in SI; only the first ``clusters`` in place, those
-        of loads and springs only where ``actions``. With ``starts``, the clusters' coordinates are only near their
+        of acting elements only where ``actions``. With ``starts``, the clusters' coordinates are only near their
         solutions, for a program that solves them."""
         width = self.graph.width
         x = np.empty((len(self.graph.inputs), t.size))
