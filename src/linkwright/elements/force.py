@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.elements.entries import NOUNS, ForceEntry, make_known
-from linkwright.elements.joint import Applied, JointGeometry
+from linkwright.elements.joint import Applied, Placed
 from linkwright.elements.mover import MoverReports
 from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.fields import Expression, Position, Two
@@ -23,7 +23,7 @@ from linkwright.expressions.language import Node
 from linkwright.expressions.typed_fields import Path, Scope
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, Term
-from linkwright.notation import Body, Scalar, Wrench
+from linkwright.notation import Scalar, Wrench
 from linkwright.notation.registry import Registry
 
 Array = NDArray[np.float64]
@@ -93,16 +93,8 @@ class Misfit(NamedTuple):
     force: bool
 
 
-class ForceContext(Protocol):
-    """What a kind asks for at a pose; SI, numbers or symbols."""
-
-    @property
-    def geometry(self) -> JointGeometry:
-        """The dimensions of the mechanism."""
-
-    @property
-    def bodies(self) -> Mapping[str, Body]:
-        """The links by name."""
+class ForceContext(Placed, Protocol):
+    """What a kind asks for at a pose."""
 
     def value(self, expression: Expression, dimension: Dimension) -> Scalar:
         """An expression of the entry, in parameters, the time, tables and signals."""

@@ -155,6 +155,18 @@ class JointGeometry(Protocol):
         """What the joint's kind has fixed at assembly; ``None`` before that."""
 
 
+class Placed(Protocol):
+    """The links as they lie at a pose, with rates; numbers or symbols, in SI."""
+
+    @property
+    def geometry(self) -> JointGeometry:
+        """The dimensions of the mechanism."""
+
+    @property
+    def bodies(self) -> Mapping[str, Body]:
+        """The links by name."""
+
+
 class Contact(Protocol):
     """Where a reaction acts: ``link`` on ``on`` (a link, or the pin where three or more meet)."""
 
