@@ -126,10 +126,11 @@ def keys_of(entry: type[BaseModel]) -> set[str]:
 
 def stated(keys: Iterable[Any], usual: type[BaseModel]) -> dict[Any, type[BaseModel]]:
     """The entries of the kinds, of any section, that the keys of one entry name; ``usual`` is that of no such key."""
-    keys, entries = {*keys}, [*ENTRIES.values()]
+    keys = {*keys}
+    others = keys - keys_of(usual)
 
     def found() -> dict[Any, type[BaseModel]]:
-        return {key: of[key] for of in entries for key in of if key in keys - keys_of(usual)}
+        return {key: of[key] for of in ENTRIES.values() for key in of if key in others}
 
     if keys.difference(*map(keys_of, found().values() or [usual])):
         load_plugins()

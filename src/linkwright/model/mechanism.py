@@ -119,9 +119,9 @@ class _AnyKind:
     def stated(self, raw: Mapping[str, Any]) -> dict[str, type[BaseModel]]:
         """The entries of the kinds that the keys of one speak of, by these keys; the usual one has none."""
         kinds = stated(raw, self.usual)
-        return (
-            {**kinds, "": self.usual} if self.own.intersection(raw).difference(*map(keys_of, kinds.values())) else kinds
-        )
+        if self.own.intersection(raw).difference(*map(keys_of, kinds.values())):
+            kinds[""] = self.usual
+        return kinds
 
     def kinds(self, raw: Any) -> list[type]:
         """The entries of which one may be, as far as its keys tell."""
