@@ -23,6 +23,7 @@ from linkwright.groups import REGISTRY
 from linkwright.groups.dyad import register as register_group
 from linkwright.kernels import KERNELS
 from linkwright.kernels.registry import register as register_kernel
+from linkwright.model.mechanism import FOLLOWING
 from linkwright.studies import STUDIES
 from linkwright.studies.registry import register as register_study
 
@@ -370,14 +371,13 @@ def test_every_module_says_what_it_is(module: str) -> None:
 
 NAMES = {kind.name for kind in KINDS.values()} | {*FORCES, *FOLLOWERS}
 LETTERS = {kind.letter for kind in KINDS.values()}
-SECTIONS_OF_KINDS = {*SECTIONS, *(kind.section for kind in FOLLOWERS.values())} - {"joints"}
+SECTIONS_OF_KINDS = {*SECTIONS, *FOLLOWING} - {"joints"}
 """Sections that stand for what their elements are; among the joints there is more than one kind."""
 LEGITIMATE = {
     "tolerances/iso286.py": "letters of ISO 286",
     "model/parts.py": "the keys of an entry of pins and slides",
     "report/sections.py": "the study called cam",
     "studies/cam/study.py": "the study called cam",
-    "exports/joints.py": "asked of cams only",
 }
 """Files outside ``elements`` in which such comparisons are none of kinds, or may stand; each with the reason."""
 

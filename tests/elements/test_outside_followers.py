@@ -152,9 +152,6 @@ def test_it_is_known_everywhere(folder: Path) -> None:
     for study in (["sweep", "--kernel", "numpy"], ["sweep", "--kernel", "numba"]):
         done = run(folder, model, study[0], "model.yaml", *study[1:], "--out", "".join(study))
         assert done.returncode == 0, (study, done.stderr)
-    refused = run(folder, model, "export", "model.yaml", "--to", "process-simulate", "--out", "ps")
-    assert refused.returncode != 0
-    assert "step (barrel cam)" in refused.stderr + refused.stdout
 
 
 def test_a_wrong_sign_in_its_action_fails_the_certificate(folder: Path) -> None:
@@ -172,14 +169,108 @@ def test_a_follower_without_a_formula_is_left_out_of_motor_expressions(folder: P
     planted(folder, "indexer", ("    def tree(", "    def other("))
     done = run(folder, MODELS["alone"], "export", "model.yaml", "--to", "motor-expressions", "--out", "motors")
     assert done.returncode == 0, done.stderr
-    assert "The law of step has no formula" in done.stderr
+    assert "joints.step: The law of step has no formula" in done.stderr
     assert "step," not in (folder / "motors" / "motors.csv").read_text(encoding="utf-8-sig")
+
+
+@pytest.mark.parametrize("which", ["alone", "a dyad hangs on it", "on a slide"])
+def test_its_formula_is_written_as_joint_functions(which: str, folder: Path) -> None:
+    """Each is held to the motion, by the reader of the dialect."""
+    words = ("--to", "process-simulate", "--out", "ps")
+    done = run(folder, MODELS[which], "export", "model.yaml", *words)
+    assert done.returncode == 0, done.stderr
+    joint = "guide" if which == "on a slide" else "A"
+    assert joint in (folder / "ps" / "joint_functions.txt").read_text(encoding="utf-8")
+    asked = {**MODELS[which], "exports": {"process-simulate": {"master": joint}}}
+    assert "[functions.master-cam]" in run(folder, asked, "export", "model.yaml", *words).stderr
+    for tree in (
+        "def other(",
+        "def tree(self, geometry: Any, motor: Any) -> Any:\n        return motor\n\n    def other(",
+    ):
+        planted(folder, "indexer", ("    def tree(", f"    {tree}"), ("[self.tree(", "[self.other("))
+        refused = run(folder, MODELS[which], "export", "model.yaml", *words)
+        assert refused.returncode != 0
+        assert "step (barrel cam)" in refused.stderr
+
+
+def test_its_place_in_the_file_is_told(folder: Path) -> None:
+    done = run(folder, MODELS["alone"], "export", "model.yaml", "--to", "mjcf", "--out", "mjcf")
+    assert "joints: MuJoCo has no cam pairs: the followers of step" in done.stderr
+    done = run(
+        folder,
+        changed(drives={"second": {"turns": "table", "on": "frame", "speed": 1, "start": 0}}),
+        "check",
+        "model.yaml",
+    )
+    assert "joints.step" in done.stderr
+    assert "drives.step" not in done.stderr
+
+
+TOLD = """@property
+    def extra(self) -> Any:
+        return {"slope": u.ANGLE, "slip": u.SPEED}
+
+    @property
+    def pressures(self) -> Any:
+        return ["slope"]
+
+    def acting(self, name: str, poses: Any, ratio: Any) -> Any:
+        made = super().acting(name, poses, ratio)
+        return type(made)(made.wrenches, signals={"slope": 1.0 * ratio, "slip": 3.0 * ratio})
+
+    def findings(self, run: Any, path: Any) -> Any:
+        most = run.geometry.written(run.row(f"{path[1]}.slip")[1].max(), u.SPEED)
+        yield Finding("indexer.slips", path, {"most": most}, severity="warning")
+
+    def applied"""
+"""Signals of a contact, one of them a pressure angle (rad) of at most 1, and what is told of a motion."""
+WORDS = (
+    '"indexer.joint.mend"',
+    '"indexer.slips.what": "Slips by {most}.", "indexer.slips.mend": "-", "indexer.joint.mend"',
+)
+
+
+def test_its_contact_has_charts_and_findings(folder: Path) -> None:
+    planted(folder, "indexer", ("def applied", TOLD), WORDS)
+    done = run(folder, MODELS["alone"])
+    assert done.returncode == 0, done.stderr
+    assert "joints.step: Slips by 3000 mm/s." in done.stderr
+    page = (folder / "out" / "report.html").read_text(encoding="utf-8")
+    assert [f"Followers: {name}" in page for name in ("torque", "slope", "slip")] == [True] * 3
+    assert "Contact force of the cam" not in page
+    model = changed(loads={"brake": {"on": "table", "torque": "step.slip/(1 mm/s)*1 N*mm"}})
+    assert "[load.signal]" in run(folder, model, "check", "model.yaml").stderr
+
+
+def test_it_locks_where_its_pressure_angle_is_square(folder: Path) -> None:
+    planted(folder, "indexer", ("def applied", TOLD.replace("1.0 * ratio", "2.0 * ratio")), WORDS)
+    done = run(folder, MODELS["alone"])
+    assert done.returncode == 1, done.stderr
+    assert "joints.step: The link that step (barrel cam) moves locks" in done.stderr
+    assert "[joint.locks]" in done.stderr
+
+
+def test_a_contact_that_can_t_pull_lifts_off(folder: Path) -> None:
+    entry = """description="where in the law it starts")
+
+    @property
+    def one_sided(self) -> Any:
+        return {"torque": 1}
+"""
+    planted(folder, "indexer", ('description="where in the law it starts")\n', entry))
+    done = run(folder, MODELS["alone"])
+    assert done.returncode == 0, done.stderr
+    assert "joints.step: The links of step (barrel cam) leave each other" in done.stderr
+    assert "[joint.lifts-off]" in done.stderr
+    assert " N*m at t = " in done.stderr
 
 
 def test_what_is_wrong_with_it_is_told(folder: Path) -> None:
     model = changed(joints={"step": {"indexer": ["barrel", "table"], "motor": "moter", "law": "indx"}})
+    model["measures"]["turned"] = {"max": "step.angle"}
     done = run(folder, model, "check", "model.yaml")
     assert done.returncode == 2
+    assert "measures.turned" not in done.stderr  # what is declared is known
     assert "moter" in done.stderr
     assert "indx" in done.stderr
     model["joints"]["step"].update(motor="motor", law="index")
@@ -192,6 +283,13 @@ def test_what_is_wrong_with_it_is_told(folder: Path) -> None:
     model["laws"]["index"] |= {"of": "length"}
     model["parameters"]["h"] = "3 mm"
     assert "[joint.follower-law]" in run(folder, model, "check", "model.yaml").stderr
+
+
+def test_it_shares_no_name_with_a_cam(folder: Path) -> None:
+    cam = {"cam": "barrel", "follower": "table", "on": "frame", "base": 60, "law": "index", "roller": 5, "at": "B"}
+    done = run(folder, {**MODELS["alone"], "cams": {"step": cam}}, "check", "model.yaml")
+    (told,) = [line for line in done.stderr.splitlines() if "joints.step" in line]
+    assert "a cam" in told
 
 
 def test_a_motor_whose_law_is_its_outputs_is_refused(folder: Path) -> None:

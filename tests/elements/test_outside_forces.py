@@ -401,3 +401,30 @@ def test_a_ball_weighs_as_a_counterweight(tmp_path: Path) -> None:
         assert done.returncode == 0, done.stderr
         files.append((folder / "out" / "cycle.csv").read_bytes())
     assert files[0] == files[1]
+
+
+def test_a_mass_on_the_frame_means_nothing(tmp_path: Path) -> None:
+    write(tmp_path, {**THREE, "counterweights": {"lead": {"ball": "frame", "at": "D", "mass": 0.4}}})
+    done = linkwright(tmp_path, "check", "model.yaml")
+    assert done.returncode == 2
+    assert "counterweights.lead: The frame has a mass" in done.stderr
+
+
+def test_elements_of_one_name_in_two_sections_are_two(tmp_path: Path) -> None:
+    """A drag among the springs that has no value at times, beside a load of its name that always has one."""
+    planted(tmp_path, "three_forces", ('section = "loads"', 'section = "springs"'))
+    drag = {**THREE["loads"]["air"], "coefficient": "sqrt(0.5 - t/(1 s))*1 N*s/m"}
+    write(tmp_path, {**THREE, "loads": {"air": {"on": "rocker", "torque": "1 N*m"}}, "springs": {"air": drag}})
+    done = linkwright(tmp_path, "run", "model.yaml", "--out", "out")
+    assert done.returncode == 1
+    assert "springs.air: " in done.stderr
+    assert "load.not-finite" in done.stderr
+
+
+def test_what_has_whole_turns_counted_shares_no_name(tmp_path: Path) -> None:
+    silent = [("def signals(", "def no_signals("), ("def effort(", "def no_effort(")]
+    planted(tmp_path, "three_forces", *silent)
+    write(tmp_path, {**THREE, "springs": {"crank": THREE["springs"]["fly"]}})
+    done = linkwright(tmp_path, "check", "model.yaml")
+    assert done.returncode == 2
+    assert "name.taken" in done.stderr

@@ -41,7 +41,7 @@ LABELS: dict[Row, str] = {
     BodyPlace("crank", "cos"): "crank:cos",
     OutputLever(): "drives over outputs:",
     RawAngle("crank"): "raw/crank",
-    Strength("push"): "load/push",
+    Strength("loads", "push"): "loads/push",
     WindowRow("stroke"): "window/stroke",
     TableArgument(2): "argument/2",
 }
@@ -71,7 +71,7 @@ def test_a_program_takes_signals_by_name_and_other_rows() -> None:
     assert graph.signals(["C.x", Reach(group.label)]) == [signal.signal, None]
 
 
-@pytest.mark.parametrize("text", ["reach:coupler-rocker", "crank:x", "raw/crank", "load/push", "nothing.x", "crank"])
+@pytest.mark.parametrize("text", ["reach:coupler-rocker", "crank:x", "raw/crank", "loads/push", "nothing.x", "crank"])
 def test_only_signals_have_texts(text: str) -> None:
     with pytest.raises((ExpressionError, DimensionError, AssertionError)):
         compiled_from(four_bar()).graph.program([text])

@@ -55,7 +55,7 @@ def test_kernel_agrees_with_casadi_on_loads_and_springs(kernel: str) -> None:
     """Windows, tables, whole turns, functions: to 1e-12 of the row's size or of 1."""
     compiled = compile_mechanism(load(Path(__file__).parents[1] / "model" / "data" / "sprung.yaml"))
     t = np.linspace(0.003, 0.79, 40)
-    rows = [*map(WindowRow, compiled.graph.actions.windows), *map(Strength, "abc")]
+    rows = [*map(WindowRow, compiled.graph.actions.windows), *(Strength("loads", name) for name in "abc")]
     program = compiled.graph.program([*all_names(compiled), *rows], rates=True)
     x, p = compiled.inputs(t), compiled.parameters
     found = KERNELS[kernel](program).run(x, p)

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import Annotated, Any, ClassVar
+from collections.abc import Callable
+from typing import Annotated, ClassVar
 
 from pydantic import Field
 
 from linkwright.elements.entries import ForceEntry
 from linkwright.elements.fields import INERTIA, At
 from linkwright.elements.force import ForceKind, Weight, register
-from linkwright.elements.points import FRAME
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Name
-from linkwright.expressions.typed_fields import Path, Quantity, Ref, Sign
+from linkwright.expressions.typed_fields import Quantity, Ref, Sign
 from linkwright.expressions.units import Dimension
-from linkwright.findings import Finding, Term
+from linkwright.findings import Term
 
 
 class Counterweight(ForceEntry):
@@ -42,10 +41,6 @@ class Counterweights(ForceKind[Counterweight]):
     entry = Counterweight
     usual = True
     acts = False
-
-    def faults(self, mechanism: Any, path: Path, entry: Counterweight) -> Iterator[Finding]:
-        if entry.on == FRAME:
-            yield Finding("model.frame-mass", path)
 
     def weighs(self, entry: Counterweight) -> Weight:
         return Weight(entry.on, entry.mass, entry.at, entry.inertia)

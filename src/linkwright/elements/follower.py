@@ -10,12 +10,13 @@ A kind is one registered class; an object of it is one joint of a mechanism, as 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Protocol
 
 from linkwright.elements.entries import JointEntry, make_known
-from linkwright.elements.joint import Applied, JointGeometry, Placed
+from linkwright.elements.force import Chart
+from linkwright.elements.joint import Applied, Array, JointGeometry, Placed
 from linkwright.elements.mover import TRAVEL, TURN, MoverReports, MoverSignals
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Call, Node
@@ -72,6 +73,21 @@ class FollowerReports(MoverReports, Protocol):
         """The value of an expression of the entry, in SI."""
 
 
+class Followed(Protocol):
+    """A motion that was followed to its end."""
+
+    @property
+    def geometry(self) -> FollowerGeometry:
+        """The dimensions."""
+
+    @property
+    def motions(self) -> Motions:
+        """The motion laws."""
+
+    def row(self, signal: str) -> tuple[Array, Array]:
+        """Times (s), those among them at which a signal is least and greatest, and its values there (SI)."""
+
+
 class FollowerEntry(JointEntry):
     """Base of the entries of such joints that stand among the joints of a file."""
 
@@ -118,10 +134,12 @@ class Follower(MoverSignals, ABC):
     """As files have it."""
     stated: ClassVar[type[Any]]
     """What a file says of one."""
-    section: ClassVar[str] = "joints"
-    """The section of a file in which it stands."""
     words: ClassVar[Mapping[str, Mapping[str, str]]] = {}
     """Texts that the catalogue lacks, by language and key; ``term.kind-NAME`` is what it is called."""
+    lifts: ClassVar[str] = "joint.lifts-off"
+    """The code of the warning that its contact would have to pull."""
+    locks: ClassVar[str] = "joint.locks"
+    """The code of the finding that its contact holds the link fast."""
     output: ClassVar[None] = None
 
     @property
@@ -155,6 +173,23 @@ class Follower(MoverSignals, ABC):
         """Its signals: the value with its rates, what it exerts, those of its contact."""
         effort = {self.effort: u.TORQUE if self.effort == "torque" else u.FORCE}
         return {**(TURN if self.turning else TRAVEL), **effort, **self.extra}
+
+    @property
+    def charts(self) -> Sequence[Chart]:
+        """How its effort and the signals of its contact are shown."""
+        return [Chart("follower", "force", attribute) for attribute in (self.effort, *self.extra)]
+
+    @property
+    def one_sided(self) -> Mapping[str, int]:
+        """Its forces that have one sign only, as :attr:`JointEntry.one_sided` has them; what its entry says."""
+        found: Mapping[str, int] = self.entry.one_sided
+        return found
+
+    @property
+    def pressures(self) -> Sequence[str]:
+        """The signals of its contact that are pressure angles: where the cosine of one isn't positive, the contact
+        holds the link fast, or would have to draw it."""
+        return ()
 
     @property
     def laws(self) -> Mapping[str, str]:
@@ -210,6 +245,10 @@ class Follower(MoverSignals, ABC):
 
     def law_faults(self, quantities: Any, law: str, motion: Motion, path: Path) -> Iterator[tuple[Finding, Any]]:
         """What is wrong with a motion law where this joint asks it, and in which samples."""
+        yield from ()
+
+    def findings(self, run: Followed, path: Path) -> Iterator[Finding]:
+        """What is to be told of a motion that was followed; ``path`` is its place in the file."""
         yield from ()
 
     @abstractmethod

@@ -171,7 +171,8 @@ class ForceKind(ABC, Generic[E]):
     # What a file says.
 
     def signals(self, entry: E) -> Mapping[str, Dimension]:
-        """The attributes of ``NAME.`` with their dimensions (SI); elements that have some share no name."""
+        """The attributes of ``NAME.`` with their dimensions (SI); elements that have some, or whole turns counted
+        (:meth:`turned`), share no name."""
         return {}
 
     def effort(self, entry: E) -> str:

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from linkwright.exports.ridden import ridden
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 
 
 def unfollowed(compiled: Compiled, target: str) -> Iterator[Finding]:
-    """A finding for each follower but those of cams, for formats that write these in a way of their own."""
+    """A finding for each follower whose formula isn't made of one law, for formats that write the pieces of laws."""
     for name, follower in compiled.mechanism.followers.items():
-        if name not in compiled.mechanism.cams:
+        if ridden(compiled, name) is None:
             data = {"name": target, "joint": name, "kind": follower.title}
-            yield Finding("export.joint", (follower.section, name), data)
+            yield Finding("export.joint", compiled.mechanism.path_of(name), data)
 
 
 def unwritten(compiled: Compiled, target: str) -> Iterator[Finding]:

@@ -43,7 +43,7 @@ class Actions:
     def __init__(self, graph: Graph) -> None:
         self.graph, self.mechanism = graph, graph.quantities.mechanism
         self.every = [*self.mechanism.acting()]
-        self.named = {one.name: one for one in reversed(self.every)}
+        self.at = {one.path: one for one in self.every}
 
     @cached_property
     def laws(self) -> list[Node]:

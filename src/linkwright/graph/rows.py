@@ -242,22 +242,23 @@ class ActionRow(Row):
 class Strength(ActionRow):
     """What an element without a signal of its own does, such as a load: its signs and finiteness are looked at."""
 
+    section: str
     name: str
-    called = "load/{name}"
+    called = "{section}/{name}"
 
     def order(self, graph: Graph) -> int:
-        own: int = graph.actions.named[self.name].kind.order
+        own: int = graph.actions.at[self.section, self.name].kind.order
         return max(graph.actions.order, own)
 
     def expression(self, view: View) -> Scalar:
-        one = view.graph.actions.named[self.name]
+        one = view.graph.actions.at[self.section, self.name]
         return one.kind.strength(view, one.name, one.entry)
 
 
 def effort(one: Acting) -> Named:
     """What tells what an element does."""
     attribute = one.kind.effort(one.entry)
-    return f"{one.name}.{attribute}" if attribute else Strength(one.name)
+    return f"{one.name}.{attribute}" if attribute else Strength(*one.path)
 
 
 @dataclass(frozen=True)

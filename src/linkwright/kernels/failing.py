@@ -57,7 +57,7 @@ class OfDrive(Cause):
         return np.asarray(~np.isfinite(x[first : first + 3]).all(axis=0))
 
     def finding(self, varied: Varied, data: dict[str, Any], time: float, values: Array) -> Finding:
-        return Finding("varied.drive", ("drives", self.of), data | {"drive": self.of})
+        return Finding("varied.drive", varied.compiled.mechanism.path_of(self.of), data | {"drive": self.of})
 
 
 class OfGroup(Cause):

@@ -76,7 +76,7 @@ def follower_faults(
     geometry: with the laws alone then."""
     geometry = Geometry(quantities, quantities.parameters)
     for name, follower in quantities.mechanism.followers.items():
-        path = (follower.section, name)
+        path = quantities.mechanism.path_of(name)
         for key, law in follower.laws.items():
             if law in motions:
                 faults = follower.law_faults(quantities, law, motions[law], (*path, key))

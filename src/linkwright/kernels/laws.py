@@ -98,7 +98,7 @@ class _Reader:
     def follower(self, name: str, laws: Mapping[str, Law]) -> Law | None:
         """The law of a follower, behind that of its motor."""
         follower = self.quantities.mechanism.followers[name]
-        motor, path = laws.get(follower.motor), (follower.section, name)
+        motor, path = laws.get(follower.motor), self.quantities.mechanism.path_of(name)
         if motor is None or not all(self._called(law, (*path, key)) for key, law in follower.laws.items()):
             return None
         return follower_law(self.quantities, name, self.motions, motor)

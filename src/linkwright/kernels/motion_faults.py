@@ -66,7 +66,7 @@ def asking(m: Mechanism) -> dict[str, list[Asker]]:
                 found.setdefault(called, []).append((("drives", name, "position"), None))
     for name, follower in m.followers.items():
         for key, law in follower.laws.items():
-            found.setdefault(law, []).append(((follower.section, name, key), follower))
+            found.setdefault(law, []).append(((*m.path_of(name), key), follower))
     return found
 
 

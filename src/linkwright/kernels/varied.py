@@ -74,7 +74,7 @@ class Varied:
             for law in follower.laws.values() if follower.derived else ():
                 if held := {*self.compiled.motions[law].names} & self.varying:
                     data = {"law": law, "cam": name, "names": ", ".join(sorted(held))}
-                    yield Finding("varied.second", (follower.section, name), data)
+                    yield Finding("varied.second", quantities.mechanism.path_of(name), data)
 
     def parameters(self, values: Array) -> Array:
         """All parameters (parameters, samples) from the values of the varied ones, (names, samples), both in SI.

@@ -50,15 +50,17 @@ def _links(m: Mechanism) -> Iterator[Finding]:
 
 
 def _collisions(m: Mechanism) -> Iterator[Finding]:
-    """Names of links, points, prismatic joints, drives and springs are owners of signals, and must differ."""
+    """Names of links, points, prismatic joints, drives and springs are owners of signals, and must differ; so must
+    those of what else has whole turns counted, as links and drives have."""
     points, slides = homes(m), dict(m.joints_but_pins())
     owners = {"shaking": Term("the-shaking"), "energy": Term("the-energies")}
     kinds = [("link", name) for name in m.links] + [("point", name) for name in points]
     kinds += [("joint", name) for name in slides] + [("drive", name) for name in m.movers]
-    kinds += [(one.noun, one.name) for one in m.acting() if one.kind.signals(one.entry)]
+    kinds += [(one.noun, one.name) for one in m.acting() if one.kind.signals(one.entry) or one.kind.turned(one.entry)]
     for kind, name in kinds:
         if name in owners:
-            path = ("links", points[name], "points", name) if kind == "point" else (f"{kind}s", name)
+            path: tuple[str, ...] = m.path_of(name) if kind == "drive" else (f"{kind}s", name)
+            path = ("links", points[name], "points", name) if kind == "point" else path
             data = {"name": name, "first": owners[name], "second": Term(f"a-{kind}")}
             yield Finding("name.taken", path, data)
         owners.setdefault(name, Term(f"a-{kind}"))
@@ -102,7 +104,7 @@ def _drives(m: Mechanism) -> Iterator[Finding]:
     acting: dict[frozenset[str], str] = {}
     moved: dict[frozenset[str], str] = {}
     for name, drive in m.movers.items():
-        path = ("drives", name)
+        path = m.path_of(name)
         if drive.link == drive.on:
             yield Finding("joint.same-link", path, {"name": drive.link})
         if drive.output is not None:
@@ -124,6 +126,8 @@ def _drives(m: Mechanism) -> Iterator[Finding]:
 def _acting(m: Mechanism) -> Iterator[Finding]:
     for one in m.acting():
         yield from one.kind.faults(m, one.path, one.entry)
+        if (weight := one.kind.weighs(one.entry)) is not None and weight.link == FRAME:
+            yield Finding("model.frame-mass", one.path)
 
 
 _PARTS = (_parameters, _links, _collisions, _joints, _pins, _drives, _acting)

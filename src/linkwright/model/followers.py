@@ -8,18 +8,15 @@ from typing import Any
 from linkwright.elements.follower import FOLLOWERS, Follower
 from linkwright.expressions.typed_fields import Context, Path
 from linkwright.findings import Finding, Term
-from linkwright.model.mechanism import Mechanism
+from linkwright.model.mechanism import FOLLOWING, Mechanism
 from linkwright.model.pins import Pin, pins
 from linkwright.model.references import reference_faults
 from linkwright.model.walk import references
 
-_ENTRY = {"cams": "a-cam", "joints": "a-joint"}
-"""What an entry of a section is called."""
-
 
 def follower_entries(m: Mechanism) -> Iterator[tuple[str, str, Any, type[Follower]]]:
     """What a file says of followers: section, name, entry, kind."""
-    for section in dict.fromkeys(kind.section for kind in FOLLOWERS.values()):
+    for section in FOLLOWING:
         for name, entry in getattr(m, section).items():
             if (found := next((k for k in FOLLOWERS.values() if type(entry) is k.stated), None)) is not None:
                 yield section, name, entry, found
@@ -31,10 +28,9 @@ def with_followers(m: Mechanism) -> tuple[Mechanism, list[Finding]]:
     found, faults = dict[str, Follower](), list[Finding]()
     if not (every := [*follower_entries(m)]):
         return m, faults
-    pinned, taken = pins(m), {*m.drives}
-    for _, name, entry, kind in every:
-        made = _read(m, pinned, name, entry, kind, name in taken)
-        taken.add(name)
+    pinned = pins(m)
+    for section, name, entry, kind in every:
+        made = _read(m, pinned, (section, name), entry, kind)
         if isinstance(made, Follower):
             found[name] = made
         else:
@@ -44,24 +40,16 @@ def with_followers(m: Mechanism) -> tuple[Mechanism, list[Finding]]:
 
 def no_followers(m: Mechanism, study: str) -> Finding:
     """That a study moves each drive on its own, which a mechanism with followers doesn't let it."""
-    name, first = next(iter(m.followers.items()))
-    return Finding("study.cams", (first.section, name), {"study": study, "names": ", ".join(m.followers)})
-
-
-def follower_home(m: Mechanism, path: Path) -> Path | None:
-    """Where a place of a follower's motion stands in the file."""
-    if len(path) > 1 and path[0] == "drives" and path[1] not in m.drives:
-        return next(((section, name) for section, name, _, _ in follower_entries(m) if name == path[1]), None)
-    return None
+    return Finding("study.cams", m.path_of(next(iter(m.followers))), {"study": study, "names": ", ".join(m.followers)})
 
 
 def _read(
-    m: Mechanism, pinned: Mapping[str, Pin], name: str, entry: Any, kind: type[Follower], taken: bool
+    m: Mechanism, pinned: Mapping[str, Pin], path: tuple[str, str], entry: Any, kind: type[Follower]
 ) -> Follower | list[Finding]:
-    """The follower, or what is wrong; whether its name is ``taken`` by another mover."""
-    path, findings = (kind.section, name), []
-    if taken:
-        data = {"name": name, "first": Term("a-drive"), "second": Term(_ENTRY[kind.section])}
+    """The follower, or what is wrong."""
+    name, findings = path[1], list[Finding]()
+    if (taken := m.path_of(name)) != path:
+        data = {"name": name, "first": Term(f"a-{taken[0][:-1]}"), "second": Term(f"a-{path[0][:-1]}")}
         findings.append(Finding("name.taken", path, data))
     named = [*references(entry, Context(m, path))]
     missing = [*reference_faults(one for one in named if one.ref.kind != "law" and one.ref.of is None)]

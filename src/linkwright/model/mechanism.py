@@ -89,6 +89,9 @@ def at_most(limit: int) -> BeforeValidator:
 
 _bound = at_most(MAX_ENTRIES)
 
+FOLLOWING = ("cams", "joints")
+"""The sections in which joints stand that have a link follow a drive."""
+
 
 class _AnyKind:
     """An entry of any kind: one whose kind is among its keys, or the section's ``usual`` one with its ``own`` keys."""
@@ -257,6 +260,11 @@ class Mechanism(Frozen):
     def movers(self) -> Mapping[str, Mover]:
         """Whatever prescribes a motion: the drives, then the followers."""
         return {**self.drives, **self._followers}
+
+    def path_of(self, mover: str) -> tuple[str, str]:
+        """The place in the file of a drive or follower: cams have a section of their own, all other followers stand
+        among the joints."""
+        return next((section, mover) for section in ("drives", *FOLLOWING) if mover in getattr(self, section))
 
     def with_followers(self, found: Mapping[str, Follower]) -> Self:
         """The same with these followers."""

@@ -29,23 +29,23 @@ SLIDE_FORCE = {**FORCE, "normal": u.FORCE, "moment": u.TORQUE, "arm": u.LENGTH}
 SHAKING = {"x": u.FORCE, "y": u.FORCE, "moment": u.TORQUE}
 ENERGY = {"kinetic": u.ENERGY, "potential": u.ENERGY}
 POLE = dict.fromkeys(("x", "y", "u", "v"), u.LENGTH)
-_OF_FORCES = frozenset({"pressure", "pressure_second"})
-"""Attributes that follow from forces and have no mass in their dimension."""
 
 
 @dataclass(frozen=True)
 class Signal:
-    """One signal: what kind of element it belongs to, the element's names, the attribute, its dimension."""
+    """One signal: what kind of element it belongs to, the element's names, the attribute, its dimension; whether it is
+    one of a follower's contact."""
 
     kind: str
     owners: tuple[str, ...]
     attribute: str
     dimension: Dimension
+    of_contact: bool = False
 
     @property
     def kinematic(self) -> bool:
         """Whether it follows from the motion alone, without any force."""
-        of_forces = self.kind in ("force", "shaking", "energy") or self.attribute in _OF_FORCES
+        of_forces = self.kind in ("force", "shaking", "energy") or self.of_contact
         return not of_forces and not self.dimension.mass
 
     @property
@@ -211,7 +211,9 @@ class Signals:
                 attribute=attribute,
                 near=near(attribute, attributes, listed=True),
             )
-        return Signal(kind, owners, attribute, attributes[attribute])
+        followers = self.mechanism.followers
+        of_contact = kind == "drive" and owners[0] in followers and attribute in followers[owners[0]].extra
+        return Signal(kind, owners, attribute, attributes[attribute], of_contact)
 
     def all(self) -> list[Signal]:
         """Every signal of the mechanism, motion first, then forces; poles, one for any two links, only by name."""
@@ -220,7 +222,7 @@ class Signals:
         found += [Signal("link", (link,), a, d) for link in m.links if link != FRAME for a, d in LINK.items()]
         owners = [name for name, _ in m.joints_but_pins()]
         found += [Signal(*self._owned(name), a, d) for name in owners for a, d in self.attributes(name)[1].items()]
-        found += [Signal("drive", (name,), a, d) for name in m.movers for a, d in self.attributes(name)[1].items()]
+        found += [self.find(Name(f"{name}.{a}")) for name in m.movers for a in self.attributes(name)[1]]
         found += [Signal("com", (n,), a, d) for n in m.links if m.has_mass(n) for a, d in POINT.items()]
         seen = set()
         for c in self.contacts:

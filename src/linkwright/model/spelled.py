@@ -8,7 +8,7 @@ from functools import cached_property
 
 from linkwright.findings import Finding
 from linkwright.model.cylinders import cylinder_faults, cylinder_home, with_cylinders
-from linkwright.model.followers import follower_home, with_followers
+from linkwright.model.followers import follower_entries, with_followers
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.places import stated
 from linkwright.model.plane import LinkagePlane, in_plane
@@ -44,11 +44,14 @@ class Spelled:
 def home(m: Mechanism, findings: Iterable[Finding]) -> list[Finding]:
     """Findings on what a mechanism's short forms stand for, with their places as it is written.
 
-    What is wrong with a place of the sketch spoils the lengths derived from it too, and is told at the place alone.
+    What is wrong with a place of the sketch spoils the lengths derived from it too, and is told at the place alone; a
+    follower with a fault has no signals, which isn't told wherever they are named.
     """
-    homes = (cylinder_home, sketch_home, follower_home)
+    homes = (cylinder_home, sketch_home)
     found = [replace(f, path=next((at for of in homes if (at := of(m, f.path))), f.path)) for f in findings]
     told = {f.code for f in found if len(f.path) == 2 and f.path[0] == "sketch"}
+    declared = {name for _, name, _, _ in follower_entries(m)}
+    found = [f for f in found if f.code != "name.unknown-element" or f.data["name"] not in declared]
     return [f for f in found if f.path != ("sketch",) or f.code not in told]
 
 

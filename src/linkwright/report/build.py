@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.elements.force import FORCES, Chart
-from linkwright.expressions.units import ANGLE, LENGTH, TIME
+from linkwright.expressions.units import LENGTH, TIME, Dimension
 from linkwright.findings import Finding
 from linkwright.model.document import Document, dump
 from linkwright.model.origin import Origin, hashed
@@ -230,15 +230,23 @@ def _force_plots(result: Result) -> list[Plot | None]:
     sliding = [name for name in motors if name not in turning]
     found.append(_plot(result, say("plot.torque"), "force", [f"{n}.torque" for n in turning]))
     found.append(_plot(result, say("plot.effort"), "force", [f"{n}.force" for n in sliding]))
-    found.append(_plot(result, say("plot.contact"), "force", [f"{n}.{f.effort}" for n, f in m.followers.items()]))
-    angles = [f"{n}.{a}" for n, f in m.followers.items() for a, dimension in f.extra.items() if dimension == ANGLE]
-    pressures = [name for name in angles if name in result.names]
-    found.append(_plot(result, say("plot.pressure"), "force", pressures))
+    found += _follower_charts(result)
     found += _charts(result)
     found.append(_plot(result, say("plot.power"), "force", [f"{n}.power" for n in motors]))
     found.append(_plot(result, say("plot.shaking"), "force", ["shaking.x", "shaking.y"]))
     found.append(_plot(result, say("plot.shaking_moment"), "force", ["shaking.moment"]))
     return found
+
+
+def _follower_charts(result: Result) -> list[Plot | None]:
+    """The charts of followers, as the kinds have them: one of all signals that share a title and a dimension."""
+    shown: dict[tuple[str, Literal["motion", "force"], Dimension], list[str]] = {}
+    for name, follower in result.run.compiled.mechanism.followers.items():
+        for chart in follower.charts:
+            title = say(f"plot.{chart.title}", attribute=chart.attribute)
+            key = (title, chart.group, follower.signals[chart.attribute])
+            shown.setdefault(key, []).append(f"{name}.{chart.attribute}")
+    return [_plot(result, title, group, names) for (title, group, _), names in shown.items()]
 
 
 def _charts(result: Result) -> list[Plot | None]:

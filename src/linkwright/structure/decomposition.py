@@ -48,15 +48,16 @@ class _Search(Placed):
 
     def find_drives(self) -> None:
         for name, own in self.topology.mechanism.movers.items():
+            path = self.topology.mechanism.path_of(name)
             acting, moved = (own, self.topology.acting(name)), (self.drive(name), self.topology.driven(name))
             for drive, options in [acting, moved] if own.output else [acting]:
                 if not options:
                     kind = "revolute" if drive.turns else "prismatic"
-                    self.note("structure.drive-no-joint", ("drives", name), link=drive.link, on=drive.on, joint=kind)
+                    self.note("structure.drive-no-joint", path, link=drive.link, on=drive.on, joint=kind)
                 elif len(options) > 1:
                     joints = ", ".join(c.joint for c in options)
                     data = {"link": drive.link, "on": drive.on, "joints": joints}
-                    self.note("structure.drive-two-joints", ("drives", name), **data)
+                    self.note("structure.drive-two-joints", path, **data)
                 else:
                     self.joints[name] = options[0]
 
@@ -220,5 +221,5 @@ def _spare_drive(topology: Topology) -> Finding | None:
     for name, drive in reversed([*mechanism.movers.items()]):
         rest = mechanism.without_mover(name)
         if rest.movers and not _Search(Topology(rest)).run().findings:
-            return Finding("structure.drive-too-many", ("drives", name), {"link": drive.link, "on": drive.on})
+            return Finding("structure.drive-too-many", mechanism.path_of(name), {"link": drive.link, "on": drive.on})
     return None

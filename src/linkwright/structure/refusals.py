@@ -24,7 +24,8 @@ def unsolved(placed: Placed) -> Iterator[Finding]:
     for name in placed.joints:
         drive = placed.drive(name)
         if drive.link in placed.known:
-            yield Finding("structure.drive-too-many", ("drives", name), {"link": drive.link, "on": drive.on})
+            path = placed.topology.mechanism.path_of(name)
+            yield Finding("structure.drive-too-many", path, {"link": drive.link, "on": drive.on})
     if not placed.left:
         return
     freedoms = placed.freedoms()

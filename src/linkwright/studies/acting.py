@@ -1,19 +1,19 @@
-"""Whether loads and springs have a value all along a run, springs stay within their lengths, followers on cams."""
+"""Whether loads and springs have a value all along a run, springs stay within their lengths, contacts closed."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.cam_contact.second import sums
 from linkwright.elements.force import Acting
 from linkwright.expressions import units as u
 from linkwright.expressions.dimensions import argument
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Term
+from linkwright.graph.geometry import Geometry
 from linkwright.graph.rows import Named, TableArgument, effort
 from linkwright.results import Run
 from linkwright.results.stationary import stationary
@@ -62,56 +62,42 @@ def outside(run: Run) -> list[Finding]:
     return findings
 
 
-def lifted(run: Run) -> list[Finding]:
-    """A warning for each cam closed by force whose follower would have to be pulled, where it is pulled hardest."""
-    unit, size = run.compiled.quantities.unit_of(u.FORCE)
-    findings = []
-    for name, cam in run.compiled.mechanism.cams.items():
-        if cam.closed != "force":
-            continue
-        if (pulled := _pulled(run, f"{name}.force")) is not None:
-            time, force = pulled
-            data = {"cam": name, "force": f"{force / size:.6g}", "of": unit}
-            findings.append(_at(run, "cam.lifts-off", ("cams", name), time, "warning", **data))
+def contacts(run: Run) -> list[Finding]:
+    """Warnings on contacts that would have to pull, and what kinds of followers find of themselves."""
+    m, topology, findings = run.compiled.mechanism, run.compiled.structure.topology, list[Finding]()
+    for name, follower in m.followers.items():
+        findings += _lifted(run, m.path_of(name), follower.one_sided, follower.title, follower.lifts)
+    for name, follower in m.followers.items():
+        findings += follower.findings(Followed(run), m.path_of(name))
+    for name, joint in m.joints_but_pins():
+        findings += _lifted(run, ("joints", name), joint.one_sided, topology.kind_of(name).title, "joint.lifts-off")
     return findings
 
 
-def _pulled(run: Run, signal: str, sign: int = 1) -> tuple[float, float] | None:
-    """When (s) a contact force, positive where it presses times ``sign``, would have to pull hardest, and with how much
-    (N); ``None`` where it always presses."""
-    t = _times(run, [signal])
-    force = sign * run.compiled.evaluate([signal], t)[0]
-    worst = int(np.argmin(force))
-    pulls = force[worst] < -NEAR * np.abs(force).max()
-    return (float(t[worst]), -float(force[worst])) if pulls else None
+def _lifted(run: Run, path: tuple[str, str], one_sided: Mapping[str, int], kind: Term, code: str) -> Iterator[Finding]:
+    """A warning for each contact of a joint whose links would have to pull each other, where they pull hardest."""
+    for attribute, sign in one_sided.items():
+        signal = f"{path[1]}.{attribute}"
+        t, force = Followed(run).row(signal)
+        worst = int(np.argmin(sign * force))
+        pull = -sign * float(force[worst])
+        if pull > NEAR * np.abs(force).max():
+            unit, size = run.compiled.quantities.unit_of(run.dimension(signal))
+            data = {"joint": path[1], "kind": kind, "force": f"{pull / size:.6g}", "of": unit}
+            yield _at(run, code, path, float(t[worst]), "warning", **data)
 
 
-def unseated(run: Run) -> list[Finding]:
-    """A warning for each joint with one flank whose links would have to pull each other, where they pull hardest."""
-    unit, size = run.compiled.quantities.unit_of(u.FORCE)
-    findings = []
-    for name, joint in run.compiled.mechanism.joints_but_pins():
-        for attribute, sign in joint.one_sided.items():
-            if (pulled := _pulled(run, f"{name}.{attribute}", sign)) is not None:
-                time, force = pulled
-                kind = run.compiled.structure.topology.kind_of(name).title
-                data = {"joint": name, "kind": kind, "force": f"{force / size:.6g}", "of": unit}
-                findings.append(_at(run, "joint.lifts-off", ("joints", name), time, "warning", **data))
-    return findings
+class Followed:
+    """A motion that was followed, as kinds of followers ask for it."""
 
+    def __init__(self, run: Run) -> None:
+        self.run, self.motions = run, run.compiled.motions
+        self.geometry = Geometry(run.compiled.quantities, run.compiled.quantities.parameters)
 
-def loose(run: Run) -> list[Finding]:
-    """A warning for each yoke with play, in which the second contact would bear elsewhere."""
-    unit, size = run.compiled.quantities.unit_of(u.LENGTH)
-    findings = []
-    for name, cam in run.compiled.mechanism.cams.items():
-        if cam.closed != "yoke":
-            continue
-        spans = sums(run.compiled.motions[cam.law])
-        if (play := float(np.ptp(spans))) > NEAR * np.abs(spans).max():
-            data = {"cam": name, "play": f"{play / size:.6g}", "unit": unit}
-            findings.append(Finding("cam.loose", ("cams", name), data, severity="warning"))
-    return findings
+    def row(self, signal: str) -> tuple[Array, Array]:
+        """Times (s), those among them at which a signal is least and greatest, and its values there (SI)."""
+        t = _times(self.run, [signal])
+        return t, self.run.compiled.evaluate([signal], t)[0]
 
 
 def _meeting(run: Run) -> list[tuple[Acting, float]]:

@@ -19,7 +19,7 @@ from linkwright.findings import Finding, ModelError, Term
 from linkwright.kernels import Compiled
 from linkwright.measures import Measurer, MeasureResult, enclose, misfit
 from linkwright.results import Result, Run, certify
-from linkwright.studies.acting import lifted, loose, outside, undefined, unseated
+from linkwright.studies.acting import contacts, outside, undefined
 from linkwright.studies.feasible import near, singular, strokes, travels, unassembled
 from linkwright.studies.locked import locked
 from linkwright.studies.numbers import constant
@@ -144,7 +144,7 @@ class Cycle:
         warned = [finding for finding in measurer.findings if finding not in faults]
         warned += [*warnings(run), *near(run), *(not_periodic(run) if options.period is not None else [])]
         notes = [*coincident(run), *crossed(run)]
-        warned += [*outside(run), *lifted(run), *loose(run), *unseated(run)]
+        warned += [*outside(run), *contacts(run)]
         return CycleOutcome(result, measures, [*warned, *notes])
 
 

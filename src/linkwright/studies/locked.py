@@ -1,4 +1,4 @@
-"""Where the contact of a cam holds its follower fast: the common normal is square to the follower's way."""
+"""Where the contact of a follower holds it fast: the common normal is square to the follower's way."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.cam_contact import cam_followers
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.results import Run
@@ -18,11 +17,9 @@ Array = NDArray[np.float64]
 
 
 def angles(compiled: Compiled) -> Iterator[tuple[str, str]]:
-    """The pressure angles of all contacts, with their cams."""
-    for name, drive in cam_followers(compiled.mechanism).items():
-        yield f"{name}.pressure", name
-        if drive.paired:
-            yield f"{name}.pressure_second", name
+    """The pressure angles of all contacts, with their followers."""
+    for name, follower in compiled.mechanism.followers.items():
+        yield from ((f"{name}.{attribute}", name) for attribute in follower.pressures)
 
 
 def square(pressure: Array) -> NDArray[np.bool_]:
@@ -31,7 +28,7 @@ def square(pressure: Array) -> NDArray[np.bool_]:
 
 
 def locked(run: Run) -> list[Finding]:
-    """A finding for each cam whose follower locks, where it first does so: the contact's force has no bound there."""
+    """A finding for each follower that locks, where it first does so: the contact's force has no bound there."""
     found: dict[str, Finding] = {}
     for row, name in angles(run.compiled):
         t, pressure = row_of(run, row)
@@ -50,6 +47,8 @@ def locked(run: Run) -> list[Finding]:
         before = run.compiled.evaluate([row], np.array([good]))[0, 0]
         # Where a face turns as fast as the cam, the contact goes to infinity: the angle jumps by half a turn there.
         why = Term("face-fast" if np.cos(before) > 0.5 else "normal-square")
-        data: dict[str, Any] = {"cam": name, "why": why, "time": f"{time:.6g}"} | drive_value(run, time)
-        found[name] = Finding("cam.locks", ("cams", name), data)
+        follower = run.compiled.mechanism.followers[name]
+        data: dict[str, Any] = {"joint": name, "kind": follower.title, "why": why, "time": f"{time:.6g}"}
+        path = run.compiled.mechanism.path_of(name)
+        found[name] = Finding(follower.locks, path, data | drive_value(run, time))
     return [*found.values()]

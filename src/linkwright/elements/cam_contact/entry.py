@@ -116,3 +116,8 @@ class Cam(Frozen):
         name = self.at or self.knife or (self.face.point if self.face else None)
         assert name is not None
         return name
+
+    @property
+    def one_sided(self) -> Mapping[str, int]:
+        """Where force alone holds the follower on the cam, the contact can't pull."""
+        return {"force": 1} if self.closed == "force" else {}

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from linkwright.elements.cam_contact.contact import Seat, seat, slant
-from linkwright.elements.cam_contact.second import largest, other_side, rest, room, second_seat
-from linkwright.elements.follower import FollowerGeometry
+from linkwright.elements.cam_contact.second import largest, other_side, rest, room, second_seat, sums
+from linkwright.elements.follower import Followed, FollowerGeometry
 from linkwright.expressions import units as u
 from linkwright.expressions.typed_fields import Path
 from linkwright.findings import Finding
@@ -45,6 +45,14 @@ def not_whole(quantities: Any, law: str, motion: Motion, path: Path) -> Iterator
         unit, size = quantities.unit_of(u.ANGLE)
         period = f"{first(motion.period, wrong) / size:.6g}"
         yield Finding("cam.period", path, {"law": law, "period": period, "unit": unit}), wrong
+
+
+def loose(run: Followed, path: Path, drive: CamFollower) -> Iterator[Finding]:
+    """A warning on a yoke with play, in which the second contact would bear elsewhere."""
+    spans = sums(run.motions[drive.cam.law]) if drive.cam.closed == "yoke" else np.zeros(1)
+    if (play := float(np.ptp(spans))) > CLOSE * np.abs(spans).max():
+        data = {"cam": path[-1], "play": run.geometry.written(play, u.LENGTH)}
+        yield Finding("cam.loose", path, data, severity="warning")
 
 
 def _second_faults(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -10,9 +10,10 @@ from linkwright.elements.cam_contact import contact as contacts
 from linkwright.elements.cam_contact import proof
 from linkwright.elements.cam_contact.entry import Cam
 from linkwright.elements.cam_contact.entry_reader import read
-from linkwright.elements.cam_contact.faults import faults, not_whole
+from linkwright.elements.cam_contact.faults import faults, loose, not_whole
 from linkwright.elements.cam_contact.second import largest, other_side, second
 from linkwright.elements.follower import (
+    Followed,
     Follower,
     FollowerGeometry,
     FollowerReports,
@@ -22,6 +23,7 @@ from linkwright.elements.follower import (
     UnitEffort,
     register_follower,
 )
+from linkwright.elements.force import Chart
 from linkwright.elements.joint import Applied
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Call, Node
@@ -49,7 +51,8 @@ class CamFollower(Follower):
 
     kind: ClassVar[str] = "cam"
     stated: ClassVar[type[Any]] = Cam
-    section: ClassVar[str] = "cams"
+    lifts: ClassVar[str] = "cam.lifts-off"
+    locks: ClassVar[str] = "cam.locks"
 
     @classmethod
     def read(cls, m: Any, name: str, pins: Mapping[str, Any]) -> CamFollower | list[Finding]:
@@ -77,6 +80,14 @@ class CamFollower(Follower):
     @property
     def extra(self) -> Mapping[str, Dimension]:
         return {"pressure": u.ANGLE, **({"pressure_second": u.ANGLE} if self.paired else {})}
+
+    @property
+    def charts(self) -> Sequence[Chart]:
+        return [Chart("contact", "force", self.effort), *(Chart("pressure", "force", angle) for angle in self.extra)]
+
+    @property
+    def pressures(self) -> Sequence[str]:
+        return [*self.extra]
 
     @property
     def laws(self) -> Mapping[str, str]:
@@ -118,6 +129,9 @@ class CamFollower(Follower):
 
     def law_faults(self, quantities: Any, law: str, motion: Motion, path: Path) -> Iterator[tuple[Finding, Any]]:
         return not_whole(quantities, law, motion, path)
+
+    def findings(self, run: Followed, path: Path) -> Iterator[Finding]:
+        return loose(run, path, self)
 
     def applied(self, reports: FollowerReports, name: str) -> list[Applied]:
         return proof.applied(reports, self, name)

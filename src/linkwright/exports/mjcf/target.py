@@ -25,6 +25,7 @@ from linkwright.expressions.typed_fields import Quantity
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.csv_text import cell, head, written
+from linkwright.model.mechanism import FOLLOWING
 from linkwright.studies import Site
 from linkwright.words import say
 
@@ -120,7 +121,8 @@ def _left_out(compiled: Compiled) -> list[Finding]:
     """Warnings on what acts in the mechanism and isn't written, or isn't as it is."""
     acting = [one for one in compiled.mechanism.acting() if one.kind.acts]
     left = [("export.left-out", section, [one.name for one in acting if one.section == section]) for section in NOUNS]
-    left.append(("export.followers", "cams", [*compiled.mechanism.followers]))
+    paths = [compiled.mechanism.path_of(name) for name in compiled.mechanism.followers]
+    left += [("export.followers", of, [name for section, name in paths if section == of]) for of in FOLLOWING]
     return [
         Finding(code, (section,), {"names": ", ".join(names)}, severity="warning")
         for code, section, names in left

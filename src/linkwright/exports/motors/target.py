@@ -57,14 +57,20 @@ class MotorExpressions:
         table, motors, warnings = values(compiled, t), dict[str, Motor](), list[Finding]()
         for drive in compiled.mechanism.movers:
             if (law := law_of(compiled, drive)) is None:
-                warnings.append(Finding("export.no-formula", ("drives", drive), {"drive": drive}, severity="warning"))
+                warnings.append(
+                    Finding(
+                        "export.no-formula", compiled.mechanism.path_of(drive), {"drive": drive}, severity="warning"
+                    )
+                )
                 continue
             unfolding = Unfolding(stop, compiled.quantities.parameters, functions(compiled, law, site.folder))
             try:
                 motors[drive] = _motor(compiled, drive, unfolding.pieces(law), options.dialect, stop)
             except TooManyError:
                 data = {"drive": drive, "limit": MOST}
-                warnings.append(Finding("export.too-many-pieces", ("drives", drive), data, severity="warning"))
+                warnings.append(
+                    Finding("export.too-many-pieces", compiled.mechanism.path_of(drive), data, severity="warning")
+                )
         if failures := _unproven(compiled, motors, t):
             return Exported(failures=failures, warnings=warnings)
         files = {
@@ -102,5 +108,5 @@ def _unproven(compiled: Compiled, motors: dict[str, Motor], t: np.typing.NDArray
         largest = float(np.abs(compiled.laws[drive](t).d[0]).max()) / made.size
         if not made.error <= PROVEN * max(largest, 1.0):
             data = {"name": drive, "error": f"{made.error:.1e}", "unit": made.unit}
-            found.append(Finding("export.unproven", ("drives", drive), data))
+            found.append(Finding("export.unproven", compiled.mechanism.path_of(drive), data))
     return found

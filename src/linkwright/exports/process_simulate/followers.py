@@ -1,4 +1,4 @@
-"""Followers of cams as functions of the driving joint: the pieces of the motion law, each times 1 where it holds and
+"""Followers as functions of the driving joint: the pieces of the motion law, each times 1 where it holds and
 times 0 elsewhere, which comparisons say."""
 
 from __future__ import annotations
@@ -10,14 +10,11 @@ from math import floor, pi
 
 import numpy as np
 
-from linkwright.elements.cam_contact import cam_followers
-from linkwright.elements.cam_contact.contact import seat, sense, whole
 from linkwright.exports.process_simulate.fitting import horner, polynomial
 from linkwright.exports.process_simulate.linkage import MM
 from linkwright.exports.process_simulate.motion import Motion
 from linkwright.exports.process_simulate.trees import Tree, add, call, joint, multiply, number
-from linkwright.expressions import units as u
-from linkwright.graph.geometry import Geometry
+from linkwright.exports.ridden import Ridden, ridden
 from linkwright.laws.pieces import Part, Piece
 
 FITTED, HALVED, SAMPLES = 1e-10, 6, 64
@@ -25,8 +22,9 @@ FITTED, HALVED, SAMPLES = 1e-10, 6, 64
 
 
 def followers(motion: Motion) -> dict[str, Tree]:
-    """The value of each follower of a cam (rad or mm, its own whole turns kept) from the driving joint's."""
-    return {name: _Follower(motion, name).tree() for name in cam_followers(motion.compiled.mechanism)}
+    """The value of each follower (rad or mm, its own whole turns kept) from the driving joint's."""
+    every = ((name, ridden(motion.compiled, name)) for name in motion.compiled.mechanism.followers)
+    return {name: _Follower(motion, name, how).tree() for name, how in every if how is not None}
 
 
 @dataclass(frozen=True)
@@ -38,18 +36,13 @@ class _Term:
 
 
 class _Follower:
-    def __init__(self, motion: Motion, name: str) -> None:
-        quantities, drive = motion.compiled.quantities, cam_followers(motion.compiled.mechanism)[name]
-        geometry = Geometry(quantities, quantities.parameters)
-        here = seat(geometry, drive)
-        self.scale = here.sign * (1.0 if here.turns else MM)
-        base = here.offset + here.sign * here.start - whole(geometry, drive)
-        self.base = float(base) * (1.0 if here.turns else MM)
-        self.law = motion.compiled.motions[drive.cam.law]
+    def __init__(self, motion: Motion, name: str, how: Ridden) -> None:
+        unit = 1.0 if motion.compiled.mechanism.followers[name].turning else MM
+        self.scale, self.base = how.scale * unit, how.base * unit
+        self.law = motion.compiled.motions[how.law]
         # The law's argument is ahead + way times the driving joint's value.
-        factor = sense(geometry, drive) * drive.turned
-        self.way = factor * motion.sign
-        self.ahead = factor * motion.reach.zero + float(geometry.number(drive.cam.phase, u.ANGLE))
+        self.way = how.way * motion.sign / motion.unit
+        self.ahead = how.way * motion.reach.zero + how.ahead
         self.moved = joint(motion.joint.kind, motion.joint.joint)
         self.ends = tuple(float(end) for end in motion.of_drive(np.array(motion.hull)))
 
@@ -89,7 +82,7 @@ class _Follower:
 
     def start(self, start: float, stop: float) -> float:
         """The least value of the driving joint on a stretch of the law."""
-        return min((end - self.ahead) * self.way for end in (start, stop))
+        return min((end - self.ahead) / self.way for end in (start, stop))
 
     def argument(self, factor: float, origin: float) -> Tree:
         """The law's argument less an origin, times a factor."""

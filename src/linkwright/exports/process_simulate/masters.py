@@ -13,7 +13,6 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.cam_contact import cam_followers
 from linkwright.exports.process_simulate.joints import ToolJoint
 from linkwright.exports.process_simulate.linkage import Refused
 from linkwright.exports.process_simulate.motion import Motion
@@ -97,8 +96,8 @@ def mastered(
 
     Raises :class:`Refused` where the master's value doesn't say where the mechanism is.
     """
-    if cams := [*cam_followers(compiled.mechanism)]:
-        raise Refused(Finding("functions.master-cam", PATH, {"joint": master.name, "drives": ", ".join(cams)}))
+    if followers := compiled.mechanism.followers:
+        raise Refused(Finding("functions.master-cam", PATH, {"joint": master.name, "drives": ", ".join(followers)}))
     around = replace(reach, low=reach.zero - 2 * np.pi, high=reach.zero + 2 * np.pi) if reach.full else reach
     motion = Mastered(compiled, drive, around, master, 1.0)
     data = {"joint": master.name, "others": ", ".join(_steady(compiled, drive, joints, reach, master)) or "-"}

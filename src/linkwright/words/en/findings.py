@@ -578,18 +578,22 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "The second contact of {follower} leaves its disc a base circle of {base} {unit}.",
         "Move the second contact further away from the shaft, or take a smaller second roller.",
     ),
+    "joint.locks": (
+        "The link that {joint} ({kind}) moves locks at t = {time} s ({drive} = {value} {unit}): {why}.",
+        "Take a smaller lift or a longer way for it, by which the normal stays off the square to the link's way.",
+    ),
     "cam.lifts-off": (
-        "The follower of the cam {cam} lifts off: it would have to be pulled with {force} {of} at t = {time} s ({drive} = "
+        "The follower of the cam {joint} lifts off: it would have to be pulled with {force} {of} at t = {time} s ({drive} = "
         "{value} {unit}).",
         "Add a spring or a stronger one, turn slower, or say closed: groove (conjugate, yoke) where form holds it.",
     ),
     "cam.locks": (
-        "The follower of the cam {cam} locks at t = {time} s ({drive} = {value} {unit}): {why}.",
+        "The follower of the cam {joint} locks at t = {time} s ({drive} = {value} {unit}): {why}.",
         "Take a smaller lift or a longer way for it; or another pivot, arm or base circle, by which the normal stays off "
         "the square to the follower's way.",
     ),
     "cam.loose": (
-        "The yoke of the cam {cam} has up to {play} {unit} of play; forces are those of one without.",
+        "The yoke of the cam {cam} has up to {play} of play; forces are those of one without.",
         "Take a law whose lifts half a turn apart add up to the same everywhere, or a second disc: closed: conjugate.",
     ),
     "cam.reach": (

@@ -123,6 +123,7 @@ TEXTS: dict[str, str] = {
     "plot.torque": "Drive torque",
     "plot.effort": "Drive force",
     "plot.contact": "Contact force of the cam",
+    "plot.follower": "Followers: {attribute}",
     "plot.pressure": "Pressure angle of the cam",
     "plot.power": "Drive power",
     "plot.spring_length": "Lengths of the springs",
