@@ -1,4 +1,4 @@
-"""Twenty random mechanisms of the 500 in benchmarks/workspace_random.py, against inverse kinematics."""
+"""Random mechanisms of each family, of the 500 in benchmarks/workspace_random.py, against inverse kinematics."""
 
 from __future__ import annotations
 
