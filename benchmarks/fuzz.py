@@ -135,7 +135,7 @@ def tried(verdicts: Iterable[Verdict], count: int, seconds: float) -> Counts:
 def planted() -> dict[str, int]:
     """After how many cases of its class each planted fault is found; 0 for one that isn't."""
     found = {}
-    patience(10.0, 15.0)
+    patience(4.0, 6.0)
     for name, plant in PLANTS.items():
         verdicts = judged(((seed, plant.kind) for seed in range(WITHIN)), 1, plant.plant)
         numbers = (i for i, v in enumerate(verdicts, start=1) if any(plant.reported in fault for fault in v.faults))

@@ -38,7 +38,7 @@ from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
 AT_ONCE = 2
-TIMEOUT = 300.0  # seconds for one command or script; twice that for a file of documentation
+TIMEOUT = 300.0  # seconds for one command, script or snippet
 OURS = f'"{sys.executable}" -m linkwright'
 TAIL = 25  # lines shown of what failed
 
@@ -296,39 +296,83 @@ def smoke_script(path: Path) -> list[Outcome]:
 
 
 def smoke_document(path: Path) -> list[Outcome]:
-    """Runs one Markdown file in a process of its own, so that a snippet can't harm the rest."""
-    name = path.relative_to(ROOT).as_posix()
-    with workplace() as place, tempfile.TemporaryDirectory() as folder:
-        results = Path(folder) / "results.jsonl"
-        results.touch()
-        command = [sys.executable, str(Path(__file__).resolve()), "--document", name, str(path), str(results)]
-        whole = timed(name, lambda: call(command, place, timeout=2 * TIMEOUT))
-        outcomes = [Outcome(**json.loads(line)) for line in results.read_text(encoding="utf-8").splitlines()]
-    return outcomes if whole.verdict == "ok" else [*outcomes, whole]
+    """Runs the blocks of one Markdown file."""
+    with workplace() as place, Snippets(path, place) as snippets:
+        return list(run_document(path.relative_to(ROOT).as_posix(), path, place, snippets))
 
 
-def run_document(name: str, path: Path) -> Iterator[Outcome]:
-    """Runs the blocks of one Markdown file in the current folder, in order."""
+class Snippets:
+    """A process for the `python` blocks of one Markdown file, so that a snippet can't harm the rest; it starts with the
+    first of them, with nothing imported."""
+
+    def __init__(self, path: Path, place: Path) -> None:
+        self.path, self.place = path, place
+        self.process: subprocess.Popen[str] | None = None
+
+    def __enter__(self) -> "Snippets":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self.process is not None:
+            self.process.communicate()
+
+    def __call__(self, block: Block) -> None:
+        """Executes a block; fails as it does."""
+        if self.process is None:
+            command = [sys.executable, str(Path(__file__).resolve()), "--snippets", str(self.path)]
+            pipe = subprocess.PIPE
+            self.process = subprocess.Popen(command, cwd=self.place, stdin=pipe, stdout=pipe, encoding="utf-8")
+        assert self.process.stdin is not None
+        assert self.process.stdout is not None
+        late = threading.Timer(TIMEOUT, self.process.kill)
+        late.start()
+        try:
+            with contextlib.suppress(BrokenPipeError):
+                self.process.stdin.write(json.dumps(asdict(block)) + "\n")
+                self.process.stdin.flush()
+            told = self.process.stdout.readline()
+        finally:
+            late.cancel()
+        if not told:
+            raise Failure(f"the process of the snippets ended with {self.process.wait()}, or took over {TIMEOUT:.0f} s")
+        if failure := json.loads(told):
+            raise Failure(failure)
+
+
+def snippets_main(path: Path) -> int:
+    """The process of one file's snippets: blocks come as lines of JSON; what failed leaves, or an empty text."""
+    sys.path[0] = str(Path.cwd())  # as for a script that stands beside README.md
     namespace: dict[str, Any] = {"__name__": "__main__"}
+    asked, told = os.fdopen(os.dup(0), encoding="utf-8"), os.fdopen(os.dup(1), "w", encoding="utf-8")
+    os.dup2(os.open(os.devnull, os.O_RDONLY), 0)  # the streams are no snippet's
+    os.dup2(2, 1)
+    for line in asked:
+        failure = timed("", partial(run_python, Block(**json.loads(line)), path, namespace)).detail
+        print(json.dumps(failure), file=told, flush=True)
+    return 0
+
+
+def run_document(name: str, path: Path, place: Path, snippets: Callable[[Block], None]) -> Iterator[Outcome]:
+    """Runs the blocks of one Markdown file in a folder, in order."""
     for block in blocks(path.read_text(encoding="utf-8")):
         label = f"{name}:{block.line}"
         if block.skip:
             yield Outcome(f"{label} {block.language}", "skip")
         elif block.language == "python":
-            yield timed(f"{label} python", partial(run_python, block, path, namespace))
+            yield timed(f"{label} python", partial(snippets, block))
         elif block.language in ("sh", "console"):
             for number, command in command_lines(block):
                 translated = translate(command)
                 if translated is None:
                     yield Outcome(f"{name}:{number} {command}", "skip")
                 else:
-                    item = partial(call, translated, Path.cwd(), block.exit_code)
+                    item = partial(call, translated, place, block.exit_code)
                     yield timed(f"{name}:{number} {command}", item)
         elif is_model(block):
-            model = Path(f"{path.stem}_line_{block.line}.yaml").absolute()
+            model = place / f"{path.stem}_line_{block.line}.yaml"
             model.write_text(block.text, encoding="utf-8")
             check = [sys.executable, "-m", "linkwright", "check", str(model)]
-            yield timed(f"{label} yaml", partial(call, check, Path.cwd(), block.exit_code))
+            yield timed(f"{label} yaml", partial(call, check, place, block.exit_code))
 
 
 def run_python(block: Block, path: Path, namespace: dict[str, Any]) -> None:
@@ -380,17 +424,8 @@ def main(names: list[str]) -> int:
     return 0 if passed and not failed else 1
 
 
-def document_main(name: str, path: Path, results: Path) -> int:
-    """The process of one Markdown file: writes each outcome as it comes, whatever happens after it."""
-    sys.path[0] = str(Path.cwd())  # as for a script that stands beside README.md
-    with results.open("a", encoding="utf-8") as sink:
-        for outcome in run_document(name, path):
-            print(json.dumps(asdict(outcome)), file=sink, flush=True)
-    return 0
-
-
 if __name__ == "__main__":
     os.environ.setdefault("MPLBACKEND", "Agg")
-    if sys.argv[1:2] == ["--document"]:
-        sys.exit(document_main(sys.argv[2], Path(sys.argv[3]), Path(sys.argv[4])))
+    if sys.argv[1:2] == ["--snippets"]:
+        sys.exit(snippets_main(Path(sys.argv[2])))
     sys.exit(main(sys.argv[1:]))

@@ -28,8 +28,8 @@ from studies.models import slider_crank
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals are POSIX's")
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-TIMES = 4
-"""How often a study is stopped."""
+TIMES = [2, pytest.param(6, marks=pytest.mark.long)]
+"""How often a study is stopped: killed and interrupted in turns."""
 
 
 def sampled(**studies: Any) -> dict[str, Any]:
@@ -78,9 +78,10 @@ def contents(folder: Path) -> dict[str, bytes]:
     return {name: content for name, content in found.items() if name not in (NAME, ".linkwright.lock")}
 
 
+@pytest.mark.parametrize("times", TIMES)
 @pytest.mark.parametrize("case", CASES)
 def test_stopped_at_random_moments(
-    case: str, processes: ForkServerContext, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    case: str, times: int, processes: ForkServerContext, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     if "kept" in case:
         pytest.importorskip("zarr")
@@ -101,7 +102,7 @@ def test_stopped_at_random_moments(
     took = time.monotonic() - start
     assert whole.exitcode == 0
     codes = []
-    for number in range(TIMES):
+    for number in range(times):
         process = begun("out")
         process.join(random_.uniform(0.2, 0.7) * took)
         sent = (signal.SIGKILL, signal.SIGINT)[number % 2]

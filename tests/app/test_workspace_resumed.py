@@ -23,12 +23,13 @@ from linkwright.studies.site import Site
 from linkwright.studies.stopped import Stopped
 from linkwright.studies.workspace.region_files import FOLDER
 
+DATE = ("SOURCE_DATE_EPOCH", "1700000000")
 MANY = {"chord": 1e-4, "for": {"b": [*range(20, 32)]}}
 
 
 @pytest.fixture(autouse=True)
 def _one_date(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1700000000")
+    monkeypatch.setenv(*DATE)
 
 
 def saved(path: Path, **options: Any) -> Path:
@@ -43,10 +44,19 @@ def file(tmp_path: Path) -> Path:
     return saved(tmp_path / "arm.yaml", chord=1e-3, **{"for": {"b": [30, 35, 20, 25, 28]}})
 
 
-@pytest.fixture
-def long(tmp_path: Path) -> Path:
+@pytest.fixture(scope="module")
+def long(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A study of some seconds."""
-    return saved(tmp_path / "long.yaml", **MANY)
+    return saved(tmp_path_factory.mktemp("long") / "long.yaml", **MANY)
+
+
+@pytest.fixture(scope="module")
+def whole(long: Path) -> dict[str, bytes]:
+    """What it writes when nothing stops it."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv(*DATE)
+        assert call("workspace", long, "--out", long.parent / "whole").exit_code == 0
+    return contents(long.parent / "whole")
 
 
 def interrupted(file: Path, out: Path, after: int = 2) -> Job:
@@ -191,7 +201,7 @@ def begun(file: Path, out: Path) -> subprocess.Popen[bytes]:
     return process
 
 
-def test_killed_it_is_resumed(long: Path, tmp_path: Path) -> None:
+def test_killed_it_is_resumed(long: Path, whole: dict[str, bytes], tmp_path: Path) -> None:
     """``kill -9`` of a process, while it computes regions."""
     out = tmp_path / "out"
     with begun(long, out) as process:
@@ -203,11 +213,10 @@ def test_killed_it_is_resumed(long: Path, tmp_path: Path) -> None:
     interrupted(long, out, len(kept) + 1)
     assert all(path.stat().st_mtime_ns == since for path, since in kept.items())  # taken, not written again
     assert call("workspace", long, "--out", out).exit_code == 0
-    assert call("workspace", long, "--out", tmp_path / "whole").exit_code == 0
-    assert contents(out) == contents(tmp_path / "whole")
+    assert contents(out) == whole
 
 
-def test_two_at_once(long: Path, tmp_path: Path) -> None:
+def test_two_at_once(long: Path, whole: dict[str, bytes], tmp_path: Path) -> None:
     """The second is refused; the first loses nothing."""
     out = tmp_path / "out"
     with begun(long, out) as first:
@@ -215,8 +224,7 @@ def test_two_at_once(long: Path, tmp_path: Path) -> None:
         _, complaint = first.communicate(timeout=120)
     assert first.returncode == 0, complaint
     assert (second.exit_code, "folder.busy-with" in second.stderr) == (2, True)
-    assert call("workspace", long, "--out", tmp_path / "whole").exit_code == 0
-    assert contents(out) == contents(tmp_path / "whole")
+    assert contents(out) == whole
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are POSIX's")

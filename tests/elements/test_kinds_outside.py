@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from elements.kinds_outside import CASES, GEARS, WAVES, Case, structure, studied
+from elements.kinds_outside import CASES, GEARS, WAVES, Case, dyad, structure, studied
 from helpers.expected import expected_angles, expected_forces, expected_motion
 from helpers.newton_euler import Array, Oracle, State
 from helpers.outside import linkwright, planted, table
@@ -31,6 +31,7 @@ WRONG = {
 FEW = ("wave alone in a loop", "gears alone in a loop", "gears several drives")
 """Mechanisms that stand for all of them where the answer doesn't depend on the place."""
 SWEPT = ("wave in a dyad's place", "gears on a link of a dyad")
+"""Those that sweeps compile; the second, whose equations are linear, before a release."""
 CLEARANCE = 0.02
 
 
@@ -188,6 +189,24 @@ def test_a_wrong_sign_fails_the_certificate(name: str, wrong: Done) -> None:
     assert "[motion.unproven]" in err
 
 
+HEADED = [(f"{link}.angle", f"{link}.heading") for link in ("bodies[link]", "a", "b", "c")]
+"""Takes directions in place of angles."""
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [(), [("    phased = True\n", "")], HEADED],
+    ids=["in what it fixes", "in its closure", "in its signal"],
+)
+def test_a_kind_that_asks_angles_without_saying_so_is_told_by_name(changes: Any, tmp_path: Path) -> None:
+    planted(tmp_path, "gear_on_carrier", ("    winds = True\n", ""), *changes)
+    (tmp_path / "model.yaml").write_text(json.dumps(studied(GEARS["on a link of a dyad"])), encoding="utf-8")
+    done = linkwright(tmp_path, "run", "model.yaml", "--out", "out")
+    assert done.returncode == 2, done.stderr
+    assert "joints.mesh: The kind of this joint, gears on a carrier, asks for the angle" in done.stderr
+    assert "winds = True" in done.stderr
+
+
 @pytest.mark.parametrize("name", CASES)
 def test_accuracy_has_the_derivatives_of_raw_geometry(name: str, done: Done, followed: Followed) -> None:
     """By the kind's own dimension, and by play across where it has any."""
@@ -278,7 +297,7 @@ def test_the_schema_has_both(done: Done) -> None:
     assert {*WRONG} <= {*re.findall(r'"(\w+)"', out)}
 
 
-@pytest.mark.parametrize("name", SWEPT)
+@pytest.mark.parametrize("name", [SWEPT[0], pytest.param(SWEPT[1], marks=pytest.mark.long)])
 def test_all_kernels_sweep_it(name: str, swept: Done) -> None:
     found = {}
     for kernel in KERNELS:
@@ -290,6 +309,32 @@ def test_all_kernels_sweep_it(name: str, swept: Done) -> None:
     values = {kernel: numbers(entry) for kernel, entry in found.items()}
     for kernel in values:
         assert values[kernel] == pytest.approx(values["numpy"], rel=1e-9, abs=1e-9), kernel
+
+
+def test_the_mesh_is_that_of_the_drawing_in_all_samples(tmp_path: Path) -> None:
+    """Of a coupler of another length the gears have the teeth in which they mesh at the nominal one: the wheel starts
+    elsewhere, by half of what the follower does. A file with that length is another drawing."""
+    data = studied(GEARS["on a link of a dyad"], accuracy={"outputs": ["wheel.angle"], "poses": 20, "samples": 0})
+    data["parameters"] = {"z": 2, "l": {"value": 65, "tolerance": 0.5}}
+    data["links"]["coupler"]["points"]["C"] = ["l", 0]
+    data["measures"] = {"most": {"max": "wheel.angle"}}  # it turns the other way: where it starts
+    lengths = np.array([62.0, 65.0, 68.0])
+    data["studies"]["sweep"] = {"vary": {"l": lengths.tolist()}}
+    (tmp_path / "model.yaml").write_text(json.dumps(data), encoding="utf-8")
+    assert linkwright(tmp_path, "run", "model.yaml", "--out", "out").returncode == 0
+    follower = [dyad((0.02, 0.0), (0.06, 0.0), 0.07, 1e-3 * length)[0] for length in (*lengths, 64.999, 65.001)]
+    swept = np.genfromtxt(tmp_path / "out" / "sweep.csv", delimiter=",", names=True, encoding="utf-8-sig")
+    start = np.radians(swept["most_deg"])
+    assert start == pytest.approx(-(np.array(follower[:3]) - follower[1]) / 2, abs=1e-12)
+    bands, _ = table(tmp_path / "out" / "accuracy_bands.csv")
+    slope = next(values for head, values in bands.items() if head.startswith("d(wheel.angle)/d(l)"))[0]
+    assert np.radians(slope) == pytest.approx(-(follower[4] - follower[3]) / 2 / 0.002, rel=1e-6)
+    data["links"]["coupler"]["points"]["C"] = [62, 0]
+    data["studies"] = {"cycle": data["studies"]["cycle"]}
+    (tmp_path / "model.yaml").write_text(json.dumps(data), encoding="utf-8")
+    assert linkwright(tmp_path, "run", "model.yaml", "--out", "alone").returncode == 0
+    alone = json.loads((tmp_path / "alone" / "summary.json").read_text(encoding="utf-8"))
+    assert alone["measures"]["most"]["value"] == pytest.approx(0.0, abs=1e-9)
 
 
 def numbers(entry: Any) -> list[float]:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from elements.kinds_outside import body
+from elements.kinds_outside import body, drag_link, dyad
 from helpers.expected import expected_forces
 from helpers.newton_euler import Array, Oracle
 from helpers.outside import linkwright, planted, table
@@ -296,3 +296,48 @@ def test_a_motor_whose_law_is_its_outputs_is_refused(folder: Path) -> None:
     model = deepcopy(MODELS["a dyad hangs on it"])
     model["drives"]["motor"]["output"] = "rocker"
     assert "[joint.follower-output]" in run(folder, model, "check", "model.yaml").stderr
+
+
+# Gears on a link that follows a drive.
+
+SWING = {"over": "angle", "of": "angle", "segments": [{"rise": 30, "over": 180}, {"fall": 30, "over": 180}]}
+ON = {"over": "angle", "of": "angle", "beyond": "advance", "segments": [{"rise": 90, "over": 360}]}
+DISC = {"cam": "barrel", "follower": "table", "on": "follower", "base": 30, "roller": 8, "at": "R", "law": "index"}
+
+
+def on_a_drag_link(law: dict[str, Any], **how: Any) -> dict[str, Any]:
+    """A link that follows a motor on a link of a dyad, which turns on and on; gears hold a wheel on it."""
+    data = deepcopy(drag_link())
+    data["laws"] = {"index": {**law, "segments": [{"law": "cycloidal", **part} for part in law["segments"]]}}
+    data["links"]["follower"]["points"] |= {"T": [60, 0]}
+    data["links"] |= {
+        "barrel": body({"D": [0, 0]}, 1, [0, 0], 200),
+        "table": body({"T": [0, 0], "R": [-30, 20]}, 2, [25, 4], 900),
+    }
+    data["drives"]["spin"] = {"turns": "barrel", "on": "follower", "speed": "40 rpm", "start": 0}
+    data["joints"]["mesh"] |= {"gear_on_carrier": ["table", "wheel", "frame"], "points": ["T", "W", "D"]}
+    data["joints"] |= how.get("joints", {})
+    data["cams"] = how.get("cams", {})
+    data["studies"] = {"cycle": {"duration": "4 s", "samples": 300}}
+    return data
+
+
+GEARED = {
+    "barrel cam": (ON, {"joints": {"step": {"indexer": ["table", "follower"], "motor": "spin", "law": "index"}}}),
+    "plate cam": (SWING, {"cams": {"step": {**DISC, "side": "left of D-T"}}}),
+}
+
+
+@pytest.mark.parametrize("which", GEARED)
+def test_gears_on_a_link_that_follows_keep_their_mesh_over_all_turns(which: str, folder: Path) -> None:
+    law, how = GEARED[which]
+    done = run(folder, on_a_drag_link(law, **how))
+    assert done.returncode == 0, done.stderr
+    columns, t = table(folder / "out" / "cycle.csv")
+    own = {name: np.radians(columns[f"{name}.angle [deg]"]) for name in ("table", "wheel", "step")}
+    crank = 2 * np.pi * t
+    pins = zip(60 * np.cos(crank), 60 * np.sin(crank), strict=True)
+    base = np.unwrap([dyad((20.0, 0.0), pin, 70.0, 65.0)[0] for pin in pins])
+    assert base[-1] - base[0] == pytest.approx(8 * np.pi)
+    assert own["table"] == pytest.approx(base + own["step"], abs=1e-11)
+    assert own["wheel"] == pytest.approx(own["wheel"][0] - (own["table"] - own["table"][0]) / 2, abs=1e-11)

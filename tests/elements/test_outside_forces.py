@@ -206,6 +206,26 @@ def test_what_is_wrong_with_it_is_told(folder: Path, entry: dict[str, Any], code
     assert code in done.stderr, done.stderr
 
 
+@pytest.mark.parametrize(
+    ("section", "entry", "keys"),
+    [
+        ("springs", {**MODEL["springs"]["stop"], "from": "B", "to": "S"}, "bump_stop, table, gap; from, to"),
+        ("springs", {"inerter": "crank", "bump_stop": ["B", "S"]}, "bump_stop; inerter"),
+        ("loads", {"on": "rod", "at": "B", "force": [1, 2], "drag": "rod"}, "drag; on, force"),
+        ("loads", {"on": "rod", "force": [1, 2], "bump_stop": ["B", "S"]}, "bump_stop; on, force"),
+        ("joints", {"pin_in_slot": ["rod", "crank"], "indexer": ["rod", "crank"]}, "pin_in_slot; indexer"),
+    ],
+)
+def test_an_entry_of_several_kinds_is_told_which_keys_are_of_which(
+    folder: Path, section: str, entry: dict[str, Any], keys: str
+) -> None:
+    write(folder, {**MODEL, section: {"both": entry}})
+    told = linkwright(folder, "check", "model.yaml").stderr
+    assert "[file.kinds]" in told
+    assert f"keys of several: {keys}." in told
+    assert "file.unknown-key" not in told
+
+
 def test_its_name_is_taken(folder: Path) -> None:
     springs = {"crank": MODEL["springs"]["stop"]}
     write(folder, {**without("sweep", "accuracy"), "springs": springs, "measures": {}, "windows": {}})

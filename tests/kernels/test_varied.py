@@ -277,9 +277,19 @@ def without_paths(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
         yield
 
 
-@pytest.mark.parametrize("kernel", ["numpy", "numba"])
+ON_A_PLATFORM, IN_CLASS_FOUR = (platform, ["plate.angle", "B3.x"]), (class_four, ["top.angle", "E.y"])
+
+
 @pytest.mark.parametrize("share", [0.1, 0.3])
-@pytest.mark.parametrize(("made", "signals"), [(platform, ["plate.angle", "B3.x"]), (class_four, ["top.angle", "E.y"])])
+@pytest.mark.parametrize(
+    ("made", "signals", "kernel"),
+    [
+        (*ON_A_PLATFORM, "numpy"),
+        (*IN_CLASS_FOUR, "numpy"),
+        pytest.param(*ON_A_PLATFORM, "numba", marks=pytest.mark.long),
+        (*IN_CLASS_FOUR, "numba"),
+    ],
+)
 def test_poses_foretold_by_paths_are_those_followed_one_by_one(
     made: Callable[[], Document], signals: list[str], share: float, kernel: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:

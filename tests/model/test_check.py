@@ -323,6 +323,29 @@ def test_bounds_without_units_follow_what_they_bound() -> None:
     assert q.parameters["late"] == pytest.approx(1.5707963267948966)
 
 
+@pytest.mark.parametrize(
+    ("text", "code", "hint"),
+    [
+        ("slot", "signal.element", "slot.s"),
+        ("s(slot)", "signal.unknown", "'slot.s'"),
+        ("twist(hinge)", "signal.unknown", "POINT.x"),
+        ("hinge.x", "name.unknown-element", "Write one of these: frame, crank"),
+    ],
+)
+def test_joints_of_all_kinds_are_known_by_name(text: str, code: str, hint: str) -> None:
+    joints = {
+        "hinge": {"revolute": ["crank", "coupler"], "at": ["B", "E"]},
+        "slot": {"pin_in_slot": ["coupler", "rocker"], "pin": "C", "straight": "D at 0 deg"},
+    }
+    parts = crank() | {
+        "coupler": {"points": {"E": [0, 0], "C": [120, 0]}},
+        "rocker": {"points": {"D": [0, 0]}, "mass": 1, "com": [0, 0], "inertia": 1},
+    }
+    (finding,) = [f for f in found(links=parts, joints=joints, measures={"m": {"max": text}}) if "measures" in f.path]
+    assert finding.code == code
+    assert hint in finding.mend
+
+
 def test_a_call_of_links_that_is_no_signal_is_told_once() -> None:
     """Not as an unknown table, an unknown function and an unknown parameter."""
     (finding,) = found(measures={"m": {"max": "2*moment(coupler)"}})

@@ -6,6 +6,7 @@ import os
 import shutil
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import cache
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -385,12 +386,16 @@ def test_drawing_works_alone_as_a_notebook_widget(browser: Any, report: ReportDa
     assert counts == [5, 1, 0, 0]
 
 
+@cache
+def one_pose() -> Any:
+    """A workspace without a cycle."""
+    return performed(five_bar(drives={"motor": [80, 120], "servo": [40, 100]}))
+
+
 @pytest.mark.parametrize("width", [390, 1100, 1200])
 def test_one_pose_of_a_workspace_stands_still_before_its_regions(show: Any, width: int) -> None:
-    job = performed(five_bar(drives={"motor": [80, 120], "servo": [40, 100]}))
-    document = job.examined.document
-    assert document is not None
-    view = show(report_data(document, job.outcomes), viewport={"width": width, "height": 900})
+    job = one_pose()
+    view = show(report_data(job.examined.document, job.outcomes), viewport={"width": width, "height": 900})
     assert view.complaints == []
     assert view.page.evaluate("document.documentElement.scrollWidth") == width
     drawing = view.page.locator("#drawing")
@@ -411,9 +416,12 @@ def test_one_pose_of_a_workspace_stands_still_before_its_regions(show: Any, widt
     assert not own.is_visible() and drawing.locator(".lw-area").nth(1).is_visible()
 
 
-def stepped(**more: Any) -> ReportData:
-    """A workspace for several values of two parameters."""
-    values = {"for": {"l": [12, 11, 13], "base": [10, 12]}, **more}
+@cache
+def stepped(trajectories: bool) -> ReportData:
+    """A workspace for several values of two parameters; tests don't change it."""
+    values: dict[str, Any] = {"for": {"l": [12, 11, 13], "base": [10, 12]}}
+    if trajectories:
+        values["trajectories"] = {"hold": "servo", "steps": 6}
     job = performed(five_bar(drives={"motor": [80, 120], "servo": [40, 100]}, **values))
     document = job.examined.document
     assert document is not None
@@ -436,7 +444,7 @@ def places(view: Opened) -> list[list[float]]:
 @pytest.mark.parametrize(("width", "scheme"), [(390, "dark"), (1400, "light")])
 def test_sliders_step_through_the_pictures_of_a_workspace(show: Any, width: int, scheme: str) -> None:
     view = show(
-        stepped(trajectories={"hold": "servo", "steps": 6}),
+        stepped(trajectories=True),
         viewport={"width": width, "height": 900},
         color_scheme=scheme,
     )
@@ -457,7 +465,7 @@ def test_sliders_step_through_the_pictures_of_a_workspace(show: Any, width: int,
 
 
 def test_the_slider_stays_in_sight_and_pictures_keep_their_axes(show: Any) -> None:
-    view = show(stepped(trajectories={"steps": 6}), viewport={"width": 1000, "height": 700})
+    view = show(stepped(trajectories=True), viewport={"width": 1000, "height": 700})
     slider = view.page.get_by_role("slider", name="l", exact=True)
     view.page.locator("#workspace .stack").last.scroll_into_view_if_needed()
     box = slider.bounding_box()
@@ -468,7 +476,7 @@ def test_the_slider_stays_in_sight_and_pictures_keep_their_axes(show: Any) -> No
 
 
 def test_without_scripts_and_on_paper_all_pictures_are_seen(show: Any) -> None:
-    data = stepped()
+    data = stepped(trajectories=False)
     silent = show(data, java_script_enabled=False)
     assert len(seen(silent)) == 6
     assert not silent.page.locator(".sliders").is_visible()

@@ -131,22 +131,23 @@ def bits(many: Many) -> list[bytes]:
 # Against runs of their own.
 
 
-@pytest.mark.parametrize(
-    ("path", "samples"),
-    [
-        ("examples/paper_feeder.yaml", 8),
-        ("examples/four_bar.yaml", 4),
-        ("examples/slider_crank.yaml", 4),
-        ("examples/quick_return.yaml", 4),
-        ("examples/jansen_leg.yaml", 4),
-        ("examples/press_law.yaml", 3),
-        ("examples/five_bar.yaml", 3),
-        ("examples/tailgate.yaml", 2),
-        ("src/linkwright/gallery/walking-leg.yaml", 3),
-        ("src/linkwright/gallery/pumpjack.yaml", 3),
-        ("src/linkwright/gallery/dwell-six-bar.yaml", 3),
-    ],
-)
+ROUND_NOMINAL = [
+    "examples/paper_feeder.yaml",
+    "examples/four_bar.yaml",
+    "examples/slider_crank.yaml",
+    "examples/quick_return.yaml",
+    "examples/jansen_leg.yaml",
+    "examples/press_law.yaml",
+    "examples/five_bar.yaml",
+    "examples/tailgate.yaml",
+    "src/linkwright/gallery/walking-leg.yaml",
+    "src/linkwright/gallery/pumpjack.yaml",
+    "src/linkwright/gallery/dwell-six-bar.yaml",
+]
+
+
+@pytest.mark.parametrize("samples", [2, pytest.param(8, marks=pytest.mark.long)])
+@pytest.mark.parametrize("path", ROUND_NOMINAL)
 def test_each_sample_has_the_measures_of_its_own_run(path: str, samples: int) -> None:
     share = 0.002 if "tailgate" in path else 0.01
     many = Batch.round_nominal(path, share, samples).check()

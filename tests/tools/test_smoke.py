@@ -157,7 +157,7 @@ def test_whole_models_are_told_from_pieces(smoke: ModuleType, markdown: str, exp
     assert smoke.is_model(block) is expected
 
 
-def test_a_document_runs_in_one_namespace(smoke: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_document_runs_in_one_namespace(smoke: ModuleType, tmp_path: Path) -> None:
     path = tmp_path / "page.md"
     path.write_text(
         "```python\na = 1\n```\n"
@@ -167,12 +167,21 @@ def test_a_document_runs_in_one_namespace(smoke: ModuleType, tmp_path: Path, mon
         "```sh\ngit status\n```\n",
         encoding="utf-8",
     )
-    monkeypatch.chdir(tmp_path)
-    outcomes = list(smoke.run_document("page.md", path))
+    with smoke.Snippets(path, tmp_path) as snippets:
+        outcomes = list(smoke.run_document("page.md", path, tmp_path, snippets))
     assert [outcome.verdict for outcome in outcomes] == ["ok", "FAIL", "ok", "ok", "skip"]
     assert outcomes[1].name == "page.md:5 python"
     assert outcomes[1].detail.startswith("said\n")
     assert f'{path}", line 5' in outcomes[1].detail
+
+
+def test_a_snippet_that_ends_its_process_fails_and_so_do_those_after_it(smoke: ModuleType, tmp_path: Path) -> None:
+    path = tmp_path / "page.md"
+    path.write_text("```python\nimport os; os._exit(3)\n```\n```python\na = 1\n```\n", encoding="utf-8")
+    with smoke.Snippets(path, tmp_path) as snippets:
+        outcomes = list(smoke.run_document("page.md", path, tmp_path, snippets))
+    assert [outcome.verdict for outcome in outcomes] == ["FAIL", "FAIL"]
+    assert "ended with 3" in outcomes[0].detail
 
 
 def test_an_exit_code_that_was_not_expected_fails(smoke: ModuleType, tmp_path: Path) -> None:

@@ -3,7 +3,7 @@
     desugar      short forms as the links, joints and lengths that they stand for
     check        names and references
     quantities   dimensions, bare numbers in SI
-    laws         motions of drives, tables of loads and springs; numbers that make no sense
+    laws         motions of drives, tables of acting elements; numbers that make no sense
     structure    driven links and Assur groups, in the order of solution
     assemble     the assembly mode of each group, the start pose
 
@@ -55,7 +55,7 @@ class Prepared:
 
     @property
     def tables(self) -> dict[str, StatedTable]:
-        """The tables by name, that loads and springs ask."""
+        """The tables by name, that acting elements ask."""
         return self.stated.tables
 
 

@@ -33,7 +33,7 @@ whose short forms are spelled out."""
 @dataclass
 class Laws:
     """The functions that a file states, by name: of ``drives`` over the time, the ``motions`` that these ask, the
-    ``tables`` that loads and springs ask."""
+    ``tables`` that acting elements ask."""
 
     drives: dict[str, Law] = field(default_factory=dict)
     motions: dict[str, StatedMotion] = field(default_factory=dict)
@@ -41,7 +41,7 @@ class Laws:
 
 
 def desugar(mechanism: Mechanism) -> Spelled:
-    """Sketch, cylinders and cams as the links, joints and lengths that they stand for."""
+    """Sketch, cylinders and followers as the links, joints, lengths and motions that they stand for."""
     return spell_out(mechanism)
 
 

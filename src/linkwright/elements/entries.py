@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, ClassVar
 
+from pydantic import BaseModel
+
 from linkwright.expressions.fields import Expression, Frozen
 from linkwright.expressions.typed_fields import Context, Quantity
 from linkwright.expressions.units import Dimension
@@ -87,7 +89,9 @@ class ForceEntry(Frozen):
         yield from ()
 
 
-SECTIONS = ("joints", "loads", "springs", "counterweights")
+NOUNS = {"loads": "load", "springs": "spring", "counterweights": "counterweight"}
+"""The sections of what acts on links, in the order in which it acts, and what one of each is called."""
+SECTIONS = ("joints", *NOUNS)
 """The sections of a file in which elements of several kinds stand."""
 ENTRIES: Mapping[str, Registry[type[JointEntry] | type[ForceEntry]]] = {section: Registry() for section in SECTIONS}
 """By section the entries that are chosen by a key, by the names of their kinds."""
@@ -103,10 +107,19 @@ def make_known(
         add(language, texts)
 
 
-def entry_for(section: str, keys: Iterable[Any], known: Iterable[str]) -> type[JointEntry] | type[ForceEntry] | None:
-    """The entry of a section whose kind is among the keys of what a file says; ``known`` are keys that speak of
-    none."""
-    entries, keys = ENTRIES[section], [*keys]
-    if not entries.keys() & keys and {*keys} - {*known}:
+def keys_of(entry: type[BaseModel]) -> set[str]:
+    """The keys of an entry as files have them."""
+    return {field.alias or name for name, field in entry.model_fields.items()}
+
+
+def stated(keys: Iterable[Any], usual: type[BaseModel]) -> dict[Any, type[BaseModel]]:
+    """The entries of the kinds, of any section, that the keys of one entry name; ``usual`` is that of no such key."""
+    keys = {*keys}
+    others = keys - keys_of(usual)
+
+    def found() -> dict[Any, type[BaseModel]]:
+        return {key: of[key] for of in ENTRIES.values() for key in of if key in others}
+
+    if keys.difference(*map(keys_of, found().values() or [usual])):
         load("elements")
-    return next((entries[key] for key in keys if key in entries), None)
+    return found()

@@ -16,7 +16,7 @@ from typing import Any, ClassVar, Protocol
 
 from linkwright.elements.entries import JointEntry, make_known
 from linkwright.elements.force import Chart
-from linkwright.elements.joint import Applied, Array, JointGeometry
+from linkwright.elements.joint import Applied, Array, JointGeometry, Placed
 from linkwright.elements.mover import TRAVEL, TURN, MoverReports, MoverSignals
 from linkwright.expressions import units as u
 from linkwright.expressions.language import Call, Node
@@ -24,7 +24,7 @@ from linkwright.expressions.typed_fields import Path
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, Term
 from linkwright.laws import Motion
-from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
+from linkwright.notation import Jet, Pair, Scalar, Wrench
 from linkwright.notation.registry import Registry
 
 Motions = Mapping[str, Any]
@@ -51,16 +51,12 @@ class FollowerGeometry(JointGeometry, Protocol):
         """The place of a link that is put on the pin of one of its points, its clearance included."""
 
 
-class Poses(Protocol):
-    """The motion of all links at some order of rates."""
+class Poses(Placed, Protocol):
+    """What a follower asks for at a pose."""
 
     @property
-    def geometry(self) -> Any:
-        """The dimensions: a :class:`FollowerGeometry`."""
-
-    @property
-    def bodies(self) -> Mapping[str, Body]:
-        """The links."""
+    def geometry(self) -> FollowerGeometry:
+        """The dimensions of the mechanism."""
 
     def unit(self, mover: str) -> dict[str, Wrench]:
         """What 1 N m or 1 N of a drive or follower would do at its own joint, by link."""

@@ -14,8 +14,8 @@ from typing import Any, ClassVar, Generic, Literal, NamedTuple, Protocol, TypeVa
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.elements.entries import ForceEntry, make_known
-from linkwright.elements.joint import Applied, JointGeometry
+from linkwright.elements.entries import NOUNS, ForceEntry, make_known
+from linkwright.elements.joint import Applied, Placed
 from linkwright.elements.mover import MoverReports
 from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.fields import Expression, Position, Two
@@ -23,14 +23,11 @@ from linkwright.expressions.language import Node
 from linkwright.expressions.typed_fields import Path, Scope
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, Term
-from linkwright.notation import Body, Scalar, Wrench
+from linkwright.notation import Scalar, Wrench
 from linkwright.notation.registry import Registry
 
 Array = NDArray[np.float64]
 E = TypeVar("E", bound=ForceEntry)
-
-NOUNS = {"loads": "load", "springs": "spring", "counterweights": "counterweight"}
-"""The sections in which such elements stand, in the order in which they act, and what one of each is called."""
 
 
 class Use(NamedTuple):
@@ -96,16 +93,8 @@ class Misfit(NamedTuple):
     force: bool
 
 
-class ForceContext(Protocol):
-    """What a kind asks for at a pose; SI, numbers or symbols."""
-
-    @property
-    def geometry(self) -> JointGeometry:
-        """The dimensions of the mechanism."""
-
-    @property
-    def bodies(self) -> Mapping[str, Body]:
-        """The links by name."""
+class ForceContext(Placed, Protocol):
+    """What a kind asks for at a pose."""
 
     def value(self, expression: Expression, dimension: Dimension) -> Scalar:
         """An expression of the entry, in parameters, the time, tables and signals."""
@@ -153,7 +142,7 @@ class ForceKind(ABC, Generic[E]):
     name: ClassVar[str]
     """As files have it, where it isn't the usual one of its section; that of its term ``kind-NAME``."""
     section: ClassVar[str]
-    """Where its elements stand in a file: one of :data:`NOUNS`."""
+    """Where its elements stand in a file: one of :data:`~linkwright.elements.entries.NOUNS`."""
     entry: ClassVar[type[ForceEntry]]
     """What a file says of one."""
     usual: ClassVar[bool] = False

@@ -155,6 +155,18 @@ class JointGeometry(Protocol):
         """What the joint's kind has fixed at assembly; ``None`` before that."""
 
 
+class Placed(Protocol):
+    """The links as they lie at a pose, with rates; numbers or symbols, in SI."""
+
+    @property
+    def geometry(self) -> JointGeometry:
+        """The dimensions of the mechanism."""
+
+    @property
+    def bodies(self) -> Mapping[str, Body]:
+        """The links by name."""
+
+
 class Contact(Protocol):
     """Where a reaction acts: ``link`` on ``on`` (a link, or the pin where three or more meet)."""
 
@@ -240,7 +252,8 @@ class JointKind(ABC):
     """Whether the pose in which it is drawn fixes constants of its closure (:meth:`phase`)."""
     winds: ClassVar[bool] = False
     """Whether it asks the angles of its links (``Body.angle``), over any number of turns: groups whose closed forms
-    know no more than the directions of such links are solved by Newton, which follows their angles."""
+    know no more than the directions of such links are solved by Newton, which follows their angles. A kind that asks an
+    angle without saying so is refused (``joint.winds``) where that isn't known."""
     plays: ClassVar[tuple[str, ...] | None] = None
     """What clearances in it say besides their size (``length``, ``centre``, ``in``); ``None`` where they are refused,
     as it isn't known where its links would rest."""
@@ -275,7 +288,8 @@ class JointKind(ABC):
 
     def phase(self, geometry: JointGeometry, joint: str, bodies: Mapping[str, Body]) -> tuple[float, ...]:
         """Of a kind that is ``phased`` the constants of its closure, such as how two gears mesh, from the pose in which
-        its links are drawn; :meth:`JointGeometry.phases` has them from then on."""
+        its links are drawn at the nominal dimensions; :meth:`JointGeometry.phases` has them from then on, for samples
+        of other dimensions too."""
         raise NotImplementedError
 
     def play(self, geometry: JointGeometry, joint: str, links: Sequence[str], stated: Stated) -> Sequence[Held]:

@@ -14,7 +14,7 @@ from linkwright.elements import OuterPin
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import AssemblyRule
 from linkwright.expressions.units import LENGTH
-from linkwright.findings import Finding
+from linkwright.findings import Finding, ModelError
 from linkwright.graph.clusters import assemble_cluster, drawn_phases, only_coordinates
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, Unknowns, solve_motion
@@ -80,6 +80,9 @@ class _Assembler:
         except Parallel as error:
             slides = " and ".join(c.joint for c in error.wedge.outer)
             self.note("assembly.slides-parallel", ("links", error.wedge.link), link=error.wedge.link, joints=slides)
+            return self.assembly
+        except ModelError as error:
+            self.assembly.findings += error.findings
             return self.assembly
         except ZeroDivisionError:
             self.degenerate(self.current)

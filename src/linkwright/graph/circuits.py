@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 LONGEST, SHORTEST = 0.1, 1e-5
 """Steps along the curve (rad, or lengths over the size); curves nearer than the shortest count as crossing."""
 FINE = 0.01
-"""The finest steps that a cam's law asks for (rad), however short its pieces are."""
+"""The finest steps that a follower's law asks for (rad), however short its pieces are."""
 BEND = 0.995
 """The least cosine between the tangents at both ends of a step."""
 STEPS, WORK = 6000, 8e6

@@ -8,8 +8,9 @@ closure just as for a dyad, with a matrix of more than two rows.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import islice, product
 from typing import TYPE_CHECKING
 
@@ -17,7 +18,7 @@ import numpy as np
 
 from linkwright.elements import STILL, Inner, Twist
 from linkwright.graph.geometry import extent
-from linkwright.graph.placing import driven_body, inner_joint, outer_joint
+from linkwright.graph.placing import answered, driven_body, inner_joint, outer_joint
 from linkwright.groups.linear import Factor
 from linkwright.notation import Body, Jet, Pair, Scalar, Wrench
 from linkwright.notation.jets import call
@@ -100,7 +101,11 @@ Closures = list[tuple[Connection, Inner]]
 
 def _gaps(motion: Motion, closures: Closures) -> list[Jet]:
     """What the equations of closures miss, with all rates of the bodies."""
-    return [gap for c, inner in closures for gap in inner.gap(*(motion.bodies[link] for link in c.links))]
+    return [gap for c, inner in closures for gap in _gap(motion, c, inner)]
+
+
+def _gap(motion: Motion, c: Connection, inner: Inner) -> Sequence[Jet]:
+    return answered(c.kind, c.joint, motion.bodies, lambda bodies: inner.gap(*(bodies[link] for link in c.links)))
 
 
 def _free(motion: Motion, edge: Edge, start: Scalar, rates: Jet) -> Body:
@@ -213,7 +218,8 @@ def drawn_phases(
         return {}
     size = _reach(sketch) if sketch else extent(motion.structure.topology, motion.geometry)
     next(_starts(motion, step, sketch, drives, size), None)  # puts the links where they are drawn
-    return {c.joint: c.kind.phase(motion.geometry, c.joint, motion.bodies) for c in phased}
+    ask = {c: partial(c.kind.phase, motion.geometry, c.joint) for c in phased}
+    return {c.joint: answered(c.kind, c.joint, motion.bodies, ask[c]) for c in phased}
 
 
 SAME = 1e-6

@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Ride:
-    """How a follower moves with the ``motor`` that turns its cam: ``at`` gives its value (rad or m) and its derivative
+    """How a follower moves with its ``motor``: ``at`` gives its value (rad or m) and its derivative
     from the motor's value (rad); in steps of ``finest`` (rad) of this no piece of its law is passed over."""
 
     motor: str
@@ -34,8 +34,8 @@ class Ride:
 
 
 class Constraints:
-    """Residuals and slopes of all joints, of drives that are held and of followers that ride on cams; ``size`` is the
-    unit of length (m).
+    """Residuals and slopes of all joints, of drives that are held and of followers that ride on their motors; ``size``
+    is the unit of length (m).
 
     ``rows[k]`` names the joint or drive of residual k. Lengths come out over the size, directions as sines. The
     direction of a slide that closes a loop of slides follows from the others' and is left out, unless ``whole``.

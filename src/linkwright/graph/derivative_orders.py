@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from linkwright.elements.force import NOUNS
+from linkwright.elements.entries import NOUNS
 from linkwright.model.signals import Signal
 
 if TYPE_CHECKING:

@@ -41,13 +41,13 @@ def solve_forces(
 ) -> Forces:
     """All reactions, drive efforts and the shaking wrench, from motion of order 2 and what is applied to links.
 
-    A drive with an output acts at its own joint, not where the motion is prescribed, and a cam in its contact
-    (``pushes``: the wrenches of 1 N there, by cam): the effort is the one that leaves none to be exerted where the
-    motion is prescribed. All forces are linear in it.
+    A drive with an output acts at its own joint, not where the motion is prescribed, and a follower in its contact
+    (``pushes``: the wrenches of a unit effort there, by follower): the effort is the one that leaves none to be exerted
+    where the motion is prescribed. All forces are linear in it.
 
-    Where a cam would have to pull, its second contact pushes instead, if it has one (``holds``: the wrenches of 1 N
-    there, and its force for each N of the pull). Both do the same along the lift, hence the same for all efforts; what
-    differs are the reactions. Such an effort is minus the second contact's force.
+    Where a follower would have to pull, its second contact pushes instead, if it has one (``holds``: the wrenches of
+    a unit effort there, and its effort for each unit of the pull). Both do the same along the lift, hence the same for
+    all efforts; what differs are the reactions. Such an effort is minus the second contact's force.
     """
     own = {link: own_wrench(motion, link, body) for link, body in motion.bodies.items() if link != FRAME}
     own[FRAME] = Wrench.zero(ZERO)

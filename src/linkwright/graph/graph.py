@@ -57,7 +57,7 @@ class Graph:
 
     @cached_property
     def inputs(self) -> tuple[str, ...]:
-        """Rows of the per-pose input: those of the motion, then what loads and springs need besides."""
+        """Rows of the per-pose input: those of the motion, then what acting elements and followers need besides."""
         return (*self.motion_inputs, *self.actions.inputs)
 
     @cached_property

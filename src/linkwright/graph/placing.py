@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, TypeVar
 
-from linkwright.elements import Inner, Outer
+from linkwright.elements import Inner, JointKind, Outer
+from linkwright.findings import Finding, ModelError
 from linkwright.notation import Body, Jet
 from linkwright.structure import Chain, Connection, Driven, Edge
 
 if TYPE_CHECKING:
     from linkwright.graph.motion import Motion
+
+Answer = TypeVar("Answer")
 
 
 def driven_body(motion: Motion, step: Driven | Edge, law: Jet) -> tuple[Outer, Body]:
@@ -37,3 +41,17 @@ def outer_joint(motion: Motion, connection: Connection, link: str) -> Outer:
 def inner_joint(motion: Motion, connection: Connection, links: Sequence[str]) -> Inner:
     """A joint as closure between its links, in this order."""
     return connection.kind.inner(motion.geometry, connection.joint, links)
+
+
+def answered(
+    kind: JointKind, joint: str, bodies: Mapping[str, Body], ask: Callable[[Mapping[str, Body]], Answer]
+) -> Answer:
+    """What a kind of joint answers of links as they lie. Raises ModelError where it needs an angle that isn't known and
+    doesn't say that it ``winds``."""
+    try:
+        return ask(bodies)
+    except TypeError:
+        if kind.winds:
+            raise
+        ask({link: replace(body, angle=0.0) for link, body in bodies.items()})  # raises what else is wrong
+        raise ModelError([Finding("joint.winds", ("joints", joint), {"kind": kind.title})]) from None

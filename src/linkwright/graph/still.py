@@ -58,7 +58,7 @@ class StillGraph(Graph):
         return False
 
     def applied(self) -> Program:
-        """The program of what gravity, loads and springs do to each link, the frame too: force (N) and moment (N m)
+        """The program of what gravity and acting elements do to each link, the frame too: force (N) and moment (N m)
         about its origin, link by link."""
         view = self._view(0)
         links = {link: own_wrench(view.motion, link, body) for link, body in view.motion.bodies.items()}

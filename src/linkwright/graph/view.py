@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from linkwright.elements.entries import NOUNS
 from linkwright.elements.follower import UnitEffort
-from linkwright.elements.force import NOUNS
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Call, Name, Node, evaluate, is_signal, signal_text
 from linkwright.expressions.units import Dimension
@@ -19,6 +19,7 @@ from linkwright.graph.derivative_orders import DRIVE_ORDERS, LETTERS, LINK_ORDER
 from linkwright.graph.forces import Forces, solve_forces
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, solve_motion
+from linkwright.graph.placing import answered
 from linkwright.graph.poles import pole
 from linkwright.model.signals import Signal
 from linkwright.notation import Body, Jet, Scalar, Vec, Wrench
@@ -38,7 +39,7 @@ class View:
     p: Any
     motion: Motion
     laws: dict[str, Jet]
-    given: dict[str, Any]  # the inputs of loads and springs
+    given: dict[str, Any]  # the inputs of acting elements and followers
     plays: list[Any]
 
     @classmethod
@@ -164,8 +165,14 @@ class View:
     def joint(self, signal: Signal) -> Scalar:
         name = signal.owners[0]
         kind = self.graph.structure.topology.kind_of(name)
-        bodies, geometry = self.motion.bodies, self.motion.geometry
-        return kind.signal(geometry, name, signal.attribute, bodies, lambda link: self.forces.reactions[name, link])
+
+        def reaction(link: str) -> Wrench:
+            return self.forces.reactions[name, link]
+
+        def ask(bodies: Mapping[str, Body]) -> Scalar:
+            return kind.signal(self.geometry, name, signal.attribute, bodies, reaction)
+
+        return answered(kind, name, self.bodies, ask)
 
     def drive(self, signal: Signal) -> Scalar:
         name = signal.owners[0]

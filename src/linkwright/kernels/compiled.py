@@ -35,7 +35,7 @@ Array = NDArray[np.float64]
 Made = TypeVar("Made")
 
 
-@dataclass
+@dataclass(repr=False)
 class Compiled:
     """A mechanism ready to run. ``laws`` gives each drive's value and rates (SI) at an array of times (s)."""
 
@@ -44,7 +44,7 @@ class Compiled:
     structure: Structure
     assembly: Assembly
     laws: dict[str, Law]
-    tables: dict[str, StatedTable] = field(default_factory=dict)  # those that loads and springs ask
+    tables: dict[str, StatedTable] = field(default_factory=dict)  # those that acting elements ask
     motions: dict[str, StatedMotion] = field(default_factory=dict)  # the motion laws, that drives ask
     kernel: str = "numpy"
     passages: Passages = field(default_factory=Passages)
@@ -58,6 +58,10 @@ class Compiled:
         self.graph = Graph(self.quantities, self.structure)
         self.parameters = np.array([self.quantities.parameters[name] for name in self.graph.parameters])
         self._supplied()
+
+    def __repr__(self) -> str:
+        links, joints = len(self.mechanism.links), self.structure.topology.joint_count
+        return f"<{type(self).__name__} {self.mechanism.title!r}: links {links}, joints {joints}>"
 
     def kept(self, key: object, make: Callable[[], Made]) -> Made:
         """What others derive of it, made once for a key."""
@@ -74,7 +78,7 @@ class Compiled:
 
     def inputs(self, t: Array, clusters: int | None = None, actions: bool = True, starts: bool = False) -> Array:
         """The per-pose inputs at times ``t`` (s): (inputs, poses), in SI; only the first ``clusters`` in place, those
-        of loads and springs only where ``actions``. With ``starts``, the clusters' coordinates are only near their
+        of acting elements only where ``actions``. With ``starts``, the clusters' coordinates are only near their
         solutions, for a program that solves them."""
         width = self.graph.width
         x = np.empty((len(self.graph.inputs), t.size))

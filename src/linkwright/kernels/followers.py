@@ -27,7 +27,7 @@ class FollowerLaw(Law):
     """What of a motion law places a second contact."""
 
     def ratio(self, angle: Any, speed: Any, parameters: Parameters) -> tuple[Any, Any]:
-        """The derivative of the follower's value by the cam's angle, and its rate in time, at the motor's angle (rad)
+        """The derivative of the follower's value by the motor's (as ``turned``), and its rate in time, at that (rad)
         and speed (rad/s); these and the parameters may be duals."""
         assert self.ride is not None
         with np.errstate(all="ignore"):
@@ -41,7 +41,7 @@ class FollowerLaw(Law):
         return float(value), float(slope)
 
     def driven_by(self, motor: Law) -> FollowerLaw:
-        """The same cam turned by another law of its motor."""
+        """The same follower with another law of its motor."""
         ride = self.ride
         assert ride is not None
 

@@ -31,7 +31,7 @@ def drive_laws(
     quantities: Quantities, folder: Path | None, motions: Mapping[str, StatedMotion], named: bool = True
 ) -> tuple[dict[str, Law], list[Finding]]:
     """The law of each drive (value and rates, SI) over times (s), and what is wrong with them. Unless all elements are
-    ``named`` rightly there is no geometry that a cam's follower could be laid on: those are left out."""
+    ``named`` rightly there is no geometry that a follower could be laid on: those are left out."""
     reader = _Reader(quantities, folder, motions)
     laws: dict[str, Law] = {}
     m = quantities.mechanism

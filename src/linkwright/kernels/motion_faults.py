@@ -1,4 +1,4 @@
-"""What is wrong with motion laws where a drive or a cam asks them, and with those of many samples."""
+"""What is wrong with motion laws where a drive or a follower asks them, and with those of many samples."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""What loads, springs and cams need as inputs of each pose: the time, whole turns of angles, the answers of tables, how
-fast followers move over their cams."""
+"""What acting elements and followers need as inputs of each pose: the time, whole turns of angles, the answers of
+tables, how fast followers move with their motors."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ MOST = 1 << 22
 
 
 class Supply:
-    """Fills the input rows of loads and springs, from inputs in which the motion stands already."""
+    """Fills the input rows of acting elements and followers, from inputs in which the motion stands already."""
 
     def __init__(
         self, graph: Graph, tables: Mapping[str, StatedTable], kernel: str, laws: Mapping[str, Law] | None = None
@@ -46,8 +46,7 @@ class Supply:
             self.levels.append((which, KERNELS[kernel](program)))
 
     def home(self, name: str, quantities: Quantities | None = None) -> float | None:
-        """The angle (rad) near which that of a torsional spring starts; the nominal one, or that of other
-        quantities."""
+        """The angle (rad) near which that of an acting element starts; the nominal one, or that of other quantities."""
         if name not in self.graph.actions.turned:
             return None
         one, value = self.graph.actions.turned[name][0], (quantities or self.graph.quantities).value
@@ -76,7 +75,7 @@ class Supply:
                 x[self.rows[f"table/{i}/0"]], x[self.rows[f"table/{i}/1"]] = value.d
 
     def ride(self, x: Array, parameters: Parameters) -> None:
-        """Put the ratios of cams, and what places their second contacts, into ``x`` (inputs, ...)."""
+        """Put the ratios of followers, and what places their second contacts, into ``x`` (inputs, ...)."""
         for name, law in self.followers.items():
             motor = self.motor(law)
             for k, row in enumerate(law.ratio(x[motor], x[motor + 1], parameters)):
@@ -85,7 +84,7 @@ class Supply:
                 x[place] = law.total
 
     def motor(self, law: FollowerLaw) -> int:
-        """The input row of the angle of a cam's motor."""
+        """The input row of the value of a follower's motor."""
         return self.graph.drives.index(law.motor) * self.graph.width
 
 

@@ -104,10 +104,10 @@ class Tangents:
                     x[k] = slope_of(row)
         self._look_up(x, given)
         supply = self.compiled.supply
-        for name, cam in supply.followers.items():
-            motor = supply.motor(cam)
+        for name, law in supply.followers.items():
+            motor = supply.motor(law)
             angle, speed = (Dual(x[row], x[size + row]) for row in (motor, motor + 1))
-            for k, row in enumerate(cam.ratio(angle, speed, given)):
+            for k, row in enumerate(law.ratio(angle, speed, given)):
                 x[size + supply.rows[f"ratio/{name}/{k}"]] = slope_of(row)
         return x
 

@@ -232,7 +232,7 @@ class Varied:
         return Pursued(pursuit, start, self.compiled.parameters, self._drives)
 
     def _supply(self, x: Array, p: Array, t: Array, kernel: str) -> None:
-        """Put the inputs of loads and springs into those of the motion."""
+        """Put the inputs of acting elements and followers into those of the motion."""
         tables = self.compiled.tables
         supply = _kept(self._supplies, kernel, lambda: Supply(self.graph, tables, kernel, self.compiled.laws))
         quantities = self.compiled.quantities

@@ -19,6 +19,7 @@ from linkwright.model.faults import findings_of
 from linkwright.model.input_files import read_at_most
 from linkwright.model.mechanism import MAX_ENTRIES, Mechanism, at_most
 from linkwright.model.output_files import write_aside
+from linkwright.model.pins import pins
 from linkwright.model.plane import in_plane
 from linkwright.model.respelled_lines import read_respelled
 from linkwright.model.sketch import with_sketch
@@ -57,6 +58,12 @@ class Document(Mechanism):
     exports: Annotated[dict[Text, Options], _bound, freeze] = Field(
         default_factory=FrozenDict, description="what is written for other tools, with each target's options"
     )
+
+    def __repr__(self) -> str:
+        joints = sum(len(pin.links) - 1 for pin in pins(self).values()) + sum(1 for _ in self.joints_but_pins())
+        return f"<{type(self).__name__} {self.title!r}: links {len(self.links)}, joints {joints}>"
+
+    __str__ = __repr__
 
     def replace(self, **parameters: float | str) -> Document:
         """The same document with other values of some parameters, numbers or expressions as in a file.

@@ -22,7 +22,7 @@ from linkwright.elements.cam_contact.entry import Cam
 from linkwright.elements.counterweight import Counterweight
 from linkwright.elements.cylinder import Cylinder
 from linkwright.elements.drive import Drive
-from linkwright.elements.entries import ENTRIES, entry_for
+from linkwright.elements.entries import ENTRIES, keys_of, stated
 from linkwright.elements.fields import freeze
 from linkwright.elements.follower import Follower
 from linkwright.elements.force import Acting, acting
@@ -104,10 +104,13 @@ class _AnyKind:
         def read(raw: Any, usual: ValidatorFunctionWrapHandler) -> Any:
             if type(raw) in self.entries.values():
                 return raw
-            entry = entry_for(self.section, raw, _keys(self.usual)) if isinstance(raw, Mapping) else None
-            if entry is not None:
-                return entry.model_validate(raw)
-            if isinstance(raw, Mapping) and (misspelled := self.misspelled(raw)) is not None:
+            if not isinstance(raw, Mapping):
+                return usual(raw)
+            if len(kinds := self.stated(raw)) > 1:
+                raise fault("file.kinds", keys=_apart(raw, kinds))
+            if kind := self.entries.get(next(iter(kinds), "")):
+                return kind.model_validate(raw)
+            if (misspelled := self.misspelled(raw)) is not None:
                 raise ValidationError.from_exception_data(self.section, [misspelled])
             return usual(raw)
 
@@ -116,6 +119,13 @@ class _AnyKind:
             handler(source),
             serialization=core_schema.plain_serializer_function_ser_schema(_dumped, info_arg=True),
         )
+
+    def stated(self, raw: Mapping[str, Any]) -> dict[str, type[BaseModel]]:
+        """The entries of the kinds that the keys of one speak of, by these keys; the usual one has none."""
+        kinds = stated(raw, self.usual)
+        if self.own.intersection(raw).difference(*map(keys_of, kinds.values())):
+            kinds[""] = self.usual
+        return kinds
 
     def kinds(self, raw: Any) -> list[type]:
         """The entries of which one may be, as far as its keys tell."""
@@ -137,9 +147,11 @@ class _AnyKind:
         return None if meant is None else InitErrorDetails(type="extra_forbidden", loc=(meant,), input=raw[meant])
 
 
-def _keys(entry: type[BaseModel]) -> set[str]:
-    """The keys of an entry as files have them."""
-    return {field.alias or name for name, field in entry.model_fields.items()}
+def _apart(raw: Mapping[str, Any], kinds: Mapping[str, type[BaseModel]]) -> str:
+    """The keys of an entry of several kinds, those of each for itself, without what they share."""
+    known = {kind: keys_of(entry) for kind, entry in kinds.items()}
+    others = {kind: set().union(*(known[other] for other in known if other != kind)) for kind in known}
+    return "; ".join(", ".join(key for key in raw if key in known[kind] - others[kind]) for kind in known)
 
 
 def _dumped(entry: Any, info: SerializationInfo) -> Any:

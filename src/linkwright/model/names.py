@@ -81,7 +81,7 @@ class Names:
             if found := respelled(place.expression.text, known):
                 data = {"text": place.expression.text[:60], "reason": found[0], "hint": found[1]}
                 yield Finding("expression.respelled", path, data)
-            elif place.scope in (Scope.SIGNALS, Scope.LOAD) and node.text in self._elements():
+            elif place.scope in (Scope.SIGNALS, Scope.LOAD) and node.text in self.signals.named:
                 kind, attributes = self.signals.attributes(node.text)
                 signals = ", ".join(f"{node.text}.{attribute}" for attribute in attributes)
                 yield Finding(
@@ -95,22 +95,18 @@ class Names:
 
     def _of_elements(self, call: Call) -> bool:
         """Whether a call that is none of a known function names links, points ... as a signal does."""
-        m, elements = self.mechanism, self._elements()
+        m = self.mechanism
+        elements = {*self.signals.named, *m.joints} - m.parameters.keys()
         unknown = call.attribute is None and call.name not in {*FUNCTIONS, *m.tables, *m.laws}
         return unknown and bool(call.args) and all(isinstance(a, Name) and a.text in elements for a in call.args)
-
-    def _elements(self) -> set[str]:
-        """The names that signals begin with; a parameter of one of them is the parameter."""
-        m = self.mechanism
-        slides = {name for name, _ in m.prismatic_joints()}
-        return {*m.links, *self.signals.homes, *slides, *m.movers, *self.signals.acting} - m.parameters.keys()
 
     def _meant(self, call: Call) -> Term:
         """What a call of elements may mean: a signal of the one, or the x and y of a vector of several."""
         if len(call.args) >= _VECTORS.get(call.name, len(call.args) + 1):
             return proposed([f"{signal_text(call)}.{attribute}" for attribute in "xy"])
         owner = signal_text(call.args[0]) if isinstance(call.args[0], Name | Call) else ""
-        likely = likeliest(call.name, [*self.signals.attributes(owner)[1]]) if len(call.args) == 1 else []
+        alone = len(call.args) == 1 and owner in self.signals.named
+        likely = likeliest(call.name, [*self.signals.attributes(owner)[1]]) if alone else []
         return proposed([f"{owner}.{attribute}" for attribute in likely]) if likely else Term("signal-forms")
 
     def misplaced(self, place: Place) -> Iterator[Finding]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import chain
 
-from linkwright.elements.force import NOUNS
+from linkwright.elements.entries import NOUNS
 from linkwright.elements.load import crossed
 from linkwright.elements.points import homes
 from linkwright.expressions import units as u
@@ -39,8 +39,8 @@ OF_FORMULA = FrozenDict({ARGUMENT: u.PURE})
 """What a motion law's formula names."""
 
 SECTIONS = (
-    "parameters", "plane", "gravity", "links", "joints", "cylinders", "assembly", "drives", "cams", "loads", "springs",
-    "counterweights", "tables", "laws", "windows",
+    "parameters", "plane", "gravity", "links", "joints", "cylinders", "assembly", "drives", "cams", *NOUNS, "tables",
+    "laws", "windows",
 )  # fmt: skip
 """The sections in the order in which their dimensions are inferred; measures follow, each with its bounds."""
 

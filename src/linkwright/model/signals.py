@@ -105,6 +105,12 @@ class Signals:
         """What acts on links and has signals, by name."""
         return {one.name: one for one in self.mechanism.acting() if one.kind.signals(one.entry)}
 
+    @cached_property
+    def named(self) -> tuple[str, ...]:
+        """The elements that have signals of their own."""
+        m = self.mechanism
+        return (*m.links, *self.homes, *(name for name, _ in m.joints_but_pins()), *m.movers, *self.acting)
+
     def contact(self, names: Sequence[str]) -> Contact:
         """The contact that ``force(names...)`` means. Raises DimensionError naming what is wrong."""
         link, on, *rest = [*names, "", ""][: max(2, len(names))]
@@ -135,8 +141,7 @@ class Signals:
             return "shaking", SHAKING
         if owner == "energy":
             return "energy", self.energies
-        known = [*m.links, *self.homes, *m.joints, *m.movers, *self.acting, "shaking", "energy"]
-        raise DimensionError("name.unknown-element", name=owner, near=near(owner, known))
+        raise DimensionError("name.unknown-element", name=owner, near=near(owner, [*self.named, "shaking", "energy"]))
 
     def find(self, node: Name | Call) -> Signal:
         """The signal that an expression names. Raises DimensionError naming what is wrong."""

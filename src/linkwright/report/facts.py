@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from linkwright.elements import JointKind
 from linkwright.elements.cylinder import end_of, links_of
-from linkwright.elements.force import NOUNS
+from linkwright.elements.entries import NOUNS
 from linkwright.expressions import units as u
 from linkwright.kernels import Compiled
 from linkwright.kernels.motions import rate_unit

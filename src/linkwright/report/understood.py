@@ -1,4 +1,5 @@
-"""What was understood of drives, springs and gravity: sentences with values and units, for `check` and the report."""
+"""What was understood of drives, acting elements and gravity: sentences with values and units, for `check` and the
+report."""
 
 from __future__ import annotations
 
@@ -7,7 +8,7 @@ from functools import partial
 
 import numpy as np
 
-from linkwright.elements.force import NOUNS
+from linkwright.elements.entries import NOUNS
 from linkwright.elements.mover import Mover
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
@@ -20,7 +21,7 @@ LONGEST = 60
 
 
 def drives(compiled: Compiled) -> list[str]:
-    """Each drive: what it moves, by which law, from where; then the followers that cams hold."""
+    """Each drive: what it moves, by which law, from where; then the followers."""
     return [
         say("fact.drive", name=name, subject=_subject(compiled, name, drive), motion=_motion(compiled, name))
         for name, drive in compiled.mechanism.movers.items()

@@ -1,4 +1,5 @@
-"""Where loads and springs aren't smooth in time: jumps at the ends of windows, kinks of linear tables and functions."""
+"""Where acting elements aren't smooth in time: jumps at the ends of windows, kinks of linear tables and functions; and
+where motion laws aren't."""
 
 from __future__ import annotations
 
@@ -30,7 +31,7 @@ MOST = 1 << 16
 
 
 def jumps(run: Run) -> Array:
-    """The times right before and right after each jump of a load: (jumps, 2)."""
+    """The times right before and right after each jump of an acting element: (jumps, 2)."""
     actions, found = run.compiled.graph.actions, list[tuple[float, float]]()
     for name in actions.windows:
         edges = {edge for interval in intervals(run, name) for edge in interval} | {run.start, run.stop}
@@ -66,8 +67,8 @@ def breaks(run: Run) -> Array:
 
 
 def kinks(compiled: Compiled, varied: Iterable[str] = ()) -> list[Node]:
-    """What changes its sign where the law of a load, drive or cam has a kink, or another contact of a cam bears;
-    ``varied`` are the names of joins that vary, as :meth:`linkwright.kernels.varied.Varied.joins` has them."""
+    """What changes its sign where the law of an acting element or a drive has a kink, or another contact of a follower
+    bears; ``varied`` are the names of joins that vary, as :meth:`linkwright.kernels.varied.Varied.joins` has them."""
     m = compiled.mechanism
     laws = [*compiled.graph.actions.laws, *positions(compiled)]
     found = dict.fromkeys(switch for law in laws for node in nodes(law) for switch in switches(node))
@@ -81,8 +82,8 @@ def kinks(compiled: Compiled, varied: Iterable[str] = ()) -> list[Node]:
 
 
 def law_joins(compiled: Compiled, varied: Iterable[str] = (), rough: int = ROUGH) -> list[Node]:
-    """What changes its sign where a drive or cam passes a join of its motion law whose continuity is below ``rough``,
-    in every period, or a joint one of its curve; ``varied`` as those of :func:`kinks`."""
+    """What changes its sign where a drive or follower passes a join of its motion law whose continuity is below
+    ``rough``, in every period, or a joint one of its curve; ``varied`` as those of :func:`kinks`."""
     geometry = Geometry(compiled.quantities, compiled.quantities.parameters)
     followers = [call for follower in compiled.mechanism.followers.values() for call in follower.calls(geometry)]
     calls = (node for law in (*positions(compiled), *followers) for node in nodes(law))

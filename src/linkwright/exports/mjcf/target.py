@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from linkwright.elements.force import NOUNS
+from linkwright.elements.entries import NOUNS
 from linkwright.exports.followed import duration, followed
 from linkwright.exports.joints import unwritten
 from linkwright.exports.mjcf.masses import written_masses

@@ -147,6 +147,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "'{name}: {kind}': the kind of an entry is a key of its own.",
         "{near}",
     ),
+    "file.kinds": (
+        "An entry has one kind; here are keys of several: {keys}.",
+        "Keep the keys of one kind, and write an entry of its own for the other.",
+    ),
     "file.expected": (
         "Wanted here: {wanted}. Given: {given}.",
         "{hint}",
@@ -1380,6 +1384,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
     "export.no-formula": (
         "The law of {drive} has no formula; it isn't written as text.",
         "Take its values from motion.csv.",
+    ),
+    "joint.winds": (
+        "The kind of this joint, {kind}, asks for the angle of a link of which only the direction is known.",
+        "Its package has to state winds = True in the kind, so that angles are followed over whole turns.",
     ),
     "joint.follower-output": (
         "{motor} can't be followed: its law is that of its output {output}.",
