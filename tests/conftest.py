@@ -30,7 +30,7 @@ if hasattr(providers, "_get_local_constants") and hasattr(providers, "_local_con
 
 
 def pytest_collection_finish() -> None:
-    """Modules and tests stay to the end: to look through them for garbage again and again takes some 6 % of the time."""
+    """Modules and tests stay to the end: to look through them for garbage again and again takes 6 % of the time."""
     gc.collect()
     gc.freeze()
     gc.set_threshold(20_000, 20, 20)
