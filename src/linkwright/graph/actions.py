@@ -1,6 +1,6 @@
 """What acts on the links besides gravity and inertia, and the inputs of each pose that it needs.
 
-How fast a follower moves over its cam is such an input too: the direction of the contact's force depends on it. Tables
+How fast a follower moves with its motor is such an input too: the direction of its force depends on it. Tables
 can't be expressions of the graph, so a table's value at an argument enters as an input, with its rate; so do
 the time and the whole turns of an angle that the graph knows from its axis alone.
 """
@@ -136,7 +136,7 @@ class Actions:
     @cached_property
     def inputs(self) -> tuple[str, ...]:
         """The input rows: the time, the whole turns of each such angle, value and rate of each table's answer, of each
-        cam the follower's rate over the cam's, with its rate in time, and what places a second contact."""
+        follower its rate over the motor's, with its rate in time, and what places a second contact."""
         tables = (f"table/{i}/{k}" for i in range(len(self.lookups)) for k in (0, 1))
         ratios = (f"ratio/{name}/{k}" for name in self.followers for k in (0, 1))
         totals = (f"total/{name}" for name, drive in self.followers.items() if drive.derived)
