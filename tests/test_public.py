@@ -392,7 +392,6 @@ SECTIONS_OF_KINDS = {*SECTIONS, *FOLLOWING} - {"joints"}
 LEGITIMATE = {
     "tolerances/iso286.py": "letters of ISO 286",
     "model/parts.py": "the keys of an entry of pins and slides",
-    "report/sections.py": "the study called cam",
     "studies/cam/study.py": "the study called cam",
 }
 """Files outside ``elements`` in which such comparisons are none of kinds, or may stand; each with the reason."""

@@ -237,8 +237,12 @@ def test_run_prints_measures_requirements_and_proofs(model: Any) -> None:
     assert f"{measures['torque']['max']:.7g}" in text
     assert "70 deg .. 80 deg" in text
     assert "N*mm" in text
+    checks = (text.count("✓"), text.count("✗"), "Closure" in text)
+    assert checks == (1, 0, False) and "checks passed" in text  # all in one line, where none fails
+    told = call("run", path, "--verbose").stdout
+    assert told.count("✓") > 4
     for word in ("Closure", "Equilibrium"):
-        assert word in text
+        assert word in told
 
 
 def test_run_out(model: Any, tmp_path: Path) -> None:
