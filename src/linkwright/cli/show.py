@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 from rich.markup import escape
@@ -18,12 +18,14 @@ from linkwright.blocks import Progress as Told
 from linkwright.cli import terminal
 from linkwright.cli.consoles import err, out
 from linkwright.cli.progress import Bar
-from linkwright.cli.running import Telling
 from linkwright.escape import json_text, line
 from linkwright.findings import Finding
 from linkwright.report.facts import facts
 from linkwright.studies.registry import STUDIES, ranked
 from linkwright.words import say
+
+if TYPE_CHECKING:
+    from linkwright.cli.running import Telling
 
 _STYLES = {"error": "bold red", "warning": "bold yellow", "note": "bold"}
 

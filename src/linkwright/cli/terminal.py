@@ -27,9 +27,11 @@ from linkwright.words import say
 def show(section: Section, verbose: bool = False) -> None:
     """A section without its heading: its blocks, those that are details only where these are asked for."""
     for block in section.blocks:
+        if not filled(block) or (getattr(block, "detail", False) and not verbose):
+            continue
         if isinstance(block, Checks) and not verbose:
             summed(block)
-        elif filled(block) and (verbose or not getattr(block, "detail", False)):
+        else:
             lines(block)
 
 
@@ -99,7 +101,7 @@ def _measured(measure: Measure, value: MeasureValue, *, first: bool) -> list[str
     number = str(value.text) or ("-" if value.value is None else f"{value.value:.7g}")
     required = [measure.requirement or "", _verdict(measure.verdict)] if first else ["", ""]
     at, grade = escape(str(value.at)), escape(str(value.grade))
-    return [escape(name), number, escape(measure.unit), at, escape(required[0]), required[1], grade]
+    return [escape(name), escape(number), escape(measure.unit), at, escape(required[0]), required[1], grade]
 
 
 def _verdict(met: bool | None) -> str:
@@ -113,7 +115,7 @@ def _(block: Checks) -> None:
     made = table(*(say(f"cli.column.{head}") for head in ("check", "figure", "verdict")), right=(1,))
     for check in block.checks:
         mark = "[green]✓[/]" if check.ok else "[bold red]✗[/]"
-        made.add_row(escape(str(check.name)), check.figure, f"{mark} {escape(str(check.sentence))}")
+        made.add_row(escape(str(check.name)), escape(check.figure), f"{mark} {escape(str(check.sentence))}")
     out.print(made)
     for note in block.remarks:
         out.print(escape(str(note)))

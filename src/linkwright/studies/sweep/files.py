@@ -11,7 +11,7 @@ from linkwright.expressions.units import TIME
 from linkwright.model.csv_text import cell, head, written
 from linkwright.results.netcdf import described, stored, variable_name
 from linkwright.results.result import si_unit
-from linkwright.studies import SweepOutcome
+from linkwright.studies.sweep.outcome import SweepOutcome
 
 Array = NDArray[np.float64]
 
