@@ -170,6 +170,7 @@ LEVELS = {
     **dict.fromkeys(("findings", "laws", "tolerances"), 1),
     **dict.fromkeys(("_machine", "expressions"), 2),
     "elements": 3,
+    "reductions": 3.5,
     "model": 4,
     **dict.fromkeys(("formulas", "groups"), 4.5),
     "structure": 5,

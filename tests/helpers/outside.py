@@ -1,4 +1,5 @@
-"""Packages beside linkwright: processes of their own that know of the kinds in ``elements/outside`` by entry points."""
+"""Packages beside linkwright: processes of their own that know of the kinds in ``elements/outside`` and of
+the reductions in ``measures/outside`` by entry points."""
 
 from __future__ import annotations
 
@@ -15,6 +16,7 @@ from typing import Any
 import numpy as np
 
 KINDS = Path(__file__).parents[1] / "elements" / "outside"
+MEASURES = Path(__file__).parents[1] / "measures" / "outside"
 
 
 def path(folder: Path) -> list[str]:
@@ -22,9 +24,13 @@ def path(folder: Path) -> list[str]:
     info = folder / "outside-1.0.dist-info"
     info.mkdir(exist_ok=True)
     (info / "METADATA").write_text("Metadata-Version: 2.1\nName: outside\nVersion: 1.0\n", encoding="utf-8")
-    points = "".join(f"{kind.stem} = {kind.stem}\n" for kind in sorted(KINDS.glob("*.py")))
-    (info / "entry_points.txt").write_text(f"[linkwright.elements]\n{points}", encoding="utf-8")
-    return [str(folder), str(KINDS)]
+    groups = {"elements": KINDS, "measures": MEASURES}
+    points = "".join(
+        f"[linkwright.{group}]\n" + "".join(f"{kind.stem} = {kind.stem}\n" for kind in sorted(kinds.glob("*.py")))
+        for group, kinds in groups.items()
+    )
+    (info / "entry_points.txt").write_text(points, encoding="utf-8")
+    return [str(folder), *map(str, groups.values())]
 
 
 def python(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
