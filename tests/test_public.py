@@ -187,6 +187,7 @@ LEVELS = {
     **dict.fromkeys(("_machine", "expressions", "presentation"), 2),
     "drawing": 2.5,
     "elements": 3,
+    "reductions": 3.5,
     "model": 4,
     **dict.fromkeys(("formulas", "groups"), 4.5),
     "structure": 5,

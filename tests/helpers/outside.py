@@ -1,5 +1,5 @@
-"""Packages beside linkwright: processes of their own that know by entry points of the kinds in ``elements/outside`` and
-of the studies in ``studies/outside``."""
+"""Packages beside linkwright: processes of their own that know by entry points of kinds of elements, of reductions and of
+studies, which lie in folders ``outside`` of the tests."""
 
 from __future__ import annotations
 
@@ -16,7 +16,12 @@ from typing import Any
 import numpy as np
 
 KINDS = Path(__file__).parents[1] / "elements" / "outside"
-GROUPS = {"linkwright.elements": KINDS, "linkwright.studies": Path(__file__).parents[1] / "studies" / "outside"}
+MEASURES = Path(__file__).parents[1] / "measures" / "outside"
+GROUPS = {
+    "linkwright.elements": KINDS,
+    "linkwright.measures": MEASURES,
+    "linkwright.studies": Path(__file__).parents[1] / "studies" / "outside",
+}
 
 
 def path(folder: Path) -> list[str]:

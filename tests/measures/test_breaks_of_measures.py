@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 
 import linkwright as lw
 from linkwright.measures import Measurer, enclose, misfit
-from linkwright.measures.grades import Kind
 from linkwright.measures.places import _to_nearest
-from linkwright.measures.probe import Peak, Probe
-from linkwright.measures.rules import Reducer
+from linkwright.measures.probe import Probe
+from linkwright.reductions import Kind, Peak
+from linkwright.reductions.mean import Mean, Rms
 from studies.models import TURN, UNITS, cycle_of, four_bar, job_of, measured, slider_crank, value
 
 
@@ -220,8 +220,8 @@ def test_a_peak_that_the_search_misses_is_found_by_its_proof() -> None:
 FAULTS = {
     "top": (Probe, "top", lambda p: Peak(p.bottom().value, 0.0, "")),
     "a little low": (Probe, "top", lambda p: Peak(sorted(p.peaks)[-1].value * (1 - 1e-3), 0.0, "")),
-    "mean": (Reducer, "mean", lambda r: r._found("", 1.001 * r._mean(1).value)),
-    "rms": (Reducer, "rms", lambda r: r._found("", 10 * r.top().value)),
+    "mean": (Mean, "found", lambda kind, run: (run.found("", 1.001 * run.mean()),)),
+    "rms": (Rms, "found", lambda kind, run: (run.found("", 10 * run.top().value),)),
 }
 
 

@@ -24,7 +24,7 @@ from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
 from linkwright.measures import MeasureResult, bound, measure_all
 from linkwright.model.document import Document, load, replaced
-from linkwright.model.mechanism import REDUCTIONS
+from linkwright.reductions import REDUCTIONS
 from linkwright.results import Run
 from linkwright.studies.cycle.options import CycleOptions, span
 from linkwright.studies.many import Many, Measuring, measure_many

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from linkwright.measures import RULES
+from linkwright.reductions import REDUCTIONS
 from studies.models import at, cycle_of, four_bar, job_of, measured, refused, slider_crank, slider_x, value
 
 R, L, E = 50.0, 160.0, 20.0
@@ -92,7 +92,8 @@ def test_mean_over_a_window() -> None:
 
 def test_a_test_covers_each_reduction() -> None:
     """Those of a path and dwells have their own files, test_paths.py and test_dwells.py."""
-    assert set(RULES) == {"span", "max", "min", "extremes", "mean", "rms", "path", "straightness", "dwell"}
+    others = {"span", "max", "min", "extremes", "mean", "rms", "path", "straightness", "dwell"}
+    assert {*REDUCTIONS} == {*others, "value"}
 
 
 # Extremes are root-found.

@@ -2,23 +2,19 @@
 
 from linkwright.measures.check import misfit
 from linkwright.measures.enclosed import enclose
-from linkwright.measures.found import Found, MeasureResult
-from linkwright.measures.grades import Grade
-from linkwright.measures.measure import Measurer, bound, instants, measure_all
+from linkwright.measures.found import MeasureResult
+from linkwright.measures.measure import Measurer, bound, measure_all
 from linkwright.measures.probe import Probe, Search
-from linkwright.measures.rules import RULES
+from linkwright.measures.reading import Reading
 
 __all__ = [
-    "RULES",
-    "Found",
-    "Grade",
     "MeasureResult",
     "Measurer",
     "Probe",
+    "Reading",
     "Search",
     "bound",
     "enclose",
-    "instants",
     "measure_all",
     "misfit",
 ]

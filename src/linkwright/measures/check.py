@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from linkwright.measures.found import MeasureResult
 from linkwright.measures.measure import Measurer
+from linkwright.reductions import kind_of
 
 Array = NDArray[np.float64]
 
@@ -21,9 +22,6 @@ ROUND_OFF = 64 * float(np.finfo(float).eps)
 """Values this near, over what is usual of their dimension, are the same."""
 LEAST = 1000
 """The fewest points of the second grid."""
-BEYOND = {"max": ("", None), "min": (None, ""), "extremes": ("max", "min")}
-"""The labels of the largest and the smallest value by reduction."""
-POWERS = {"mean": 1, "path": 1, "rms": 2}
 
 
 def misfit(measurer: Measurer, results: Sequence[MeasureResult]) -> float | None:
@@ -46,18 +44,11 @@ def _extremes(measurer: Measurer, result: MeasureResult, t: Array, row: Array) -
     """By how much values exceed reported extremes beyond their round-off, over the range."""
     probe = measurer.probe(result.name, result.measure.window)
     some = row[probe.counting(t) & np.isfinite(row)]
-    reported = {found.label: found.value for found in result.found}
-    reduction = result.measure.reduction
-    if not some.size or not (reduction in BEYOND or reduction == "span"):
+    if not some.size:
         return 0.0
-    if reduction == "span":
-        over = float(np.ptp(some)) - reported[""]
-    else:
-        high, low = (None if label is None else reported[label] for label in BEYOND[reduction])
-        over = max(
-            -np.inf if high is None else float(some.max()) - high, -np.inf if low is None else low - float(some.min())
-        )
-    if over <= 0:
+    reported = {found.label: found.value for found in result.found}
+    over = kind_of(result.measure).beyond(reported, float(some.min()), float(some.max()))
+    if over is None or over <= 0:
         return 0.0
     over -= ROUND_OFF * max(float(np.abs(some).max()), measurer.run.usual(result.dimension))
     return max(over, 0.0) / (float(np.ptp(some)) or 1.0)
@@ -65,11 +56,10 @@ def _extremes(measurer: Measurer, result: MeasureResult, t: Array, row: Array) -
 
 def _mean(measurer: Measurer, result: MeasureResult) -> float:
     """How far a mean lies outside the extremes of what is averaged, and from that of another rule, over its size."""
-    power = POWERS.get(result.measure.reduction)
-    if power is None:
+    kind, probe = kind_of(result.measure), measurer.probe(result.name, result.measure.window)
+    reported, power = kind.mean_of(result.found[0].value, probe.length()), kind.power
+    if reported is None or power is None:
         return 0.0
-    probe = measurer.probe(result.name, result.measure.window)
-    reported = result.found[0].value / (probe.length() if result.measure.reduction == "path" else 1.0)
     other = probe.mean(power, rule=1)
     off = abs(reported**power - other.value) / other.size if other.size > 0 else 0.0
     low, high = probe.bottom().value, probe.top().value

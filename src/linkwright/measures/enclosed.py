@@ -8,10 +8,10 @@ from dataclasses import replace
 import numpy as np
 
 from linkwright.enclosures import Claim, Proof, prove_all
-from linkwright.measures.check import BEYOND, ROUND_OFF
+from linkwright.measures.check import ROUND_OFF
 from linkwright.measures.found import MeasureResult
-from linkwright.measures.grades import Grade, Kind
 from linkwright.measures.measure import Measurer
+from linkwright.reductions import Grade, Kind, kind_of
 
 BUDGET = 1200
 """Panels that are evaluated at most for the measures of a run."""
@@ -44,14 +44,14 @@ def _claim(measurer: Measurer, result: MeasureResult) -> Claim | None:
     measure, run = result.measure, measurer.run
     if not result.found or measure.wrap is not None or any(found.unbounded for found in result.found):
         return None
-    if measure.reduction not in (*BEYOND, "span"):
+    proven = kind_of(measure).proven
+    if not proven:
         return None
     probe = measurer.probe(result.name, measure.window)
     if probe.limits:
         return None
-    high, low = BEYOND.get(measure.reduction, ("", ""))
-    top = np.inf if high is None else probe.top().value
-    bottom = -np.inf if low is None else probe.bottom().value
+    top = probe.top().value if 1.0 in proven else np.inf
+    bottom = probe.bottom().value if -1.0 in proven else -np.inf
     slack = ROUND_OFF * run.usual(result.dimension)
     return Claim(probe.node, tuple((float(a), float(b)) for a, b in probe.intervals), bottom, top, slack)
 

@@ -4,31 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from linkwright.expressions.units import Dimension
-from linkwright.measures.grades import SAMPLED, Grade
-from linkwright.model.mechanism import Measure
-
-
-@dataclass(frozen=True)
-class Found:
-    """One number of a measure: its label ("" or min, max), value in SI, and the time (s) where it happens.
-
-    Unbounded values are infinite. ``side`` ("before", "after") is from where a value is approached that isn't reached
-    at its time. ``grade`` says how sure it is.
-    """
-
-    label: str
-    value: float
-    time: float | None
-    side: str = ""
-    grade: Grade = SAMPLED
-
-    @property
-    def unbounded(self) -> bool:
-        """Whether the expression grows without bound there."""
-        return bool(np.isinf(self.value))
+from linkwright.reductions import Found, Measure
 
 
 @dataclass(frozen=True)
@@ -48,11 +25,3 @@ class MeasureResult:
         """A number in the measure's unit. Raises KeyError where the measure has none of that label."""
         values = {f.label: f.value for f in self.found}
         return values[label] / self.size
-
-
-class Unmeasured(Exception):
-    """A measure has no value: the code of the finding that says why, and the time (s) where that shows."""
-
-    def __init__(self, code: str, time: float | None = None) -> None:
-        super().__init__(code)
-        self.code, self.time = code, time

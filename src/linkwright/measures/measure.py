@@ -7,39 +7,25 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
-from linkwright.expressions.language import Node, parse
-from linkwright.expressions.units import ANGLE, TIME, Dimension, unit
+from linkwright.expressions.language import Node
+from linkwright.expressions.units import TIME, Dimension, unit
 from linkwright.findings import Finding
-from linkwright.measures.found import Found, MeasureResult, Unmeasured
-from linkwright.measures.grades import SAMPLED, Grade, Kind
-from linkwright.measures.probe import Probe, Search, inner
-from linkwright.measures.rules import RULES, Reducer
-from linkwright.model.mechanism import Measure
-from linkwright.model.places import FIGURES, figure, measured
+from linkwright.measures.found import MeasureResult
+from linkwright.measures.probe import Probe, Search
+from linkwright.measures.reading import Reading, whole
 from linkwright.model.quantities import Quantities
+from linkwright.reductions import Found, Measure, Unmeasured, figure, kind_of
 from linkwright.results import Run
-from linkwright.results.windows import Interval, intervals, passing
-
-Array = NDArray[np.float64]
+from linkwright.results.windows import intervals
 
 
 def bound(quantities: Quantities, name: str) -> dict[str, Node]:
-    """The expression of a measure by its name, and that which places it by ``NAME where``, bound to SI."""
-    measure = quantities.mechanism.measures[name]
-    kind = None if measure.reduction in FIGURES else quantities.dimensions.resolve(measured(name))
-    trees = {name: quantities.bind(measure.signal, kind)}
-    if (when := measure.instant) and when.expression:
-        trees[f"{name} where"] = quantities.dimensions.bind(parse(when.expression), None)
-    return trees
-
-
-def instants(run: Run, measure: Measure, tree: Node, spans: list[Interval]) -> Array:
-    """The times (s) in a window at which an expression that places a value is zero, of angles modulo whole turns."""
-    assert measure.instant is not None
-    turning = run.compiled.quantities.dimensions.dimension(parse(measure.instant.expression)) == ANGLE
-    return passing(run, tree, spans, turning)
+    """The expression of a measure by its name, and others that it needs by ``NAME KEY``, bound to SI."""
+    measure, dimensions = quantities.mechanism.measures[name], quantities.dimensions
+    kind = dimensions.resolve(figure(name, measure)) if measure.dimension is None else None
+    also = {f"{name} {key}": dimensions.bind(expression.node, None) for key, expression in measure.also.items()}
+    return {name: quantities.bind(measure.signal, kind), **also}
 
 
 @dataclass
@@ -102,58 +88,25 @@ class Measurer:
         requirement, verdict = self.verdict(name, dimension, found)
         return MeasureResult(name, measure, dimension, text, size, found, requirement, verdict)
 
-    def found(self, name: str, measure: Measure) -> tuple[Found, ...]:
-        """The numbers of a measure. Raises :class:`Unmeasured` where it has none."""
+    def reading(self, name: str) -> Reading:
+        """A measure over its window. Raises :class:`Unmeasured` where nothing of the run lies in that."""
+        measure = self.measures[name]
         probe = self.probe(name, measure.window)
         if not probe.intervals:
             raise Unmeasured("measure.nothing")
-        if measure.value is not None:
-            return (self.placed(name, measure, probe),)
-        self._whole(probe)
-        reducer = Reducer(probe, measure)
-        found = RULES[measure.reduction](reducer)
+        return Reading(probe, measure, lambda key: self.probe(f"{name} {key}", measure.window))
+
+    def found(self, name: str, measure: Measure) -> tuple[Found, ...]:
+        """The numbers of a measure. Raises :class:`Unmeasured` where it has none."""
+        kind, reading = kind_of(measure), self.reading(name)
+        if kind.everywhere:
+            whole(reading.probe)
+        found = kind.found(reading)
         if any(np.isnan(one.value) for one in found):
             raise Unmeasured("measure.not-finite")
-        if not reducer.settled:
+        if not reading.settled:
             self._flag("measure.unsettled", name, None, "warning")
         return found
-
-    def placed(self, name: str, measure: Measure, probe: Probe) -> Found:
-        """A value at the place that `where` names."""
-        time, grade = self.instant(name, measure, probe.intervals)
-        value, side = float(probe.values(np.array([time]))[0]), ""
-        for place in probe.limits:
-            if abs(place.time - time) <= probe.near:
-                if place.before.value != place.after.value:
-                    raise Unmeasured("measure.two-values", time)
-                value, side = place.after.value, "after"
-        if np.isnan(value):
-            raise Unmeasured("measure.not-finite", time)
-        return Found("", value, time, side, grade)
-
-    def instant(self, name: str, measure: Measure, spans: list[Interval]) -> tuple[float, Grade]:
-        """The time (s) of a value, and how sure it is."""
-        when, key = measure.instant, f"{name} where"
-        assert when is not None
-        if when.kind == "zero":
-            times = instants(self.run, measure, self.trees[key], spans)
-            if not times.size:
-                raise Unmeasured("measure.no-instant")
-            return float(times[0]), SAMPLED
-        if when.expression:
-            where = self.probe(key, measure.window)
-            self._whole(where)
-            peak = where.top() if when.kind == "max" else where.bottom()
-            return peak.time, Grade(Kind.SEARCHED, self.search.turned.width)
-        edge, side = (spans[0][0], 1) if when.kind == "start" else (spans[-1][1], 0)
-        return inner(self.run, edge, side), SAMPLED
-
-    def _whole(self, probe: Probe) -> None:
-        """Refuse an expression that has no value somewhere, or of which it isn't known whether it is bounded."""
-        if not probe.finite():
-            raise Unmeasured("measure.not-finite")
-        if undecided := probe.undecided():
-            raise Unmeasured("measure.undecided", undecided[0])
 
     def _flag(self, code: str, name: str, time: float | None, severity: str = "error") -> None:
         text, second = self.run.compiled.quantities.unit_of(TIME)

@@ -6,7 +6,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +16,7 @@ from linkwright.measures.places import Hard, Places, vague
 from linkwright.measures.search import Turning, turning
 from linkwright.measures.sides import Side, Sides
 from linkwright.notation import Jet
+from linkwright.reductions import Peak
 from linkwright.results import Run
 from linkwright.results.breaks import ASIDE
 from linkwright.results.windows import Interval
@@ -30,15 +30,6 @@ FEW = 1 << 10
 """So many times are few: making a program costs more than computing all signals there."""
 BEYOND = 1e-6
 """Nearer to a pole than this share of the run, values may overflow."""
-
-
-class Peak(NamedTuple):
-    """An extreme: its value (SI; infinite where the expression is unbounded), its time (s), and the side, "before" or
-    "after", from which it is approached where it isn't reached."""
-
-    value: float
-    time: float
-    side: str
 
 
 @dataclass(frozen=True)

@@ -13,9 +13,10 @@ from linkwright.findings import Finding
 from linkwright.model.actions import column_unit
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.names import Names
-from linkwright.model.places import Path, Place, Scope, figure, places
+from linkwright.model.places import Path, Place, Scope, places
 from linkwright.model.signals import Signals
 from linkwright.model.walk import Found
+from linkwright.reductions import figure
 
 
 class Inference:

@@ -45,15 +45,16 @@ from linkwright.expressions.fields import (
 from linkwright.expressions.typed_fields import Ref
 from linkwright.expressions.unknown import alike
 from linkwright.expressions.written import FaultWithin, unexpected
-from linkwright.model.actions import BOUND, REDUCTIONS, Measure, Table, Window
+from linkwright.model.actions import BOUND, Table, Window
 from linkwright.model.gravity import Gravity
 from linkwright.model.motions import MotionLaw
 from linkwright.model.parts import Joint, Link, Parameter, Plane, Units
 from linkwright.plugins import load
+from linkwright.reductions import ENTRIES as MEASURES
+from linkwright.reductions import Measure
 
 __all__ = [
     "FRAME",
-    "REDUCTIONS",
     "Cam",
     "Counterweight",
     "Cylinder",
@@ -147,6 +148,27 @@ class _AnyKind:
         return None if meant is None else InitErrorDetails(type="extra_forbidden", loc=(meant,), input=raw[meant])
 
 
+class _AnyReduction:
+    """A measure of any reduction, which its keys tell."""
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        dumped = core_schema.plain_serializer_function_ser_schema(_dumped, info_arg=True)
+        return core_schema.no_info_after_validator_function(lambda m: m, handler(source), serialization=dumped)
+
+    def kinds(self, raw: Any) -> list[type]:
+        """The entries of which one may be, as far as its keys tell."""
+        keys = raw.keys() if isinstance(raw, Mapping) else ()
+        return [entry for name, entry in MEASURES.items() if name in keys] or [*MEASURES.values()]
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        """All keys in one mapping: editors complete them as one writes."""
+        load("measures")
+        whole = handler.resolve_ref_schema(handler(schema))
+        every = [handler.resolve_ref_schema(handler(e.__pydantic_core_schema__)) for e in MEASURES.values()]
+        said = {key: value for one in (*every, whole) for key, value in one["properties"].items()}
+        return {**whole, "properties": said}
+
+
 def _apart(raw: Mapping[str, Any], kinds: Mapping[str, type[BaseModel]]) -> str:
     """The keys of an entry of several kinds, those of each for itself, without what they share."""
     known = {kind: keys_of(entry) for kind, entry in kinds.items()}
@@ -235,7 +257,7 @@ class Mechanism(Frozen):
         default_factory=FrozenDict,
         description="stretches of the motion: [from, to] in time, or {SIGNAL: [from, to]}",
     )
-    measures: Annotated[dict[Name, Measure], _bound, freeze] = Field(
+    measures: Annotated[dict[Name, Annotated[Measure, _AnyReduction()]], _bound, freeze] = Field(
         default_factory=FrozenDict, description="the figures that are asked for"
     )
     require: Annotated[dict[Annotated[Name, Ref("measure")], Annotated[Requirement, BOUND]], _bound, freeze] = Field(

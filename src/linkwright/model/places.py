@@ -11,25 +11,20 @@ from itertools import chain
 
 from linkwright.elements.entries import NOUNS
 from linkwright.elements.load import crossed
-from linkwright.elements.points import homes
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, FrozenDict, Position
 from linkwright.expressions.typed_fields import Context, Path, Scope
 from linkwright.expressions.units import Dimension
-from linkwright.model.actions import FIGURES, Measure, figure, instant, measured
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.motions import ARGUMENT
 from linkwright.model.walk import Found, Place, Site, walk
 
 __all__ = [
-    "FIGURES",
     "OF_FORMULA",
     "Path",
     "Place",
     "Scope",
     "crossed",
-    "figure",
-    "measured",
     "places",
     "position_parts",
     "stated",
@@ -73,15 +68,7 @@ def places(m: Mechanism, found: Iterable[Found]) -> Iterator[Place]:
                 yield from (Place((*element.path, use.key), use.expression, use.wanted, use.scope) for use in uses)
     own, bounds = by_entry.get("measures", {}), by_entry.get("require", {})
     for name, measure in m.measures.items():
-        yield from _path(m, name, measure)
         yield from own.get((name,), ())
-        if (when := measure.instant) and when.expression:
-            yield Place(("measures", name, "where"), Expression(when.expression), instant(name), Scope.SIGNALS)
+        uses = measure.uses(m, name)
+        yield from (Place(("measures", name, use.key), use.expression, use.wanted, use.scope) for use in uses)
         yield from bounds.get((name,), ())
-
-
-def _path(m: Mechanism, name: str, measure: Measure) -> Iterator[Place]:
-    """What is reduced where a measure names a point."""
-    if measure.point is not None and measure.point in homes(m):
-        wanted = u.SPEED if measure.path else u.LENGTH
-        yield Place(("measures", name, measure.reduction), measure.signal, wanted, Scope.SIGNALS)

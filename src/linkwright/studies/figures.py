@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from linkwright.expressions.units import Dimension, unit
 from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
-from linkwright.model.places import figure
+from linkwright.reductions import figure, kind_of
 from linkwright.results import Run
-from linkwright.studies.many import LABELS, Measuring
+from linkwright.studies.many import Measuring
 
 Array = NDArray[np.float64]
 
@@ -40,7 +40,7 @@ def columns(compiled: Compiled, name: str) -> list[Column]:
     quantities, measure = compiled.quantities, compiled.mechanism.measures[name]
     dimension = quantities.dimensions.resolve(figure(name, measure))
     text, size = quantities.unit_of(dimension) if measure.unit is None else (measure.unit, unit(measure.unit)[0])
-    return [Column(name, label, dimension, text, size) for label in LABELS.get(measure.reduction, ("",))]
+    return [Column(name, label, dimension, text, size) for label in kind_of(measure).labels]
 
 
 class Figures:

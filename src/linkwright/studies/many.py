@@ -5,10 +5,10 @@ in brackets of a grid, means integrated on panels; the grid is twice and the pan
 needs. (A run of its own doubles its grid for itself; here two turning points of a sample that lie between two places
 of the grid are missed.) Windows, jumps and corners follow each sample's own parameters.
 
-One sample after the other goes through a run of its own: ``dwell`` and ``straightness``; measures of instant centres;
-means of forces, where loads ask tables of straight lines; values at a place that a signal reaches; what the nominal run
-needs a very fine grid for, or gives otherwise; measures of samples in which one of their break functions vanishes or
-nearly does; and all measures of samples that turn too fast for the grid, or come near to a singular pose.
+One sample after the other goes through a run of its own: reductions that can't be taken of many at once; measures of
+instant centres; means of forces, where loads ask tables of straight lines; what the nominal run needs a very fine grid
+for, or gives otherwise; measures of samples in which one of their break functions vanishes or nearly does; and all
+measures of samples that turn too fast for the grid, or come near to a singular pose.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from linkwright.graph.rows import determinants, reaches, spans
 from linkwright.kernels.varied import Varied
 from linkwright.measures import MeasureResult, bound, measure_all
 from linkwright.measures.features import features
-from linkwright.model.mechanism import Measure
+from linkwright.reductions import Figures, Measure, kind_of
 from linkwright.results import Run
 from linkwright.results.breaks import kinks, law_joins
 from linkwright.results.bunch import Bunch, What
@@ -32,10 +32,9 @@ from linkwright.results.spans import Windows
 from linkwright.results.stationary import fineness
 from linkwright.studies.locked import angles
 from linkwright.studies.means import CLOSE, FIRST_PANELS, MOST_PANELS, corners, mean
-from linkwright.studies.peaks import Figures
-from linkwright.studies.taken import EXTREMES, LABELS, POWERS, Many, Taken
+from linkwright.studies.taken import Many, Taken
 
-__all__ = ["LABELS", "Figures", "Many", "Measuring", "measure_many"]
+__all__ = ["Figures", "Many", "Measuring", "measure_many"]
 
 Array = NDArray[np.float64]
 
@@ -82,18 +81,18 @@ class Measuring:
 
     def _of(self, name: str) -> list[Node]:
         """The expressions of a measure, that of its window among them."""
-        keys, window = (name, f"{name} where"), self.measures[name].window
+        measure = self.measures[name]
+        keys, window = (name, *(f"{name} {key}" for key in measure.also)), measure.window
         signal = self.quantities.mechanism.windows[window] if window else ()
         texts = [] if isinstance(signal, tuple) else [*signal]
-        return [self.trees[key] for key in keys if key in self.trees] + [
+        return [self.trees[key] for key in keys] + [
             self.quantities.dimensions.bind(parse(text), None) for text in texts
         ]
 
     def _singly(self, name: str, measure: Measure) -> bool:
         """Whether a measure is taken of one sample after the other."""
-        if measure.reduction not in (*EXTREMES, *POWERS, "value"):
-            return True
-        if measure.instant is not None and measure.instant.kind == "zero":
+        kind = kind_of(measure)
+        if kind.needs(measure) is None:
             return True
         signals = [self.graph.signal(text) for text in self.run.signals_of(self._of(name))]
         if any(signal.kind == "pole" for signal in signals):
@@ -102,7 +101,7 @@ class Measuring:
             return False
         tables, lookups = self.run.compiled.tables, self.graph.actions.lookups
         straight = any(tables[lookup.table].degree == 1 and not lookup.integral for lookup in lookups)
-        return straight and measure.reduction in POWERS
+        return straight and kind.power is not None
 
     def _steps(self) -> int:
         """The steps of the grid; measures that the nominal run needs a finer one for go to the others."""
@@ -132,12 +131,13 @@ class Measuring:
         bunch = Bunch(self.varied, self.run, nominal, self.steps, kernel=self.kernel)
         windows = Windows(bunch, self.jumping)
         for name, measure in self.measures.items():
-            if measure.reduction not in POWERS or name in self.single:
+            power = kind_of(measure).power
+            if power is None or name in self.single:
                 continue
             where, places = windows[measure.window], corners(bunch, self.trees[name], self.kinks)
             panels, last = FIRST_PANELS, np.full(1, np.inf)
             while panels <= MOST_PANELS:
-                now, size = mean(bunch, self.trees[name], where, POWERS[measure.reduction], panels, places)
+                now, size = mean(bunch, self.trees[name], where, power, panels, places)
                 if not abs(now - last)[0] > CLOSE * size[0]:
                     break
                 panels, last = 2 * panels, now

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.reductions import Figures
 from linkwright.results.bunch import Bunch, Changes, What, Who, changes
 from linkwright.results.spans import Spans
 from linkwright.studies.sides import Candidates
@@ -21,14 +21,6 @@ OVER, HOLLOW = 2.0, 0.25
 the flatter one makes over the bracket."""
 SLACK = 1e-9
 """Brackets are searched that may come so near to the best, over the curve's size."""
-
-
-@dataclass(frozen=True)
-class Figures:
-    """One figure of each sample, SI, and where it happens (s), NaN where there is none: (samples,) each."""
-
-    values: Array
-    times: Array
 
 
 def peaks(

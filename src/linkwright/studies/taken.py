@@ -11,31 +11,26 @@ from numpy.typing import NDArray
 
 from linkwright.expressions.language import Node
 from linkwright.measures import measure_all
-from linkwright.model.mechanism import Measure
-from linkwright.model.places import figure
+from linkwright.reductions import Figures, Measure, figure, kind_of
 from linkwright.results.alone import alone
 from linkwright.results.bunch import Bunch, What
-from linkwright.results.spans import Windows, spans
+from linkwright.results.spans import Spans, Windows, spans
 from linkwright.studies.feasible import SINGULAR, TOUCH
 from linkwright.studies.locked import square
 from linkwright.studies.means import corners, mean
-from linkwright.studies.peaks import Figures, peaks
+from linkwright.studies.peaks import peaks
 from linkwright.studies.sides import sides
 
 if TYPE_CHECKING:
     from linkwright.studies.many import Measuring
 
+Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 SETTLED = 1e-9
 """A mean that differs by more than this share of the mean magnitude from that on half as many panels isn't settled."""
 STEEP = 3.0
 """A curve whose neighbours are so many times its least magnitude on the grid comes too near to zero for it."""
-
-LABELS = {"extremes": ("min", "max")}
-BOTH = {"min": -1.0, "max": 1.0}
-EXTREMES = {"max": {"": 1.0}, "min": {"": -1.0}, "extremes": BOTH, "span": BOTH}
-POWERS = {"mean": 1, "path": 1, "rms": 2}
 
 
 @dataclass
@@ -137,22 +132,17 @@ class Taken:
         for name, measure in self.measuring.measures.items():
             if name in self.measuring.single:
                 continue
-            for sign in EXTREMES.get(measure.reduction, {}).values():
-                yield trees[name], measure.window, sign
-            if f"{name} where" in trees:
-                yield trees[f"{name} where"], measure.window, _sign(measure)
+            for key, sign in kind_of(measure).needs(measure) or ():
+                yield trees[f"{name} {key}".rstrip()], measure.window, sign
 
     def blank(self, measure: Measure) -> dict[str, Figures]:
         """The labels of a measure, without figures yet."""
         size = self.bunch.samples
-        return {
-            label: Figures(np.full(size, np.nan), np.full(size, np.nan))
-            for label in LABELS.get(measure.reduction, ("",))
-        }
+        return {label: Figures(np.full(size, np.nan), np.full(size, np.nan)) for label in kind_of(measure).labels}
 
     def figures(self, name: str, measure: Measure) -> dict[str, Figures]:
         """A measure's figures by label, in its range of angles."""
-        found = self.reduced(name, measure)
+        found = kind_of(measure).figures(Sampled(self, name, measure))
         values = {label: figures.values for label, figures in found.items()}
         if measure.wrap is not None:
             quantities = self.bunch.quantities
@@ -161,48 +151,6 @@ class Taken:
             with np.errstate(invalid="ignore"):
                 values = {label: low + (value - low) % (high - low) for label, value in values.items()}
         return {label: Figures(values[label].copy(), figures.times.copy()) for label, figures in found.items()}
-
-    def reduced(self, name: str, measure: Measure) -> dict[str, Figures]:
-        """A measure's figures as its reduction gives them."""
-        tree, signs = self.measuring.trees[name], EXTREMES.get(measure.reduction)
-        if measure.reduction == "value":
-            return {"": self.placed(name, measure)}
-        if signs is None:
-            return {"": self.integral(name, measure)}
-        found = {label: self.extremes[tree, measure.window, sign] for label, sign in signs.items()}
-        if measure.reduction == "span":
-            values = found["max"].values - found["min"].values
-            return {"": Figures(values, np.full_like(values, np.nan))}
-        return found
-
-    def placed(self, name: str, measure: Measure) -> Figures:
-        """A value at the place that `where` names."""
-        trees, window = self.measuring.trees, self.windows[measure.window]
-        if f"{name} where" in trees:
-            times = self.extremes[trees[f"{name} where"], measure.window, _sign(measure)].times
-        else:
-            assert measure.instant is not None
-            times = window.first if measure.instant.kind == "start" else window.last
-        who = np.flatnonzero(np.isfinite(times))
-        values = np.full_like(times, np.nan)
-        values[who] = self.bunch.values(trees[name], who, times[who])
-        return Figures(values, times)
-
-    def integral(self, name: str, measure: Measure) -> Figures:
-        """A mean or what follows from one."""
-        asked, bunch, window = self.measuring, self.bunch, self.windows[measure.window]
-        places = corners(bunch, asked.trees[name], asked.kinks)
-        power, panels = POWERS[measure.reduction], asked.panels[name]
-        values, size = mean(bunch, asked.trees[name], window, power, panels, places)
-        half, _ = mean(bunch, asked.trees[name], window, power, panels // 2, places)
-        with np.errstate(invalid="ignore"):
-            self.coarse[name] = ~(np.abs(values - half) <= SETTLED * size)
-        if measure.reduction == "rms":
-            values = np.sqrt(values)
-        if measure.reduction == "path":
-            owner, a, b = window.flat()
-            values = values * np.bincount(owner, b - a, bunch.samples)
-        return Figures(values, np.full_like(values, np.nan))
 
     def singly(self, many: Many, names: Sequence[str], some: Mask) -> None:
         """Put in what is taken of some samples one after the other."""
@@ -225,6 +173,49 @@ class Taken:
         return np.asarray(np.logical_and.reduce([(low <= f.values) & (f.values <= high) for f in found.values()]))
 
 
-def _sign(measure: Measure) -> float:
-    assert measure.instant is not None
-    return 1.0 if measure.instant.kind == "max" else -1.0
+@dataclass(frozen=True)
+class Sampled:
+    """One measure of a bunch of samples, as :class:`~linkwright.reductions.InSamples` has it."""
+
+    taken: Taken
+    name: str
+    measure: Measure
+
+    @property
+    def _window(self) -> Spans:
+        return self.taken.windows[self.measure.window]
+
+    @property
+    def length(self) -> Array:
+        """How long each one's window is (s)."""
+        owner, a, b = self._window.flat()
+        return np.asarray(np.bincount(owner, b - a, self.taken.bunch.samples), dtype=float)
+
+    @property
+    def ends(self) -> tuple[Array, Array]:
+        """Where each one's window begins and ends (s)."""
+        return self._window.first, self._window.last
+
+    def extreme(self, sign: float, key: str = "") -> Figures:
+        """The largest values of an expression, or with the sign -1 the smallest."""
+        tree = self.taken.measuring.trees[f"{self.name} {key}".rstrip()]
+        return self.taken.extremes[tree, self.measure.window, sign]
+
+    def mean(self) -> Array:
+        """The mean of the kind's power; samples for which its panels are too coarse are noted."""
+        asked, bunch, power = self.taken.measuring, self.taken.bunch, kind_of(self.measure).power
+        assert power is not None
+        tree, panels = asked.trees[self.name], asked.panels[self.name]
+        places = corners(bunch, tree, asked.kinks)
+        values, size = mean(bunch, tree, self._window, power, panels, places)
+        half, _ = mean(bunch, tree, self._window, power, panels // 2, places)
+        with np.errstate(invalid="ignore"):
+            self.taken.coarse[self.name] = ~(np.abs(values - half) <= SETTLED * size)
+        return values
+
+    def values(self, times: Array) -> Array:
+        """The signal of each at a time (s) of its own."""
+        who = np.flatnonzero(np.isfinite(times))
+        values = np.full_like(times, np.nan)
+        values[who] = self.taken.bunch.values(self.taken.measuring.trees[self.name], who, times[who])
+        return values

@@ -12,10 +12,11 @@ from helpers.compiled import compiled_from
 from linkwright.kernels import Compiled
 from linkwright.kernels.varied import Varied
 from linkwright.model.document import load, plain
+from linkwright.reductions import REDUCTIONS, kind_of
 from linkwright.results import Run
-from linkwright.studies.accuracy.derivatives import RULES, Derivatives
+from linkwright.studies.accuracy.derivatives import Derivatives
 from linkwright.studies.accuracy.slopes import Slopes
-from linkwright.studies.many import LABELS, Measuring
+from linkwright.studies.many import Measuring
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 
@@ -71,7 +72,7 @@ def derived(
     many = Measuring(varied, run).of(varied.parameters((start[:, None, None] + shifts).reshape(len(names), -1)))
     differences = {}
     for name, measure in compiled.mechanism.measures.items():
-        values = [many.figures[name][label].values for label in LABELS.get(measure.reduction, ("",))]
+        values = [many.figures[name][label].values for label in kind_of(measure).labels]
         shaped = np.array(values).reshape(len(values), len(names), -1)
         differences[name] = shaped @ WEIGHTS / steps
     return {name: (derivatives.of(name), differences[name], nominal) for name in measures}
@@ -119,7 +120,7 @@ def test_at_the_jump_of_a_load_an_extreme_moves_as_on_its_side(expression: str, 
 
 
 def test_every_reduction_with_a_rule_is_looked_at() -> None:
-    assert {feeder().mechanism.measures[name].reduction for name in MEASURES} == set(RULES)
+    assert {feeder().mechanism.measures[name].reduction for name in MEASURES} == set(REDUCTIONS)
 
 
 def test_where_two_places_have_the_same_extreme_the_derivative_is_one_sided() -> None:

@@ -16,10 +16,11 @@ from linkwright.kernels.varied import Varied
 from linkwright.laws import LAWS
 from linkwright.measures import measure_all
 from linkwright.model.document import parse_document
+from linkwright.reductions import kind_of
 from linkwright.results import Run
 from linkwright.studies.accuracy.derivatives import Derivatives
 from linkwright.studies.accuracy.slopes import Slopes
-from linkwright.studies.many import LABELS, Measuring
+from linkwright.studies.many import Measuring
 from linkwright.studies.registry import read_studies
 
 OFFSETS, WEIGHTS = np.array([-2, -1, 1, 2]), np.array([1, -8, 8, -1]) / 12  # differences of fourth order
@@ -87,7 +88,7 @@ def test_derivatives_of_measures_cross_joins_that_move() -> None:
     shifts = (steps[:, None] * OFFSETS)[None] * np.eye(len(names))[:, :, None]
     many = Measuring(varied, run).of(varied.parameters((start[:, None, None] + shifts).reshape(len(names), -1)))
     for name, measure in base.mechanism.measures.items():
-        for derivative, label in zip(exact.of(name), LABELS.get(measure.reduction, ("",)), strict=True):
+        for derivative, label in zip(exact.of(name), kind_of(measure).labels, strict=True):
             figure = many.figures[name][label].values
             wanted = figure.reshape(len(names), -1) @ WEIGHTS / steps
             assert derivative.places.shape[0] == 1, name

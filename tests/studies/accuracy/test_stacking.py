@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from linkwright.expressions import units as u
+from linkwright.reductions import Derivative
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
-from linkwright.studies.accuracy.derivative import Derivative
 from linkwright.studies.accuracy.stacking import shares, spread, worst
 
 LIMITS = [(-0.02, 0.05), (0.01, 0.03), (-0.04, -0.01), (-0.02, 0.02)]

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,11 +11,10 @@ from numpy.typing import NDArray
 from linkwright.expressions.language import parse
 from linkwright.findings import Finding, Term
 from linkwright.measures import bound
-from linkwright.model.mechanism import Measure
+from linkwright.reductions import Measure, kind_of
 from linkwright.results import Run
-from linkwright.results.windows import intervals
 from linkwright.studies.accuracy.clearance import PATH, Plays
-from linkwright.studies.accuracy.derivatives import Derivatives
+from linkwright.studies.accuracy.derivatives import Derivatives, Deviated
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, Figure, PlayEffect
 
@@ -52,7 +52,7 @@ def play_effects(plays: Plays, names: Sequence[str]) -> tuple[Effects, dict[str,
     if fitting and plays.held:
         rested, moved = (Derivatives(plays.run, slopes, fitting) for slopes in (plays.resting, plays.gaps))
         for name in fitting:
-            bounds = BOUNDS[known[name].reduction](plays, moved, name)
+            bounds = kind_of(known[name]).bound(Played(plays, moved.deviated(name)))
             for shift, worst in zip(rested.of(name), bounds, strict=True):
                 shifts = shift.sides[:, 1]  # a place also moves as directions turn, which no held one shows
                 found[name, shift.label] = plays.effect(shifts, np.maximum(worst, np.abs(shifts[1:])))
@@ -75,45 +75,33 @@ def _lacks(plays: Plays, name: str, measure: Measure) -> Term | None:
     quantities, window = plays.compiled.quantities, plays.compiled.mechanism.windows.get(measure.window or "")
     edges = [] if window is None or isinstance(window, tuple) else [parse(text) for text in window]
     edges = [quantities.dimensions.bind(edge, None) for edge in edges]
-    if measure.reduction not in BOUNDS:
+    kind = kind_of(measure)
+    if not kind.bounded:
         return Term("play-reduction")
     if not plays.fits([*bound(quantities, name).values(), *edges]):
         return Term("play-no-position")
-    if measure.reduction in ("mean", "rms") and edges:
+    if kind.still and edges:
         still = plays.gaps.at(edges, plays.run.t, rates=False).slope
         return Term("play-window") if still.any() else None
     return None
 
 
-def _at_place(plays: Plays, moved: Derivatives, name: str) -> list[Array]:
-    """The bound of each joint for values at places: directions are held while the place is looked for."""
-    return [plays.gaps.worst(figure.sides).max(axis=1) for figure in moved.of(name)]
+@dataclass(frozen=True)
+class Played:
+    """One measure, as :class:`~linkwright.reductions.WithPlay` has it."""
 
+    plays: Plays
+    moved: Deviated
 
-def _of_span(plays: Plays, moved: Derivatives, name: str) -> list[Array]:
-    """The directions at the two extremes are free of each other."""
-    window = plays.compiled.mechanism.measures[name].window
-    low, high = (plays.gaps.worst(moved.extreme(name, window, sign).sides).max(axis=1) for sign in (-1.0, 1.0))
-    return [low + high]
+    @property
+    def joints(self) -> int:
+        """The number of joints with clearance."""
+        return len(self.plays.held)
 
+    def worst(self, slopes: Array) -> Array:
+        """The most that each joint does over all directions."""
+        return self.plays.gaps.worst(slopes)
 
-def _of_mean(plays: Plays, moved: Derivatives, name: str) -> list[Array]:
-    """The directions are free at each time."""
-    measure = plays.compiled.mechanism.measures[name]
-    power = {"mean": 1, "rms": 2}[measure.reduction]
-    total, size, length = np.zeros(len(plays.held)), 0.0, 0.0
-    for a, b in intervals(plays.run, measure.window):
-        t, weight = plays.panels(a, b)
-        here = plays.gaps.at([moved.trees[name]], t, rates=False)
-        total += plays.gaps.worst(here.slope[0]) * np.abs(here.value[0]) ** (power - 1) @ weight
-        size, length = size + float(here.value[0] ** 2 @ weight), length + b - a
-    return [total / (length if power == 1 else np.sqrt(size * length))]
-
-
-BOUNDS: dict[str, Callable[[Plays, Derivatives, str], list[Array]]] = {
-    **dict.fromkeys(("max", "min", "extremes", "value"), _at_place),
-    "span": _of_span,
-    "mean": _of_mean,
-    "rms": _of_mean,
-}
-"""The bound of each reduction that has one."""
+    def panels(self, a: float, b: float) -> tuple[Array, Array]:
+        """Times and weights of quadrature."""
+        return self.plays.panels(a, b)

@@ -8,23 +8,21 @@ theorem.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Node
-from linkwright.measures import Measurer, Probe
-from linkwright.model.mechanism import REDUCTIONS, Measure
+from linkwright.measures import Measurer, Probe, Reading
+from linkwright.reductions import Derivative, Local, kind_of
 from linkwright.results import Run
 from linkwright.results.quadrature import gauss_points
-from linkwright.results.windows import intervals
-from linkwright.studies.accuracy.derivative import Derivative
 from linkwright.studies.accuracy.edges import Edges
 from linkwright.studies.accuracy.joins import Joins
 from linkwright.studies.accuracy.slopes import Slopes
-from linkwright.studies.accuracy.stretches import dwell, straightness
 
 Array = NDArray[np.float64]
 
@@ -47,8 +45,11 @@ class Derivatives:
 
     def of(self, name: str) -> list[Derivative]:
         """Those of a measure's figures, in their order."""
-        measure = self.measurer.measures[name]
-        return RULES[measure.reduction](self, name, measure)
+        return kind_of(self.measurer.measures[name]).derivative(self.deviated(name))
+
+    def deviated(self, name: str) -> Deviated:
+        """A measure's signal by the deviations."""
+        return Deviated(self, name, self.measurer.reading(name))
 
     def probe(self, key: str, window: str | None) -> Probe:
         """An expression over a window."""
@@ -82,20 +83,6 @@ class Derivatives:
             if all(np.abs(slope - one).max() > APART * np.abs(slopes).max() for one in apart):
                 apart.append(slope)
         return Derivative("max" if sign > 0 else "min", float(near[0]), np.stack(apart), sign)
-
-    def instant(self, name: str, measure: Measure) -> tuple[float, Array]:
-        """The place of a value and its derivative."""
-        when, spans = measure.instant, intervals(self.run, measure.window)
-        assert when is not None
-        key = f"{name} where"
-        time, _ = self.measurer.instant(name, measure, spans)
-        if when.kind == "zero":
-            here = self.slopes.at([self.trees[key]], np.array([time]))
-            return time, np.asarray(-here.slope[0, :, 0] / here.rate[0, 0])
-        if not when.expression:
-            time = spans[0][0] if when.kind == "start" else spans[-1][1]
-        moves = self.moves(measure.window, time)
-        return time, self.edges.turn(self.trees[key], time) if moves is None else moves
 
     def integral(self, name: str, window: str | None, power: int) -> tuple[float, Array, float, Array]:
         """The integral of a power of an expression over a window with its derivative; the window's length likewise."""
@@ -142,55 +129,52 @@ class Derivatives:
             panels, last = 2 * panels, found[1]
 
 
-def _largest(found: Derivatives, name: str, measure: Measure) -> list[Derivative]:
-    return [replace(found.extreme(name, measure.window, 1.0), label="")]
+@dataclass(frozen=True)
+class Deviated:
+    """One measure, as :class:`~linkwright.reductions.WithDeviations` has it."""
 
+    every: Derivatives
+    name: str
+    here: Reading
 
-def _smallest(found: Derivatives, name: str, measure: Measure) -> list[Derivative]:
-    return [replace(found.extreme(name, measure.window, -1.0), label="")]
+    @property
+    def count(self) -> int:
+        """The number of deviations."""
+        count: int = self.every.slopes.count
+        return count
 
+    def extreme(self, sign: float) -> Derivative:
+        """That of the largest value, or with the sign -1 of the smallest."""
+        return self.every.extreme(self.name, self.here.measure.window, sign)
 
-def _extremes(found: Derivatives, name: str, measure: Measure) -> list[Derivative]:
-    return [found.extreme(name, measure.window, sign) for sign in (-1.0, 1.0)]
+    def integral(self, power: int) -> tuple[float, Array, float, Array]:
+        """That of a power over the window, and of the window's length."""
+        return self.every.integral(self.name, self.here.measure.window, power)
 
+    def at(self, times: Sequence[float] | Array, key: str = "", rates: bool = True) -> Local:
+        """The signal, or another expression, at times (s)."""
+        return self.every.slopes.at([self._tree(key)], np.asarray(times), rates)
 
-def _span(found: Derivatives, name: str, measure: Measure) -> list[Derivative]:
-    low, high = _extremes(found, name, measure)
-    pairs = high.places[:, None] - low.places[None]  # a largest value less a smallest is a largest difference
-    return [Derivative("", None, pairs.reshape(-1, found.slopes.count))]
+    def moves(self, time: float) -> Array | None:
+        """How a time moves that is an end of the window or of a load."""
+        return self.every.moves(self.here.measure.window, time)
 
+    def turns(self, time: float, key: str) -> Array:
+        """How a time moves at which another expression turns."""
+        return self.every.edges.turn(self._tree(key), time)
 
-def _value(found: Derivatives, name: str, measure: Measure) -> list[Derivative]:
-    time, moves = found.instant(name, measure)
-    here = found.slopes.at([found.trees[name]], np.array([time]))
-    return [Derivative.smooth(here.slope[0, :, 0] + here.rate[0, 0] * moves, time)]
+    def number(self, expression: Expression) -> tuple[float, Array]:
+        """An expression of parameters of the kind of the signal, with its derivative."""
+        dimensions = self.every.run.compiled.quantities.dimensions
+        return self.every.slopes.constant(expression, dimensions.dimension(self.here.measure.signal.node))
 
+    def signals(self, names: Sequence[str], times: Array) -> tuple[Array, Array]:
+        """Signals by their names, and their derivatives."""
+        return self.every.slopes.tangents.evaluate(names, times)
 
-def _mean(found: Derivatives, name: str, measure: Measure) -> list[Derivative]:
-    total, slope, length, grows = found.integral(name, measure.window, 1)
-    return [Derivative.smooth((slope - total / length * grows) / length)]
+    def same(self, a: float, b: float) -> bool:
+        """Whether two times are one place."""
+        return self.every.edges.same(a, b)
 
-
-def _rms(found: Derivatives, name: str, measure: Measure) -> list[Derivative]:
-    total, slope, length, grows = found.integral(name, measure.window, 2)
-    return [Derivative.smooth((slope - total / length * grows) / length / (2 * np.sqrt(total / length)))]
-
-
-def _path(found: Derivatives, name: str, measure: Measure) -> list[Derivative]:
-    return [Derivative.smooth(found.integral(name, measure.window, 1)[1])]
-
-
-# One rule per reduction of the file format, as RULES of the measures.
-RULES: dict[str, Callable[[Derivatives, str, Measure], list[Derivative]]] = {
-    "span": _span,
-    "max": _largest,
-    "min": _smallest,
-    "extremes": _extremes,
-    "mean": _mean,
-    "rms": _rms,
-    "path": _path,
-    "value": _value,
-    "straightness": straightness,
-    "dwell": dwell,
-}
-assert {*RULES} == set(REDUCTIONS)
+    def _tree(self, key: str) -> Node:
+        return self.every.trees[f"{self.name} {key}".rstrip()]

@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 from linkwright.elements.clearance import Held, Known, Rows
 from linkwright.expressions.language import Node
 from linkwright.notation import Jet
+from linkwright.reductions import Local
 from linkwright.results import Run
 from linkwright.studies.accuracy.seats import columns, named
-from linkwright.studies.accuracy.slopes import Local, Slopes
+from linkwright.studies.accuracy.slopes import Slopes
 
 Array = NDArray[np.float64]
 

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from linkwright.expressions.dimensions import Wanted
 from linkwright.expressions.typed_fields import Context, Quantity, Scope
-from linkwright.model.actions import figure
+from linkwright.reductions import figure
 
 
 def _dimension(name: str, c: Context) -> Wanted:

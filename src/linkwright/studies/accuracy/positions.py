@@ -12,8 +12,8 @@ from linkwright.expressions.unknown import unknown
 from linkwright.expressions.written import FrozenDict
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model.actions import Measure
 from linkwright.model.document import Document
+from linkwright.reductions import Measure
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.asked import of_signals, signal_faults
 from linkwright.studies.cycle.options import span

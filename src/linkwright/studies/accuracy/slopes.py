@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -14,21 +13,11 @@ from linkwright.expressions.language import Node, evaluate
 from linkwright.expressions.units import Dimension
 from linkwright.kernels.tangents import Tangents
 from linkwright.notation.duals import Dual, slope_of, value_of
+from linkwright.reductions import Local
 from linkwright.results import Run
 from linkwright.results.run import expressed
 
 Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class Local:
-    """Expressions at some times, SI: ``value`` and its time derivative ``rate`` (expressions, times), both by the
-    deviations in ``slope`` and ``twist`` (expressions, deviations, times)."""
-
-    value: Array
-    rate: Array
-    slope: Array
-    twist: Array
 
 
 class Slopes:

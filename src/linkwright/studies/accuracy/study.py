@@ -12,6 +12,7 @@ from linkwright.kernels.cut import cut
 from linkwright.kernels.varied import Varied
 from linkwright.model.document import Document
 from linkwright.presentation.blocks import FileOf, StudyReport
+from linkwright.reductions import kind_of
 from linkwright.results import Run
 from linkwright.studies.accuracy.clearance import PATH as CLEARANCES
 from linkwright.studies.accuracy.clearance_figures import state_plays
@@ -115,6 +116,7 @@ def _check(compiled: Compiled, options: AccuracyOptions) -> Iterator[Finding]:
     wrong = list(check_contributors(compiled, options))
     yield from wrong
     yield from check_outputs(compiled, options)
+    yield from _check_derivatives(compiled, options)
     yield from check_positions(compiled, options)
     yield from check_clearances(compiled, options.clearances, CLEARANCES)
     if wrong:
@@ -131,6 +133,15 @@ def _check(compiled: Compiled, options: AccuracyOptions) -> Iterator[Finding]:
     stop, findings = span(compiled, options.cycle)
     if not findings:
         yield from check_design(compiled, options, deviations, stop)
+
+
+def _check_derivatives(compiled: Compiled, options: AccuracyOptions) -> Iterator[Finding]:
+    """Measures of which it isn't known how they follow deviations."""
+    for name in options.measures(compiled):
+        measure = compiled.mechanism.measures[name]
+        if not kind_of(measure).differentiable:
+            data = {"name": name, "reduction": measure.reduction}
+            yield Finding("accuracy.no-derivative", ("studies", "accuracy", "outputs"), data)
 
 
 def _opened(document: Document, nominal: Compiled, site: Site) -> tuple[Compiled, AccuracyOptions]:

@@ -11,7 +11,8 @@ import numpy as np
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import parse
 from linkwright.expressions.units import ANGLE, TIME, Dimension
-from linkwright.measures.probe import Peak, Probe, Search
+from linkwright.measures.probe import Probe, Search
+from linkwright.reductions.found import Peak
 from linkwright.results import Run
 from linkwright.results.windows import intervals
 from linkwright.studies.limits.extremes import Transmission, transmission

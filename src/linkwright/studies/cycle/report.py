@@ -6,7 +6,7 @@ from typing import Any
 
 from linkwright.expressions.units import TIME
 from linkwright.findings import Joined, Said
-from linkwright.measures import Grade, MeasureResult
+from linkwright.measures import MeasureResult
 from linkwright.presentation.blocks import (
     Cell,
     Checks,
@@ -18,6 +18,7 @@ from linkwright.presentation.blocks import (
     StudyReport,
     Table,
 )
+from linkwright.reductions import Grade
 from linkwright.results import Certificate, Result
 from linkwright.results.netcdf import netcdf_bytes
 from linkwright.studies.cycle.outcome import CycleOutcome
@@ -83,14 +84,6 @@ def _less(high: float | None, low: float | None) -> float | None:
 
 def measure(m: MeasureResult, second: float, time_unit: str) -> Measure:
     """A measure as it is shown."""
-    entry, reduction = m.measure, m.measure.reduction
-    data = {
-        "reduction": reduction,
-        "signal": m.measure.subject,
-        "window": entry.window,
-        "where": entry.where,
-    }
-    key = "measure.text.where" if entry.where else "measure.text.window" if entry.window else "measure.text"
     values = [
         MeasureValue(
             label=Said(f"measure.{f.label}") if f.label else "",
@@ -101,7 +94,7 @@ def measure(m: MeasureResult, second: float, time_unit: str) -> Measure:
         )
         for f in m.found
     ]
-    return Measure(m.name, Said(key, **data), values, m.unit, m.requirement, m.verdict)
+    return Measure(m.name, m.measure.said, values, m.unit, m.requirement, m.verdict)
 
 
 def _at(side: str, time: str) -> Said:

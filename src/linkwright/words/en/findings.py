@@ -1181,6 +1181,10 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "'{text}' is no position.",
         "Write 'max E.x' or 'min E.x' with a signal, 'start of W' or 'end of W' with a window, or a time.",
     ),
+    "accuracy.no-derivative": (
+        "There is no derivative of the reduction {reduction}, so tolerances can't be carried to the measure {name}.",
+        "Name other outputs of the study.",
+    ),
     "accuracy.outside-run": (
         "The position '{text}' isn't between 0 and {stop} {unit}, the run of the cycle.",
         "Give a time within the run.",

@@ -1,4 +1,4 @@
-"""The derivative of a figure by the deviations."""
+"""Derivatives by the deviations: of expressions at some times, of a figure."""
 
 from __future__ import annotations
 
@@ -8,6 +8,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Local:
+    """Expressions at some times, SI: ``value`` and its time derivative ``rate`` (expressions, times), both by the
+    deviations in ``slope`` and ``twist`` (expressions, deviations, times)."""
+
+    value: Array
+    rate: Array
+    slope: Array
+    twist: Array
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,129 @@
+"""What reductions ask of a run: a measure's signal over the intervals of its window."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.expressions.fields import Expression
+from linkwright.expressions.units import ANGLE
+from linkwright.measures.dwells import Course
+from linkwright.measures.paths import around
+from linkwright.measures.probe import Probe, inner
+from linkwright.reductions import Found, Grade, Kind, Measure, Peak, Unmeasured
+from linkwright.results.windows import Interval, passing
+
+Array = NDArray[np.float64]
+
+
+@dataclass
+class Reading:
+    """One measure in a run, as :class:`~linkwright.reductions.InRun` has it. ``probes`` gives its other expressions;
+    ``settled`` until a search or a quadrature has not stood still."""
+
+    probe: Probe
+    measure: Measure
+    probes: Callable[[str], Probe]
+    settled: bool = True
+
+    @property
+    def intervals(self) -> list[Interval]:
+        """Where it is measured."""
+        return self.probe.intervals
+
+    @property
+    def length(self) -> float:
+        """How long the intervals are together (s)."""
+        return self.probe.length()
+
+    @property
+    def stationary(self) -> Array:
+        """The times (s) at which the signal turns or may have a kink."""
+        return self.probe.stationary
+
+    @property
+    def searched(self) -> Grade:
+        """The grade of what the search gives."""
+        return Grade(Kind.SEARCHED, self.probe.search.turned.width)
+
+    def values(self, t: Array) -> Array:
+        """The signal at times, SI."""
+        return self.probe.values(t)
+
+    def at(self, time: float) -> Peak:
+        """The signal at one time, that of its side where the other has no value."""
+        value, side = float(self.probe.values(np.array([time]))[0]), ""
+        for place in self.probe.limits:
+            if abs(place.time - time) <= self.probe.near:
+                if place.before.value != place.after.value:
+                    raise Unmeasured("measure.two-values", time)
+                value, side = place.after.value, "after"
+        if np.isnan(value):
+            raise Unmeasured("measure.not-finite", time)
+        return Peak(value, time, side)
+
+    def top(self) -> Peak:
+        """The largest value."""
+        return self.probe.top()
+
+    def bottom(self) -> Peak:
+        """The smallest value."""
+        return self.probe.bottom()
+
+    def mean(self, power: int = 1) -> float:
+        """The mean of a power."""
+        mean = self.probe.mean(power)
+        self.settled &= mean.settled
+        if not np.isfinite(mean.value):
+            place = next(p for p in self.probe.limits if np.isinf([p.before.value, p.after.value]).any())
+            raise Unmeasured("measure.diverges", place.time)
+        return mean.value
+
+    def number(self, expression: Expression) -> float:
+        """An expression of parameters of the kind of the signal, SI."""
+        quantities = self.probe.run.compiled.quantities
+        return quantities.value(expression, quantities.dimensions.dimension(self.measure.signal.node))
+
+    def found(self, label: str, value: float, time: float | None = None, side: str = "") -> Found:
+        """A figure with the grade of the search."""
+        self.settled &= self.probe.search.settled(self.probe.node)
+        return Found(label, value, time, side, self.searched)
+
+    def other(self, key: str) -> Reading:
+        """Another expression of the measure."""
+        return Reading(whole(self.probes(key)), self.measure, self.probes)
+
+    def zeros(self, key: str) -> Array:
+        """The times (s) at which another expression is zero, of an angle modulo whole turns."""
+        run, probe = self.probe.run, self.probes(key)
+        turning = run.compiled.quantities.dimensions.dimension(self.measure.also[key].node) == ANGLE
+        return passing(run, probe.node, probe.intervals, turning)
+
+    def inner(self, edge: float, side: int) -> float:
+        """An end of an interval, moved off a jump there."""
+        return inner(self.probe.run, edge, side)
+
+    def longest(self, width: float) -> Interval:
+        """The longest stretch (s) in which the signal varies by ``width`` at most."""
+        found = []
+        for a, b in self.intervals:
+            turning = np.array([a, *(t for t in self.stationary if a < t < b), b])
+            found.append(Course(self.values, turning).longest(width))
+        return max(found, key=lambda stretch: stretch[1] - stretch[0])
+
+    def strip(self, point: str) -> tuple[float, complex, Array]:
+        """The narrowest strip that holds a point's path."""
+        return around(self.probe.run, point, self.intervals)
+
+
+def whole(probe: Probe) -> Probe:
+    """The same. Raises :class:`Unmeasured` for an expression that has no value somewhere, or of which it isn't known
+    whether it is bounded."""
+    if not probe.finite():
+        raise Unmeasured("measure.not-finite")
+    if undecided := probe.undecided():
+        raise Unmeasured("measure.undecided", undecided[0])
+    return probe

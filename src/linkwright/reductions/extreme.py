@@ -1,0 +1,129 @@
+"""Reductions to extremes of a signal: the largest, the smallest, both, and what lies between them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Annotated, Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field
+
+from linkwright.expressions.fields import Expression
+from linkwright.reductions.derivative import Derivative
+from linkwright.reductions.entry import SIGNAL, Measure
+from linkwright.reductions.found import Figures, Found
+from linkwright.reductions.kind import InRun, InSamples, MeasureKind, WithDeviations, WithPlay, register
+
+Array = NDArray[np.float64]
+
+
+class _OfExtremes(MeasureKind):
+    """A reduction whose figures are extremes: the sign of each by its label."""
+
+    signs: ClassVar[Mapping[str, float]]
+    differentiable = True
+    bounded = True
+
+    def needs(self, measure: Any) -> Sequence[tuple[str, float]]:
+        return [("", sign) for sign in self.proven]
+
+    def found(self, run: InRun) -> tuple[Found, ...]:
+        return tuple(run.found(label, *(run.top() if sign > 0 else run.bottom())) for label, sign in self.signs.items())
+
+    def figures(self, samples: InSamples) -> dict[str, Figures]:
+        return {label: samples.extreme(sign) for label, sign in self.signs.items()}
+
+    def derivative(self, found: WithDeviations) -> list[Derivative]:
+        return [replace(found.extreme(sign), label=label) for label, sign in self.signs.items()]
+
+    def beyond(self, reported: Mapping[str, float], low: float, high: float) -> float:
+        return max(high - reported[label] if sign > 0 else reported[label] - low for label, sign in self.signs.items())
+
+
+class MaxEntry(Measure):
+    """The largest value of a signal."""
+
+    reduction = "max"
+    max: Annotated[Expression, SIGNAL] = Field(description="largest value")
+
+
+class MinEntry(Measure):
+    """The smallest value of a signal."""
+
+    reduction = "min"
+    min: Annotated[Expression, SIGNAL] = Field(description="smallest value")
+
+
+class ExtremesEntry(Measure):
+    """Both extremes of a signal."""
+
+    reduction = "extremes"
+    extremes: Annotated[Expression, SIGNAL] = Field(description="both: the smallest and the largest value")
+
+
+class SpanEntry(Measure):
+    """What lies between the extremes of a signal."""
+
+    reduction = "span"
+    span: Annotated[Expression, SIGNAL] = Field(description="largest less smallest value of this signal expression")
+
+
+@register
+class Span(_OfExtremes):
+    """The largest less the smallest value; it has no place."""
+
+    entry = SpanEntry
+    proven = (-1.0, 1.0)
+
+    def found(self, run: InRun) -> tuple[Found, ...]:
+        high, low = (run.found("", *peak) for peak in (run.top(), run.bottom()))
+        for end in (high, low):
+            if end.unbounded:
+                return (replace(end, value=float(np.inf)),)
+        return (run.found("", high.value - low.value),)
+
+    def figures(self, samples: InSamples) -> dict[str, Figures]:
+        return {"": Figures.anywhere(samples.extreme(1.0).values - samples.extreme(-1.0).values)}
+
+    def derivative(self, found: WithDeviations) -> list[Derivative]:
+        low, high = (found.extreme(sign) for sign in (-1.0, 1.0))
+        pairs = high.places[:, None] - low.places[None]  # a largest value less a smallest is a largest difference
+        return [Derivative("", None, pairs.reshape(-1, found.count))]
+
+    def bound(self, found: WithPlay) -> list[Array]:
+        """The directions at the two extremes are free of each other."""
+        low, high = (found.worst(found.moved.extreme(sign).sides).max(axis=1) for sign in (-1.0, 1.0))
+        return [low + high]
+
+    def beyond(self, reported: Mapping[str, float], low: float, high: float) -> float:
+        return high - low - reported[""]
+
+
+@register
+class Max(_OfExtremes):
+    """The largest value."""
+
+    entry = MaxEntry
+    signs = {"": 1.0}
+    proven = (1.0,)
+
+
+@register
+class Min(_OfExtremes):
+    """The smallest value."""
+
+    entry = MinEntry
+    signs = {"": -1.0}
+    proven = (-1.0,)
+
+
+@register
+class Extremes(_OfExtremes):
+    """The smallest and the largest value."""
+
+    entry = ExtremesEntry
+    labels = ("min", "max")
+    signs = {"min": -1.0, "max": 1.0}
+    proven = (-1.0, 1.0)

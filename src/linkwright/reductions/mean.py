@@ -1,0 +1,131 @@
+"""Reductions to means of a signal over time: mean, root mean square, and the length of a path, its mean speed."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Sequence
+from typing import Annotated, Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field
+
+from linkwright.expressions.fields import Expression, Name
+from linkwright.expressions.typed_fields import Ref
+from linkwright.expressions.units import LENGTH, SPEED
+from linkwright.reductions.derivative import Derivative
+from linkwright.reductions.entry import SIGNAL, Measure, OfPath
+from linkwright.reductions.found import Figures, Found
+from linkwright.reductions.kind import InRun, InSamples, MeasureKind, WithDeviations, WithPlay, register
+
+Array = NDArray[np.float64]
+
+
+class _OfMean(MeasureKind):
+    """A reduction that follows from the mean of a power of the signal."""
+
+    power: ClassVar[int]
+    differentiable = True
+
+    @abstractmethod
+    def figure(self, mean: Any, length: Any) -> Any:
+        """The figure from the mean of the power over a window of this length (s); numbers or arrays."""
+
+    def needs(self, measure: Any) -> Sequence[tuple[str, float]]:
+        return ()
+
+    def found(self, run: InRun) -> tuple[Found, ...]:
+        return (run.found("", float(self.figure(run.mean(self.power), run.length))),)
+
+    def figures(self, samples: InSamples) -> dict[str, Figures]:
+        return {"": Figures.anywhere(self.figure(samples.mean(), samples.length))}
+
+    def bound(self, found: WithPlay) -> list[Array]:
+        """The directions are free at each time."""
+        total, size, length = np.zeros(found.joints), 0.0, 0.0
+        for a, b in found.moved.here.intervals:
+            t, weight = found.panels(a, b)
+            here = found.moved.at(t, rates=False)
+            total += found.worst(here.slope[0]) * np.abs(here.value[0]) ** (self.power - 1) @ weight
+            size, length = size + float(here.value[0] ** 2 @ weight), length + b - a
+        return [total / (length if self.power == 1 else np.sqrt(size * length))]
+
+
+class MeanEntry(Measure):
+    """The mean of a signal."""
+
+    reduction = "mean"
+    mean: Annotated[Expression, SIGNAL] = Field(description="mean over time")
+
+
+class RmsEntry(Measure):
+    """The root mean square of a signal."""
+
+    reduction = "rms"
+    rms: Annotated[Expression, SIGNAL] = Field(description="root of the mean square over time")
+
+
+class PathEntry(OfPath):
+    """The length of a point's path."""
+
+    reduction = "path"
+    dimension = LENGTH
+    along = ("hypot({0}.vx, {0}.vy)", SPEED)
+    path: Annotated[Name, Ref("point")] = Field(description="the length of this point's path")
+
+
+@register
+class Mean(_OfMean):
+    """The mean over time."""
+
+    entry = MeanEntry
+    power = 1
+    bounded = True
+    still = True
+
+    def figure(self, mean: Any, length: Any) -> Any:
+        return mean
+
+    def mean_of(self, figure: float, length: float) -> float:
+        return figure
+
+    def derivative(self, found: WithDeviations) -> list[Derivative]:
+        total, slope, length, grows = found.integral(1)
+        return [Derivative.smooth((slope - total / length * grows) / length)]
+
+
+@register
+class Rms(_OfMean):
+    """The root of the mean square."""
+
+    entry = RmsEntry
+    power = 2
+    bounded = True
+    still = True
+
+    def figure(self, mean: Any, length: Any) -> Any:
+        return np.sqrt(mean)
+
+    def mean_of(self, figure: float, length: float) -> float:
+        return figure
+
+    def derivative(self, found: WithDeviations) -> list[Derivative]:
+        total, slope, length, grows = found.integral(2)
+        return [Derivative.smooth((slope - total / length * grows) / length / (2 * np.sqrt(total / length)))]
+
+
+@register
+class Path(_OfMean):
+    """The length of a path: the mean speed times the time."""
+
+    entry = PathEntry
+    power = 1
+
+    def figure(self, mean: Any, length: Any) -> Any:
+        return mean * length
+
+    def mean_of(self, figure: float, length: float) -> float:
+        return figure / length
+
+    def derivative(self, found: WithDeviations) -> list[Derivative]:
+        return [Derivative.smooth(found.integral(1)[1])]

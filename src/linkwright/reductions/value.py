@@ -1,0 +1,146 @@
+"""The value of a signal at one instant: at an extreme of another one, where one reaches a level, at start or end."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Annotated, Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import BeforeValidator, Field
+
+from linkwright.expressions.fields import Expression, FrozenDict, fault, parse_text
+from linkwright.expressions.written import Fault, short_text
+from linkwright.findings import Said
+from linkwright.reductions.derivative import Derivative
+from linkwright.reductions.entry import SIGNAL, Measure
+from linkwright.reductions.found import Figures, Found, Unmeasured
+from linkwright.reductions.grades import SAMPLED, Grade
+from linkwright.reductions.kind import InRun, InSamples, MeasureKind, WithDeviations, register
+
+Array = NDArray[np.float64]
+
+_INSTANT = re.compile(
+    r"^\s*(?:(?P<extreme>max|min)\s+(?P<of>\S.*)|(?P<end>start|end)|(?P<signal>[^=]+)=(?P<level>[^=]+))\s*$", re.S
+)
+_SIGNS = {"max": 1.0, "min": -1.0}
+
+
+@dataclass(frozen=True)
+class Instant:
+    """When a value is taken: at the ``max`` or ``min`` of an expression, at ``start`` or ``end``, or where an
+    expression (a signal less its level) is ``zero``."""
+
+    kind: str
+    expression: str = ""
+
+    @classmethod
+    def read(cls, text: str) -> Instant | None:
+        """As a file writes it: ``max E.x``, ``min E.x``, ``start``, ``end``, ``motor.angle = 24 deg``."""
+        match = _INSTANT.match(text)
+        if match is None:
+            return None
+        if match["extreme"]:
+            return cls(match["extreme"], match["of"])
+        return cls(match["end"]) if match["end"] else cls("zero", f"({match['signal']}) - ({match['level'].strip()})")
+
+
+def _where(raw: Any) -> str:
+    text = short_text(raw)
+    instant = Instant.read(text)
+    if instant is None:
+        raise fault("measure.bad-where", given=text[:60])
+    if instant.expression:
+        parse_text(instant.expression)
+    return text
+
+
+class ValueEntry(Measure):
+    """The value of a signal at one instant."""
+
+    reduction = "value"
+    value: Annotated[Expression, SIGNAL] = Field(description="value at one instant; with where")
+    where: Annotated[str, BeforeValidator(_where)] = Field(
+        description="the instant of a value: 'max E.x', 'min E.x', 'motor.angle = 24 deg', 'start' or 'end'",
+        examples=["max E.x", "min E.x", "motor.angle = 24 deg", "start", "end"],
+    )
+
+    @classmethod
+    def apart(cls, given: Mapping[str, Any]) -> Iterator[Fault]:
+        if ("value" in given) != ("where" in given):
+            yield "measure.where", {}
+
+    @property
+    def instant(self) -> Instant:
+        """When the value is taken."""
+        instant = Instant.read(self.where)
+        assert instant is not None
+        return instant
+
+    @property
+    def also(self) -> Mapping[str, Expression]:
+        """The expression that places the value."""
+        expression = self.instant.expression
+        return FrozenDict({"where": Expression(expression)} if expression else {})
+
+    @property
+    def said(self) -> Said:
+        """What is asked for, for the reader."""
+        return Said("measure.text.where", signal=self.subject, where=self.where)
+
+
+@register
+class Value(MeasureKind):
+    """A value at one instant. The place moves by the implicit function theorem."""
+
+    entry = ValueEntry
+    everywhere = False
+    differentiable = True
+    bounded = True
+
+    def found(self, run: InRun) -> tuple[Found, ...]:
+        time, grade = _placed(run)
+        return (Found("", *run.at(time), grade),)
+
+    def needs(self, measure: ValueEntry) -> Sequence[tuple[str, float]] | None:
+        kind = measure.instant.kind
+        return None if kind == "zero" else [("where", _SIGNS[kind])] if measure.also else ()
+
+    def figures(self, samples: InSamples) -> dict[str, Figures]:
+        kind = samples.measure.instant.kind
+        times = samples.extreme(_SIGNS[kind], "where").times if samples.measure.also else samples.ends[kind == "end"]
+        return {"": Figures(samples.values(times), times)}
+
+    def derivative(self, found: WithDeviations) -> list[Derivative]:
+        time, moves = _moving(found)
+        here = found.at([time])
+        return [Derivative.smooth(here.slope[0, :, 0] + here.rate[0, 0] * moves, time)]
+
+
+def _placed(run: InRun) -> tuple[float, Grade]:
+    """The time (s) of a value, and how sure it is."""
+    kind = run.measure.instant.kind
+    if kind == "zero":
+        times = run.zeros("where")
+        if not times.size:
+            raise Unmeasured("measure.no-instant")
+        return float(times[0]), SAMPLED
+    if run.measure.also:
+        other = run.other("where")
+        return (other.top() if kind == "max" else other.bottom()).time, run.searched
+    return run.inner(run.intervals[-1][1], 0) if kind == "end" else run.inner(run.intervals[0][0], 1), SAMPLED
+
+
+def _moving(found: WithDeviations) -> tuple[float, Array]:
+    """The time (s) of a value and its derivative."""
+    run, kind = found.here, found.here.measure.instant.kind
+    time, _ = _placed(run)
+    if kind == "zero":
+        here = found.at([time], "where")
+        return time, np.asarray(-here.slope[0, :, 0] / here.rate[0, 0])
+    if not run.measure.also:  # the end itself, on whichever side of a jump
+        time = run.intervals[-1][1] if kind == "end" else run.intervals[0][0]
+    moves = found.moves(time)
+    return time, found.turns(time, "where") if moves is None else moves
