@@ -1,5 +1,5 @@
-"""Packages beside linkwright: processes of their own that know by entry points of kinds of elements, of reductions and of
-studies, which lie in folders ``outside`` of the tests."""
+"""Packages beside linkwright: processes of their own that know by entry points of kinds of elements, of reductions and
+of studies, which lie in folders ``outside`` of the tests."""
 
 from __future__ import annotations
 
