@@ -17,14 +17,15 @@ from linkwright.expressions.units import unit_words
 from linkwright.model import actions, motions, parts, signals
 from linkwright.model.document import Document
 from linkwright.model.yaml_text import read_text
+from linkwright.reductions import REDUCTIONS
 from model.given import four_bar
 
 PAGE = (Path(__file__).parents[2] / "docs" / "file-format.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"^```yaml\n(.*?)^```", PAGE, re.M | re.S)
 CLASSES = [
-    parts.Units, parts.Parameter, parts.Link, parts.Joint, drive.Drive, actions.Table, actions.Measure,
+    parts.Units, parts.Parameter, parts.Link, parts.Joint, drive.Drive, actions.Table,
     motions.MotionLaw, motions.Segment, cams.Cam,
-    *(kind.entry for kind in FORCES.values()),
+    *(kind.entry for kind in FORCES.values()), *(kind.entry for kind in REDUCTIONS.values()),
 ]  # fmt: skip
 
 

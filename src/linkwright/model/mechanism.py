@@ -13,6 +13,7 @@ from pydantic import (
     GetJsonSchemaHandler,
     PrivateAttr,
     SerializationInfo,
+    SerializeAsAny,
     ValidationError,
     ValidatorFunctionWrapHandler,
 )
@@ -151,10 +152,6 @@ class _AnyKind:
 class _AnyReduction:
     """A measure of any reduction, which its keys tell."""
 
-    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
-        dumped = core_schema.plain_serializer_function_ser_schema(_dumped, info_arg=True)
-        return core_schema.no_info_after_validator_function(lambda m: m, handler(source), serialization=dumped)
-
     def kinds(self, raw: Any) -> list[type]:
         """The entries of which one may be, as far as its keys tell."""
         keys = raw.keys() if isinstance(raw, Mapping) else ()
@@ -257,7 +254,7 @@ class Mechanism(Frozen):
         default_factory=FrozenDict,
         description="stretches of the motion: [from, to] in time, or {SIGNAL: [from, to]}",
     )
-    measures: Annotated[dict[Name, Annotated[Measure, _AnyReduction()]], _bound, freeze] = Field(
+    measures: Annotated[dict[Name, Annotated[SerializeAsAny[Measure], _AnyReduction()]], _bound, freeze] = Field(
         default_factory=FrozenDict, description="the figures that are asked for"
     )
     require: Annotated[dict[Annotated[Name, Ref("measure")], Annotated[Requirement, BOUND]], _bound, freeze] = Field(

@@ -34,8 +34,6 @@ from linkwright.studies.locked import angles
 from linkwright.studies.means import CLOSE, FIRST_PANELS, MOST_PANELS, corners, mean
 from linkwright.studies.taken import Many, Taken
 
-__all__ = ["Figures", "Many", "Measuring", "measure_many"]
-
 Array = NDArray[np.float64]
 
 MOST_STEPS = 1 << 12
