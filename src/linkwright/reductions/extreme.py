@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from linkwright.expressions.fields import Expression
+from linkwright.reductions.asked import InRun, InSamples, WithDeviations, WithPlay
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure
 from linkwright.reductions.found import Figures, Found
-from linkwright.reductions.kind import InRun, InSamples, MeasureKind, WithDeviations, WithPlay, register
+from linkwright.reductions.kind import MeasureKind, register
 
 Array = NDArray[np.float64]
 

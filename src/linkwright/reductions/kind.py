@@ -2,170 +2,27 @@
 
 A kind is one registered, stateless object with the entry that files give it. It says how its figures follow from what a
 signal does: in one run, in many samples at once, by deviations, with play in joints. What it asks of these comes in
-through four protocols, so that a kind knows nothing of graphs and kernels. Only the figures of one run are a must.
+through the protocols of ``asked.py``, so that a kind knows nothing of graphs and kernels. Only the figures of one run
+are a must.
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
-from typing import Any, ClassVar, Protocol
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.expressions.fields import Expression
 from linkwright.notation.registry import Registry
-from linkwright.reductions.derivative import Derivative, Local
+from linkwright.reductions.asked import InRun, InSamples, WithDeviations, WithPlay
+from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import ENTRIES, Measure
-from linkwright.reductions.found import Figures, Found, Peak
-from linkwright.reductions.grades import Grade
+from linkwright.reductions.found import Figures, Found
 from linkwright.words import add
 
 Array = NDArray[np.float64]
-Interval = tuple[float, float]
-
-
-class InRun(Protocol):
-    """A measure's signal over the ``intervals`` (s) of its window in one run; values in SI, arrays (times,)."""
-
-    @property
-    def measure(self) -> Any:
-        """The entry."""
-
-    @property
-    def intervals(self) -> list[Interval]:
-        """Where it is measured, ascending; there is one."""
-
-    @property
-    def length(self) -> float:
-        """How long the intervals are together (s)."""
-
-    @property
-    def stationary(self) -> Array:
-        """The times at which the signal turns or may have a kink, over the whole run; in between it is monotone."""
-
-    @property
-    def searched(self) -> Grade:
-        """The grade of what a search gives."""
-
-    def values(self, t: Array) -> Array:
-        """The signal at times."""
-
-    def at(self, time: float) -> Peak:
-        """The signal at one time; where only one of its sides has a value, that. Raises :class:`Unmeasured`."""
-
-    def top(self) -> Peak:
-        """The largest value, the first of equals."""
-
-    def bottom(self) -> Peak:
-        """The smallest value, the first of equals."""
-
-    def mean(self, power: int = 1) -> float:
-        """The mean over time of a power of the signal. Raises :class:`Unmeasured` where it grows without bound."""
-
-    def number(self, expression: Expression) -> float:
-        """An expression of parameters of the kind of the signal."""
-
-    def found(self, label: str, value: float, time: float | None = None, side: str = "") -> Found:
-        """A figure as a search gives it."""
-
-    def other(self, key: str) -> InRun:
-        """Another of the measure's expressions (``also``) over the same intervals, sound all along."""
-
-    def zeros(self, key: str) -> Array:
-        """The times at which another expression is zero, of an angle modulo whole turns; ascending."""
-
-    def inner(self, edge: float, side: int) -> float:
-        """An end of an interval, moved off a jump there to the interval's side (0 before, 1 after)."""
-
-    def longest(self, width: float) -> Interval:
-        """The longest stretch of time in which the signal varies by ``width`` at most."""
-
-    def strip(self, point: str) -> tuple[float, complex, Array]:
-        """The narrowest strip that holds a point's path: its width, the unit vector across it, and the times at which
-        the path is outermost on either side, with the ends of the intervals."""
-
-
-class InSamples(Protocol):
-    """A measure's signal in many samples at once; values in SI, times in s, arrays (samples,), NaN where there is
-    none."""
-
-    @property
-    def measure(self) -> Any:
-        """The entry."""
-
-    @property
-    def length(self) -> Array:
-        """How long each one's window is."""
-
-    @property
-    def ends(self) -> tuple[Array, Array]:
-        """Where each one's window begins and ends."""
-
-    def extreme(self, sign: float, key: str = "") -> Figures:
-        """The largest values, or with the sign -1 the smallest, among those that the kind ``needs``."""
-
-    def mean(self) -> Array:
-        """The mean over time of the kind's ``power`` of the signal."""
-
-    def values(self, times: Array) -> Array:
-        """The signal of each at a time of its own."""
-
-
-class WithDeviations(Protocol):
-    """A measure's signal with its exact derivatives by ``count`` deviations, about the nominal run ``here``."""
-
-    @property
-    def here(self) -> InRun:
-        """The nominal run."""
-
-    @property
-    def count(self) -> int:
-        """The number of deviations."""
-
-    def extreme(self, sign: float) -> Derivative:
-        """That of the largest value, or with the sign -1 of the smallest."""
-
-    def integral(self, power: int) -> tuple[float, Array, float, Array]:
-        """The integral of a power of the signal with its derivative (deviations,); the window's length likewise."""
-
-    def at(self, times: Sequence[float] | Array, key: str = "", rates: bool = True) -> Local:
-        """The signal, or another expression, at times: one row."""
-
-    def moves(self, time: float) -> Array | None:
-        """How a time moves that is an end of the window or of a load (s per deviation); ``None`` where it is none."""
-
-    def turns(self, time: float, key: str) -> Array:
-        """How a time moves at which another expression turns or has a kink."""
-
-    def number(self, expression: Expression) -> tuple[float, Array]:
-        """An expression of parameters of the kind of the signal, with its derivative."""
-
-    def signals(self, names: Sequence[str], times: Array) -> tuple[Array, Array]:
-        """Signals by their names (names, times), and their derivatives (names, deviations, times)."""
-
-    def same(self, a: float, b: float) -> bool:
-        """Whether two times are one place."""
-
-
-class WithPlay(Protocol):
-    """A measure's signal by displacements in the joints with clearance, which may have any direction."""
-
-    @property
-    def moved(self) -> WithDeviations:
-        """By the displacements, whose directions are held."""
-
-    @property
-    def joints(self) -> int:
-        """The number of joints."""
-
-    def worst(self, slopes: Array) -> Array:
-        """The most that each joint does, over all directions, to what has these slopes (displacements, n):
-        (joints, n)."""
-
-    def panels(self, a: float, b: float) -> tuple[Array, Array]:
-        """Times and weights of quadrature over an interval."""
 
 
 class MeasureKind(ABC):
