@@ -101,7 +101,7 @@ def test_the_gap_stands_in_the_page(write: Any, tmp_path: Path) -> None:
     page = (tmp_path / "out" / "report.html").read_text("utf-8")
     section = re.search(r'<section id="limits">(.*?)</section>', page, re.S)
     assert section
-    assert "can&#x27;t be put together between motor" in section[1]
+    assert "can&#x27;t be assembled between motor" in section[1]
     assert "triple-rocker" in section[1]
 
 
@@ -165,11 +165,11 @@ def test_the_command_as_json(write: Any) -> None:
 def test_the_command_on_a_wrong_file(write: Any) -> None:
     code, out, err = run("limits", str(write(ALONE.replace("P.x", "Q.x"))))
     assert (code, out) == (2, "")
-    assert "model.yaml:20: error studies.limits.signals.0: Nothing in this mechanism is called 'Q'." in err
+    assert "model.yaml:20: error studies.limits.signals.0: No element of this mechanism is called 'Q'." in err
 
 
 def test_a_motion_that_stops_is_told_and_is_no_error_of_the_limits(write: Any) -> None:
     code, out, err = run("limits", str(write(STUCK)))
     assert code == 0
-    assert "can't be put together between motor = 93.8226 and 266.177 deg" in out
+    assert "can't be assembled between motor = 93.8226 and 266.177 deg" in out
     assert "warning" in err

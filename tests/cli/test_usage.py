@@ -23,7 +23,7 @@ SAID = {
     "run modle.yaml": "Did you mean 'model.yaml'?",
     "run model": "Did you mean 'model.yaml'?",
     "run wiper.yaml": "'linkwright new wiper' writes it to a file.",
-    "run nowhere/a.yaml": "There is no file",
+    "run nowhere/a.yaml": "nowhere/a.yaml doesn't exist",
     "new wipper": "Did you mean 'wiper'?",
     "export model.yaml": "mjcf, motor-expressions, process-simulate",
     "export model.yaml --to mujoco": "Did you mean 'mjcf'?",

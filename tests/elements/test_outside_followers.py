@@ -246,7 +246,7 @@ def test_it_locks_where_its_pressure_angle_is_square(folder: Path) -> None:
     planted(folder, "indexer", ("def applied", TOLD.replace("1.0 * ratio", "2.0 * ratio")), WORDS)
     done = run(folder, MODELS["alone"])
     assert done.returncode == 1, done.stderr
-    assert "joints.step: The link that step (barrel cam) moves locks" in done.stderr
+    assert "joints.step: The link moved by step (barrel cam) locks" in done.stderr
     assert "[joint.locks]" in done.stderr
 
 
@@ -260,7 +260,7 @@ def test_a_contact_that_can_t_pull_lifts_off(folder: Path) -> None:
     planted(folder, "indexer", ('description="where in the law it starts")\n', entry))
     done = run(folder, MODELS["alone"])
     assert done.returncode == 0, done.stderr
-    assert "joints.step: The links of step (barrel cam) leave each other" in done.stderr
+    assert "joints.step: The links of step (barrel cam) lift off each other" in done.stderr
     assert "[joint.lifts-off]" in done.stderr
     assert " N*m at t = " in done.stderr
 

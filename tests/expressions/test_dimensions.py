@@ -258,7 +258,7 @@ def test_a_conflict_is_told_at_the_use_that_contradicts_the_definition() -> None
     crank = {"points": {"A": [0, 0], "B": ["AB", 0]}, "mass": "AB", "shape": "rod A-B"}
     found = only(model({"AB": "40 mm"}, links={**links(), "crank": crank}))
     assert (found.code, found.path) == ("expression.units-conflict", ("links", "crank", "mass"))
-    assert found.what == "'AB' has the unit mm; here kg is wanted."
+    assert found.what == "'AB' has the unit mm, but kg is expected here."
 
 
 def test_a_conflict_between_uses_is_told_at_the_later_one() -> None:

@@ -181,7 +181,7 @@ def test_a_stroke_that_is_too_short_is_told() -> None:
     )
     assert (short.data["by"], str(short.data["end"]), short.data["time"]) == ("0.05", "shorter", "0")
     assert (long.data["by"], str(long.data["end"]), long.data["time"]) == ("0.05", "longer", "2")
-    assert "0.05 m longer than it can be" in long.what
+    assert "0.05 m longer than possible" in long.what
 
 
 def test_a_place_on_a_link_of_a_cylinder_leads_to_its_line() -> None:

@@ -103,7 +103,7 @@ def test_findings_are_values() -> None:
     error = ModelError([finding])
     assert pickle.loads(pickle.dumps(error)).findings == (finding,)
     assert copy.deepcopy(finding) == finding
-    assert finding.as_dict()["what"] == "Wanted here: [x, y]. Given: a list of 1."
+    assert finding.as_dict()["what"] == "Expected [x, y], got a list of length 1."
     assert str(error).startswith("line 3: a: Wanted here")
     assert len({Term("vector"), Term("vector"), Term("list")}) == 2
 

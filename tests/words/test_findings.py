@@ -25,17 +25,17 @@ OTHERS = WORDS.keys() - FINDINGS.keys()
 SPOKEN_FOR = {"window.outside"}
 """Codes that have their words before anything raises them."""
 
-INTRODUCTION = """# Findings
+INTRODUCTION = """# Problems and fixes
 
-Whatever is wrong with a model comes as a list of findings, all at once: each with a code, the line, the element,
-what is wrong and how to mend it. The command line, `summary.json`, the report and Python (`linkwright.check`,
-`ModelError.findings`) show the same ones. The codes are stable; the words may change.
+linkwright reports all problems of a model at once. Each problem has a code, the line, the affected element, a
+description of the cause and a suggested fix. The command line, `summary.json`, the report and Python
+(`linkwright.check`, `ModelError.findings`) show the same ones. The codes are stable; the texts may change.
 
-Exit codes: 2 where the file or the command is wrong, 1 where the model is well written but can't do what is
-asked (`structure.…`, `assembly.…`, `motion.…`, `export.cannot-…`, a load or measure without a value, a requirement
-that isn't met).
+Exit codes: 2 if the file or the command is wrong; 1 if the file is right, but the mechanism can't do what is required
+(`structure.…`, `assembly.…`, `motion.…`, `export.cannot-…`, a load or measure without a value, a requirement that
+fails).
 
-Words in *italics* stand for what the finding names.
+Words in *italics* stand for names and values of the model.
 """
 
 TITLES = {
@@ -46,7 +46,7 @@ TITLES = {
     "blocks": "Large studies",
     "units": "Units",
     "gravity": "Gravity",
-    "plausible": "Notes on numbers and modes",
+    "plausible": "Unusual values and modes",
     "expression": "Expressions",
     "parameters": "Parameters",
     "value": "Numbers",
@@ -54,7 +54,7 @@ TITLES = {
     "signal": "Signals",
     "model": "The model as a whole",
     "mass": "Masses",
-    "element": "Elements that are missing or called otherwise",
+    "element": "Elements that aren't supported or have another name",
     "joint": "Joints",
     "cylinder": "Cylinders",
     "cam": "Cams",
@@ -105,9 +105,7 @@ def rendered() -> str:
             for c in CODES
             if c.split(".")[0] == group
         ]
-        parts.append(
-            f"## {title}\n\n| code | what it means | how to mend it |\n|---|---|---|\n" + "\n".join(rows) + "\n"
-        )
+        parts.append(f"## {title}\n\n| code | description | suggested fix |\n|---|---|---|\n" + "\n".join(rows) + "\n")
     return "\n".join(parts)
 
 

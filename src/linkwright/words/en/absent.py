@@ -1,21 +1,21 @@
-"""What is said of elements that model files don't have, or not under that name."""
+"""Texts for elements that model files don't have, or that have another name."""
 
 ABSENT_TEXTS: dict[str, tuple[str, str]] = {
     "element.belt": (
         "'{name}': linkwright has no belts and chains yet.",
-        "A belt turns two links in the ratio of their radii. Where the law of one is known, give each a drive of its own: "
-        "'a: {{turns: pulley1, on: frame, speed: 60 rpm, start: 0 deg}}' and 'b: {{turns: pulley2, on: frame, speed: "
-        "60 rpm*r1/r2, start: 0 deg}}'. The torque of the second drive is what the belt transmits.",
+        "A belt turns two links in the ratio of their radii. If the law of one is known, give each a drive of its "
+        "own: 'a: {{turns: pulley1, on: frame, speed: 60 rpm, start: 0 deg}}' and 'b: {{turns: pulley2, on: frame, "
+        "speed: 60 rpm*r1/r2, start: 0 deg}}'. The torque of the second drive is what the belt transmits.",
     ),
     "element.clearance": (
         "'{name}': the joints of a model have no clearance.",
-        "State clearances in the accuracy study, for example 'studies: {{accuracy: {{clearances: {{B: 0.02 mm}}, outputs: "
-        "[...]}}}}'; see docs/how-to/clearances.md.",
+        "Give clearances in the accuracy study, for example 'studies: {{accuracy: {{clearances: {{B: 0.02 mm}}, "
+        "outputs: [...]}}}}'; see docs/how-to/clearances.md.",
     ),
     "element.contact": (
         "'{name}': linkwright has no contacts and stops yet.",
-        "The contact of a cam is written under cams. Give a slide its allowed range by 'travel', a cylinder by 'length'; "
-        "a range for anything else is a measure with a requirement.",
+        "The contact of a cam is written under cams. Limit a slide with 'travel' and a cylinder with 'length'; for "
+        "any other range, use a measure with a requirement.",
     ),
     "element.damper": (
         "'{name}': dampers are written under springs.",
@@ -28,10 +28,10 @@ ABSENT_TEXTS: dict[str, tuple[str, str]] = {
     ),
     "element.gear": (
         "'{name}': linkwright has no gears yet.",
-        "A pair of gears turns two links in a fixed ratio. Where the law of one is known, give each a drive of its own: "
-        "'a: {{turns: gear1, on: frame, speed: 60 rpm, start: 0 deg}}' and 'b: {{turns: gear2, on: frame, speed: "
-        "-60 rpm*z1/z2, start: 0 deg}}' (or 'position: -(LAW OF a)*z1/z2'). The torque of the second drive is what "
-        "the gears transmit.",
+        "A pair of gears turns two links in a fixed ratio. If the law of one is known, give each a drive of its own: "
+        "'a: {{turns: gear1, on: frame, speed: 60 rpm, start: 0 deg}}' and 'b: {{turns: gear2, on: frame, speed: -60 "
+        "rpm*z1/z2, start: 0 deg}}' (or 'position: -(LAW OF a)*z1/z2'). The torque of the second drive is what the "
+        "gears transmit.",
     ),
     "element.geneva": (
         "'{name}': linkwright has no Geneva drives yet.",
@@ -40,8 +40,9 @@ ABSENT_TEXTS: dict[str, tuple[str, str]] = {
     ),
     "element.limits": (
         "'{name}': limits of a joint are not written under this name.",
-        "The range of a slide is 'travel: [LOW, HIGH]', that of a cylinder 'length: [LOW, HIGH]'. For the angle of a pin, "
-        "require it of a measure: 'measures: {{swing: {{extremes: LINK.angle}}}}', 'require: {{swing: 10 deg .. 80 deg}}'.",
+        "The range of a slide is 'travel: [LOW, HIGH]', that of a cylinder 'length: [LOW, HIGH]'. For the angle of a "
+        "pin, use a measure with a requirement: 'measures: {{swing: {{extremes: LINK.angle}}}}', 'require: {{swing: "
+        "10 deg .. 80 deg}}'.",
     ),
     "element.motor": (
         "'{name}': motors and actuators are written under drives.",
@@ -49,20 +50,20 @@ ABSENT_TEXTS: dict[str, tuple[str, str]] = {
         "between two points is a cylinder, with a drive that extends it.",
     ),
     "element.pin": (
-        "'{name}': pins are not listed; they follow from the names of points.",
+        "'{name}': pins aren't listed; they follow from the names of points.",
         "Give the point the same name on both links. For points of different names: 'joints: {{B: {{revolute: [crank, "
         "rod], at: [B1, B2]}}}}'.",
     ),
     "element.rack": (
         "'{name}': linkwright has no rack and pinion yet.",
-        "A rack travels in a fixed ratio to its pinion's angle. Where the law of one is known, give each a drive of its "
+        "A rack travels in a fixed ratio to its pinion's angle. If the law of one is known, give each a drive of its "
         "own, the rack's travel being the pinion's radius times its angle: 'b: {{slides: rack, on: frame, position: "
         "r*(LAW OF THE PINION)}}'.",
     ),
     "element.rolling": (
         "'{name}': linkwright has no rolling contact yet.",
-        "Rolling without slip is a fixed ratio between two motions. Where the law of one is known, give the other a drive "
-        "of its own in that ratio, for example 'position: -(TRAVEL)/r' for the angle of a wheel of radius r.",
+        "Rolling without slip is a fixed ratio between two motions. If the law of one is known, give the other a "
+        "drive of its own in that ratio, for example 'position: -(TRAVEL)/r' for the angle of a wheel of radius r.",
     ),
     "element.rope": (
         "'{name}': linkwright has no ropes and cables yet.",
@@ -86,7 +87,7 @@ ABSENT_TEXTS: dict[str, tuple[str, str]] = {
     ),
     "element.weld": (
         "'{name}': linkwright has no welded or fixed joint.",
-        "Links that don't move against each other are one link: put their points on it, and their masses as counterweights "
-        "where they have several. What doesn't move at all belongs to the frame.",
+        "Links that don't move relative to each other are one link: put their points on it, and their masses as "
+        "counterweights if there are several. Parts that don't move at all belong to the frame.",
     ),
 }
