@@ -29,10 +29,10 @@ def test_a_groove_and_what_is_written_of_it() -> None:
     least, most = entry["fanuc"]["play_mm"]
     assert -4e-3 < least < most < 4e-3  # 2e-3 deg of an arm of 90 mm are 3 um on each flank
     (table,) = [grid for grid in cam_tables(job.cam) if grid["name"] == "cam-nc"]
-    assert table["heads"].index("Play, mm") == table["heads"].index("Rest, mm") + 1
+    assert table["heads"].index("Clearance, mm") == table["heads"].index("Excess material, mm") + 1
     assert all(len(row) == len(table["heads"]) for row in table["rows"])
     drawn = {chart["title"]: chart["drawing"] for chart in charts(job.cam)}
-    assert drawn["The cutter's path"].count("<polygon") == 2 and "outer flank" in drawn["The cutter's path"]
+    assert drawn["Cutter path"].count("<polygon") == 2 and "outer flank" in drawn["Cutter path"]
     (error,) = [drawing for title, drawing in drawn.items() if "on both flanks" in title]
     assert error.count("<polyline") >= 4
     assert "(slot, ramp" in str(FILES["cam_fanuc.nc"](job.cam))

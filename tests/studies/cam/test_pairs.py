@@ -119,7 +119,7 @@ def test_all_that_is_made_of_one_disc_is_made_of_both(job: Job, outcome: CamOutc
     for chart in data["cam"]["charts"]:
         ElementTree.fromstring(chart["drawing"])
     labels = [row[0] for table in data["cam"]["tables"] for row in table["rows"]]
-    assert "grbl, second disc" in labels and "area within the profile, second disc" in labels
+    assert "grbl, second disc" in labels and "area inside the profile, second disc" in labels
     picture = str(FILES["cam.svg"](outcome))
     assert picture.count('circle class="follower"') == 3 and 'class="profile second"' in picture  # rollers and pivot
 

@@ -105,7 +105,7 @@ def test_how_they_are_written(ring: Job) -> None:
     grids = {grid["name"]: grid for grid in workspace_tables(outcome)}
     paths = grids["workspace-paths"]
     assert all(len(row) == len(paths["heads"]) for row in paths["rows"])
-    assert [row[3] for row in paths["rows"]] == ["yes, the best", "not at u = 0 .. 1: outside by 14.57 mm"]
+    assert [row[3] for row in paths["rows"]] == ["yes (best)", "not at u = 0 .. 1: outside by 14.57 mm"]
     assert [row[1] for row in grids["workspace-drives"]["rows"]] == ["motor", "servo"]
     head, rows = columns(laws_csv(outcome))
     assert head[:7] == ["path", "alpha [deg]", "mode", "t [s]", "u", "P.x [mm]", "P.y [mm]"]
