@@ -76,3 +76,10 @@ def nc(text: str) -> str:
 def layer_name(text: str) -> str:
     """The name of a layer of a DXF drawing."""
     return " ".join(_NO_LAYER.sub("-", line(text)).split())[:LAYER]
+
+
+def printed(text: str) -> str:
+    """A unit as it is set in print: ``mm/s^2`` as mm/s², ``N*m`` as N·m."""
+    for typed, letters in (("**", "^"), ("*", "·"), ("^2", "²"), ("^3", "³"), ("^4", "⁴")):
+        text = text.replace(typed, letters)
+    return text

@@ -79,7 +79,7 @@ def test_clearances_are_written(tmp_path: Path) -> None:
     assert play["high"] == pytest.approx(entry["accuracy"]["stroke"]["worst_case"]["high"] + play["bound"])
     assert entry["accuracy_study"]["joints"][0]["clearance"] == pytest.approx(0.02)
     assert len(outcome.joints) == 1
-    assert "What clearances add" in (tmp_path / "report.html").read_text("utf-8")
+    assert "Effect of clearances" in (tmp_path / "report.html").read_text("utf-8")
     alone = lw.accuracy(model(toleranced=False), options={"clearances": {"B": 0.02}}, out=tmp_path)
     assert alone.figures["stroke"].play == outcome.figures["stroke"].play
     assert (alone.samples, alone.every["C.x at far"].worst) == (0, (0.0, 0.0))

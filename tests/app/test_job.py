@@ -183,7 +183,7 @@ def test_notes_come_last_and_change_no_exit_code(tmp_path: Path) -> None:
     banner, notes = (page.split(f'<section id="{name}"')[1].split("</section>")[0] for name in ("failures", "notes"))
     assert "gravity.size" in banner and "plausible.speed" not in banner
     assert "plausible.speed" in notes
-    assert "240 deg/s" not in page and "motor: crank on frame, 1 deg/s = 0.166667 rpm, one turn 360 s" in page
+    assert "240 deg/s" not in page and "motor: crank on frame, 1 deg/s = 0.166667 rpm, 360 s per revolution" in page
 
 
 def test_a_warning_is_no_study(tmp_path: Path) -> None:

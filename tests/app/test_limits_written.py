@@ -87,7 +87,7 @@ def test_limits_beside_a_cycle(write: Any, tmp_path: Path) -> None:
     page = (tmp_path / "out" / "report.html").read_text("utf-8")
     assert '<section id="limits">' in page
     assert '<a href="#limits">' in page
-    assert "Turns fully." in page
+    assert "Full rotation." in page
     assert job.limits is not None
     shown = [table for table in blocks(report(job.limits), Table) if table.rows]
     assert len(shown) > 4
@@ -149,7 +149,7 @@ def test_the_command_needs_no_study_in_the_file(write: Any, text: str) -> None:
     path = write(text)
     code, out, err = run("limits", str(path))
     assert (code, err) == (0, "")
-    for word in ("motor", "Turns fully.", "73.78182", "26.38433", "crank-rocker", "1.355573"):
+    for word in ("motor", "Full rotation.", "73.78182", "26.38433", "crank-rocker", "1.355573"):
         assert word in out
     assert ("the motion" in out) == ("cycle" in text)
     assert [p.name for p in path.parent.iterdir()] == ["model.yaml"]

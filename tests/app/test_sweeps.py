@@ -131,7 +131,7 @@ def test_the_report_shows_tables_and_charts(written: tuple[SweepOutcome, Path]) 
     assert section[0].count("<svg") >= 2 + 2 * 3
     assert "nan" not in section[0].lower().replace("nano", "")
     assert 'href="#sweep"' in text
-    for word in ("Share of the samples", "swing: samples", "torque max"):
+    for word in ("Yield: share of samples", "swing: samples", "torque max"):
         assert word in section[0]
 
 

@@ -236,7 +236,7 @@ def test_run_prints_measures_requirements_and_proofs(model: Any) -> None:
     assert f"{measures['swing']['value']:.7g}" in text
     assert f"{measures['torque']['max']:.7g}" in text
     assert "70 deg .. 80 deg" in text
-    assert "N*mm" in text
+    assert "N·mm" in text
     checks = (text.count("✓"), text.count("✗"), "Closure" in text)
     assert checks == (1, 0, False) and "checks passed" in text  # all in one line, where none fails
     told = call("run", path, "--verbose").stdout
@@ -275,7 +275,7 @@ def test_a_requirement_not_met_is_1_and_said(model: Any) -> None:
     result = call("run", path)
     assert result.exit_code == 1
     assert ">= 90 deg" in result.stdout
-    assert "NOT met" in result.stdout
+    assert "FAILED" in result.stdout
     assert names(path.with_name("model_linkwright")) == FILES
 
 

@@ -37,7 +37,7 @@ def call(*words: object) -> Result:
 def test_the_sweep_alone(model: Path, tmp_path: Path) -> None:
     result = call("sweep", model, "--out", tmp_path / "out", "--workers", 1)
     assert result.exit_code == 0
-    assert "50 samples (plan: latin), each at 17 poses" in result.stdout
+    assert "50 samples (plan: latin), 17 poses each" in result.stdout
     assert "stroke" in result.stdout
     assert "100 %" in result.stdout
     assert sorted(path.name for path in (tmp_path / "out").iterdir()) == [
@@ -98,6 +98,6 @@ def test_interrupted_it_says_how_to_go_on_and_does(model: Path, tmp_path: Path) 
     process.send_signal(signal.SIGINT)
     _, told = process.communicate(timeout=60)
     assert process.returncode == 130
-    assert "Interrupted with" in told
-    assert "goes on with the rest" in told
+    assert "Interrupted: " in told
+    assert "run the same command again to resume" in told
     assert {path.suffix for path in (tmp_path / "out").iterdir()} == {".samples", ".signals", ".json"}

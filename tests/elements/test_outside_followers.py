@@ -237,7 +237,7 @@ def test_its_contact_has_charts_and_findings(folder: Path) -> None:
     assert "joints.step: Slips by 3000 mm/s." in done.stderr
     page = (folder / "out" / "report.html").read_text(encoding="utf-8")
     assert [f"Followers: {name}" in page for name in ("torque", "slope", "slip")] == [True] * 3
-    assert "Contact force of the cam" not in page
+    assert "Cam contact force" not in page
     model = changed(loads={"brake": {"on": "table", "torque": "step.slip/(1 mm/s)*1 N*mm"}})
     assert "[load.signal]" in run(folder, model, "check", "model.yaml").stderr
 

@@ -260,7 +260,7 @@ def test_limits_modes_and_a_report(tmp_path: Any) -> None:
     assert job.exit_code == 0
     assert len(job.summary["modes"]["modes"]) == 1
     page = (tmp_path / "report.html").read_text()
-    assert "slide as the group PP" in page
+    assert "slide as Assur group PP" in page
 
 
 @pytest.mark.parametrize(

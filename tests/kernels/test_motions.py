@@ -92,4 +92,4 @@ def test_check_says_what_jumps() -> None:
     assert "velocity -0.266667 to 0.234614 deg/deg" in said
     smooth = [{"rise": 12, "over": 180, "law": "poly_56789"}, {"fall": 12, "over": 180, "law": "poly_56789"}]
     said = {fact["name"]: fact["sentence"] for fact in facts(compiled("swing(w*t)", smooth))}["Motion laws"]
-    assert said.startswith("swing: nothing jumps up to the jerk; velocity")
+    assert said.startswith("swing: continuous up to and including jerk; velocity")

@@ -115,7 +115,7 @@ def test_points_behind_each_other_only_need_the_plane_stated() -> None:
     off = {name: -1000 * value for name, value in compiled.plane.deviations.items()}  # the normal is -y
     assert {name: round(value + 30, 9) for name, value in off.items()} == {"A": 0, "B": 40, "C": 60, "D": 20, "P": -900}
     said = {fact["name"]: fact["sentence"] for fact in facts(compiled)}["Plane"]
-    assert "normal (the axis of the joints, about which angles are positive) (0, -1, 0)" in said
+    assert "normal (joint axis, about which angles are positive) (0, -1, 0)" in said
     assert "A 30" in said
 
 

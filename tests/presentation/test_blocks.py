@@ -77,7 +77,7 @@ def made_up() -> Iterator[dict[str, str]]:
         (Number(12.5, 2, form="f"), "12.50"),
         (Number(None), "–"),
         (Number(None, unit="mm"), "–"),
-        (Number(None, unknown=Said("limits.without_limit")), "no limit"),
+        (Number(None, unknown=Said("limits.without_limit")), "unlimited"),
     ],
 )
 def test_numbers(number: Number, text: str) -> None:

@@ -91,5 +91,5 @@ def test_a_card_has_lines_for_the_file_or_says_that_there_are_none() -> None:
 def test_measures_read_without_colour() -> None:
     values = [MeasureValue("min", -41.23456, grade="sampled"), MeasureValue("max", None, grade="sampled")]
     text = html(Measures([Measure("force", "", values, "N*m", "<= 90 N", False), Measure("x", "", [], "", None, None)]))
-    assert "−41.2346" in text and "<b>–</b>" in text and "✗</span> not met" in text and "N·m" in text
+    assert "−41.2346" in text and "<b>–</b>" in text and "✗</span> failed" in text and "N·m" in text
     assert text.count("sampled") == 1  # what is the same of both ends is said once

@@ -186,7 +186,7 @@ def test_dragging_enlarges_a_span_in_all_plots(show: Any, report: ReportData) ->
     spans = "() => linkwright.charts.map(c => [c.scales.x.min, c.scales.x.max])"
     for low, high in view.page.evaluate(spans):
         assert (low, high) == pytest.approx((0.3, 0.9), abs=0.01)
-    view.page.get_by_role("button", name="Show the whole time").click()
+    view.page.get_by_role("button", name="Show the full time range").click()
     view.settle()
     assert view.page.evaluate(spans)[3] == pytest.approx([0, 1.5])
     assert view.complaints == []

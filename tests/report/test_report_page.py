@@ -114,8 +114,8 @@ def test_hostile_names_are_text_everywhere(report: ReportData) -> None:
 def test_verdicts_read_without_colour(report: ReportData) -> None:
     html = page(report)
     assert "✓</span> met" in html
-    assert "✗</span> not met" in html
-    assert "Requirements met: 1 of 2" in html
+    assert "✗</span> failed" in html
+    assert "Requirements: 1 of 2 passed" in html
 
 
 def test_failures_make_a_banner(report: ReportData) -> None:
@@ -124,7 +124,7 @@ def test_failures_make_a_banner(report: ReportData) -> None:
     html = page(report)
     assert html.index('class="banner"') < html.index("<main>")
     assert "LW301" in html
-    assert "Findings: 1" in html
+    assert "Problems: 1" in html
 
 
 def test_empty_parts_leave_no_headings(report: ReportData) -> None:

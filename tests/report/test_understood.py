@@ -23,9 +23,9 @@ def said(**law: Any) -> str:
 @pytest.mark.parametrize(
     ("law", "text"),
     [
-        ({"speed": 45, "start": 90}, "45 deg/s = 7.5 rpm, one turn 8 s, starts at 90 deg"),
-        ({"speed": "-40 rpm", "start": 0}, "-240 deg/s = -40 rpm, one turn 1.5 s, starts at 0 deg"),
-        ({"speed": 0, "start": 30}, "stands still at 30 deg"),
+        ({"speed": 45, "start": 90}, "45 deg/s = 7.5 rpm, 8 s per revolution, starts at 90 deg"),
+        ({"speed": "-40 rpm", "start": 0}, "-240 deg/s = -40 rpm, 1.5 s per revolution, starts at 0 deg"),
+        ({"speed": 0, "start": 30}, "fixed at 30 deg"),
         (
             {"speed": 6, "start": 30, "acceleration": 5},
             "starts at 30 deg with 6 deg/s = 1 rpm, acceleration 5 deg/s²",
@@ -34,7 +34,7 @@ def said(**law: Any) -> str:
             {"position": "10 + 60*t/(1 s)"},
             "position 10 + 60*t/(1 s), starts at 10 deg with 60 deg/s = 10 rpm",
         ),
-        ({"position": "10 + " + 30 * "0*" + "1"}, "position by its law, starts at 10 deg with 0 deg/s"),
+        ({"position": "10 + " + 30 * "0*" + "1"}, "position by its motion law, starts at 10 deg with 0 deg/s"),
     ],
 )
 def test_turning_drives(law: dict[str, Any], text: str) -> None:

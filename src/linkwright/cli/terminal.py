@@ -8,6 +8,7 @@ from rich.markup import escape
 from rich.table import Table as Grid
 
 from linkwright.cli.consoles import out, wide
+from linkwright.escape import printed
 from linkwright.presentation.blocks import (
     Block,
     Bullets,
@@ -101,7 +102,7 @@ def _measured(measure: Measure, value: MeasureValue, *, first: bool) -> list[str
     number = str(value.text) or ("-" if value.value is None else f"{value.value:.7g}")
     required = [measure.requirement or "", _verdict(measure.verdict)] if first else ["", ""]
     at, grade = escape(str(value.at)), escape(str(value.grade))
-    return [escape(name), escape(number), escape(measure.unit), at, escape(required[0]), required[1], grade]
+    return [escape(name), escape(number), escape(printed(measure.unit)), at, escape(required[0]), required[1], grade]
 
 
 def _verdict(met: bool | None) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.escape import markup
+from linkwright.escape import markup, printed
 from linkwright.findings import Joined, Text
 
 Array = NDArray[np.float64]
@@ -139,7 +139,7 @@ def points(x: Array, y: Array) -> str:
 
 def named(name: Text, unit: str) -> Text:
     """A name with its unit."""
-    return Joined([name, unit.replace("*", "·")]) if unit else name
+    return Joined([name, printed(unit)]) if unit else name
 
 
 def stretches(known: NDArray[np.bool_]) -> list[NDArray[np.intp]]:

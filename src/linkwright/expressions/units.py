@@ -12,6 +12,8 @@ from fractions import Fraction
 from functools import cache, lru_cache
 from typing import Any, NamedTuple
 
+from linkwright.escape import printed
+
 # Accepted words and the pint unit each stands for. "r" is a revolution, as in r/min.
 _WORDS = {
     **{w: w for w in ("m", "mm", "cm", "dm", "km", "um", "nm", "ft", "kg", "g", "mg", "lb", "s", "ms", "min")},
@@ -175,13 +177,6 @@ def spelled(dimension: Dimension, declared: dict[str, str], strict: bool = True)
             word = SI[base]
         words[base] = word
     return recipe.format(**words)
-
-
-def printed(text: str) -> str:
-    """A unit as it is set in print: ``mm/s^2`` as mm/s², ``N*m`` as N·m."""
-    for typed, letters in (("**", "^"), ("*", "·"), ("^2", "²"), ("^3", "³"), ("^4", "⁴")):
-        text = text.replace(typed, letters)
-    return text
 
 
 def squared(unit: str) -> str:

@@ -10,10 +10,11 @@ from collections.abc import Iterator, Mapping
 from itertools import combinations
 from typing import TypeVar
 
+from linkwright.escape import printed
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression, Position
 from linkwright.expressions.language import Name, Number, nodes
-from linkwright.expressions.units import Dimension, printed
+from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding
 from linkwright.model.gravity import EARTH
 from linkwright.model.places import position_parts

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from linkwright.escape import printed
 from linkwright.findings import Said, Text
 
 UNKNOWN = "–"
@@ -31,7 +32,14 @@ class Number:
     def __str__(self) -> str:
         if self.value is None:
             return str(self.unknown)
-        return f"{self.value:.{self.digits}{self.form}} {self.unit}".rstrip()
+        return f"{self.value:.{self.digits}{self.form}} {printed(self.unit)}".rstrip()
+
+
+class Unit(Said):
+    """A unit as files spell it (``N*m``, ``mm/s^2``); a terminal and a page show it in print (N·m, mm/s²)."""
+
+    def __str__(self) -> str:
+        return printed(self.key)
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from linkwright.elements import JointKind
 from linkwright.elements.cylinder import end_of, links_of
 from linkwright.elements.entries import NOUNS
+from linkwright.escape import printed
 from linkwright.expressions import units as u
 from linkwright.kernels import Compiled
 from linkwright.kernels.motions import rate_unit
@@ -87,7 +88,11 @@ def law_fact(compiled: Compiled, name: str) -> str:
         rate, one = rate_unit(quantities, law, order)
         rough = [join for join in motion.joins if join.jumps[order]]
         places = [
-            say("fact.law.jump", at=f"{join.at / size:.6g} {unit}", jump=f"{join.jumps[order] / one:.6g} {rate}")
+            say(
+                "fact.law.jump",
+                at=f"{join.at / size:.6g} {unit}",
+                jump=f"{join.jumps[order] / one:.6g} {printed(rate)}",
+            )
             for join in rough
         ]
         continuity = say("fact.law.jumps", what=say(f"fact.law.{order}"), places=", ".join(places))
@@ -97,7 +102,7 @@ def law_fact(compiled: Compiled, name: str) -> str:
         noise = ROUND_OFF * motion.curve.sizes[k]
         values = (extreme.value if abs(extreme.value) > noise else 0.0 for extreme in motion.extremes(k))
         low, high = (f"{value / one:.6g}" for value in values)
-        peaks.append(say("fact.law.peak", what=say(f"fact.law.{k}"), low=low, high=f"{high} {rate}"))
+        peaks.append(say("fact.law.peak", what=say(f"fact.law.{k}"), low=low, high=f"{high} {printed(rate)}"))
     return say("fact.law", name=name, continuity=continuity, peaks=", ".join(peaks))
 
 
@@ -105,7 +110,9 @@ def _parameters(compiled: Compiled) -> list[str]:
     """Names and values, in the units in which results go out."""
     quantities = compiled.quantities
     units = {name: quantities.unit_of(quantities.dimensions.of(name)) for name in quantities.parameters}
-    return [f"{n} = {value / units[n][1]:.10g} {units[n][0]}".strip() for n, value in quantities.parameters.items()]
+    return [
+        f"{n} = {value / units[n][1]:.10g} {printed(units[n][0])}".strip() for n, value in quantities.parameters.items()
+    ]
 
 
 def _plane(compiled: Compiled, plane: LinkagePlane) -> str:

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Container, Iterable, Sequence
 from functools import singledispatch
 
-from linkwright.escape import markup
-from linkwright.expressions.units import printed
+from linkwright.escape import markup, printed
 from linkwright.presentation.blocks import (
     Block,
     Bullets,

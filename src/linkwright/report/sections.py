@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from linkwright.escape import markup
-from linkwright.expressions.units import printed
+from linkwright.escape import markup, printed
 from linkwright.presentation.blocks import Check, Checks, Measure, Measures
 from linkwright.report.data import Failure, Plot, ReportData
 from linkwright.report.html_blocks import mark

@@ -113,12 +113,12 @@ def test_estimated_dimensions() -> None:
 
 def test_what_can_not_be_told_apart() -> None:
     told = " ".join(map(str, design_sentences(None, calibration())))
-    assert "AB, BC can't be told apart" in told
+    assert "AB, BC aren't identifiable separately" in told
     assert "Row 7, E.x: 1 away" in told
     tables = {name: words(rows) for name, _, rows in design_tables(None, calibration())}
     rows = {row[0]: row for row in tables["calibration"]}
     assert rows["AB"][1:6] == ["155", "155.02", "0.02", "0.018 .. 0.022", "0.001"]
-    assert rows["BC"][4:6] == ["can't be told", "–"]
+    assert rows["BC"][4:6] == ["not identifiable", "–"]
 
 
 def test_nothing_where_nothing_is_asked() -> None:

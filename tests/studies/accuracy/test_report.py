@@ -175,7 +175,7 @@ def test_units_of_coefficients(unit: str, other: str, expected: str) -> None:
     assert per(unit, other) == expected
 
 
-# Where RSS and Monte Carlo part ways.
+# Where RSS and Monte Carlo disagree.
 
 
 def test_they_agree_where_samples_are_as_wide_as_they_should_be(made: AccuracyOutcome) -> None:
@@ -195,7 +195,7 @@ def test_they_part_ways_by_how_much() -> None:
     assert entry["sigma_errors"] == pytest.approx(0.5 / 1.5 * (2 * 2000) ** 0.5, rel=0.1)
     assert f"{entry['sigma_ratio']:.4g} times that of RSS" in str(entry["sentence"])
     assert along(done.curves["C.x"], done).all()
-    assert any("part ways" in str(text) for text in sentences(done))
+    assert any("disagree" in str(text) for text in sentences(done))
 
 
 def test_few_samples_prove_nothing() -> None:

@@ -30,10 +30,10 @@ def test_a_groove_and_what_is_written_of_it() -> None:
     least, most = entry["fanuc"]["play_mm"]
     assert -4e-3 < least < most < 4e-3  # 2e-3 deg of an arm of 90 mm are 3 um on each flank
     (table,) = [one for one in cam_tables(job.cam) if one.name == "cam-nc"]
-    assert heads(table).index("Play, mm") == heads(table).index("Rest, mm") + 1
+    assert heads(table).index("Clearance, mm") == heads(table).index("Excess material, mm") + 1
     assert [row[0] for row in rows(table)] == ["fanuc", "grbl"]
     drawn = {str(chart.title): chart.drawing for chart in charts(job.cam)}
-    assert drawn["The cutter's path"].count("<polygon") == 2 and "outer flank" in drawn["The cutter's path"]
+    assert drawn["Cutter path"].count("<polygon") == 2 and "outer flank" in drawn["Cutter path"]
     (error,) = [drawing for title, drawing in drawn.items() if "on both flanks" in title]
     assert error.count("<polyline") >= 4
     assert "(slot, ramp" in str(FILES["cam_fanuc.nc"](job.cam))

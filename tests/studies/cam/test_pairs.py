@@ -125,7 +125,7 @@ def test_all_that_is_made_of_one_disc_is_made_of_both(job: Job, outcome: CamOutc
         ElementTree.fromstring(chart.drawing)
         assert chart.drawing in text
     labels = [row[0] for table in blocks(shown, Table) for row in rows(table)]
-    assert "grbl, second disc" in labels and "area within the profile, second disc" in labels
+    assert "grbl, second disc" in labels and "area inside the profile, second disc" in labels
     picture = str(FILES["cam.svg"](outcome))
     assert picture.count('circle class="follower"') == 3 and 'class="profile second"' in picture  # rollers and pivot
 

@@ -95,7 +95,7 @@ def test_a_change_point_is_told_alike_in_both_tables() -> None:
     job = job_of(four_bar(50, 100, 50, 100, drives=drives, studies={"limits": {}}))
     assert job.limits is not None
     shown = tables(blocks(report(job.limits), Table))
-    assert shown["ranges"][0][-1] == "Turns fully, through change points."
+    assert shown["ranges"][0][-1] == "Full rotation, through change points."
     assert shown["four_links"][0][1:3] == ["change-point", "rocker, crank, through change points"]
 
 

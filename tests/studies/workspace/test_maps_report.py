@@ -69,7 +69,7 @@ def test_the_picture_shows_the_closed_form(job: Job) -> None:
     texts = [text for text in root.itertext() if text.strip()]
     # At the scale, and on both circles; the outer one of 500 runs too near to the edge.
     assert (texts.count("500"), texts.count("1000")) == (2, 3)
-    assert any("Size of the determinant of d(E.x, E.y)/d(shoulder, elbow), mm^2" in text for text in texts)
+    assert any("Magnitude of the determinant of d(E.x, E.y)/d(shoulder, elbow), mm²" in text for text in texts)
     assert drawing.count('class="locus k-singular"') == 1 + 2  # the legend; elbow straight and folded
 
 
@@ -123,6 +123,6 @@ def test_the_page(job: Job) -> None:
     document = job.examined.document
     assert document is not None
     text = page(report_data(document, job.outcomes))
-    assert "What is sure of each region" in text and "dead positions of the output" in text
-    assert "the pictures show the better of their values" in text and "the worse of their errors" in text
+    assert "Guaranteed area by region" in text and "dead positions of the output" in text
+    assert "the pictures show the better value" in text and "the pictures show the larger error" in text
     assert len(text) < 1_000_000

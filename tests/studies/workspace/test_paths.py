@@ -104,7 +104,7 @@ def test_modes_and_values_are_told_apart_and_the_best_is_pasted(ring: Job) -> No
 def test_how_they_are_written(ring: Job) -> None:
     outcome = ring.outcomes["workspace"]
     shown = tables(workspace_tables(outcome))
-    assert [row[3] for row in shown["workspace-paths"]] == ["yes, the best", "not at u = 0 .. 1: outside by 14.57 mm"]
+    assert [row[3] for row in shown["workspace-paths"]] == ["yes (best)", "not at u = 0 .. 1: outside by 14.57 mm"]
     assert [row[1] for row in shown["workspace-drives"]] == ["motor", "servo"]
     head, rows = columns(laws_csv(outcome))
     assert head[:7] == ["path", "alpha [deg]", "mode", "t [s]", "u", "P.x [mm]", "P.y [mm]"]

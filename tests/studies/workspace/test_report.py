@@ -63,7 +63,7 @@ def test_what_is_proven_of_a_region_is_in_the_summary_and_the_table(job: Job) ->
     row = dict(zip(heads(table), rows(table)[0], strict=True))
     assert "Unit" not in row
     assert row["Area"] == f"{region['area']:.7g} mm²"
-    assert row["Lies between"] == f"{low:.7g} .. {high:.7g} mm²"
+    assert row["Bounds"] == f"{low:.7g} .. {high:.7g} mm²"
     assert row["Perimeter"] == f"{region['perimeter']:.7g} mm"
     assert (row["Holes"], row["Parts"], row["Grade"]) == ("1", "1", "certified")
 
@@ -98,7 +98,7 @@ def test_what_is_not_proven_is_said_in_the_table(
     changed = replace(job.workspace, workspaces=[replace(one, regions=(reached,))])
     table = workspace_tables(changed)[0]
     row = dict(zip(heads(table), rows(table)[0], strict=True))
-    found = [row[head] for head in ("Lies between", "Parts", "Holes", "Grade")]
+    found = [row[head] for head in ("Bounds", "Parts", "Holes", "Grade")]
     assert found == [within, parts, holes, grade]
 
 
@@ -174,7 +174,7 @@ def test_the_page_has_its_section_and_escapes_names(job: Job) -> None:
     document = job.examined.document
     assert document is not None
     text = page(report_data(document, job.outcomes))
-    assert '<section id="workspace">' in text and "Where E gets to for b = 30 mm" in text
+    assert '<section id="workspace">' in text and "Workspace of E for b = 30 mm" in text
     assert "<2R>" not in text
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from linkwright.findings import Said, Text
-from linkwright.presentation.blocks import Cell
+from linkwright.presentation.blocks import Cell, Unit
 from linkwright.presentation.plain import known, listed
 from linkwright.studies.accuracy.allocated import Allocation, Allotted, Held
 from linkwright.studies.accuracy.calibrated import Calibration, Estimate, Observed
@@ -145,24 +145,24 @@ def design_tables(
 def _tolerance(one: Allotted) -> list[Cell]:
     widths = (_shown(width, one.size) for width in (one.now, one.half, one.rounded))
     grade = Said("accuracy.fixed") if one.fixed else one.grade or "–"
-    return [one.name, *widths, grade, _shown(one.price * one.size * THOUSANDTH), one.unit]
+    return [one.name, *widths, grade, _shown(one.price * one.size * THOUSANDTH), Unit(one.unit)]
 
 
 def _demand(one: Held) -> list[Cell]:
     widths = (_shown(width, one.size) for width in (one.wanted, one.now, one.after, one.rounded))
-    return [one.name, *widths, _shown(one.price * one.size * THOUSANDTH), one.unit]
+    return [one.name, *widths, _shown(one.price * one.size * THOUSANDTH), Unit(one.unit)]
 
 
 def _estimated(one: Estimate) -> list[Cell]:
     figures = (_shown(value, one.size) for value in (one.nominal, one.value, one.deviation))
     ends = " .. ".join(_shown(end, one.size) for end in one.interval or ())
     told = ends if one.identified else Said("accuracy.not-told")
-    return [one.name, *figures, told, _shown(one.error, one.size), one.unit]
+    return [one.name, *figures, told, _shown(one.error, one.size), Unit(one.unit)]
 
 
 def _fitted(found: Calibration, i: int) -> list[Cell]:
     unit, size = found.units[i]
-    return [found.outputs[i], *(_shown(row[i], size) for row in (found.sigmas, found.before, found.after)), unit]
+    return [found.outputs[i], *(_shown(row[i], size) for row in (found.sigmas, found.before, found.after)), Unit(unit)]
 
 
 def _known(value: float | None, size: float = 1.0) -> float | None:

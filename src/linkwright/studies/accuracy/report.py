@@ -9,7 +9,7 @@ import numpy as np
 
 from linkwright.drawing.charts import MOST_CHARTS
 from linkwright.findings import Said, Text
-from linkwright.presentation.blocks import Block, Chart, Charts, Copied, Section, Sentences, StudyReport
+from linkwright.presentation.blocks import Block, Chart, Charts, Copied, Section, Sentences, StudyReport, Unit
 from linkwright.studies.accuracy.charts import curve_charts, figure_charts
 from linkwright.studies.accuracy.design_report import design_sentences
 from linkwright.studies.accuracy.disagreement import along, disagreement
@@ -66,7 +66,7 @@ def _remarks(figure: Figure, outcome: AccuracyOutcome, brief: bool = False) -> I
     if found is not None and not (brief and found.off <= outcome.options.nonlinear):
         key = "accuracy.searched" if found.proven else "accuracy.searched.bound"
         ends = {"low": deviation(found.low / size, figure), "high": deviation(found.high / size, figure)}
-        yield Said(key, name=figure.name, off=percent(found.off), unit=figure.column.unit, **ends)
+        yield Said(key, name=figure.name, off=percent(found.off), unit=Unit(figure.column.unit), **ends)
     if brief:
         return
     if figure.time is not None:

@@ -7,6 +7,7 @@ from math import floor, inf, log10
 
 import numpy as np
 
+from linkwright.escape import printed
 from linkwright.expressions.units import TIME
 from linkwright.findings import Joined, Said, Text
 from linkwright.presentation.blocks import Cell, Table
@@ -230,7 +231,7 @@ def _sign(text: str) -> str:
 
 
 def _with(text: str, unit: str) -> str:
-    return f"{text} {unit}" if unit and text != "–" else text
+    return f"{text} {printed(unit)}" if unit and text != "–" else text
 
 
 def percent(share: float, digits: int = 3) -> str:

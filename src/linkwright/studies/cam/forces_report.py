@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
 from linkwright.findings import Said, Text
-from linkwright.presentation.blocks import Chart
+from linkwright.presentation.blocks import Chart, Number
 from linkwright.studies.cam.charts import over
 from linkwright.studies.cam.figures import along_lift
 from linkwright.studies.cam.outcome import CamOutcome
@@ -49,7 +49,7 @@ def force_sentences(outcome: CamOutcome) -> Iterator[Text]:
 
     def told(value: float, dimension: u.Dimension) -> str:
         unit, size = outcome.compiled.quantities.unit_of(dimension)
-        return f"{value / size:.6g} {unit}"
+        return str(Number(value / size, 6, unit))
 
     figures = dict(done.figures())
     low, high = (told(figures[f"contact_force_{end}"].value, u.FORCE) for end in ("min", "max"))

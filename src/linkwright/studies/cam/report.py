@@ -10,7 +10,18 @@ import numpy as np
 from linkwright.cam.checks import Check
 from linkwright.expressions import units as u
 from linkwright.findings import Said, Text
-from linkwright.presentation.blocks import Block, Cell, Charts, Number, Section, Sentences, StudyReport, Table, Verdict
+from linkwright.presentation.blocks import (
+    Block,
+    Cell,
+    Charts,
+    Number,
+    Section,
+    Sentences,
+    StudyReport,
+    Table,
+    Unit,
+    Verdict,
+)
 from linkwright.studies.cam.charts import charts, of_disc
 from linkwright.studies.cam.force_findings import MEASURES
 from linkwright.studies.cam.forces_report import force_charts, force_entry, force_sentences
@@ -143,7 +154,14 @@ def cam_tables(outcome: CamOutcome) -> list[Table]:
     """Tables of text; those with nothing in them are left out."""
     entry = cam_entry(outcome)["cam"]
     figures: list[list[Cell]] = [
-        [Said(f"cam.figure.{name}"), _n(one["value"]), one["unit"], _place(one), one.get("require", "–"), _mark(one)]
+        [
+            Said(f"cam.figure.{name}"),
+            _n(one["value"]),
+            Unit(one["unit"]),
+            _place(one),
+            one.get("require", "–"),
+            _mark(one),
+        ]
         for name, one in entry["figures"].items()
     ]
     checks, made, parts = list[list[Cell]](), list[list[Cell]](), list[list[Cell]]()
@@ -169,12 +187,12 @@ def _of(second: bool, row: list[Cell]) -> list[Cell]:
 
 
 def _check_row(c: dict[str, Any]) -> list[Cell]:
-    numbers = [_n(c["value"]), c["unit"], _place(c), _n(c["limit"]), _n(c["margin"])]
+    numbers: list[Cell] = [_n(c["value"]), Unit(c["unit"]), _place(c), _n(c["limit"]), _n(c["margin"])]
     return [Said(f"cam.check.{c['name']}"), *numbers, _mark(c)]
 
 
 def _nc_row(post: str, m: dict[str, Any]) -> list[Cell]:
-    error = [_n(m["lift_error"], 3), _n(m["tolerance"]), m["unit"]]
+    error: list[Cell] = [_n(m["lift_error"], 3), _n(m["tolerance"]), Unit(m["unit"])]
     speed = Number(m["velocity_error"], 3, f"{m['unit']}/{m['angle_unit']}")
     off: list[Cell] = [_n(m["gouge_mm"], 3), _n(m["rest_mm"], 3)]
     if "play_mm" in m:
@@ -185,9 +203,9 @@ def _nc_row(post: str, m: dict[str, Any]) -> list[Cell]:
 def _parts(entry: dict[str, Any]) -> list[list[Cell]]:
     rows = list[list[Cell]]()
     if "contour" in entry:
-        rows.append([Said("cam.part.area"), _n(entry["contour"]["area"], 9), f"{entry['contour']['unit']}^2"])
+        rows.append([Said("cam.part.area"), _n(entry["contour"]["area"], 9), Unit(f"{entry['contour']['unit']}^2")])
     if "volume" in entry:
-        rows.append([Said("cam.part.volume"), _n(entry["volume"]["value"], 9), entry["volume"]["unit"]])
+        rows.append([Said("cam.part.volume"), _n(entry["volume"]["value"], 9), Unit(entry["volume"]["unit"])])
     return rows
 
 

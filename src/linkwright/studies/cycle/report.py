@@ -17,6 +17,7 @@ from linkwright.presentation.blocks import (
     Section,
     StudyReport,
     Table,
+    Unit,
 )
 from linkwright.reductions import Grade
 from linkwright.results import Certificate, Result
@@ -51,19 +52,25 @@ def overview_tables(entry: dict[str, Any], time_unit: str) -> list[Table]:
         return [_number(one["value"]), Number(one["at"], 6)]
 
     outputs: list[list[Cell]] = [
-        [name, *place(e["min"]), *place(e["max"]), _number(_less(e["max"]["value"], e["min"]["value"])), e["unit"]]
+        [
+            name,
+            *place(e["min"]),
+            *place(e["max"]),
+            _number(_less(e["max"]["value"], e["min"]["value"])),
+            Unit(e["unit"]),
+        ]
         for name, e in entry["outputs"].items()
     ]
     drives: list[list[Cell]] = [
-        [name, Said(f"overview.{key}"), *place(e), _number(e["rms"]), e["unit"]]
+        [name, Said(f"overview.{key}"), *place(e), _number(e["rms"]), Unit(e["unit"])]
         for name, both in entry["drives"].items()
         for key, e in both.items()
     ]
     reactions: list[list[Cell]] = [
-        [e["joint"], Joined(e["links"]), *place(e), _number(e["rms"]), e["unit"]] for e in entry["reactions"]
+        [e["joint"], Joined(e["links"]), *place(e), _number(e["rms"]), Unit(e["unit"])] for e in entry["reactions"]
     ]
     angles: list[list[Cell]] = [
-        [e["group"], Number(e["least"]), e["unit"], Number(e["at"], 6, unknown=Said("limits.everywhere"))]
+        [e["group"], Number(e["least"]), Unit(e["unit"]), Number(e["at"], 6, unknown=Said("limits.everywhere"))]
         for e in entry["transmission"]
     ]
     return [

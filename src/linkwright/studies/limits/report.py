@@ -8,7 +8,7 @@ from typing import Any
 
 from linkwright.expressions.units import ANGLE, LENGTH, TIME
 from linkwright.findings import Joined, Said, Text
-from linkwright.presentation.blocks import Cell, Number, Section, StudyReport, Table
+from linkwright.presentation.blocks import Cell, Number, Section, StudyReport, Table, Unit
 from linkwright.studies.limits.extremes import Course, Transmission
 from linkwright.studies.limits.four_links import FourLinks
 from linkwright.studies.limits.outcome import DriveLimits, LimitsOutcome, Stretch
@@ -159,9 +159,15 @@ def _ranges(entry: dict[str, Any]) -> Iterator[list[Cell]]:
         several = len(limits["ranges"]) > 1
         for i, found in enumerate(limits["ranges"], start=1):
             name = f"{drive} ({i})" if several else drive
-            yield [name, _number(found["low"]["at"]), _number(found["high"]["at"]), limits["unit"], _why(limits, found)]
+            yield [
+                name,
+                _number(found["low"]["at"]),
+                _number(found["high"]["at"]),
+                Unit(limits["unit"]),
+                _why(limits, found),
+            ]
         if not limits["ranges"]:
-            yield [drive, "", "", limits["unit"], Said("limits.no_range")]
+            yield [drive, "", "", Unit(limits["unit"]), Said("limits.no_range")]
 
 
 def _why(limits: dict[str, Any], found: dict[str, Any]) -> Text:
@@ -180,7 +186,7 @@ def _signals(stretches: Stretches) -> Iterator[list[Cell]]:
         for name, s in stretch["signals"].items():
             low, high = ([_number(s[end]), _place(s[f"{end}_at"], stretch)] for end in ("min", "max"))
             span: Cell = Said("limits.whole_turns", turns=abs(s["turns"])) if s["turns"] else _number(s["span"])
-            yield [by, name, *low, *high, span, s["unit"], _number(s["time_ratio"]) if "time_ratio" in s else ""]
+            yield [by, name, *low, *high, span, Unit(s["unit"]), _number(s["time_ratio"]) if "time_ratio" in s else ""]
 
 
 def _dead_centres(stretches: Stretches) -> Iterator[list[Cell]]:
@@ -188,14 +194,14 @@ def _dead_centres(stretches: Stretches) -> Iterator[list[Cell]]:
         for name, s in stretch["signals"].items():
             for r in s["dead_centres"]:
                 where = _place(r["at"], stretch)
-                yield [by, name, Said(f"measure.{r['kind']}"), _number(r["value"]), s["unit"], where]
+                yield [by, name, Said(f"measure.{r['kind']}"), _number(r["value"]), Unit(s["unit"]), where]
 
 
 def _transmission(stretches: Stretches) -> Iterator[list[Cell]]:
     for by, stretch in stretches:
         for group, found in stretch["transmission"].items():
             at = Said("limits.everywhere") if found["at"] is None else _place(found["at"], stretch)
-            yield [by, group, found["signature"], _number(found["least"]), found["unit"], at]
+            yield [by, group, found["signature"], _number(found["least"]), Unit(found["unit"]), at]
 
 
 def _change_points(stretches: Stretches) -> Iterator[list[Cell]]:
@@ -210,7 +216,7 @@ def _loops(entry: dict[str, Any]) -> Iterator[list[Cell]]:
         turning: Text = ", ".join(loop["turning"]) or Said("limits.none")
         if loop["turning"] and loop["kind"] == "change-point":
             turning = Said("limits.turning.change-point", links=turning)
-        yield [", ".join(loop["links"]), kind, turning, _number(loop["margin"]), loop["unit"]]
+        yield [", ".join(loop["links"]), kind, turning, _number(loop["margin"]), Unit(loop["unit"])]
 
 
 def _number(value: float | None) -> Number:

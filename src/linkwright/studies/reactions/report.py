@@ -9,7 +9,7 @@ from typing import Any
 from linkwright.expressions.units import ANGLE, FORCE
 from linkwright.findings import Said, Text
 from linkwright.model.csv_text import cell, written
-from linkwright.presentation.blocks import Cell, Number, Section, StudyReport, Table
+from linkwright.presentation.blocks import Cell, Number, Section, StudyReport, Table, Unit
 from linkwright.studies.reactions.outcome import Reaction, ReactionsOutcome
 
 TINY = 1e-13
@@ -59,8 +59,10 @@ def report(outcome: ReactionsOutcome) -> StudyReport:
     """Reactions of the joints, forces of the bars, residuals."""
     summary = reactions_entry(outcome)
     entry = summary["reactions"]
-    rows = [[r["joint"], r["name"], _number(r["value"]), r["unit"]] for r in entry["joints"]]
-    bars = [[link, _number(bar["value"]), bar["unit"], _kind(bar["value"])] for link, bar in entry["bars"].items()]
+    rows = [[r["joint"], r["name"], _number(r["value"]), Unit(r["unit"])] for r in entry["joints"]]
+    bars = [
+        [link, _number(bar["value"]), Unit(bar["unit"]), _kind(bar["value"])] for link, bar in entry["bars"].items()
+    ]
     proof: list[list[Cell]] = [
         [Said(f"reactions.{key}"), Number(entry[key], 1, form="e")] for key in ("closure", "equilibrium")
     ]

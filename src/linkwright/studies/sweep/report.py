@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from linkwright.findings import Said
-from linkwright.presentation.blocks import Block, Cell, Charts, Number, Section, Sentences, StudyReport, Table
+from linkwright.presentation.blocks import Block, Cell, Charts, Number, Section, Sentences, StudyReport, Table, Unit
 from linkwright.presentation.plain import known
 from linkwright.studies.shares import CONFIDENCE
 from linkwright.studies.sweep.charts import charts
@@ -97,7 +97,7 @@ def tables(outcome: SweepOutcome) -> list[Table]:
 
     def numbers(name: str, heads: tuple[str, ...], keys: tuple[str, ...]) -> Table:
         """A table of figures with their units."""
-        rows = [[key, *(_number(e.get(k)) for k in keys), e["unit"]] for key, e in entry[name].items()]
+        rows = [[key, *(_number(e.get(k)) for k in keys), Unit(e["unit"])] for key, e in entry[name].items()]
         return _table(name, (*heads, "unit"), rows)
 
     shares = [[name, e["require"], _percent(e["share"]), _interval(e)] for name, e in entry["require"].items()]

@@ -15,7 +15,7 @@ from linkwright.drawing.tiled import tiled
 from linkwright.expressions import units as u
 from linkwright.findings import Joined, Said, Text
 from linkwright.model.csv_text import cell, head, written
-from linkwright.presentation.blocks import Chart, Table
+from linkwright.presentation.blocks import Chart, Table, Unit
 from linkwright.studies.workspace.curve_lines import lines
 from linkwright.studies.workspace.errors_part import ErrorsPart, RegionErrors
 from linkwright.studies.workspace.map_picture import levels_of, map_picture
@@ -82,7 +82,7 @@ def quality_tables(outcome: WorkspaceOutcome) -> list[Table]:
     """The least and greatest values of the maps by region; singular positions."""
     entries, names = _quality(outcome).as_dict(), [*outcome.options.for_]
     maps = [
-        [*_front(entry, names), title(outcome, name), _ends(one), one["unit"] or "-"]
+        [*_front(entry, names), title(outcome, name), _ends(one), Unit(one["unit"] or "-")]
         for entry in entries
         for name, one in entry["maps"].items()
     ]

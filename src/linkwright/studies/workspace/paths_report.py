@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.drawing.charts import LEFT, LETTER, MOST_CHARTS, MOST_POSES, TOP, Axes, named, shortened, thinned
-from linkwright.escape import markup
+from linkwright.escape import markup, printed
 from linkwright.expressions import units as u
 from linkwright.findings import Joined, Said, Text
 from linkwright.presentation.blocks import Chart, Table
@@ -80,9 +80,9 @@ def _drive(told: dict[str, Any]) -> list[str]:
     largest = (told.get(key) for key in ("speed", "acceleration", "effort", "power"))
     work = told.get("work")
     return [
-        f"{value['from']:.6g} .. {value['to']:.6g} {value['unit']}",
-        *("-" if one is None else f"{_number(one['largest'])} {one['unit']}" for one in largest),
-        f"{_number(work['given'])}, {_number(work['taken'])} {work['unit']}" if work else "-",
+        f"{value['from']:.6g} .. {value['to']:.6g} {printed(value['unit'])}",
+        *("-" if one is None else f"{_number(one['largest'])} {printed(one['unit'])}" for one in largest),
+        f"{_number(work['given'])}, {_number(work['taken'])} {printed(work['unit'])}" if work else "-",
     ]
 
 

@@ -2,30 +2,19 @@
 
 PROCESS_SIMULATE: dict[str, str] = {
     "functions.head": "# {title}: joint functions for Process Simulate, dialect {dialect}",
-    "functions.units": (
-        "# Radians and mm. A function is the text of its line, and belongs to the joint named above it."
-    ),
-    "functions.proof": "# Held against the solver over the whole range: off by {error} at most, with {decimals} decimals.",
-    "functions.master": (
-        "# {master} is the master in place of the joint that {drive} moves: over this range it goes one way only."
-    ),
-    "functions.mirror": "# Two mirrored hinges that move in step: {master} drives, and {follower} on the second one follows it.",
-    "functions.compared": "# Functions of cams hold comparisons, >= and <: 1 where they hold, and 0 elsewhere.",
-    "functions.fitted": "# Polynomials stand for joints that have no closed form; the errors say how close they come.",
-    "functions.driving": (
-        "{name}: the driving joint, {kind} of {child} on {parent} (joint {joint}), {way}; limits {limits}"
-    ),
-    "functions.joint": (
-        "{name}: {kind} of {child} on {parent} (joint {joint}), {way}; limits {limits}; off by {error} at most"
-    ),
-    "functions.helper": "{name}: a helping joint D of a link without geometry, any axis; limits {limits}",
+    "functions.units": "# Units: rad and mm. Each function is one line of text and belongs to the joint named above it.",
+    "functions.proof": "# Checked against the solver over the whole range: maximum deviation {error} with {decimals} decimals.",
+    "functions.master": "# {master} is the master instead of the joint moved by {drive}: over this range its motion doesn't reverse.",
+    "functions.mirror": "# Two mirrored hinges that move together: {master} drives, and {follower} on the second one follows it.",
+    "functions.compared": "# Functions of cams contain comparisons, >= and <: 1 where true, 0 elsewhere.",
+    "functions.fitted": "# Polynomials approximate joints without a closed form; their errors are listed.",
+    "functions.driving": "{name}: driving joint, {kind} of {child} on {parent} (joint {joint}), {way}; limits {limits}",
+    "functions.joint": "{name}: {kind} of {child} on {parent} (joint {joint}), {way}; limits {limits}; maximum deviation {error}",
+    "functions.helper": "{name}: auxiliary joint D of a link without geometry, any axis; limits {limits}",
     "functions.T+": "positive counter-clockwise",
     "functions.T-": "positive clockwise",
     "functions.D+": "positive along the line",
     "functions.D-": "positive against the line",
-    "functions.snippet": "Fill the joints in by name; the tool takes each text without quotes.",
-    "functions.done": (
-        "{count} joint functions in the dialect {dialect}: off by {error} (rad or mm) at most with {decimals} decimals; "
-        "the longest has {longest} characters."
-    ),
+    "functions.snippet": "Assign the joints by name; the tool takes each text without quotes.",
+    "functions.done": "{count} joint functions in dialect {dialect}: maximum deviation {error} (rad or mm) with {decimals} decimals; the longest has {longest} characters.",
 }

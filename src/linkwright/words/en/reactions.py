@@ -2,8 +2,8 @@
 
 REACTIONS: dict[str, str] = {
     "report.reactions": "Reactions",
-    "reactions.joints": "Reactions of the joints: the first link's force on the second",
-    "reactions.bars": "Bars (pinned at two places, without load): tension is positive",
+    "reactions.joints": "Joint reactions: force of the first link on the second",
+    "reactions.bars": "Two-force bars (pinned at two points, not loaded): tension is positive",
     "reactions.proof": "Verification",
     "reactions.column.joint": "Joint",
     "reactions.column.reaction": "Reaction",
