@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.kernels import KERNELS, Compiled, Kernel
-from linkwright.kernels.spread import spread
+from linkwright.kernels.threaded import spread
 
 Array = NDArray[np.float64]
 

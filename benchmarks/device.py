@@ -19,8 +19,8 @@ from figures import parser, tell
 import linkwright as lw
 from linkwright.graph.program import Program
 from linkwright.kernels import Compiled
-from linkwright.kernels.device import Reduction
 from linkwright.kernels.jax_kernel import JaxKernel
+from linkwright.kernels.jax_reduction import Reduction
 
 MODEL = Path(__file__).resolve().parent.parent / "examples" / "four_bar.yaml"
 LENGTHS = "a", "b", "c", "d"

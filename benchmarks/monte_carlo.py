@@ -28,8 +28,8 @@ from linkwright.studies import Site
 from linkwright.studies.accuracy.figures import curves
 from linkwright.studies.accuracy.monte_carlo import Random, monte_carlo
 from linkwright.studies.accuracy.options import AccuracyOptions
-from linkwright.studies.accuracy.slopes import Slopes
-from linkwright.studies.accuracy.stated import contributors
+from linkwright.studies.accuracy.signal_sensitivities import Slopes
+from linkwright.studies.accuracy.stated_contributors import contributors
 from linkwright.studies.accuracy.study import AccuracyStudy
 
 Array = NDArray[np.float64]

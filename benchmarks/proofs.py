@@ -19,8 +19,8 @@ from linkwright.app.job import examine_file
 from linkwright.enclosures import Claim, Proof, panels, proofs, prove_all
 from linkwright.measures import Measurer
 from linkwright.results import Run
+from linkwright.studies.change_point_carry import carried
 from linkwright.studies.cycle.options import CycleOptions, span
-from linkwright.studies.through import carried
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 BOUNDED = ("span", "max", "min", "extremes")

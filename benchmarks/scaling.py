@@ -32,7 +32,7 @@ from contest import Array, kernels
 from run import median
 
 import linkwright as lw
-from linkwright.kernels.spread import spread
+from linkwright.kernels.threaded import spread
 
 SIZES = (2, 5, 10, 20, 40)
 SWING = 0.5

@@ -19,8 +19,8 @@ from linkwright.app import examine_alone
 from linkwright.blocks import Threads
 from linkwright.studies import Site
 from linkwright.studies.workspace.options import SECTIONS
+from linkwright.studies.workspace.parallel import together
 from linkwright.studies.workspace.quality import Task, quality
-from linkwright.studies.workspace.together import together
 
 EXAMPLE = Path(__file__).resolve().parent.parent / "examples" / "five_bar_workspace.yaml"
 STEPS = 353

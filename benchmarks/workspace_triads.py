@@ -21,8 +21,8 @@ import shapely
 
 sys.path.append(str(Path(__file__).resolve().parent.parent / "tests"))
 
-from linkwright.studies.workspace.enclosed import enclosed
 from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.region_enclosure import enclosed
 from studies.workspace.models import ArmOnCoupler, random_arm
 from studies.workspace.test_platforms import PART, WHOLE, places_on, poses
 

@@ -147,7 +147,7 @@ def test_the_table_to_start_from_gives_the_model_itself(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("name", gallery.names())
 def test_every_model_of_the_gallery_has_a_table(name: str, tmp_path: Path) -> None:
-    from linkwright.app.start import new_table
+    from linkwright.app.new_files import new_table
 
     assert new_table(name, tmp_path / "table.csv") == []
     heads, cells = (tmp_path / "table.csv").read_text(encoding="utf-8").splitlines()

@@ -21,7 +21,7 @@ from linkwright.app.manifest import NAME, OUTDATED, read_manifest
 from linkwright.app.results_folder import LOCK, ResultsFolder
 from linkwright.cli import cli
 from linkwright.model.origin import Origin, hashed
-from linkwright.studies.sample_work import SampleTask
+from linkwright.studies.sampling_task import SampleTask
 from studies.models import slider_crank
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -19,8 +19,8 @@ from linkwright.app.job import Job, carry_out, examine_file
 from linkwright.app.manifest import NAME
 from linkwright.cli import cli
 from linkwright.model.document import parse_document
-from linkwright.studies.site import Site
-from linkwright.studies.stopped import Stopped
+from linkwright.studies.interruption import Stopped
+from linkwright.studies.run_context import Site
 from linkwright.studies.workspace.region_files import FOLDER
 
 DATE = ("SOURCE_DATE_EPOCH", "1700000000")
@@ -168,7 +168,7 @@ def test_from_python(file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch, pytest.raises(Stopped) as stopped:
-        patch.setattr("linkwright.studies.workspace.together.wait", interrupting)
+        patch.setattr("linkwright.studies.workspace.parallel.wait", interrupting)
         lw.workspace(file, out=tmp_path / "out")
     assert "resumes" in stopped.value.outcome.failures[-1].mend
     assert [*(tmp_path / "out" / FOLDER).iterdir()]

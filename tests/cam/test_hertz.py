@@ -10,7 +10,7 @@ import pytest
 from tests.cam.cases import EVERY
 from tests.cam.lifts import HEAT_SEAL, harmonic, heat_seal
 
-from linkwright.cam import closing, hertz
+from linkwright.cam import form_closure, hertz
 from linkwright.cam.contact import NoContact, Side
 from linkwright.cam.disc import Disc
 from linkwright.cam.followers import SwingingRoller, TranslatingFlat, TranslatingKnife, TranslatingRoller
@@ -133,7 +133,7 @@ def test_what_has_no_line_of_contact() -> None:
 
 
 def test_the_outer_flank_has_its_own_pressure() -> None:
-    groove = closing.groove(HEAT)
+    groove = form_closure.groove(HEAT)
     found = forces(HEAT, Loads(0.012), 30.0, second=groove.second)
     inner, outer = (hertz.pressure(found, 10e-3, second=second) for second in (False, True))
     assert ((inner.peak > 0) & (outer.peak > 0)).sum() == 0

@@ -21,7 +21,7 @@ from linkwright.graph.rows import effort
 from linkwright.graph.view import View
 from linkwright.kernels import Compiled
 from linkwright.model.document import Document, plain
-from linkwright.results.audit import Reports
+from linkwright.results.independent_check import Reports
 from linkwright.words import catalogue, say
 
 MODEL: dict[str, Any] = {

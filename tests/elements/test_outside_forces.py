@@ -240,12 +240,12 @@ import sys
 import numpy as np
 import linkwright as lw
 from linkwright.kernels import KERNELS
-from linkwright.kernels.varied import Varied
+from linkwright.kernels.parameter_batch import Varied
 from linkwright.measures import measure_all
 from linkwright.results import Run
 from linkwright.studies.accuracy.derivatives import Derivatives
-from linkwright.studies.accuracy.slopes import Slopes
-from linkwright.studies.many import Measuring
+from linkwright.studies.accuracy.signal_sensitivities import Slopes
+from linkwright.studies.batch_plan import Measuring
 document = lw.load("model.yaml")
 compiled = lw.compile(document)
 run, names = Run(compiled, 0.0, 1.0, 60), ["gap", "preload"]

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from linkwright.app import Examined, examine_file, export_of
-from linkwright.app.alone import altered
 from linkwright.app.job import examine_document
+from linkwright.app.single_study import altered
 from linkwright.exports import TARGETS, Exported
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -14,8 +14,8 @@ from helpers.compiled import compiled_from, compiled_of, regular
 from helpers.expected import expected_energies, expected_forces, oracle_states, worst
 from helpers.plain import FRAME, Law, Plain, PlainDrive, PlainLink, PlainLoad, document_of
 from helpers.random_mechanisms import DURATION, RECIPES, mechanisms
-from linkwright.results.audit import Reports
 from linkwright.results.certificate import equilibrium, power
+from linkwright.results.independent_check import Reports
 
 T = np.linspace(0.0, DURATION, 4)
 

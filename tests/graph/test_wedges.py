@@ -14,8 +14,8 @@ import linkwright as lw
 from helpers.compiled import compiled_from
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.kernels import Compiled
-from linkwright.results.audit import Reports
 from linkwright.results.certificate import closure, equilibrium, power, rank
+from linkwright.results.independent_check import Reports
 from linkwright.structure import Wedge
 from studies.models import UNITS, job_of, refused
 

@@ -10,8 +10,8 @@ from linkwright.app.job import examine_file
 from linkwright.expressions.language import Node
 from linkwright.measures import bound
 from linkwright.results import Run
+from linkwright.studies.change_point_carry import carried
 from linkwright.studies.cycle.options import CycleOptions, span
-from linkwright.studies.through import carried
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

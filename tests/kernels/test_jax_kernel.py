@@ -18,8 +18,8 @@ from linkwright import _machine as machine
 from linkwright.compilation import compile_mechanism
 from linkwright.findings import ModelError
 from linkwright.kernels import KERNELS, Compiled
-from linkwright.kernels.device import Reduction
 from linkwright.kernels.jax_kernel import JaxKernel
+from linkwright.kernels.jax_reduction import Reduction
 from linkwright.model.document import load
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -16,7 +16,7 @@ from linkwright.kernels.tangents import Tangents
 from linkwright.model.document import Document
 from linkwright.notation import Jet
 from linkwright.notation.duals import Dual
-from linkwright.report.facts import facts
+from linkwright.report.structure_summary import facts
 from linkwright.results import Run
 from model.given import four_bar
 

@@ -17,7 +17,7 @@ from linkwright.kernels import Compiled
 from linkwright.kernels.numba_kernel import PAST, NumbaKernel
 from linkwright.kernels.numba_source import CACHED, LANES, LONGEST, Source
 from linkwright.kernels.numpy_blocks import NumpyKernel
-from linkwright.kernels.spread import EVEN, FEWEST, spread, stretches
+from linkwright.kernels.threaded import EVEN, FEWEST, spread, stretches
 from linkwright.model.document import load
 
 pytest.importorskip("numba")

@@ -11,8 +11,8 @@ from helpers.compiled import compiled_from
 from helpers.differences import OFFSETS, WEIGHTS
 from linkwright.findings import ModelError
 from linkwright.kernels import Compiled
+from linkwright.kernels.parameter_batch import Varied
 from linkwright.kernels.tangents import Tangents
-from linkwright.kernels.varied import Varied
 
 NOMINAL = {"a": 0.3, "b": 0.8, "c": 20.0, "f": 5.0}
 T = np.linspace(0.0, 1.9, 23)

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from helpers.differences import OFFSETS, WEIGHTS
 from linkwright.compilation import examine
 from linkwright.kernels import Compiled
+from linkwright.kernels.parameter_batch import Varied
 from linkwright.kernels.tangents import Tangents
-from linkwright.kernels.varied import Varied
 from linkwright.model.document import Document, load, plain
 
 Array = NDArray[np.float64]

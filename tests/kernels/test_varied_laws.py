@@ -11,13 +11,13 @@ import pytest
 from helpers.cams import pair
 from helpers.compiled import compiled_from
 from helpers.differences import OFFSETS, WEIGHTS
+from linkwright.cam.cams_of_mechanism import disc
 from linkwright.cam.followers import NoFollower
-from linkwright.cam.pairs import disc
 from linkwright.findings import ModelError
 from linkwright.kernels import Compiled
-from linkwright.kernels.cut import cut
+from linkwright.kernels.manufactured_cam import cut
+from linkwright.kernels.parameter_batch import Varied
 from linkwright.kernels.tangents import Tangents
-from linkwright.kernels.varied import Varied
 from linkwright.laws import LAWS, MotionError
 
 H, W = {"h": "20 deg"}, {"h": "20 deg", "w": "100 deg"}

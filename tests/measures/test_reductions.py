@@ -15,13 +15,13 @@ from numpy.typing import NDArray
 from helpers.compiled import compiled_from
 from linkwright.expressions.language import parse
 from linkwright.kernels import Compiled
-from linkwright.kernels.varied import Varied
+from linkwright.kernels.parameter_batch import Varied
 from linkwright.measures import measure_all
 from linkwright.reductions import REDUCTIONS, kind_of
 from linkwright.results import Run
 from linkwright.studies.accuracy.derivatives import Derivatives
-from linkwright.studies.accuracy.slopes import Slopes
-from linkwright.studies.many import Measuring
+from linkwright.studies.accuracy.signal_sensitivities import Slopes
+from linkwright.studies.batch_plan import Measuring
 from studies.models import slider_crank
 
 Array = NDArray[np.float64]

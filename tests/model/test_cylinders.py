@@ -11,9 +11,9 @@ import linkwright as lw
 from helpers.compiled import compiled_from
 from linkwright.compilation import examine
 from linkwright.model.builder import Builder
+from linkwright.model.desugar import spell_out
 from linkwright.model.document import Document, dump, load, save
-from linkwright.model.spelled import spell_out
-from linkwright.report.facts import facts
+from linkwright.report.structure_summary import facts
 from linkwright.results import Run, certify
 from linkwright.structure import Group
 from linkwright.words import say

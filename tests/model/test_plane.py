@@ -13,7 +13,7 @@ from linkwright.compilation import examine
 from linkwright.model.builder import Builder
 from linkwright.model.document import Document, dump, load, save
 from linkwright.model.plane import in_plane
-from linkwright.report.facts import facts
+from linkwright.report.structure_summary import facts
 
 UNITS = {"length": "mm", "angle": "deg", "mass": "kg", "time": "s", "force": "N"}
 FLAT = {"A": [0, 0], "B": [20, 35], "C": [110, 75], "D": [130, 0], "P": [70, 90]}

@@ -11,8 +11,8 @@ import pytest
 from helpers.compiled import compiled_from
 from linkwright.compilation import examine
 from linkwright.findings import ModelError
+from linkwright.model.desugar import spell_out
 from linkwright.model.document import Document, dump, load, save
-from linkwright.model.spelled import spell_out
 
 UNITS = {"length": "mm", "angle": "deg", "mass": "kg", "time": "s", "force": "N"}
 PLACES = {"A": [0, 0], "B": [20, 35], "C": [110, 75], "D": [130, 0], "P": [70, 90]}

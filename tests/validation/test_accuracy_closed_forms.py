@@ -18,7 +18,7 @@ from helpers.examples import four_bar, slider_crank
 from linkwright.kernels.tangents import Tangents
 from linkwright.results import Run
 from linkwright.studies.accuracy.derivatives import Derivatives
-from linkwright.studies.accuracy.slopes import Slopes
+from linkwright.studies.accuracy.signal_sensitivities import Slopes
 
 TOLERANCE = 1e-11
 NUMBERS = {"r": 1.0, "b": 3.0, "e": 0.2, "m": 2.0, "w": 1.5, "h": 0.3}

@@ -30,8 +30,8 @@ import linkwright as lw
 from helpers.compiled import compiled_from
 from helpers.examples import four_bar
 from linkwright.kernels import Compiled
+from linkwright.kernels.parameter_batch import Varied
 from linkwright.kernels.tangents import Tangents
-from linkwright.kernels.varied import Varied
 
 Array = NDArray[np.float64]
 EXAMPLES = Path(__file__).parents[2] / "examples"

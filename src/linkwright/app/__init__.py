@@ -1,13 +1,13 @@
 """What the commands do, for Python too: examine a model file, perform its studies, write the results."""
 
 from linkwright.app.accuracies import accuracy
-from linkwright.app.alone import examine_alone, placed, runner_of
 from linkwright.app.assembly_modes import ModesJob, modes, modes_of_file
 from linkwright.app.batch import export_batch
 from linkwright.app.bench import Bench, bench_file
 from linkwright.app.cams import plate_cam
 from linkwright.app.exports import ExportJob, examine_export, export, export_into, export_of, no_target
 from linkwright.app.job import Examined, Job, Writing, carry_out, check, examine_file, perform, run, write
+from linkwright.app.single_study import examine_alone, placed, runner_of
 from linkwright.app.sweeps import sweep
 from linkwright.app.workspaces import workspace
 

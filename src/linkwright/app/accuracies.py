@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from linkwright.app.alone import perform_alone
+from linkwright.app.single_study import perform_alone
 from linkwright.model.document import Document
 from linkwright.studies.accuracy.outcome import AccuracyOutcome
 

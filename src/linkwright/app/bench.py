@@ -20,7 +20,7 @@ from linkwright.expressions.language import ExpressionError
 from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, ModelError, Term, raise_errors
 from linkwright.kernels import KERNELS, Compiled
-from linkwright.kernels.spread import pool, spread, stretches
+from linkwright.kernels.threaded import pool, spread, stretches
 from linkwright.model.signals import Signal
 from linkwright.model.temporary import temporary_folder
 from linkwright.studies.cycle.options import CycleOptions, span

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from linkwright.app.alone import examine_one
 from linkwright.app.job import USUAL, Examined, Writing, read_file, read_model
 from linkwright.app.results_folder import ResultsFolder, outdate
+from linkwright.app.single_study import examine_one
 from linkwright.exports import TARGETS, Exported
 from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, ModelError, raise_errors

@@ -17,11 +17,11 @@ from linkwright.exports import Order, Target, read_exports
 from linkwright.expressions.unknown import likeliest, proposed
 from linkwright.findings import Finding, ModelError, Term, raise_errors
 from linkwright.kernels import Compiled
+from linkwright.model.desugar import home
 from linkwright.model.document import Document, dump, located, read_document
 from linkwright.model.input_files import STDIN, STDIN_NAME, read_at_most, reason
 from linkwright.model.origin import Origin, hashed, table_hashes
 from linkwright.model.references import option_faults
-from linkwright.model.spelled import home
 from linkwright.model.walk import Options, option_places
 from linkwright.model.yaml_text import MAX_BYTES, Source
 from linkwright.presentation.blocks import FileOf

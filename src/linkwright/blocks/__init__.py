@@ -4,11 +4,11 @@ Knows nothing of mechanisms. A :class:`Work` opens as a :class:`Task`, whose ato
 a :class:`Sink` takes in theirs; so no runner and no size of block changes a bit of what comes out.
 """
 
-from linkwright.blocks.carry import Carried, Progress, carry
 from linkwright.blocks.checkpoint import Checkpoint
 from linkwright.blocks.cluster import Cluster
-from linkwright.blocks.fourth import Fourth
 from linkwright.blocks.histogram import Histogram
+from linkwright.blocks.kurtosis import Fourth
+from linkwright.blocks.loop import Carried, Progress, carry
 from linkwright.blocks.moments import Moments
 from linkwright.blocks.reductions import Reduction, Tallies
 from linkwright.blocks.runners import RUNNERS, Runner, Threads

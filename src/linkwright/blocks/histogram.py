@@ -59,7 +59,7 @@ class HistogramTally:
     def add(self, y: Array, first: int) -> None:
         """Count in ``y`` (outputs, samples, poses)."""
         if self._fast:
-            from linkwright.blocks.fast import histogram
+            from linkwright.blocks.numba_reductions import histogram
 
             histogram(np.ascontiguousarray(y, dtype=np.float64), self._inner, self.slots, self.missing)
             return

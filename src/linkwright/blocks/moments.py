@@ -87,7 +87,7 @@ class MomentsTally:
     def add(self, y: Array, first: int) -> None:
         """Count in ``y`` (outputs, samples, poses), whose first sample has the number ``first``."""
         if self._fast:
-            from linkwright.blocks.fast import moments
+            from linkwright.blocks.numba_reductions import moments
 
             moments(np.ascontiguousarray(y, dtype=np.float64), first, *self._arrays())
             return

@@ -212,7 +212,7 @@ class Forces:
 def forces(disc: Disc, loads: Loads, omega: float, steps: int = 360, second: Side | None = None) -> Forces:
     """A cam under load at a speed (rad/s), at ``steps`` cam angles and both sides of each join.
 
-    ``second`` is the other side of a follower closed by form (:mod:`linkwright.cam.closing`). Raises
+    ``second`` is the other side of a follower closed by form (:mod:`linkwright.cam.form_closure`). Raises
     :class:`linkwright.cam.contact.NoContact`.
     """
     first = Side(disc)

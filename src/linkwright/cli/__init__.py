@@ -170,7 +170,7 @@ def bench(
 @click.option("--force", is_flag=True, help=say("cli.force"))
 def new(name: str | None, as_list: bool, as_table: bool, out: Path | None, force: bool) -> None:
     """Start a model file from the gallery, or a table for a batch of exports."""
-    from linkwright.app import start
+    from linkwright.app import new_files
     from linkwright.cli import show
 
     if name is None or as_list:
@@ -178,7 +178,7 @@ def new(name: str | None, as_list: bool, as_table: bool, out: Path | None, force
             show.gallery()
         return
     file = out or Path(f"{Path(name).stem}.csv" if as_table else f"{name}.yaml")
-    if findings := (start.new_table if as_table else start.new)(name, file, force):
+    if findings := (new_files.new_table if as_table else new_files.new)(name, file, force):
         show.refusals(findings)
         sys.exit(2)
     show.written(file)

@@ -20,7 +20,7 @@ from linkwright.cli.consoles import err, out
 from linkwright.cli.progress import Bar
 from linkwright.escape import json_text, line
 from linkwright.findings import Finding
-from linkwright.report.facts import facts
+from linkwright.report.structure_summary import facts
 from linkwright.studies.registry import STUDIES, ranked
 from linkwright.words import say
 

@@ -22,9 +22,9 @@ from linkwright.kernels import Compiled
 from linkwright.kernels.law import Law
 from linkwright.kernels.motions import StatedMotion
 from linkwright.kernels.tables import StatedTable
+from linkwright.model.desugar import Spelled
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.quantities import Quantities
-from linkwright.model.spelled import Spelled
 from linkwright.structure import Structure
 
 

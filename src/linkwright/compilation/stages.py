@@ -18,11 +18,11 @@ from linkwright.kernels.motions import StatedMotion, motion_laws
 from linkwright.kernels.starts import moved_starts
 from linkwright.kernels.tables import StatedTable
 from linkwright.model.check import check_names, check_values
+from linkwright.model.desugar import Spelled, spell_out
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.places import Place
 from linkwright.model.plausible import implausible
 from linkwright.model.quantities import Quantities
-from linkwright.model.spelled import Spelled, spell_out
 from linkwright.structure import Structure, Topology, decompose
 
 Uses = Sequence[Place] | Callable[[Mechanism], Sequence[Place]]

@@ -13,7 +13,7 @@ from linkwright.enclosures.motion import Enclosure
 from linkwright.enclosures.panels import MARGIN, PRECISE
 from linkwright.enclosures.taylor import TaylorModel
 from linkwright.expressions.language import Node
-from linkwright.kernels.passages import GAP
+from linkwright.kernels.change_points import GAP
 from linkwright.results import Run
 
 Array = NDArray[np.float64]

@@ -9,9 +9,9 @@ from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.document import Document
 from linkwright.results import Run
+from linkwright.studies.assembly_checks import unassembled
+from linkwright.studies.change_point_carry import carried
 from linkwright.studies.cycle.options import CycleOptions, span
-from linkwright.studies.feasible import unassembled
-from linkwright.studies.through import carried
 
 
 def cycle_of(document: Document | None) -> CycleOptions | None:

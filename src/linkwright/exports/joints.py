@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from linkwright.exports.ridden import ridden
+from linkwright.exports.followed_laws import ridden
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 

@@ -20,7 +20,7 @@ from linkwright.graph.forces import Forces, solve_forces
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, solve_motion
 from linkwright.graph.placing import answered
-from linkwright.graph.poles import pole
+from linkwright.graph.singular_orders import pole
 from linkwright.model.signals import Signal
 from linkwright.notation import Body, Jet, Scalar, Vec, Wrench
 from linkwright.structure import FRAME

@@ -18,12 +18,12 @@ from numpy.typing import NDArray
 from linkwright.graph.assembly import Assembly
 from linkwright.graph.graph import Graph
 from linkwright.graph.rows import Named
-from linkwright.kernels.follow import Follower
+from linkwright.kernels.change_points import Passage, Passages, unwrapped
+from linkwright.kernels.continuation import Follower
+from linkwright.kernels.external_inputs import Supply
 from linkwright.kernels.law import Law
 from linkwright.kernels.motions import StatedMotion
-from linkwright.kernels.passages import Passage, Passages, unwrapped
 from linkwright.kernels.registry import KERNELS, Kernel
-from linkwright.kernels.supply import Supply
 from linkwright.kernels.tables import StatedTable
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.plane import LinkagePlane

@@ -321,7 +321,7 @@ _HEAD = '''"""Written by linkwright; see linkwright.kernels.numba_source."""
 import math
 import numpy as np
 from numba import njit
-from linkwright.kernels.stream import WIDTH, fence, pick, stream
+from linkwright.kernels.nontemporal_stores import WIDTH, fence, pick, stream
 
 CACHE = "CACHE" not in globals()
 LANES, ROWS, SCALARS = {lanes}, {width}, {scalars}

@@ -10,9 +10,9 @@ from linkwright.expressions.fields import Expression
 from linkwright.findings import Finding
 from linkwright.kernels.law import Law
 from linkwright.kernels.laws import values_at
+from linkwright.model.desugar import Spelled
 from linkwright.model.plausible import amount
 from linkwright.model.quantities import Quantities
-from linkwright.model.spelled import Spelled
 
 NEAR = math.radians(0.1)
 """A start this near to the drawn angle (rad) is the drawn one, rounded; of a length, its share of that."""

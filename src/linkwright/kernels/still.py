@@ -13,8 +13,8 @@ from linkwright.graph.rows import Named
 from linkwright.graph.statics import Statics
 from linkwright.graph.still import StillGraph
 from linkwright.kernels.compiled import Compiled
+from linkwright.kernels.external_inputs import Supply
 from linkwright.kernels.registry import KERNELS
-from linkwright.kernels.supply import Supply
 from linkwright.structure import FRAME
 
 Array = NDArray[np.float64]

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from linkwright.graph.rows import Named, TableArgument
 from linkwright.graph.tangent import tangent
 from linkwright.kernels.compiled import Compiled
+from linkwright.kernels.parameter_batch import Varied
 from linkwright.kernels.registry import KERNELS, Kernel
-from linkwright.kernels.varied import Varied
 from linkwright.notation import Jet
 from linkwright.notation.duals import Dual, slope_of
 

@@ -15,7 +15,7 @@ from enum import Enum
 from linkwright.expressions.language import Binary, Call, Name, Negative, Node, Number, is_signal, nodes
 from linkwright.expressions.trees import children
 from linkwright.model.signals import Signal
-from linkwright.results.breaks import switches
+from linkwright.results.discontinuities import switches
 
 Find = Callable[[Name | Call], Signal]
 """Gives the signal that a node names."""

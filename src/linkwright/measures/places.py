@@ -19,8 +19,8 @@ from linkwright.graph.rows import Determinant, Reach, Row, spans
 from linkwright.measures.features import Feature, Find, Kind, features
 from linkwright.measures.search import STILL, Pieces, Rates, turning, zeros
 from linkwright.results import Run
-from linkwright.results.breaks import ASIDE, argument_of, knots, law_joins, positions
-from linkwright.results.breaks import zeros as zeros_of
+from linkwright.results.discontinuities import ASIDE, argument_of, knots, law_joins, positions
+from linkwright.results.discontinuities import zeros as zeros_of
 
 Array = NDArray[np.float64]
 

@@ -18,7 +18,7 @@ from linkwright.measures.sides import Side, Sides
 from linkwright.notation import Jet
 from linkwright.reductions import Peak
 from linkwright.results import Run
-from linkwright.results.breaks import ASIDE
+from linkwright.results.discontinuities import ASIDE
 from linkwright.results.windows import Interval
 
 Array = NDArray[np.float64]

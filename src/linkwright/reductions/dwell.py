@@ -13,11 +13,11 @@ from linkwright.expressions.fields import Expression
 from linkwright.expressions.typed_fields import Quantity, Sign
 from linkwright.expressions.units import TIME
 from linkwright.expressions.written import Fault
-from linkwright.reductions.asked import InRun, WithDeviations
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure, of_signal
 from linkwright.reductions.found import Found
 from linkwright.reductions.kind import MeasureKind, register
+from linkwright.reductions.protocols import InRun, WithDeviations
 
 Array = NDArray[np.float64]
 

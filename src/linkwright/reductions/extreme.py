@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from linkwright.expressions.fields import Expression
-from linkwright.reductions.asked import InRun, InSamples, WithDeviations, WithPlay
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure
 from linkwright.reductions.found import Figures, Found
 from linkwright.reductions.kind import MeasureKind, register
+from linkwright.reductions.protocols import InRun, InSamples, WithDeviations, WithPlay
 
 Array = NDArray[np.float64]
 

@@ -16,10 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.notation.registry import Registry
-from linkwright.reductions.asked import InRun, InSamples, WithDeviations, WithPlay
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import ENTRIES, Measure
 from linkwright.reductions.found import Figures, Found
+from linkwright.reductions.protocols import InRun, InSamples, WithDeviations, WithPlay
 from linkwright.words import add
 
 Array = NDArray[np.float64]

@@ -13,11 +13,11 @@ from pydantic import Field
 from linkwright.expressions.fields import Expression, Name
 from linkwright.expressions.typed_fields import Ref
 from linkwright.expressions.units import LENGTH, SPEED
-from linkwright.reductions.asked import InRun, InSamples, WithDeviations, WithPlay
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure, OfPath
 from linkwright.reductions.found import Figures, Found
 from linkwright.reductions.kind import MeasureKind, register
+from linkwright.reductions.protocols import InRun, InSamples, WithDeviations, WithPlay
 
 Array = NDArray[np.float64]
 

@@ -11,11 +11,11 @@ from pydantic import Field
 from linkwright.expressions.fields import Name
 from linkwright.expressions.typed_fields import Ref
 from linkwright.expressions.units import LENGTH
-from linkwright.reductions.asked import InRun, WithDeviations
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import OfPath
 from linkwright.reductions.found import Found
 from linkwright.reductions.kind import MeasureKind, register
+from linkwright.reductions.protocols import InRun, WithDeviations
 
 Array = NDArray[np.float64]
 

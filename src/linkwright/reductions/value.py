@@ -14,12 +14,12 @@ from pydantic import BeforeValidator, Field
 from linkwright.expressions.fields import Expression, FrozenDict, fault, parse_text
 from linkwright.expressions.written import Fault, short_text
 from linkwright.findings import Said
-from linkwright.reductions.asked import InRun, InSamples, WithDeviations
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure
 from linkwright.reductions.found import Figures, Found, Unmeasured
 from linkwright.reductions.grades import SAMPLED, Grade
 from linkwright.reductions.kind import MeasureKind, register
+from linkwright.reductions.protocols import InRun, InSamples, WithDeviations
 
 Array = NDArray[np.float64]
 

@@ -29,8 +29,8 @@ from linkwright.report.data import (
     Time,
     Trace,
 )
-from linkwright.report.facts import facts
 from linkwright.report.joint_shapes import joint_shapes
+from linkwright.report.structure_summary import facts
 from linkwright.report.summary import drawn, found
 from linkwright.results import Result
 from linkwright.structure import FRAME

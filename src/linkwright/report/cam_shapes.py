@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.cam.cams_of_mechanism import disc, frame, second
 from linkwright.cam.contact import NoContact
 from linkwright.cam.followers import NoFollower
-from linkwright.cam.pairs import disc, frame, second
 from linkwright.elements.cam_contact import cam_followers
 from linkwright.elements.cam_contact.contact import touch
 from linkwright.elements.cam_contact.second import largest

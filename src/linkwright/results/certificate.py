@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from linkwright.elements.joint import Rate
 from linkwright.findings import Term
 from linkwright.graph.rows import determinants, spans
-from linkwright.kernels.choice import Choice, choose
-from linkwright.results.audit import Reports
+from linkwright.kernels.kernel_selection import Choice, choose
+from linkwright.results.independent_check import Reports
 from linkwright.results.quadrature import panel_points
 from linkwright.results.run import Run
 from linkwright.results.stationary import magnitude, stationary

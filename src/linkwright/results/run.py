@@ -15,7 +15,7 @@ from linkwright.graph.rows import Named, effort
 from linkwright.kernels import Compiled
 from linkwright.notation import Jet, angles
 from linkwright.notation.angles import MAX_TURN, whole_turns
-from linkwright.results import breaks
+from linkwright.results import discontinuities
 
 Array = NDArray[np.float64]
 
@@ -87,12 +87,12 @@ class Run:
     @cached_property
     def jumps(self) -> Array:
         """The times (s) right before and right after each jump of a load: (jumps, 2)."""
-        return breaks.jumps(self)
+        return discontinuities.jumps(self)
 
     @cached_property
     def breaks(self) -> Array:
         """The times (s) at which a force may have a jump or a kink, ascending."""
-        return breaks.breaks(self)
+        return discontinuities.breaks(self)
 
     def may_jump(self, node: Node) -> bool:
         """Whether an expression may jump at a join of a law: positions and velocities don't."""

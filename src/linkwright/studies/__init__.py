@@ -7,15 +7,15 @@ from linkwright.studies.cam.study import CamStudy  # noqa: F401
 from linkwright.studies.cycle.options import CycleOptions
 from linkwright.studies.cycle.outcome import CycleOutcome
 from linkwright.studies.cycle.study import Cycle  # noqa: F401
+from linkwright.studies.interruption import Stopped
 from linkwright.studies.limits.outcome import LimitsOutcome
 from linkwright.studies.limits.study import LimitsOptions
 from linkwright.studies.modes.outcome import ModesOutcome
 from linkwright.studies.modes.study import ModesOptions, find_modes
 from linkwright.studies.reactions.study import Reactions  # noqa: F401
 from linkwright.studies.registry import STUDIES, Study, Task, read_studies
+from linkwright.studies.run_context import NOWHERE, Site
 from linkwright.studies.sampling import Interrupted
-from linkwright.studies.site import NOWHERE, Site
-from linkwright.studies.stopped import Stopped
 from linkwright.studies.sweep.options import SweepOptions
 from linkwright.studies.sweep.outcome import SweepOutcome
 from linkwright.studies.sweep.study import SweepStudy  # noqa: F401

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.kernels import Compiled
-from linkwright.kernels.follow import Follower
+from linkwright.kernels.continuation import Follower
 from linkwright.kernels.followers import recomposed
 from linkwright.kernels.law import Law
 from linkwright.kernels.laws import constant_acceleration, values_at

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from linkwright.expressions.units import Dimension, unit
 from linkwright.kernels import Compiled
-from linkwright.kernels.varied import Varied
+from linkwright.kernels.parameter_batch import Varied
 from linkwright.reductions import figure, kind_of
 from linkwright.results import Run
-from linkwright.studies.many import Measuring
+from linkwright.studies.batch_plan import Measuring
 
 Array = NDArray[np.float64]
 

@@ -18,8 +18,8 @@ from linkwright.notation.registry import Registry
 from linkwright.plugins import load
 from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.results import Result
+from linkwright.studies.run_context import Site
 from linkwright.studies.sections import read_section
-from linkwright.studies.site import Site
 from linkwright.words import add
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any, Protocol, runtime_checkable
 
 from linkwright.kernels import Compiled
-from linkwright.studies.asked import Sampling
 from linkwright.studies.plans import Draws
 from linkwright.studies.registry import STUDIES
+from linkwright.studies.sampling_options import Sampling
 
 
 @runtime_checkable

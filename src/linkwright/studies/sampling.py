@@ -14,19 +14,19 @@ from linkwright.blocks import UNIT, Carried, Threads, carry
 from linkwright.blocks.runners import opened
 from linkwright.findings import Finding, ModelError, Term
 from linkwright.kernels import KERNELS
-from linkwright.kernels.choice import Choice, choose
+from linkwright.kernels.kernel_selection import Choice, choose
 from linkwright.measures import bound
 from linkwright.model.origin import table_files
 from linkwright.results import Run
-from linkwright.studies.asked import Sampling
-from linkwright.studies.feasible import singular, unassembled
+from linkwright.studies.assembly_checks import singular, unassembled
+from linkwright.studies.change_point_carry import carried
+from linkwright.studies.follower_locking import locked
 from linkwright.studies.histograms import coarse, fine, histogram, reach
-from linkwright.studies.locked import locked
-from linkwright.studies.sample_kept import Kept, tabled
-from linkwright.studies.sample_work import SampleTask, SampleWork
+from linkwright.studies.run_context import Site
 from linkwright.studies.sampled_study import sampled_study
-from linkwright.studies.site import Site
-from linkwright.studies.through import carried
+from linkwright.studies.sampling_options import Sampling
+from linkwright.studies.sampling_state import Kept, tabled
+from linkwright.studies.sampling_task import SampleTask, SampleWork
 
 Array = NDArray[np.float64]
 

@@ -12,17 +12,17 @@ from numpy.typing import NDArray
 from linkwright.expressions.language import Node
 from linkwright.measures import measure_all
 from linkwright.reductions import Figures, Measure, figure, kind_of
-from linkwright.results.alone import alone
-from linkwright.results.bunch import Bunch, What
-from linkwright.results.spans import Spans, Windows, spans
-from linkwright.studies.feasible import SINGULAR, TOUCH
-from linkwright.studies.locked import square
-from linkwright.studies.means import corners, mean
-from linkwright.studies.peaks import peaks
-from linkwright.studies.sides import sides
+from linkwright.results.batch_run import Bunch, What
+from linkwright.results.batch_windows import Spans, Windows, spans
+from linkwright.results.single_sample import alone
+from linkwright.studies.assembly_checks import SINGULAR, TOUCH
+from linkwright.studies.batch_extremes import peaks
+from linkwright.studies.batch_quadrature import corners, mean
+from linkwright.studies.follower_locking import square
+from linkwright.studies.one_sided_limits import sides
 
 if TYPE_CHECKING:
-    from linkwright.studies.many import Measuring
+    from linkwright.studies.batch_plan import Measuring
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]

@@ -17,10 +17,10 @@ from tests.cam.lifts import HEAT_SEAL, harmonic, heat_seal
 
 from linkwright.cam.disc import Disc
 from linkwright.cam.followers import SwingingRoller, TranslatingRoller
-from linkwright.cam.nc.before import faults
 from linkwright.cam.nc.groove import Groove
 from linkwright.cam.nc.job import Job, passes
 from linkwright.cam.nc.posts import POSTS
+from linkwright.cam.nc.preflight import faults
 from linkwright.cam.nc.proof import Proof, prove
 from linkwright.cam.nc.reader import Move, read
 from linkwright.cam.rolling import rolled_within

@@ -13,10 +13,10 @@ from tests.cam.lifts import HEAT_SEAL, harmonic, heat_seal
 
 from linkwright.cam.disc import Disc
 from linkwright.cam.followers import SwingingFlat, SwingingRoller, TranslatingFlat, TranslatingRoller
-from linkwright.cam.nc.before import faults, warnings
 from linkwright.cam.nc.job import Job, passes
 from linkwright.cam.nc.path import Sharp
 from linkwright.cam.nc.posts import POSTS
+from linkwright.cam.nc.preflight import faults, warnings
 from linkwright.cam.nc.proof import prove
 from linkwright.cam.nc.reader import read
 

@@ -12,7 +12,7 @@ import linkwright as lw
 from helpers.cams import FOLLOWERS, GUIDES, SIGNS, moment, newton_euler, pair, pose
 from helpers.compiled import compiled_from
 from helpers.differences import derivative
-from linkwright.cam.pairs import disc, frame
+from linkwright.cam.cams_of_mechanism import disc, frame
 from linkwright.model.document import Document
 from linkwright.results import Run, certify
 

@@ -14,9 +14,9 @@ from linkwright.compilation import examine
 from linkwright.elements.cam_contact import CamFollower
 from linkwright.findings import Finding, ModelError
 from linkwright.model.builder import Builder
+from linkwright.model.desugar import spell_out
 from linkwright.model.document import Document, dump, parse_document, read_document
-from linkwright.model.spelled import spell_out
-from linkwright.report.facts import facts
+from linkwright.report.structure_summary import facts
 from linkwright.studies.registry import read_studies
 
 

@@ -14,14 +14,14 @@ import linkwright as lw
 from helpers.cams import SIGNS, newton_euler, pair, pose
 from helpers.compiled import compiled_from
 from helpers.differences import derivatives
-from linkwright.cam.closing import conjugate, yoke
+from linkwright.cam.cams_of_mechanism import disc, frame
 from linkwright.cam.contact import Side
+from linkwright.cam.form_closure import conjugate, yoke
 from linkwright.cam.loads import Loads, forces
-from linkwright.cam.pairs import disc, frame
 from linkwright.elements.cam_contact.second import rest
 from linkwright.graph.geometry import Geometry
+from linkwright.kernels.parameter_batch import Varied
 from linkwright.kernels.tangents import Tangents
-from linkwright.kernels.varied import Varied
 from linkwright.model.document import Document
 from linkwright.results import Run, certify
 

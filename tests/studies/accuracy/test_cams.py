@@ -13,9 +13,9 @@ from helpers.cams import GUIDES, pair
 from helpers.compiled import compiled_from
 from helpers.differences import derivative
 from helpers.examples import four_bar
-from linkwright.cam.pairs import disc, frame
+from linkwright.cam.cams_of_mechanism import disc, frame
 from linkwright.compilation import examine
-from linkwright.kernels.cut import cut
+from linkwright.kernels.manufactured_cam import cut
 from linkwright.model.document import parse_document
 from linkwright.results import Run
 from linkwright.studies.accuracy.clearance import Plays

@@ -17,7 +17,7 @@ from elements.slots import SLOTS, lever
 from helpers.compiled import compiled_from
 from linkwright.expressions.language import Node, parse
 from linkwright.kernels import Compiled
-from linkwright.kernels.varied import Varied
+from linkwright.kernels.parameter_batch import Varied
 from linkwright.measures import measure_all
 from linkwright.model.document import load, plain
 from linkwright.results import Run
@@ -28,9 +28,9 @@ from linkwright.studies.accuracy.derivatives import Derivatives
 from linkwright.studies.accuracy.figures import curves, figures
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.outcome import AccuracyOutcome
-from linkwright.studies.accuracy.slopes import Slopes
-from linkwright.studies.accuracy.stated import contributors
-from linkwright.studies.many import Measuring
+from linkwright.studies.accuracy.signal_sensitivities import Slopes
+from linkwright.studies.accuracy.stated_contributors import contributors
+from linkwright.studies.batch_plan import Measuring
 from studies.models import TURN, four_bar, slider_crank
 
 Array = NDArray[np.float64]

@@ -10,13 +10,13 @@ import pytest
 
 from helpers.compiled import compiled_from
 from linkwright.kernels import Compiled
-from linkwright.kernels.varied import Varied
+from linkwright.kernels.parameter_batch import Varied
 from linkwright.model.document import load, plain
 from linkwright.reductions import REDUCTIONS, kind_of
 from linkwright.results import Run
 from linkwright.studies.accuracy.derivatives import Derivatives
-from linkwright.studies.accuracy.slopes import Slopes
-from linkwright.studies.many import Measuring
+from linkwright.studies.accuracy.signal_sensitivities import Slopes
+from linkwright.studies.batch_plan import Measuring
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 

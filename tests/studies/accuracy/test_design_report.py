@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from linkwright.app.job import summary_text
-from linkwright.studies.accuracy.allocated import Allocation, Allotted, Held, Optimality
-from linkwright.studies.accuracy.calibrated import Calibration, Confounded, Estimate, Observed
+from linkwright.studies.accuracy.allocation_outcome import Allocation, Allotted, Held, Optimality
+from linkwright.studies.accuracy.calibration_outcome import Calibration, Confounded, Estimate, Observed
 from linkwright.studies.accuracy.design_report import (
     Rows,
     allocation_entry,

@@ -12,15 +12,15 @@ import linkwright as lw
 from helpers.cams import pair
 from helpers.compiled import compiled_from
 from linkwright.compilation import examine
-from linkwright.kernels.varied import Varied
+from linkwright.kernels.parameter_batch import Varied
 from linkwright.laws import LAWS
 from linkwright.measures import measure_all
 from linkwright.model.document import parse_document
 from linkwright.reductions import kind_of
 from linkwright.results import Run
 from linkwright.studies.accuracy.derivatives import Derivatives
-from linkwright.studies.accuracy.slopes import Slopes
-from linkwright.studies.many import Measuring
+from linkwright.studies.accuracy.signal_sensitivities import Slopes
+from linkwright.studies.batch_plan import Measuring
 from linkwright.studies.registry import read_studies
 
 OFFSETS, WEIGHTS = np.array([-2, -1, 1, 2]), np.array([1, -8, 8, -1]) / 12  # differences of fourth order

@@ -14,10 +14,10 @@ from scipy import stats
 import linkwright as lw
 from linkwright.blocks import RUNNERS, UNIT
 from linkwright.results import Run
-from linkwright.studies import Interrupted, Site, sample_kept
+from linkwright.studies import Interrupted, Site, sampling_state
 from linkwright.studies.accuracy.monte_carlo import Random, check_monte_carlo, monte_carlo
 from linkwright.studies.cycle.options import span
-from linkwright.studies.sample_work import SampleWork
+from linkwright.studies.sampling_task import SampleWork
 from studies.accuracy.by_hand import contributors, options, stated
 from studies.models import four_bar, slider_crank
 
@@ -109,7 +109,7 @@ def test_any_threads_and_an_interruption_give_the_same_bits(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, rows: bool
 ) -> None:
     if not rows:
-        monkeypatch.setattr(sample_kept, "ROWS", 5000)
+        monkeypatch.setattr(sampling_state, "ROWS", 5000)
     whole = performed(monkeypatch, crank(), HALVES, R, runner=RUNNERS["threads"](2))  # type: ignore[call-arg]
     same(whole, performed(monkeypatch, crank(), HALVES, R, runner=RUNNERS["threads"](1)))  # type: ignore[call-arg]
     pressed = []
@@ -130,7 +130,7 @@ def test_any_threads_and_an_interruption_give_the_same_bits(
 def test_more_samples_than_rows(monkeypatch: pytest.MonkeyPatch) -> None:
     """Statistics are the same; the coverage interval comes from fine bins."""
     whole = performed(monkeypatch, crank(), HALVES, R).figures
-    monkeypatch.setattr(sample_kept, "ROWS", 5000)
+    monkeypatch.setattr(sampling_state, "ROWS", 5000)
     for name, a in performed(monkeypatch, crank(), HALVES, R).figures.items():
         b = whole[name]
         assert (a.mean, a.sigma, a.least, a.largest) == (b.mean, b.sigma, b.least, b.largest)

@@ -11,7 +11,7 @@ import pytest
 
 from helpers.heat_seal import findings, heat_seal, performed
 from helpers.shown import told
-from linkwright.cam.closing import groove
+from linkwright.cam.form_closure import groove
 from linkwright.cam.hertz import Material, pressure
 from linkwright.cam.loads import Loads, forces
 from linkwright.cam.springs import highest_speed, least_preload

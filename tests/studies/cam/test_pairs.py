@@ -20,9 +20,9 @@ from helpers.compiled import compiled_from
 from helpers.heat_seal import findings, performed
 from helpers.shown import blocks, rows
 from linkwright.app.job import Job
+from linkwright.cam.cams_of_mechanism import second as second_of
 from linkwright.cam.checks import undercut
 from linkwright.cam.disc import TURN
-from linkwright.cam.pairs import second as second_of
 from linkwright.model.document import load, plain
 from linkwright.presentation.blocks import Charts, Table
 from linkwright.report.build import report_data

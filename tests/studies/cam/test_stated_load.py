@@ -14,11 +14,11 @@ from helpers.cams import pair
 from helpers.compiled import compiled_from
 from helpers.heat_seal import findings, heat_seal
 from linkwright.app.job import examine_document
+from linkwright.cam.cams_of_mechanism import disc
 from linkwright.cam.loads import Forces, forces
-from linkwright.cam.pairs import disc
 from linkwright.model.document import parse_document
 from linkwright.results import Run
-from linkwright.studies.cam.stated import Reader
+from linkwright.studies.cam.stated_dimensions import Reader
 
 INERTIA = 1.2e-3
 SPRING = {"rate": "2 N*m/rad", "preload": "0.6 N*m"}

@@ -21,7 +21,7 @@ from linkwright.presentation.blocks import Chart, Charts, FileOf, Number, Sectio
 from linkwright.results import Result, Run
 from linkwright.studies.numbers import constant
 from linkwright.studies.registry import Command, Setting, Study, register
-from linkwright.studies.site import Site
+from linkwright.studies.run_context import Site
 
 PATH = ("studies", "shaking")
 

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 import linkwright as lw
-from linkwright.app.alone import altered
+from linkwright.app.single_study import altered
 from linkwright.kernels.registry import KERNELS
 from linkwright.studies import SweepOutcome
-from linkwright.studies.sample_work import SampleWork
+from linkwright.studies.sampling_task import SampleWork
 from studies.models import slider_crank
 
 EXAMPLES = Path(__file__).parents[3] / "examples"

@@ -12,7 +12,7 @@ import pytest
 import linkwright as lw
 from linkwright.app.job import examine_document, perform
 from linkwright.blocks import UNIT
-from linkwright.studies import Interrupted, Site, SweepOutcome, sample_kept
+from linkwright.studies import Interrupted, Site, SweepOutcome, sampling_state
 from studies.models import CRANK, four_bar, slider_crank
 
 STEPS = {"from": 45, "to": 55, "count": 5}
@@ -256,7 +256,7 @@ def test_another_sweep_is_not_gone_on_with(tmp_path: Path) -> None:
 
 def test_more_samples_than_rows(whole: SweepOutcome, monkeypatch: pytest.MonkeyPatch) -> None:
     """Statistics are the same; the histogram reaches beyond the first unit's figures and loses none of these."""
-    monkeypatch.setattr(sample_kept, "ROWS", 5000)
+    monkeypatch.setattr(sampling_state, "ROWS", 5000)
     outcome = performed()
     assert outcome.table is None
     (a,), (b,) = outcome.measures, whole.measures
@@ -288,7 +288,7 @@ def test_all_values_are_kept_in_memory(whole: SweepOutcome) -> None:
 
 
 def test_too_many_values_for_memory(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(sample_kept, "VALUES", 10)
+    monkeypatch.setattr(sampling_state, "VALUES", 10)
     with pytest.raises(lw.ModelError) as refusal:
         lw.sweep(document(), {"r": STEPS}, ["B.x"], keep="all")
     assert [f.code for f in refusal.value.findings] == ["study.no-folder"]

@@ -13,9 +13,9 @@ from helpers.compiled import compiled_from
 from helpers.reach.mechanisms import Mechanism
 from linkwright.studies.workspace.cells import Cells, Decided, decided, joined
 from linkwright.studies.workspace.curves import Segments
-from linkwright.studies.workspace.enclosed import _square, enclosed
 from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.places import Places, Poses
+from linkwright.studies.workspace.region_enclosure import _square, enclosed
 from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]

@@ -17,16 +17,16 @@ from helpers.examples import UNITS
 from linkwright.elements.clearance import OnFlank
 from linkwright.expressions.units import LENGTH
 from linkwright.kernels import Compiled
+from linkwright.studies.accuracy.clearance_contacts import held
 from linkwright.studies.accuracy.clearance_options import Clearance
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
-from linkwright.studies.accuracy.seats import held
 from linkwright.studies.workspace.causes import Causes
 from linkwright.studies.workspace.curves import curves
 from linkwright.studies.workspace.errors import Errors
 from linkwright.studies.workspace.guaranteed import edges, guaranteed, moved
 from linkwright.studies.workspace.mesh import Box, mesh
+from linkwright.studies.workspace.region_search import reached
 from linkwright.studies.workspace.regions import Region
-from linkwright.studies.workspace.searched import reached
 from linkwright.studies.workspace.sheet import Sheet
 from linkwright.studies.workspace.solving import reaches
 

@@ -18,7 +18,7 @@ from linkwright.kernels import Compiled
 from linkwright.model.document import load
 from linkwright.studies.accuracy.contributors import Contributor, Contributors
 from linkwright.studies.accuracy.options import AccuracyOptions
-from linkwright.studies.accuracy.stated import contributors
+from linkwright.studies.accuracy.stated_contributors import contributors
 from linkwright.studies.cycle.options import CycleOptions
 from linkwright.studies.workspace.causes import Causes
 from linkwright.studies.workspace.curves import curves
@@ -26,8 +26,8 @@ from linkwright.studies.workspace.errors import Errors, errors
 from linkwright.studies.workspace.farthest import farthest
 from linkwright.studies.workspace.guaranteed import edges, guaranteed, moved
 from linkwright.studies.workspace.mesh import Box, mesh
+from linkwright.studies.workspace.region_search import reached
 from linkwright.studies.workspace.regions import Region
-from linkwright.studies.workspace.searched import reached
 from linkwright.studies.workspace.sheet import Sheet
 from linkwright.studies.workspace.solving import reaches
 

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from helpers.reach import FiveBar
 from linkwright.studies.workspace.curves import Segments
-from linkwright.studies.workspace.enclosed import _rings, _square
 from linkwright.studies.workspace.missing_curves import missed, missed_anywhere
 from linkwright.studies.workspace.pose_counts import Paths, contradiction
+from linkwright.studies.workspace.region_enclosure import _rings, _square
 from studies.workspace.made_up import CHORD, Drawn, drawn
 
 Array = NDArray[np.float64]

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from linkwright.enclosures.forms import Form
 from linkwright.studies.workspace.cells import HEAVY
-from linkwright.studies.workspace.enclosed import _square, _vague, enclosed
 from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.places import FOLD, Places, Poses
 from linkwright.studies.workspace.platform import in_whole
+from linkwright.studies.workspace.region_enclosure import _square, _vague, enclosed
 from linkwright.studies.workspace.sheet import Sheet
 from studies.workspace.models import LEGS, ArmOnCoupler, random_arm
 

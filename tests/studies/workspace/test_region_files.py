@@ -16,8 +16,8 @@ from linkwright.blocks import Threads, checkpoint
 from linkwright.blocks.packing import pack
 from linkwright.findings import ModelError
 from linkwright.model.document import parse_document
-from linkwright.studies.site import Site
-from linkwright.studies.stopped import Stopped
+from linkwright.studies.interruption import Stopped
+from linkwright.studies.run_context import Site
 from linkwright.studies.workspace import study
 from linkwright.studies.workspace.options import WorkspaceOptions
 from linkwright.studies.workspace.outcome import WorkspaceOutcome

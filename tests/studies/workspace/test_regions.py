@@ -9,11 +9,11 @@ import pytest
 import shapely
 
 from linkwright.compilation import compile_mechanism
-from linkwright.kernels.varied import Varied
+from linkwright.kernels.parameter_batch import Varied
 from linkwright.model.document import load
 from linkwright.studies.workspace.mesh import Box, found_pits
+from linkwright.studies.workspace.region_search import searched
 from linkwright.studies.workspace.regions import Region, region
-from linkwright.studies.workspace.searched import searched
 from linkwright.studies.workspace.sheet import Sheet
 from linkwright.studies.workspace.solving import reaches
 from studies.workspace.models import arm, five_bar

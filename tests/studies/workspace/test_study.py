@@ -12,12 +12,12 @@ from scipy.integrate import quad
 
 import linkwright as lw
 from helpers.workspaces import arm, findings, five_bar, four_bar, performed, polar
-from linkwright.app.alone import altered
 from linkwright.app.job import examine_document
+from linkwright.app.single_study import altered
 from linkwright.blocks import Threads
 from linkwright.model.document import parse_document
-from linkwright.studies.site import Site
-from linkwright.studies.stopped import Stopped
+from linkwright.studies.interruption import Stopped
+from linkwright.studies.run_context import Site
 from linkwright.studies.workspace import study
 from linkwright.studies.workspace.options import WorkspaceOptions
 from linkwright.studies.workspace.regions import Region

@@ -7,8 +7,8 @@ import pytest
 from numpy.typing import NDArray
 
 from linkwright.kernels import Compiled
+from linkwright.studies.workspace.coupler_curve import Stretch
 from linkwright.studies.workspace.mesh import Box
-from linkwright.studies.workspace.one import Stretch
 from linkwright.studies.workspace.sheet import Sheet
 from linkwright.studies.workspace.trajectories import Trajectories, trajectories
 from studies.workspace.models import arm, five_bar

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from linkwright.cam.disc import TURN, Disc
 from linkwright.cam.nc.job import Job, Pass, side, way
-from linkwright.cam.nc.leads import around, beyond, ends, leads, share
+from linkwright.cam.nc.lead_in import around, beyond, ends, leads, share
 from linkwright.cam.nc.path import Element, Path
 
 Array = NDArray[np.float64]

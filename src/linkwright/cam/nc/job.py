@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from linkwright.cam.disc import Disc
-from linkwright.cam.nc.leads import around
+from linkwright.cam.nc.lead_in import around
 from linkwright.cam.nc.path import Element, Path
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import ClassVar
 
 from linkwright.cam.nc.job import Job, Pass
-from linkwright.cam.nc.leads import beyond
+from linkwright.cam.nc.lead_in import beyond
 from linkwright.cam.nc.path import Element
 from linkwright.escape import nc
 from linkwright.notation.registry import Registry

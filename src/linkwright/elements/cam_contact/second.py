@@ -4,7 +4,7 @@ It lies across the line of centres, or beyond the shaft, and holds the follower 
 its own on the other side. Where the file doesn't give its place, this follows from what keeps the follower without
 play: the angle between both arms or faces, or the distance along the slide, is start + second start + largest lift with
 a second disc, and with a yoke both starts + the largest sum of two lifts half a turn apart
-(:mod:`linkwright.cam.closing` has the discs).
+(:mod:`linkwright.cam.form_closure` has the discs).
 """
 
 from __future__ import annotations

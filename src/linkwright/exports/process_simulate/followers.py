@@ -10,11 +10,11 @@ from math import floor, pi
 
 import numpy as np
 
+from linkwright.exports.followed_laws import Ridden, ridden
 from linkwright.exports.process_simulate.fitting import horner, polynomial
 from linkwright.exports.process_simulate.linkage import MM
 from linkwright.exports.process_simulate.motion import Motion
 from linkwright.exports.process_simulate.trees import Tree, add, call, joint, multiply, number
-from linkwright.exports.ridden import Ridden, ridden
 from linkwright.laws.pieces import Part, Piece
 
 FITTED, HALVED, SAMPLES = 1e-10, 6, 64

@@ -9,7 +9,7 @@ from pydantic import Field
 
 from linkwright.exports.process_simulate.joints import ToolJoint
 from linkwright.expressions.fields import Frozen
-from linkwright.studies.asked import one_of
+from linkwright.studies.sampling_options import one_of
 
 SUFFIXES = ("_l", "_r")
 Signs = one_of("process-simulate", "mirror.signs", ["mirrored", "same"], "export.choice")

@@ -23,9 +23,9 @@ from linkwright.expressions.typed_fields import Context, Quantity, of_drive
 from linkwright.expressions.unknown import unknown
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.studies.asked import one_of
 from linkwright.studies.limits.study import WIDEST
 from linkwright.studies.numbers import constant, interval
+from linkwright.studies.sampling_options import one_of
 
 ALLOWED = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,59}")
 """Names that every tool takes: what else Process Simulate would take isn't known."""

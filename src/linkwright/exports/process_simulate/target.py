@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from linkwright.exports.process_simulate.carriers import check_table, pasteable, snippet
 from linkwright.exports.process_simulate.facts import facts
 from linkwright.exports.process_simulate.functions import PATH, JointFunction, JointFunctions, make
 from linkwright.exports.process_simulate.linkage import Refused
 from linkwright.exports.process_simulate.masters import STILL
 from linkwright.exports.process_simulate.options import ProcessSimulateOptions, check
 from linkwright.exports.process_simulate.sheet import sheet
+from linkwright.exports.process_simulate.text_files import check_table, pasteable, snippet
 from linkwright.exports.registry import Exported, register
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled

@@ -19,11 +19,11 @@ from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.results import Run
 from linkwright.results.quadrature import gauss_points
+from linkwright.studies.accuracy.clearance_contacts import held
+from linkwright.studies.accuracy.clearance_sensitivities import Gaps, Resting
 from linkwright.studies.accuracy.contact import joined, lost
-from linkwright.studies.accuracy.gaps import Gaps, Resting
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.outcome import JointPlay, PlayEffect
-from linkwright.studies.accuracy.seats import held
 
 Array = NDArray[np.float64]
 

@@ -20,9 +20,9 @@ from linkwright.measures import Measurer, Probe, Reading
 from linkwright.reductions import Derivative, Local, kind_of
 from linkwright.results import Run
 from linkwright.results.quadrature import gauss_points
-from linkwright.studies.accuracy.edges import Edges
-from linkwright.studies.accuracy.joins import Joins
-from linkwright.studies.accuracy.slopes import Slopes
+from linkwright.studies.accuracy.law_joints import Joins
+from linkwright.studies.accuracy.moving_limits import Edges
+from linkwright.studies.accuracy.signal_sensitivities import Slopes
 
 Array = NDArray[np.float64]
 

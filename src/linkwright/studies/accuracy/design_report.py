@@ -10,8 +10,8 @@ import numpy as np
 from linkwright.findings import Said, Text
 from linkwright.presentation.blocks import Cell, Unit
 from linkwright.presentation.plain import known, listed
-from linkwright.studies.accuracy.allocated import Allocation, Allotted, Held
-from linkwright.studies.accuracy.calibrated import Calibration, Estimate, Observed
+from linkwright.studies.accuracy.allocation_outcome import Allocation, Allotted, Held
+from linkwright.studies.accuracy.calibration_outcome import Calibration, Estimate, Observed
 
 Rows = list[list[Cell]]
 THOUSANDTH = 1e-3

@@ -13,8 +13,8 @@ from linkwright.results import Run
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.accuracy.derivatives import Derivatives
 from linkwright.studies.accuracy.outcome import Curve, Figure
-from linkwright.studies.accuracy.slopes import Slopes
-from linkwright.studies.accuracy.stacking import larger, shares, spread, worst
+from linkwright.studies.accuracy.signal_sensitivities import Slopes
+from linkwright.studies.accuracy.stackup import larger, shares, spread, worst
 from linkwright.studies.figures import columns
 
 Array = NDArray[np.float64]

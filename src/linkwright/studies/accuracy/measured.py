@@ -22,8 +22,8 @@ from linkwright.kernels import Compiled
 from linkwright.model.csv_file import finite, read_csv
 from linkwright.results import Run
 from linkwright.results.stationary import bracketed
-from linkwright.studies.asked import of_signals, signal_faults
 from linkwright.studies.numbers import constant, positive
+from linkwright.studies.sampling_options import of_signals, signal_faults
 
 Array = NDArray[np.float64]
 Path_ = tuple[str | int, ...]

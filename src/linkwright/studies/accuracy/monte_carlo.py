@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.findings import Finding
-from linkwright.kernels.choice import Choice
+from linkwright.kernels.kernel_selection import Choice
 from linkwright.results import Run
 from linkwright.studies.accuracy import intervals
 from linkwright.studies.accuracy.contributors import Contributors
@@ -21,10 +21,10 @@ from linkwright.studies.accuracy.copula import copula
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.outcome import MonteCarlo
 from linkwright.studies.plans import PLANS
-from linkwright.studies.sample_sink import MARKS
+from linkwright.studies.run_context import Site
 from linkwright.studies.sampling import Performed, chosen, perform
+from linkwright.studies.sampling_output import MARKS
 from linkwright.studies.shares import wilson
-from linkwright.studies.site import Site
 
 Array = NDArray[np.float64]
 PATH = ("studies", "accuracy")

@@ -12,10 +12,10 @@ from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.typed_fields import Quantity
 from linkwright.expressions.units import TIME
 from linkwright.kernels.registry import KERNELS
-from linkwright.studies.accuracy.allocate import Allocate
-from linkwright.studies.accuracy.calibrate import Calibrate
+from linkwright.studies.accuracy.allocation_options import Allocate
+from linkwright.studies.accuracy.calibration_options import Calibrate
 from linkwright.studies.accuracy.stated_options import DeviationOptions
-from linkwright.studies.asked import Sampling, one_of
+from linkwright.studies.sampling_options import Sampling, one_of
 
 PlanName = one_of("accuracy", "plan", ["random", "latin", "sobol"])
 KernelName = one_of("accuracy", "kernel", ["auto", *KERNELS])

@@ -15,9 +15,9 @@ from linkwright.kernels import Compiled
 from linkwright.model.document import Document
 from linkwright.reductions import Measure
 from linkwright.studies.accuracy.options import AccuracyOptions
-from linkwright.studies.asked import of_signals, signal_faults
 from linkwright.studies.cycle.options import span
 from linkwright.studies.numbers import constant
+from linkwright.studies.sampling_options import of_signals, signal_faults
 
 PATH = ("studies", "accuracy", "positions")
 WIDEST = ""

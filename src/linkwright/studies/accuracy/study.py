@@ -8,8 +8,8 @@ from dataclasses import replace
 from linkwright.compilation import examine
 from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.kernels import Compiled
-from linkwright.kernels.cut import cut
-from linkwright.kernels.varied import Varied
+from linkwright.kernels.manufactured_cam import cut
+from linkwright.kernels.parameter_batch import Varied
 from linkwright.model.document import Document
 from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.reductions import kind_of
@@ -17,24 +17,24 @@ from linkwright.results import Run
 from linkwright.studies.accuracy.clearance import PATH as CLEARANCES
 from linkwright.studies.accuracy.clearance_figures import state_plays
 from linkwright.studies.accuracy.clearance_options import check_clearances
-from linkwright.studies.accuracy.designing import add_allocation, add_calibration, check_design
 from linkwright.studies.accuracy.deviations import Deviations, Shift
 from linkwright.studies.accuracy.figures import curves, figures
 from linkwright.studies.accuracy.files import bands_csv, contributors_csv, netcdf_bytes
-from linkwright.studies.accuracy.lawful import check_laws
+from linkwright.studies.accuracy.inverse_problems import add_allocation, add_calibration, check_design
+from linkwright.studies.accuracy.law_checks import check_laws
 from linkwright.studies.accuracy.monte_carlo import check_monte_carlo, monte_carlo
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, Figure
 from linkwright.studies.accuracy.positions import WIDEST, augmented, check_positions
 from linkwright.studies.accuracy.report import report
-from linkwright.studies.accuracy.slopes import Slopes
-from linkwright.studies.accuracy.stated import check_contributors, contributors, skipped
-from linkwright.studies.accuracy.vertices import check_searched, evaluating, search
-from linkwright.studies.asked import check_outputs, check_span
+from linkwright.studies.accuracy.signal_sensitivities import Slopes
+from linkwright.studies.accuracy.stated_contributors import check_contributors, contributors, skipped
+from linkwright.studies.accuracy.worst_case_vertices import check_searched, evaluating, search
 from linkwright.studies.cycle.options import span
 from linkwright.studies.registry import Command, Setting, Study, read_studies, register
+from linkwright.studies.run_context import Site
 from linkwright.studies.sampling import refused
-from linkwright.studies.site import Site
+from linkwright.studies.sampling_options import check_outputs, check_span
 
 
 @register

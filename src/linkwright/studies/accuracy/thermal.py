@@ -6,8 +6,8 @@ import numpy as np
 
 from linkwright.expressions import units as u
 from linkwright.expressions.unknown import near
-from linkwright.studies.accuracy.reader import PATH, Moving, Path, Reader
 from linkwright.studies.accuracy.stated_options import Thermal
+from linkwright.studies.accuracy.tolerance_reader import PATH, Moving, Path, Reader
 from linkwright.studies.numbers import interval
 from linkwright.tolerances import EXPANSION
 

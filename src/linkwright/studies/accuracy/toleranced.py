@@ -8,7 +8,7 @@ from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression
 from linkwright.findings import Term
 from linkwright.model.tolerances import ClassName
-from linkwright.studies.accuracy.reader import Moving, Path, Reader
+from linkwright.studies.accuracy.tolerance_reader import Moving, Path, Reader
 from linkwright.tolerances import Limits, NoTolerance
 
 Numbers = tuple[Expression, Expression] | Expression

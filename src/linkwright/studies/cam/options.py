@@ -15,10 +15,10 @@ from linkwright.expressions.fields import Name as NameField
 from linkwright.expressions.typed_fields import Context, Quantity, Ref, Sign
 from linkwright.expressions.unknown import near
 from linkwright.expressions.written import Fault, fault
-from linkwright.studies.asked import one_of
 from linkwright.studies.cam.figures import every, of_forces
 from linkwright.studies.cam.force_options import CamForces
 from linkwright.studies.cam.lift import along, turning
+from linkwright.studies.sampling_options import one_of
 
 PATH = ("studies", "cam")
 Drawing = one_of("cam", "drawing", ["arcs", "splines"])

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from linkwright.cam.checks import Check
-from linkwright.cam.closing import Closing
 from linkwright.cam.disc import TURN, Disc
 from linkwright.cam.extremes import Extreme
+from linkwright.cam.form_closure import Closing
 from linkwright.cam.sizing import Feasible
 from linkwright.expressions import units as u
 from linkwright.findings import Finding
@@ -18,10 +18,10 @@ from linkwright.laws import Motion
 from linkwright.results import Result, Run
 from linkwright.studies.cam.figures import Figure
 from linkwright.studies.cam.forces import Pressed
-from linkwright.studies.cam.milled import Milled
+from linkwright.studies.cam.milled_discs import Milled
 from linkwright.studies.cam.options import CamOptions
 from linkwright.studies.cam.plate import Plate
-from linkwright.studies.cam.stated import Stated
+from linkwright.studies.cam.stated_dimensions import Stated
 
 
 @dataclass

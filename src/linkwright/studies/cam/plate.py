@@ -10,18 +10,18 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.cam.cams_of_mechanism import Frame
 from linkwright.cam.checks import Check
 from linkwright.cam.contact import on_face
 from linkwright.cam.disc import TURN, Disc, Look
 from linkwright.cam.extremes import Extreme, extremes
 from linkwright.cam.nc.path import Element
-from linkwright.cam.pairs import Frame
 from linkwright.cam.splines import Spline
 from linkwright.findings import Term
 from linkwright.notation import Jet
 from linkwright.studies.cam.figures import SECOND
-from linkwright.studies.cam.milled import Milled
-from linkwright.studies.cam.stated import Stated
+from linkwright.studies.cam.milled_discs import Milled
+from linkwright.studies.cam.stated_dimensions import Stated
 
 Array = NDArray[np.float64]
 

@@ -25,7 +25,7 @@ from linkwright.presentation.blocks import (
 from linkwright.studies.cam.charts import charts, of_disc
 from linkwright.studies.cam.force_findings import MEASURES
 from linkwright.studies.cam.forces_report import force_charts, force_entry, force_sentences
-from linkwright.studies.cam.milled import Milled
+from linkwright.studies.cam.milled_discs import Milled
 from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.studies.cam.plate import Plate
 

@@ -26,7 +26,7 @@ from linkwright.model.names import Names
 from linkwright.model.places import Place, Scope
 from linkwright.model.quantities import LARGEST
 from linkwright.notation import Jet
-from linkwright.results.breaks import joins, knots, switches
+from linkwright.results.discontinuities import joins, knots, switches
 from linkwright.results.stationary import crossings
 from linkwright.studies.cam.force_options import ANGLE, LIFT, load_names
 

@@ -6,12 +6,12 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
+from linkwright.cam.cams_of_mechanism import frame
 from linkwright.cam.checks import Check, Limits, checks, undercut
-from linkwright.cam.closing import Conjugate
 from linkwright.cam.contour import area, contour
 from linkwright.cam.disc import Disc
+from linkwright.cam.form_closure import Conjugate
 from linkwright.cam.nc.path import Sharp
-from linkwright.cam.pairs import frame
 from linkwright.cam.sizing import feasible, resized, smallest
 from linkwright.cam.solid import Blank
 from linkwright.cam.splines import splines
@@ -19,18 +19,18 @@ from linkwright.expressions import units as u
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.presentation.blocks import FileOf, StudyReport
-from linkwright.studies.cam.closed import held
+from linkwright.studies.cam.closure_forces import held
 from linkwright.studies.cam.figures import Figure, every
 from linkwright.studies.cam.files import FILES
 from linkwright.studies.cam.force_findings import press
-from linkwright.studies.cam.milled import milled, seen
+from linkwright.studies.cam.milled_discs import milled, seen
 from linkwright.studies.cam.options import PATH, CamOptions
 from linkwright.studies.cam.outcome import CamOutcome
 from linkwright.studies.cam.plate import Plate
 from linkwright.studies.cam.report import report
-from linkwright.studies.cam.stated import Reader, Stated
+from linkwright.studies.cam.stated_dimensions import Reader, Stated
 from linkwright.studies.registry import Command, Setting, Study, register
-from linkwright.studies.site import NOWHERE, Site
+from linkwright.studies.run_context import NOWHERE, Site
 
 LARGER = 20.0
 """How many times as large a base circle is looked for as the one that won't do."""

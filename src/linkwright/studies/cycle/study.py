@@ -13,17 +13,17 @@ from linkwright.kernels import Compiled
 from linkwright.measures import Measurer, enclose, misfit
 from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.results import Result, Run, certify
-from linkwright.studies.acting import contacts, outside, undefined
+from linkwright.studies.assembly_checks import near, singular, strokes, travels, unassembled
+from linkwright.studies.change_point_carry import carried, warnings
 from linkwright.studies.cycle.options import CycleOptions, span
 from linkwright.studies.cycle.outcome import CycleOutcome
 from linkwright.studies.cycle.report import netcdf, report
-from linkwright.studies.feasible import near, singular, strokes, travels, unassembled
-from linkwright.studies.locked import locked
-from linkwright.studies.outputs import powerless
+from linkwright.studies.follower_locking import locked
+from linkwright.studies.load_checks import contacts, outside, undefined
+from linkwright.studies.output_dead_centres import powerless
 from linkwright.studies.plausible import coincident, crossed
 from linkwright.studies.registry import Study, register
-from linkwright.studies.site import NOWHERE, Site
-from linkwright.studies.through import carried, warnings
+from linkwright.studies.run_context import NOWHERE, Site
 
 
 @register

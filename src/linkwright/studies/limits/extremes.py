@@ -17,8 +17,8 @@ from linkwright.measures.probe import Limits, Search
 from linkwright.results import Run
 from linkwright.results.run import BLIND
 from linkwright.results.stationary import magnitude, stationary
+from linkwright.studies.assembly_checks import SINGULAR, TOUCH
 from linkwright.studies.drive_sweep import NEAR, Sweep
-from linkwright.studies.feasible import SINGULAR, TOUCH
 
 Array = NDArray[np.float64]
 Signals = Mapping[str, tuple[Node, Dimension]]

@@ -11,7 +11,7 @@ from linkwright.graph.geometry import Geometry
 from linkwright.kernels import Compiled
 from linkwright.structure import FRAME
 from linkwright.structure.loops import Loop, loops_of_four
-from linkwright.studies.feasible import TOUCH
+from linkwright.studies.assembly_checks import TOUCH
 
 EQUAL = TOUCH / 10
 """A margin within this share of the lengths' sum is a change point: the reach of its dyads only touches zero there."""

@@ -16,8 +16,8 @@ from linkwright.kernels.laws import values_at
 from linkwright.results import Run
 from linkwright.results.stationary import crossings
 from linkwright.structure import Cluster, Group
+from linkwright.studies.assembly_checks import gaps, shortfall
 from linkwright.studies.drive_sweep import Stop, Sweep, cluster_ends, sweeping
-from linkwright.studies.feasible import gaps, shortfall
 
 Array = NDArray[np.float64]
 Interval = tuple[float, float]

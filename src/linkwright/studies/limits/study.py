@@ -21,10 +21,9 @@ from linkwright.kernels.laws import values_at
 from linkwright.model.places import Path
 from linkwright.presentation.blocks import StudyReport
 from linkwright.results import Run
-from linkwright.studies.asked import name_faults, unit_faults
+from linkwright.studies.assembly_checks import overrun, unassembled
 from linkwright.studies.cycle.options import CycleOptions, beside, span
 from linkwright.studies.drive_sweep import Sweep
-from linkwright.studies.feasible import overrun, unassembled
 from linkwright.studies.limits.extremes import Signals, courses, touches, transmission
 from linkwright.studies.limits.four_links import four_links
 from linkwright.studies.limits.outcome import DriveLimits, LimitsOutcome, Stretch
@@ -33,7 +32,8 @@ from linkwright.studies.limits.report import report
 from linkwright.studies.numbers import interval
 from linkwright.studies.output_signals import output_signals
 from linkwright.studies.registry import Command, Study, register
-from linkwright.studies.site import NOWHERE, Site
+from linkwright.studies.run_context import NOWHERE, Site
+from linkwright.studies.sampling_options import name_faults, unit_faults
 
 WIDEST = {True: 200 * math.pi, False: 1000.0}
 """The widest range of a drive that is looked at: a hundred turns, or so many times the mechanism's size."""

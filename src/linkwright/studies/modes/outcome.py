@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 from typing import ClassVar
 
 from linkwright.findings import Finding
+from linkwright.graph.mode_survey import Circuit, Survey
 from linkwright.graph.modes import Mode
-from linkwright.graph.survey import Circuit, Survey
 from linkwright.model.quantities import Quantities
 
 

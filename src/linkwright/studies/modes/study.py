@@ -15,8 +15,8 @@ from linkwright.expressions.typed_fields import Quantity
 from linkwright.findings import Finding, ModelError
 from linkwright.graph.constraints import Ride
 from linkwright.graph.geometry import ZERO
+from linkwright.graph.mode_survey import SAME, survey
 from linkwright.graph.modes import Mode
-from linkwright.graph.survey import SAME, survey
 from linkwright.kernels import Compiled
 from linkwright.kernels.followers import FollowerLaw
 from linkwright.kernels.laws import values_at
@@ -28,7 +28,7 @@ from linkwright.studies.modes.outcome import ModesOutcome
 from linkwright.studies.modes.report import report
 from linkwright.studies.numbers import constant
 from linkwright.studies.registry import Study, register
-from linkwright.studies.site import NOWHERE, Site
+from linkwright.studies.run_context import NOWHERE, Site
 
 PATH = ("studies", "modes")
 

@@ -26,7 +26,7 @@ from linkwright.studies.numbers import constant
 from linkwright.studies.reactions.outcome import Bar, Reaction, ReactionsOutcome
 from linkwright.studies.reactions.report import reactions_csv, report
 from linkwright.studies.registry import Study, register
-from linkwright.studies.site import NOWHERE, Site
+from linkwright.studies.run_context import NOWHERE, Site
 
 PATH = ("studies", "reactions")
 PROVEN = 1e-9

@@ -14,13 +14,13 @@ from linkwright.elements.fields import ParameterName, freeze
 from linkwright.expressions.typed_fields import of_parameter
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
+from linkwright.kernels.parameter_batch import Varied
 from linkwright.kernels.registry import KERNELS
-from linkwright.kernels.varied import Varied
 from linkwright.model.references import option_faults
-from linkwright.studies.asked import Sampling, check_outputs, check_span, one_of
 from linkwright.studies.distributions import Spread, Vary
 from linkwright.studies.numbers import constant
 from linkwright.studies.plans import PLANS, Plan
+from linkwright.studies.sampling_options import Sampling, check_outputs, check_span, one_of
 
 PATH = ("studies", "sweep")
 SAMPLES = 4096

@@ -13,17 +13,17 @@ import numpy as np
 from linkwright.blocks.work import Arrays
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.kernels.choice import Choice
+from linkwright.kernels.kernel_selection import Choice
 from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.results import Run
 from linkwright.studies.cycle.options import span
 from linkwright.studies.plans import Plan
 from linkwright.studies.registry import Command, Setting, Study, register
-from linkwright.studies.sample_kept import store
-from linkwright.studies.sample_work import FINE
+from linkwright.studies.run_context import Site
 from linkwright.studies.sampling import Performed, chosen, perform, refused
+from linkwright.studies.sampling_state import store
+from linkwright.studies.sampling_task import FINE
 from linkwright.studies.shares import Share, wilson
-from linkwright.studies.site import Site
 from linkwright.studies.sweep.files import bands_csv, netcdf_bytes, samples_csv
 from linkwright.studies.sweep.options import SAMPLES, SweepOptions, check
 from linkwright.studies.sweep.outcome import Statistics, SweepOutcome, Table, bands

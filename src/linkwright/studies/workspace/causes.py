@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from linkwright.elements.clearance import Held, Known
 from linkwright.graph.rows import Named
+from linkwright.studies.accuracy.clearance_contacts import columns, named
 from linkwright.studies.accuracy.contributors import Contributors
-from linkwright.studies.accuracy.seats import columns, named
 from linkwright.studies.workspace.farthest import farthest
 
 Array = NDArray[np.float64]

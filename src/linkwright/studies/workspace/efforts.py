@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.kernels import KERNELS
-from linkwright.kernels.supply import Supply
+from linkwright.kernels.external_inputs import Supply
 from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]

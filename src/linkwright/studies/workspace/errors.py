@@ -18,7 +18,7 @@ from linkwright.expressions import units as u
 from linkwright.graph.rows import Named, reaches
 from linkwright.graph.tangent import jacobian
 from linkwright.kernels import KERNELS
-from linkwright.kernels.choice import choose
+from linkwright.kernels.kernel_selection import choose
 from linkwright.kernels.registry import Kernel
 from linkwright.structure import Group
 from linkwright.studies.workspace.causes import Causes

@@ -16,10 +16,10 @@ from linkwright.expressions.written import Fault
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
 from linkwright.model.walk import Place, sites
-from linkwright.studies.asked import one_of
 from linkwright.studies.numbers import constant
+from linkwright.studies.sampling_options import one_of
 from linkwright.studies.workspace.path_options import positive
-from linkwright.studies.workspace.wanted import Path_
+from linkwright.studies.workspace.target_path import Path_
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.options import WorkspaceOptions

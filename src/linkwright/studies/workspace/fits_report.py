@@ -6,9 +6,9 @@ from typing import Any
 
 from linkwright.findings import Said, Text
 from linkwright.presentation.blocks import Table
+from linkwright.studies.workspace.fits_outcome import Required
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 from linkwright.studies.workspace.overlay import Overlay
-from linkwright.studies.workspace.required import Required
 
 
 def fit_tables(outcome: WorkspaceOutcome) -> list[Table]:

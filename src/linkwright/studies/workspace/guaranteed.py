@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from linkwright.studies.workspace import mesh as meshes
 from linkwright.studies.workspace.causes import Causes
-from linkwright.studies.workspace.covered import covered
+from linkwright.studies.workspace.coverage import covered
 from linkwright.studies.workspace.errors import STEPS, Errors
 from linkwright.studies.workspace.mesh import Mesh
 from linkwright.studies.workspace.regions import Region

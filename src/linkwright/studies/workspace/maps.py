@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from linkwright._machine import processors
 from linkwright.expressions.units import Dimension
-from linkwright.kernels.spread import pool
+from linkwright.kernels.threaded import pool
 from linkwright.model.quantities import Quantities
 from linkwright.results.stationary import bracketed
 from linkwright.studies.workspace.mesh import Box, halves, sides_of

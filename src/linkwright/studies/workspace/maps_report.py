@@ -17,12 +17,12 @@ from linkwright.findings import Joined, Said, Text
 from linkwright.model.csv_text import cell, head, written
 from linkwright.presentation.blocks import Chart, Table, Unit
 from linkwright.studies.workspace.curve_lines import lines
-from linkwright.studies.workspace.errors_part import ErrorsPart, RegionErrors
+from linkwright.studies.workspace.errors_outcome import ErrorsPart, RegionErrors
 from linkwright.studies.workspace.map_picture import levels_of, map_picture
 from linkwright.studies.workspace.mapped_regions import RegionMaps
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 from linkwright.studies.workspace.quality import better
-from linkwright.studies.workspace.quality_part import QualityPart, by_drives, closures
+from linkwright.studies.workspace.quality_outcome import QualityPart, by_drives, closures
 from linkwright.studies.workspace.raster import raster
 from linkwright.studies.workspace.steps import Steps
 

@@ -16,20 +16,20 @@ from linkwright.expressions.units import ANGLE, LENGTH
 from linkwright.expressions.unknown import near
 from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
-from linkwright.kernels.varied import Varied
+from linkwright.kernels.parameter_batch import Varied
 from linkwright.model.followers import no_followers
 from linkwright.model.references import option_faults
 from linkwright.structure import FRAME
-from linkwright.studies.asked import one_of
 from linkwright.studies.limits.ranges import stroke
 from linkwright.studies.numbers import constant, interval
-from linkwright.studies.workspace.errors_asked import ErrorsOptions
+from linkwright.studies.sampling_options import one_of
+from linkwright.studies.workspace.assembly_signs import combinations
+from linkwright.studies.workspace.errors_options import ErrorsOptions
 from linkwright.studies.workspace.fit_options import RequiredFits
 from linkwright.studies.workspace.mesh import Box
 from linkwright.studies.workspace.path_options import WantedPaths
-from linkwright.studies.workspace.quality_asked import QualityOptions
-from linkwright.studies.workspace.signs import combinations
-from linkwright.studies.workspace.trajectories_asked import TrajectoriesAsked
+from linkwright.studies.workspace.quality_options import QualityOptions
+from linkwright.studies.workspace.trajectories_options import TrajectoriesAsked
 
 PATH = ("studies", "workspace")
 TURN = 2 * math.pi

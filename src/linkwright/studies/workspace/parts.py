@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any, Protocol
 
-from linkwright.studies.workspace.errors_part import errors_part
-from linkwright.studies.workspace.followed import follow
+from linkwright.studies.workspace.errors_outcome import errors_part
+from linkwright.studies.workspace.fits_outcome import required
 from linkwright.studies.workspace.options import sections
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
-from linkwright.studies.workspace.quality_part import quality_part
-from linkwright.studies.workspace.required import required
-from linkwright.studies.workspace.trajectories_part import trajectories_part
+from linkwright.studies.workspace.path_outcome import follow
+from linkwright.studies.workspace.quality_outcome import quality_part
+from linkwright.studies.workspace.trajectories_outcome import trajectories_part
 
 
 class Part(Protocol):

@@ -13,10 +13,10 @@ from linkwright.expressions import units as u
 from linkwright.findings import Said
 from linkwright.model.csv_text import cell, head, written
 from linkwright.model.yaml_write import write_text
-from linkwright.studies.workspace.followed import Attempt, Followed
+from linkwright.studies.workspace.inverse_kinematics import ServoLaw
 from linkwright.studies.workspace.outcome import WorkspaceOutcome, shown, values_text
-from linkwright.studies.workspace.pasted import pasted
-from linkwright.studies.workspace.wayback import ServoLaw
+from linkwright.studies.workspace.path_outcome import Attempt, Followed
+from linkwright.studies.workspace.yaml_snippet import pasted
 
 CLOSE = 1e-8
 """How near tables come to the law (rad or m)."""

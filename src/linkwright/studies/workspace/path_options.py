@@ -22,9 +22,9 @@ from linkwright.kernels import Compiled
 from linkwright.laws import DEGREES
 from linkwright.model.actions import FileBeside
 from linkwright.studies import numbers
-from linkwright.studies.asked import one_of
 from linkwright.studies.numbers import constant
-from linkwright.studies.workspace.wanted import PATH, Path_, Wanted, from_csv, from_dxf, from_formula, through
+from linkwright.studies.sampling_options import one_of
+from linkwright.studies.workspace.target_path import PATH, Path_, Wanted, from_csv, from_dxf, from_formula, through
 
 if TYPE_CHECKING:
     from linkwright.studies.workspace.options import WorkspaceOptions

@@ -14,10 +14,10 @@ from linkwright.escape import markup, printed
 from linkwright.expressions import units as u
 from linkwright.findings import Joined, Said, Text
 from linkwright.presentation.blocks import Chart, Table
-from linkwright.studies.workspace.followed import Attempt, Followed
+from linkwright.studies.workspace.inverse_kinematics import ServoLaw
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 from linkwright.studies.workspace.overlay import Overlay
-from linkwright.studies.workspace.wayback import ServoLaw
+from linkwright.studies.workspace.path_outcome import Attempt, Followed
 
 Array = NDArray[np.float64]
 

@@ -17,7 +17,7 @@ from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
 from linkwright.graph.rows import Determinant, reaches
 from linkwright.kernels import KERNELS, Compiled
-from linkwright.kernels.choice import choose
+from linkwright.kernels.kernel_selection import choose
 from linkwright.model.mechanism import Mechanism
 from linkwright.studies.workspace.curves import Segments
 from linkwright.studies.workspace.maps import Maps, mapped

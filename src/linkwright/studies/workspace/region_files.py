@@ -25,11 +25,11 @@ from linkwright.findings import Finding, ModelError
 from linkwright.kernels.versions import versions
 from linkwright.model.origin import table_hashes
 from linkwright.model.output_files import make_folder
-from linkwright.studies.site import Site
+from linkwright.studies.run_context import Site
+from linkwright.studies.workspace.assembly_signs import Signs
 from linkwright.studies.workspace.options import PATH, SECTIONS
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 from linkwright.studies.workspace.sheet import Sheet
-from linkwright.studies.workspace.signs import Signs
 
 Array = NDArray[np.float64]
 Work = tuple[Signs, Array]

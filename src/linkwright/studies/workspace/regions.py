@@ -9,10 +9,10 @@ import numpy as np
 
 from linkwright.studies.workspace.certificate import SEARCHED, UNPROVEN, Certificate
 from linkwright.studies.workspace.curves import Segments
-from linkwright.studies.workspace.enclosed import enclosed
 from linkwright.studies.workspace.mesh import Box, Mesh
 from linkwright.studies.workspace.places import Places, Poses
-from linkwright.studies.workspace.searched import searched
+from linkwright.studies.workspace.region_enclosure import enclosed
+from linkwright.studies.workspace.region_search import searched
 from linkwright.studies.workspace.sheet import Sheet
 
 

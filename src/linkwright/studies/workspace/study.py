@@ -11,26 +11,26 @@ from numpy.typing import NDArray
 from linkwright.blocks import Threads
 from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
-from linkwright.kernels.varied import Varied
+from linkwright.kernels.parameter_batch import Varied
 from linkwright.presentation.blocks import StudyReport
+from linkwright.studies.interruption import Stopped
 from linkwright.studies.registry import Command, Study, register
-from linkwright.studies.site import NOWHERE, Site
-from linkwright.studies.stopped import Stopped
+from linkwright.studies.run_context import NOWHERE, Site
+from linkwright.studies.workspace.assembly_signs import Signs, combinations, named
+from linkwright.studies.workspace.coupler_curve import Curve, curve
 from linkwright.studies.workspace.doubts import doubts
 from linkwright.studies.workspace.files import FILES
-from linkwright.studies.workspace.never import never
-from linkwright.studies.workspace.one import Curve, curve
 from linkwright.studies.workspace.options import PATH, WorkspaceOptions, check
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, values_text
+from linkwright.studies.workspace.parallel import together
 from linkwright.studies.workspace.parts import perform
+from linkwright.studies.workspace.preconditions import unfit
 from linkwright.studies.workspace.region_files import FOLDER, resumable
 from linkwright.studies.workspace.regions import Region, region
 from linkwright.studies.workspace.report import report
 from linkwright.studies.workspace.sheet import Sheet
-from linkwright.studies.workspace.signs import Signs, combinations, named
-from linkwright.studies.workspace.together import together
 from linkwright.studies.workspace.turning import turnings
-from linkwright.studies.workspace.unfit import unfit
+from linkwright.studies.workspace.unreachable import never
 
 Array = NDArray[np.float64]
 

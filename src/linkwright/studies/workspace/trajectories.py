@@ -13,9 +13,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright.studies.workspace.coupler_curve import Stretch
 from linkwright.studies.workspace.curves import distance
 from linkwright.studies.workspace.mesh import Box, halved
-from linkwright.studies.workspace.one import Stretch
 from linkwright.studies.workspace.sheet import Sheet
 
 Array = NDArray[np.float64]

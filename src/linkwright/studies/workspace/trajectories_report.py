@@ -15,7 +15,7 @@ from linkwright.presentation.blocks import Chart, Table
 from linkwright.studies.workspace.curve_lines import lines
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 from linkwright.studies.workspace.steps import Steps
-from linkwright.studies.workspace.trajectories_part import RegionTrajectories, TrajectoriesPart
+from linkwright.studies.workspace.trajectories_outcome import RegionTrajectories, TrajectoriesPart
 from linkwright.studies.workspace.trajectory_picture import ColouredLine, Scale, trajectory_picture
 
 KINDS = ("singular", "modes", "pins")

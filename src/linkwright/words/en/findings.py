@@ -1422,8 +1422,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Use its values in motion.csv.",
     ),
     "joint.winds": (
-        "The kind of this joint, {kind}, asks for the angle of a link of which only the direction is known.",
-        "Its package has to state winds = True in the kind, so that angles are followed over whole turns.",
+        "This kind of joint, {kind}, needs the continuous angle of a link, of which only the direction is known.",
+        "Set winds = True in the class of the kind, so that angles are followed over whole turns.",
     ),
     "joint.follower-output": (
         "{motor} can't be followed: its law is defined at its output {output}.",

@@ -1,0 +1,146 @@
+"""Whether loads and springs have a value all along a run, springs stay within their lengths, contacts closed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.elements.force import Acting
+from linkwright.expressions import units as u
+from linkwright.expressions.dimensions import argument
+from linkwright.findings import Finding, Term
+from linkwright.graph.geometry import Geometry
+from linkwright.graph.rows import Named, TableArgument, effort
+from linkwright.results import Run
+from linkwright.results.stationary import stationary
+from linkwright.studies.assembly_checks import drive_value
+
+Array = NDArray[np.float64]
+
+NEAR = 1e-9
+"""Lengths closer than this share of the largest one count as equal."""
+
+
+def undefined(run: Run) -> list[Finding]:
+    """Loads, springs and the like that have no value somewhere, and those whose two ends meet."""
+    actions = run.compiled.graph.actions
+    findings = [_at(run, "spring.no-direction", one.path, t) for one, t in _meeting(run)]
+    acting = [one for one in actions.every if one.kind.acts]
+    if findings or not acting:
+        return findings
+    open_ = [i for i, k in enumerate(actions.lookups) if run.compiled.tables[k.table].period is None]
+    t = _times(run, [TableArgument(i) for i in open_])
+    for one, values in zip(acting, run.compiled.evaluate([effort(one) for one in acting], t), strict=True):
+        bad = t[~np.isfinite(values)]
+        if bad.size:
+            findings.append(_explained(run, one, bad))
+    return findings
+
+
+def outside(run: Run) -> list[Finding]:
+    """A warning for each part that leaves the lengths that it allows, where it does so furthest."""
+    quantities = run.compiled.quantities
+    unit, size = quantities.unit_of(u.LENGTH)
+    findings = []
+    for one in run.compiled.graph.actions.every:
+        if (limits := one.kind.limits(one.entry)) is None:
+            continue
+        low, high = (quantities.value(edge, u.LENGTH) for edge in limits.edges)
+        signal = f"{one.name}.{limits.attribute}"
+        t = _times(run, [signal])
+        length = run.compiled.evaluate([signal], t)[0]
+        over = np.maximum(low - length, length - high)
+        worst = int(np.argmax(over))
+        if over[worst] > NEAR * high:
+            data = {"length": length[worst], "low": low, "high": high}
+            shown = {key: f"{value / size:.6g}" for key, value in data.items()}
+            findings.append(_at(run, "spring.outside-length", one.path, float(t[worst]), "warning", of=unit, **shown))
+    return findings
+
+
+def contacts(run: Run) -> list[Finding]:
+    """Warnings on contacts that would have to pull, and what kinds of followers find of themselves."""
+    m, topology, findings = run.compiled.mechanism, run.compiled.structure.topology, list[Finding]()
+    for name, follower in m.followers.items():
+        findings += _lifted(run, m.path_of(name), follower.one_sided, follower.title, follower.lifts)
+    for name, follower in m.followers.items():
+        findings += follower.findings(Followed(run), m.path_of(name))
+    for name, joint in m.joints_but_pins():
+        findings += _lifted(run, ("joints", name), joint.one_sided, topology.kind_of(name).title, "joint.lifts-off")
+    return findings
+
+
+def _lifted(run: Run, path: tuple[str, str], one_sided: Mapping[str, int], kind: Term, code: str) -> Iterator[Finding]:
+    """A warning for each contact of a joint whose links would have to pull each other, where they pull hardest."""
+    for attribute, sign in one_sided.items():
+        signal = f"{path[1]}.{attribute}"
+        t, force = Followed(run).row(signal)
+        worst = int(np.argmin(sign * force))
+        pull = -sign * float(force[worst])
+        if pull > NEAR * np.abs(force).max():
+            unit, size = run.compiled.quantities.unit_of(run.dimension(signal))
+            data = {"joint": path[1], "kind": kind, "force": f"{pull / size:.6g}", "of": unit}
+            yield _at(run, code, path, float(t[worst]), "warning", **data)
+
+
+class Followed:
+    """A motion that was followed, as kinds of followers ask for it."""
+
+    def __init__(self, run: Run) -> None:
+        self.run, self.motions = run, run.compiled.motions
+        self.geometry = Geometry(run.compiled.quantities, run.compiled.quantities.parameters)
+
+    def row(self, signal: str) -> tuple[Array, Array]:
+        """Times (s), those among them at which a signal is least and greatest, and its values there (SI)."""
+        t = _times(self.run, [signal])
+        return t, self.run.compiled.evaluate([signal], t)[0]
+
+
+def _meeting(run: Run) -> list[tuple[Acting, float]]:
+    """What acts along the line of two points that meet, and when."""
+    found = []
+    for one in run.compiled.graph.actions.every:
+        if attribute := one.kind.distance(one.entry):
+            t = _times(run, [f"{one.name}.{attribute}"])
+            length = run.compiled.evaluate([f"{one.name}.{attribute}"], t)[0]
+            if not length.min() > NEAR * length.max():
+                found.append((one, float(t[np.argmin(length)])))
+    return found
+
+
+def _times(run: Run, rows: Sequence[Named]) -> Array:
+    """Times that tell where rows are smallest and largest."""
+    turning = stationary(partial(run.compiled.rates, rows), run.start, run.stop, run.grid) if rows else []
+    grid = np.linspace(run.start, run.stop, run.grid + 1)
+    return np.unique(np.concatenate([grid, run.t, run.jumps.ravel(), *turning]))
+
+
+def _explained(run: Run, one: Acting, bad: Array) -> Finding:
+    """Why something has no value at some times: a table asked for what it doesn't hold, or else."""
+    compiled, quantities = run.compiled, run.compiled.quantities
+    tables = compiled.graph.actions.asked(one)
+    for i, lookup in enumerate(compiled.graph.actions.lookups):
+        table = compiled.tables[lookup.table]
+        if lookup.table not in tables or table.period is not None:
+            continue
+        asked = compiled.evaluate([TableArgument(i)], bad)[0]
+        over = np.maximum(table.x[0] - asked, asked - table.x[-1])
+        if np.max(over, initial=0.0) > 0:
+            worst = int(np.argmax(over))
+            at, time = float(asked[worst]), float(bad[worst])
+            unit, size = quantities.unit_of(quantities.dimensions.of(argument(lookup.table)))
+            shown = {
+                key: f"{value / size:.6g}"
+                for key, value in zip(("at", "low", "high"), (at, *table.x[[0, -1]]), strict=True)
+            }
+            return _at(run, "load.outside-table", one.path, time, table=lookup.table, of=unit, **shown)
+    return _at(run, "load.not-finite", one.path, float(bad[0]))
+
+
+def _at(run: Run, code: str, path: tuple[str, str], time: float, severity: str = "error", **data: Any) -> Finding:
+    """A finding at a time, with the first drive's value there."""
+    return Finding(code, path, data | {"time": f"{time:.6g}"} | drive_value(run, time), severity=severity)

@@ -1,0 +1,106 @@
+"""Dead positions on the way: a track goes on through them where the path touches the edge of a sheet.
+
+There the jacobian J has rank 1, and a path that runs along its image has two smooth solutions that cross: near it the
+point is like (a, b²) of drives (a, b), and the path (u, c u²) has b = +-sqrt(c) u. Of a path that is off by e stays
+b = +-sqrt(c u² + e), which ends or turns back: a square root of the error. So the track doesn't solve for the path
+there. It passes on a bridge, a quintic between a place before and one after, with their first two derivatives. A bridge
+counts where the point stays near to the path all along it, the determinant of J changes its sign once, and the
+closures' keep theirs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwright.studies.workspace.mesh import Box
+from linkwright.studies.workspace.target_path import Wanted
+
+if TYPE_CHECKING:
+    from linkwright.studies.workspace.path_continuation import Mover
+
+Array = NDArray[np.float64]
+
+SHORT, LONG = 0.02, 0.3
+"""From one end of a bridge to the dead position: how far the drives may go, in rad where a range is a whole turn."""
+LOOKS = 65
+TURNED = 0.1
+"""A bridge's far end is corrected by no more than this (as above)."""
+
+
+@dataclass(frozen=True)
+class Bridge:
+    """From node ``first`` of a track to ``u``, where it has the ``node`` (3, 2, 1) and the determinant there."""
+
+    first: int
+    u: float
+    node: Array
+    determinant: float
+
+
+def bridge(
+    mover: Mover,
+    box: Box,
+    wanted: Wanted,
+    u: Sequence[float],
+    nodes: Sequence[Array],
+    signs: Sequence[float],
+    off: float,
+) -> Bridge | None:
+    """The longest way on from one of a track's last nodes, if there is one, with the point no farther than ``off`` (m)
+    from the path: errors of the path do least to it. ``signs`` are the determinants at the nodes."""
+    scale = box.size / (2 * np.pi)
+    best = None
+    for k in range(len(u) - 1, 0, -1):
+        away = (np.abs(nodes[-1][0, :, 0] - nodes[k][0, :, 0]) / scale).max()
+        if away > LONG or signs[k] * signs[-1] < 0:
+            break
+        fallen = 1.0 - signs[k] / signs[k - 1]
+        if not 0 < fallen < 1:
+            continue
+        ahead = (u[k] - u[k - 1]) * (1.0 - fallen) / fallen
+        far = float((np.abs(nodes[k][1, :, 0]) / scale).max()) * ahead
+        if SHORT < far < LONG and u[k] + 2 * ahead <= 1.0:
+            found = _bridged(mover, scale, wanted, k, u[k], 2 * ahead, nodes[k], signs[k], off)
+            if found is not None and not box_left(box, found.node[0, :, 0]).any():
+                best = found
+    return best
+
+
+def box_left(box: Box, q: Array) -> NDArray[np.bool_]:
+    """Which drives are beyond the ends of their ranges."""
+    slack = 1e-12 * box.size
+    return ~np.array(box.turns) & ((q < np.array(box.low) - slack) | (q > np.array(box.high) + slack))
+
+
+def curve(u: Array, nodes: Array) -> Any:
+    """The quintics between nodes (3, 2, n) with two derivatives, as a function of u."""
+    from scipy.interpolate import BPoly
+
+    return BPoly.from_derivatives(u, np.moveaxis(nodes, (2, 0, 1), (0, 1, 2)))
+
+
+def _bridged(
+    mover: Mover, scale: Array, wanted: Wanted, k: int, u: float, wide: float, node: Array, before: float, off: float
+) -> Bridge | None:
+    foretold = node[0] + wide * node[1] + wide**2 / 2 * node[2]
+    path = wanted.of(np.array([u + wide]))
+    with np.errstate(all="ignore"):
+        q, ok = mover.closed(foretold, path[0])
+        if not ok.all() or not (np.abs(q - foretold)[:, 0] / scale < TURNED).all():
+            return None
+        there, look = mover.along(q, path)
+    after = float(look.determinant[0])
+    if not np.isfinite(there).all() or not after * before < 0:
+        return None
+    places = np.linspace(u, u + wide, LOOKS)
+    spline = curve(places[[0, -1]], np.concatenate([node, there], axis=2))
+    looks = mover.look(spline(places).T, spline(places, nu=1).T)
+    away = np.hypot(*(looks.at - wanted.of(places)[0]))
+    once = (np.diff(np.sign(looks.determinant)) != 0).sum() == 1
+    sound = once and (np.abs(np.diff(np.sign(looks.closure))) == 0).all() and (away <= off).all()
+    return Bridge(k, u + wide, there, after) if sound else None
