@@ -16,8 +16,7 @@ from numpy.typing import NDArray
 from helpers.examples import four_bar
 from linkwright.compilation import compile_mechanism
 from linkwright.findings import ModelError
-from linkwright.kernels import KERNELS, Compiled, continuation_batch, continuation_paths
-from linkwright.kernels import parameter_batch
+from linkwright.kernels import KERNELS, Compiled, continuation_batch, continuation_paths, parameter_batch
 from linkwright.kernels.change_points import Passage, Passages
 from linkwright.kernels.continuation_batch import Pursued, Pursuit
 from linkwright.kernels.continuation_paths import Paths
