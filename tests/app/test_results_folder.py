@@ -466,7 +466,7 @@ def test_a_sweep_that_another_version_has_begun_is_refused(
         stopped(sweep, out, monkeypatch)
     refused = call("sweep", sweep, "--out", out)
     assert refused.exit_code == 2
-    assert f"begun with linkwright 0.0.9; this is linkwright {lw.__version__}" in refused.stderr
+    assert f"started with linkwright 0.0.9; this is linkwright {lw.__version__}" in refused.stderr
     assert "--fresh" in refused.stderr
     stopped(sweep, tmp_path / "other", monkeypatch)
     monkeypatch.setattr("linkwright.kernels.numpy_blocks.NumpyKernel.packages", ("pytest",))

@@ -90,7 +90,7 @@ def test_time_that_is_not_used_up() -> None:
     [
         ({"code": "file.nothing"}, "catalogue"),
         ({"line": None, "element": ""}, "neither line nor element"),
-        ({"what": "Wanted here: None."}, "says"),
+        ({"what": "Expected a number, got None."}, "says"),
         ({"mend": " "}, "says"),
     ],
 )

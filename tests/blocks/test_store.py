@@ -159,7 +159,7 @@ def test_a_store_names_the_versions_that_wrote_it_and_others_are_refused(tmp_pat
         storing(WORK, tmp_path / "z", versions={"kernel": "abacus 2"})
     (finding,) = refused.value.findings
     assert finding.code == "blocks.other-version"
-    assert "begun with kernel abacus 1; this is kernel abacus 2" in finding.what
+    assert "started with kernel abacus 1; this is kernel abacus 2" in finding.what
     assert storing(WORK, tmp_path / "z", versions={"kernel": "abacus 2"}, anew=True).next == 0
 
 

@@ -104,7 +104,7 @@ def test_findings_are_values() -> None:
     assert pickle.loads(pickle.dumps(error)).findings == (finding,)
     assert copy.deepcopy(finding) == finding
     assert finding.as_dict()["what"] == "Expected [x, y], got a list of length 1."
-    assert str(error).startswith("line 3: a: Wanted here")
+    assert str(error).startswith("line 3: a: Expected")
     assert len({Term("vector"), Term("vector"), Term("list")}) == 2
 
 

@@ -91,9 +91,11 @@ def fields(text: str) -> set[str]:
 
 def shown(text: str) -> str:
     """A text of the catalogue with its data in italics, fit for a table's cell."""
-    data = {name: f"*{name.replace('_', ' ')}*" for name in fields(text)}
-    plain = re.sub(r"{(\w+):[^}]*}", r"{\1}", text)
-    return re.sub(r"[*|\\]", r"\\\g<0>", plain).format_map(data)
+    parts = [
+        re.sub(r"[*|\\]", r"\\\g<0>", words) + (f"*{name.replace('_', ' ')}*" if name else "")
+        for words, name, _, _ in Formatter().parse(text)
+    ]
+    return "".join(parts)
 
 
 def rendered() -> str:
@@ -124,6 +126,11 @@ def test_every_code_has_both_texts() -> None:
 def test_no_text_is_orphaned() -> None:
     assert set(CODES) - in_source() == SPOKEN_FOR
     assert {key.removesuffix(".mend") for key in FINDINGS if key.endswith(".mend")} == set(CODES)
+
+
+def test_examples_are_shown_whole_with_data_in_italics() -> None:
+    text = "Write {{motor: {{turns: {name}}}}} at {value:.6g}, as 2*a|b."
+    assert shown(text) == r"Write {motor: {turns: *name*}} at *value*, as 2\*a\|b."
 
 
 def test_every_group_has_a_title() -> None:

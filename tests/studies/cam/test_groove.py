@@ -111,5 +111,5 @@ def test_a_wrong_depth_is_never_written(monkeypatch: pytest.MonkeyPatch) -> None
     monkeypatch.setattr(Grbl, "text", lambda *given: Post.text(*given).replace("Z-12.", "Z-1.2"))
     job = performed(heat_seal(nc=NC, steps=90))
     assert [finding.code for finding in job.found] == ["nc.depth"]
-    assert "1.2 mm deep; 12 mm" in job.found[0].what
+    assert "1.2 mm deep, but 12 mm" in job.found[0].what
     assert job.cam is not None and FILES["cam_grbl.nc"](job.cam) is None
