@@ -225,7 +225,7 @@ def test_ctrl_c_says_how_to_resume(long: Path, tmp_path: Path) -> None:
     with begun(long, out) as process:
         process.send_signal(signal.SIGINT)
         _, told = process.communicate(timeout=60)
-    assert process.returncode == 130 and b"Interrupted: " in told
+    assert process.returncode == 130 and b"Interrupted with" in told
     summary = json.loads((out / "summary.json").read_text("utf-8"))
     assert "resumes" in summary["findings"][0]["mend"]
     assert resumable(out) == {FOLDER: "workspace"}
