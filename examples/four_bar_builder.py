@@ -36,7 +36,7 @@ def main() -> None:
         print(f"crank {crank} mm")
         for measure in outcome.measures:
             figures = ", ".join(f"{found.value / measure.size:.4g}" for found in measure.found)
-            verdict = {True: "met", False: "not met", None: ""}[measure.verdict]
+            verdict = {True: "passed", False: "failed", None: ""}[measure.verdict]
             print(f"  {measure.name:10} {figures} {measure.unit} {verdict}".rstrip())
         print(f"  certificate sound: {outcome.result.certificate.sound()}")
 

@@ -117,7 +117,7 @@ def test_measures_have_a_line_for_each_of_their_numbers(shown: Printed) -> None:
     head, *lines, blank = shown(Measures(measures))
     assert blank == "" and head.split()[:3] == ["Measure", "Value", "Unit"]
     stroke, low, high, far, none = lines
-    assert stroke.split() == ["stroke", "680.2777", "mm", ">=", "680", "mm", "met"]
+    assert stroke.split() == ["stroke", "680.2777", "mm", ">=", "680", "mm", "passed"]
     assert "force min" in low and "t = 0.3 s" in low and "<= 90 N" in low and "FAILED" in low and "certified" in low
     assert high.split() == ["force", "max", "97.5", "N"]  # what is required stands on the first line
     assert str(Said("value.unbounded")) in far and none.split() == ["none", "-", "s"]

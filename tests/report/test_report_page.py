@@ -113,7 +113,7 @@ def test_hostile_names_are_text_everywhere(report: ReportData) -> None:
 
 def test_verdicts_read_without_colour(report: ReportData) -> None:
     html = page(report)
-    assert "✓</span> met" in html
+    assert "✓</span> passed" in html
     assert "✗</span> failed" in html
     assert "Requirements: 1 of 2 passed" in html
 

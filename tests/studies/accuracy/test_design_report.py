@@ -86,10 +86,10 @@ def test_what_can_be_said_of_a_price() -> None:
     ("more", "said"),
     [
         ({}, "no other choice of grades is cheaper"),
-        ({"proven": False}, "isn't ruled out"),
-        ({"reached": False}, "come closest"),
+        ({"proven": False}, "can't be excluded"),
+        ({"reached": False}, "the closest ones cost"),
         ({"loose": True}, "the largest tolerances allowed"),
-        ({"costs": (inf, 0.25, None)}, "those stated cost –"),
+        ({"costs": (inf, 0.25, None)}, "the current ones cost –"),
     ],
 )
 def test_how_an_allocation_ended(more: dict[str, Any], said: str) -> None:
@@ -114,7 +114,7 @@ def test_estimated_dimensions() -> None:
 def test_what_can_not_be_told_apart() -> None:
     told = " ".join(map(str, design_sentences(None, calibration())))
     assert "AB, BC aren't identifiable separately" in told
-    assert "Row 7, E.x: 1 away" in told
+    assert "Row 7, E.x: residual 1" in told
     tables = {name: words(rows) for name, _, rows in design_tables(None, calibration())}
     rows = {row[0]: row for row in tables["calibration"]}
     assert rows["AB"][1:6] == ["155", "155.02", "0.02", "0.018 .. 0.022", "0.001"]

@@ -321,7 +321,7 @@ def test_many_contributors_are_gathered(made: AccuracyOutcome) -> None:
     figure = replace(made.figures["stroke"], shares=np.full(15, 1 / 15), monte_carlo=None)
     (chart,) = figure_charts(figure, replace(made, contributors=many))
     assert chart.drawing.count('class="bar"') == 9
-    assert "7 more" in chart.drawing
+    assert "7 others" in chart.drawing
 
 
 def test_nothing_computed_is_said(made: AccuracyOutcome) -> None:

@@ -167,7 +167,7 @@ def test_the_picture_names_the_determinants_and_is_sound(job: Job, two: Job) -> 
     text = svg(job.workspace)
     assert text is not None and "d(E.x, E.y)/d(shoulder, elbow) is" in " ".join(ElementTree.fromstring(text).itertext())
     assert text.count('class="region') == 2  # the region and its place in the legend
-    assert "end of a drive" in " ".join(ElementTree.fromstring(svg(two.workspace) or "").itertext())
+    assert "limit of a drive" in " ".join(ElementTree.fromstring(svg(two.workspace) or "").itertext())
 
 
 def test_the_page_has_its_section_and_escapes_names(job: Job) -> None:
