@@ -43,7 +43,7 @@ def call(*words: Any) -> Any:
 def test_the_command_prints_modes_circuits_and_lines(bar: Path) -> None:
     done = call("modes", bar)
     assert done.exit_code == 0
-    for words in ("C: left of B-D", "C: right of B-D", "None is missing", "from 51.3178 to 125.1 deg"):
+    for words in ("C: left of B-D", "C: right of B-D", "The list is complete", "from 51.3178 to 125.1 deg"):
         assert words in done.output
 
 

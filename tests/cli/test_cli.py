@@ -231,7 +231,7 @@ def test_netcdf_is_written_where_asked(model: Any, tmp_path: Path) -> None:
 
 def test_run_prints_measures_requirements_and_proofs(model: Any) -> None:
     path = model(SOUND)
-    text = call("run", path, "-v").stdout
+    text = call("run", path).stdout
     measures = json.loads((path.with_name("model_linkwright") / "summary.json").read_text("utf-8"))["measures"]
     assert f"{measures['swing']['value']:.7g}" in text
     assert f"{measures['torque']['max']:.7g}" in text

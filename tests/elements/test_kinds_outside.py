@@ -203,7 +203,7 @@ def test_a_kind_that_asks_angles_without_saying_so_is_told_by_name(changes: Any,
     (tmp_path / "model.yaml").write_text(json.dumps(studied(GEARS["on a link of a dyad"])), encoding="utf-8")
     done = linkwright(tmp_path, "run", "model.yaml", "--out", "out")
     assert done.returncode == 2, done.stderr
-    assert "joints.mesh: The kind of this joint, gears on a carrier, asks for the angle" in done.stderr
+    assert "joints.mesh: This kind of joint, gears on a carrier, needs the continuous angle" in done.stderr
     assert "winds = True" in done.stderr
 
 

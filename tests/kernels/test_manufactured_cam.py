@@ -16,7 +16,7 @@ from linkwright.cam.rolling import rolled
 from linkwright.elements.cam_contact import cam_followers
 from linkwright.elements.cam_contact.contact import seat, whole
 from linkwright.graph.geometry import Geometry
-from linkwright.kernels import cut as cut_module
+from linkwright.kernels import manufactured_cam as cut_module
 from linkwright.kernels.manufactured_cam import cut
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.kernels.tangents import Tangents

@@ -15,9 +15,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from kernels.test_varied import class_four, platform
 from numpy.typing import NDArray
 
+from kernels.test_parameter_batch import class_four, platform
 from linkwright.compilation import compile_mechanism
 from linkwright.expressions.units import si_text
 from linkwright.kernels import Compiled

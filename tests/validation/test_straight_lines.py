@@ -95,7 +95,7 @@ def test_lambda_linkage_in_closed_form() -> None:
 def test_dwell_of_the_paper_feeder() -> None:
     """examples/paper_feeder_dwell.yaml: how long the slider is within 1 mm of its left end, from its closed form."""
     document = lw.load(Path(__file__).parents[2] / "examples" / "paper_feeder_dwell.yaml")
-    (dwell,) = (m for m in lw.run(document).cycle.measures if m.measure.dwell)  # type: ignore[union-attr]
+    (dwell,) = (m for m in lw.run(document).cycle.measures if m.measure.reduction == "dwell")  # type: ignore[union-attr]
     ab, bc, cd, de, ad = 155.0, 395.0, 300.0, 500.0, 300.0
 
     def inner(along: float) -> float:

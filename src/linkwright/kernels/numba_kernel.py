@@ -113,7 +113,7 @@ def _about() -> str:
     import numba
     from llvmlite import binding
 
-    stream = Path(__file__).with_name("stream.py").read_text(encoding="utf-8")
+    stream = Path(__file__).with_name("nontemporal_stores.py").read_text(encoding="utf-8")
     cpu = f"{binding.get_host_cpu_name()} {binding.get_host_cpu_features().flatten()}"
     return "\0".join([numba.__version__, llvmlite.__version__, cpu, stream])
 

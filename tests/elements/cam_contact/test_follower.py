@@ -78,7 +78,7 @@ def test_signals_and_facts_say_that_it_is_a_cam() -> None:
     assert own == {"angle", "omega", "alpha", "jerk", "force", "pressure"}
     text = " ".join(fact["sentence"] for fact in facts(c))
     assert "drives: 1, followers: 1" in text
-    assert "held by rider (cam)" in text
+    assert "moved by rider (cam)" in text
     (wrong,) = found(pair("swinging", "roller") | {"measures": {"m": {"max": "rider.torque"}}})
     assert wrong.code == "signal.no-attribute"
 

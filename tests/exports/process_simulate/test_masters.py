@@ -172,7 +172,7 @@ def test_the_master_by_its_name_in_the_model_or_in_the_tool() -> None:
     for name in ("C", "j4"):
         done = lw.export(hinge(master=name, stops=[-20, 0]), "process-simulate")
         assert done.summary["driving"]["joint"] == "C"
-        assert "j4 is the master in place of the joint that hinge moves" in done.files["joint_functions.txt"]
+        assert "j4 is the master instead of the joint moved by hinge" in done.files["joint_functions.txt"]
 
 
 def found(**options: Any) -> list[Any]:

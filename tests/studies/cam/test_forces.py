@@ -74,7 +74,7 @@ def test_a_spring_is_sized_and_does() -> None:
     assert found["hertz_pressure_max"] == pytest.approx(hertz)
     (section,) = report(sized).sections
     (pictures,) = [block for block in section.blocks if isinstance(block, Charts)]
-    assert "is sized" in told(section) and len(pictures.charts) == 11
+    assert "were sized" in told(section) and len(pictures.charts) == 11
     by_rate = figures(study(FAST | {"spring": {"preload": "1.1 N*m"}}))
     assert by_rate["contact_force_min"] == pytest.approx(5.0, rel=1e-7) and by_rate["spring_rate_min"] > 0
 

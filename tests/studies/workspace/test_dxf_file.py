@@ -135,7 +135,7 @@ def test_integers_are_bounded(tmp_path: Path, number: str) -> None:
 def test_entities_that_make_no_path(tmp_path: Path, content: bytes, reason: str) -> None:
     found = finding(tmp_path, content)
     assert (found.code, found.data["handle"]) == ("drawing.entity", "2F")
-    assert found.data["reason"].key == f"drawn-{reason}"
+    assert found.data["reason"].key == f"term.drawn-{reason}"
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ import linkwright as lw
 from helpers.compiled import compiled_from
 from helpers.shown import heads, rows
 from linkwright.model.document import parse_document
-from linkwright.studies.workspace import searched as module
+from linkwright.studies.workspace import region_search as module
 from linkwright.studies.workspace.certificate import SEARCHED
 from linkwright.studies.workspace.curves import Segments, smooth, traced
 from linkwright.studies.workspace.mesh import Box, Mesh, found_pits, mesh

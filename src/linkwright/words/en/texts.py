@@ -25,7 +25,7 @@ TEXTS: dict[str, str] = {
     "fact.order": "Solution order",
     "fact.order.driven": "{link} driven by {drive} on {base}",
     "fact.order.output": "{link} on {base} as the output of {drive}",
-    "fact.order.follower": "{link} on {base}, moved by cam follower {drive} ({kind})",
+    "fact.order.follower": "{link} on {base}, moved by {drive} ({kind})",
     "fact.order.group": "{links} as Assur group {signature}",
     "fact.order.mode": "{links} as Assur group {signature}, assembly mode {mode}",
     "fact.laws": "Motion laws",
