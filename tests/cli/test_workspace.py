@@ -70,7 +70,7 @@ def test_interrupted_it_writes_what_is_done(
 ) -> None:
     """The first of three regions interrupts the rest."""
     study = {"point": "E", "chord": 1e-3, "for": {"b": [30, 35, 20]}}
-    summary = interrupted(study, "together.wait", file, tmp_path / "out", monkeypatch)
+    summary = interrupted(study, "parallel.wait", file, tmp_path / "out", monkeypatch)
     assert "1 of 3 regions" in capsys.readouterr().err
     assert not summary["done"]
     assert [region["b"] for region in summary["workspace"]["regions"]] == [30]
@@ -85,7 +85,7 @@ def test_interrupted_after_its_regions_it_keeps_them_and_the_maps(
 ) -> None:
     """The interrupt comes while the figures are fitted in."""
     study = {"point": "E", "chord": 1e-3, "quality": {"steps": 20}, "fits": {"table": {"circle": 5}}}
-    summary = interrupted(study, "required.circle_fits", file, tmp_path / "out", monkeypatch)
+    summary = interrupted(study, "fits_outcome.circle_fits", file, tmp_path / "out", monkeypatch)
     assert len(summary["workspace"]["regions"]) == len(summary["workspace"]["quality"]) == 1
     assert "fits" not in summary["workspace"] and (tmp_path / "out" / "workspace_maps.csv").exists()
 

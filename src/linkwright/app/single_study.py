@@ -38,8 +38,9 @@ def examine_alone(path: Path, study: str, given: Mapping[str, Any] = MappingProx
 
 def placed(path: Path, study: str, values: Mapping[tuple[str, ...], Any]) -> dict[str, Any]:
     """The options of a file's study that change where ``values`` stand at their places within them."""
-    document = read_file(path).document
-    options = dict((document.studies.get(study) or {}) if document is not None else {})
+    deep = any(len(place) > 1 for place in values)  # only then it matters what the file says beside
+    document = read_file(path).document if deep else None
+    options = (document.studies.get(study) or {}) if document is not None else {}
     changed: dict[str, Any] = {}
     for (first, *rest), value in values.items():
         inner = changed[first] = value if not rest else dict(options.get(first) or {})

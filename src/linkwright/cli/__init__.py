@@ -11,7 +11,7 @@ import click
 
 from linkwright._version import __version__
 from linkwright.cli import studies
-from linkwright.cli.running import (
+from linkwright.cli.execution import (
     COMMENTS,
     FILE,
     FORCE,

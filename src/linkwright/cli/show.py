@@ -25,7 +25,7 @@ from linkwright.studies.registry import STUDIES, ranked
 from linkwright.words import say
 
 if TYPE_CHECKING:
-    from linkwright.cli.running import Telling
+    from linkwright.cli.execution import Telling
 
 _STYLES = {"error": "bold red", "warning": "bold yellow", "note": "bold"}
 

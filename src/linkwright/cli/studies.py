@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from linkwright.cli import running
-from linkwright.cli.running import Telling
+from linkwright.cli import execution
+from linkwright.cli.execution import Telling
 from linkwright.cli.usage import Hinted
 from linkwright.words import catalogue, say
 
@@ -60,22 +61,21 @@ class StudyCommand(Hinted):
         from linkwright.cli import show
 
         study = _known()[self.study]
-        command, telling = study.command, Telling(*(given.get(key, False) for key in _TOLD))
+        command, telling = study.command, Telling(**{key.name: given.get(key.name, False) for key in fields(Telling)})
         assert command is not None
         settings = {s.place: given[s.name] for s in command.settings if given[s.name] not in (None, ())}
         examined = app.examine_alone(file, self.study, app.placed(file, self.study, settings))
         if not command.writes:
             with show.working(file, self.study, quiet=telling.as_json):
                 job = app.perform(examined)
-            running.end_of_job(job, file, telling)
+            execution.end_of_job(job, file, telling)
         asked = [name for name in _file_options(study) if given[name]]
         examined.findings += _lacking(study, asked)
         how = app.Writing(asked, force=given["force"], comments=given["comments"])
         with app.runner_of(given.get("workers"), given.get("cluster")) as runner:
-            running.carry_out(examined, file, self.study, given["out"], telling, how, runner, given.get("fresh", False))
-
-
-_TOLD = ("as_json", "quiet", "verbose", "opened")
+            execution.carry_out(
+                examined, file, self.study, given["out"], telling, how, runner, given.get("fresh", False)
+            )
 
 
 def _file_options(study: Study) -> list[str]:
@@ -107,16 +107,16 @@ def _params(study: Study, command: Command) -> list[click.Parameter]:
             click.option(f"--{setting.name}", multiple=setting.several, help=say(f"cli.{setting.name}"), **more)
         )
     if command.writes:
-        flags += [running.OUT, running.OPEN, running.FORCE, running.COMMENTS]
+        flags += [execution.OUT, execution.OPEN, execution.FORCE, execution.COMMENTS]
         flags += [click.option(f"--{name}", is_flag=True, help=say(f"cli.{name}")) for name in _file_options(study)]
     if command.fresh:
         flags.append(click.option("--fresh", is_flag=True, help=say("cli.fresh")))
     if command.work:
         flags.append(click.option("--workers", type=click.IntRange(1, 1024), help=say("cli.workers")))
         flags.append(click.option("--cluster", metavar="ADDRESS", help=say("cli.cluster")))
-    flags += [running.QUIET, running.VERBOSE, running.JSON]
+    flags += [execution.QUIET, execution.VERBOSE, execution.JSON]
 
-    @running.options(running.FILE, *flags)
+    @execution.options(execution.FILE, *flags)
     def taken() -> None:
         """Bears the parameters alone."""
 

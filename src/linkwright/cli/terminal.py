@@ -38,12 +38,15 @@ def show(section: Section, verbose: bool = False) -> None:
 
 def summed(block: Checks) -> None:
     """A verification in a line, and what of it fails."""
-    passed = sum(check.ok for check in block.checks)
-    mark = "[green]✓[/]" if passed == len(block.checks) else "[bold red]✗[/]"
-    out.print(f"{mark} {escape(say('cli.verified', passed=passed, total=len(block.checks)))}")
-    if failed := [check for check in block.checks if not check.ok]:
+    total, failed = len(block.checks), block.failed
+    out.print(f"{_mark(not failed)} {escape(say('cli.verified', passed=total - len(failed), total=total))}")
+    if failed:
         lines(Checks(failed))
     out.print()
+
+
+def _mark(ok: bool) -> str:
+    return "[green]✓[/]" if ok else "[bold red]✗[/]"
 
 
 def table(*heads: object, right: tuple[int, ...] = ()) -> Grid:
@@ -115,8 +118,7 @@ def _verdict(met: bool | None) -> str:
 def _(block: Checks) -> None:
     made = table(*(say(f"cli.column.{head}") for head in ("check", "figure", "verdict")), right=(1,))
     for check in block.checks:
-        mark = "[green]✓[/]" if check.ok else "[bold red]✗[/]"
-        made.add_row(escape(str(check.name)), escape(check.figure), f"{mark} {escape(str(check.sentence))}")
+        made.add_row(escape(str(check.name)), escape(check.figure), f"{_mark(check.ok)} {escape(str(check.sentence))}")
     out.print(made)
     for note in block.remarks:
         out.print(escape(str(note)))

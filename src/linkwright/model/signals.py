@@ -90,6 +90,14 @@ class Signals:
         return found
 
     @cached_property
+    def reactions(self) -> list[Contact]:
+        """The same, of two links that meet one way round alone."""
+        found: dict[tuple[str, str], Contact] = {}
+        for contact in self.contacts:
+            found.setdefault((contact.joint, contact.link if contact.on == contact.joint else ""), contact)
+        return [*found.values()]
+
+    @cached_property
     def looped(self) -> tuple[str, ...]:
         """The slides in loops of slides alone: statics doesn't determine how they share moments."""
         return in_loops(self.mechanism)

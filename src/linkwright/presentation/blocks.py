@@ -198,6 +198,11 @@ class Checks:
     checks: Sequence[Check]
     remarks: Sequence[Text] = ()
 
+    @property
+    def failed(self) -> list[Check]:
+        """Those that fail."""
+        return [check for check in self.checks if not check.ok]
+
 
 Block = Sentences | Bullets | Table | Charts | Copied | Cards | Measures | Checks
 
@@ -254,6 +259,7 @@ class FileOf:
 
 def filled(block: Block) -> bool:
     """Whether there is anything in a block."""
-    whole = {"Table": "rows", "Cards": "cards"}.get(type(block).__name__)
+    if isinstance(block, Table | Cards):
+        return bool(block.rows if isinstance(block, Table) else block.cards)
     (first, *_) = vars(block).values()
-    return bool(getattr(block, whole) if whole else first)
+    return bool(first)

@@ -207,12 +207,7 @@ def plots(result: Result) -> list[Plot]:
 def _force_plots(result: Result) -> list[Plot | None]:
     m, signals = result.run.compiled.mechanism, result.run.compiled.quantities.signals
     found: list[Plot | None] = []
-    seen: set[str] = set()
-    for contact in signals.contacts:
-        key = contact.joint if contact.on != contact.joint else f"{contact.joint}/{contact.link}"
-        if key in seen:
-            continue
-        seen.add(key)
+    for contact in signals.reactions:
         name = f"force({contact.link}, {contact.on})"
         if f"{name}.x" not in result.names:
             name = f"force({contact.link}, {contact.on}, {contact.joint})"

@@ -112,7 +112,7 @@ def _measure(measure: Measure) -> Sequence[str]:
 @html.register
 def _(block: Checks) -> str:
     heads = (say(f"report.{head}") for head in ("check", "figure", "meaning", "verdict"))
-    passed, total = sum(check.ok for check in block.checks), len(block.checks)
+    total, passed = len(block.checks), len(block.checks) - len(block.failed)
     line = mark(passed == total, say("report.summary_checks", ok=passed, total=total))
     after = "".join(f'<p class="note">{markup(remark)}</p>' for remark in block.remarks)
     opened = " open" if passed < total else ""

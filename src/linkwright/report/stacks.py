@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from itertools import product
 
-from linkwright.drawing.figures import figures
+from linkwright.drawing.chart_html import figures
 from linkwright.escape import markup
 from linkwright.presentation.blocks import Chart, Slider
 from linkwright.words import say

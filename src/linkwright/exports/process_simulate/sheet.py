@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright import _version
+from linkwright.drawing.chart_html import figures
 from linkwright.drawing.charts import Axes, points
-from linkwright.drawing.figures import figures
 from linkwright.drawing.plane import Plane
 from linkwright.escape import markup
 from linkwright.exports.process_simulate.facts import HingeFacts

@@ -71,16 +71,9 @@ def overview(run: Run, forces: bool) -> Overview:
 
 
 def _reactions(run: Run) -> Iterator[tuple[tuple[str, str, str], str]]:
-    """The magnitude of each contact's force, one way round, by joint and links."""
-    signals, seen = run.compiled.quantities.signals, set[frozenset[str]]()
-    between = [frozenset((contact.link, contact.on)) for contact in signals.contacts]
-    for contact, pair in zip(signals.contacts, between, strict=True):
-        if (both := pair | {contact.joint}) in seen:
-            continue
-        seen.add(both)
-        several = between.count(pair) > 2  # two links that meet in several joints: each is named
-        where = f", {contact.joint}" if several else ""
-        name = f"force({contact.link}, {contact.on}{where})"
+    """The magnitude of each contact's force, by joint and links."""
+    for contact in run.compiled.quantities.signals.reactions:
+        name = f"force({contact.link}, {contact.on}, {contact.joint})"
         yield (contact.joint, contact.link, contact.on), f"hypot({name}.x, {name}.y)"
 
 

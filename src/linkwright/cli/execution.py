@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
 
@@ -19,14 +19,7 @@ if TYPE_CHECKING:
     from linkwright.blocks import Runner
 
 
-class ModelFile(click.Path):
-    """A model file; ``-`` is standard input."""
-
-    def __init__(self) -> None:
-        super().__init__(path_type=Path)
-
-
-FILE = click.argument("file", type=ModelFile())
+FILE = click.argument("file", type=click.Path(path_type=Path))
 JSON = click.option("--json", "as_json", is_flag=True, help=say("cli.json"))
 OUT = click.option("-o", "--out", type=click.Path(path_type=Path), help=say("cli.out"))
 NETCDF = click.option("--netcdf", is_flag=True, help=say("cli.netcdf"))
@@ -84,7 +77,7 @@ def carry_out(
     how: Writing,
     runner: Runner | None = None,
     fresh: bool = False,
-) -> None:
+) -> NoReturn:
     """Perform the studies of a file, write what comes of them, and tell it."""
     from linkwright import app
     from linkwright.cli import show
@@ -96,7 +89,7 @@ def carry_out(
     end_of_job(job, file, telling)
 
 
-def end_of_job(job: Job, file: Path, telling: Telling) -> None:
+def end_of_job(job: Job, file: Path, telling: Telling) -> NoReturn:
     """What came out of a file's studies."""
     from linkwright.cli import show
 
@@ -107,7 +100,7 @@ def end_of_job(job: Job, file: Path, telling: Telling) -> None:
 
 def end(
     file: Path, examined: Examined, telling: Telling, data: Callable[[], Any], tell: Callable[[], None], code: int
-) -> None:
+) -> NoReturn:
     """What came out of a command, as JSON or for people, and its exit code."""
     from linkwright.app.job import summary_text
     from linkwright.cli import show
