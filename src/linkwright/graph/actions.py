@@ -62,9 +62,7 @@ class Actions:
         """The signals on which it depends."""
         found = [part for law in self.laws for part in nodes(law) if isinstance(part, Name | Call) and is_signal(part)]
         texts = [signal_text(part) for part in found]
-        for name in self.windows:
-            window = self.mechanism.windows[name]
-            texts += [] if isinstance(window, tuple) else window
+        texts += [window.signal for window in map(self.graph.quantities.window, self.windows) if window.signal]
         texts += [text for one in self.every for text in one.kind.depends(one.name, one.entry)]
         return [self.graph.signal(text) for text in dict.fromkeys(texts)]
 
@@ -126,7 +124,7 @@ class Actions:
     def timed(self) -> bool:
         """Whether something depends on the time itself."""
         named = any(isinstance(part, Name) and part.text == "t" for law in self.laws for part in nodes(law))
-        return named or any(isinstance(self.mechanism.windows[name], tuple) for name in self.windows)
+        return named or any(self.graph.quantities.window(name).signal is None for name in self.windows)
 
     @cached_property
     def varying(self) -> list[Acting]:
@@ -171,16 +169,11 @@ def is_table(call: Call) -> bool:
 
 def active(view: View, name: str) -> Scalar:
     """1 inside a window, 0 outside."""
-    quantities = view.graph.quantities
-    window, number = quantities.mechanism.windows[name], view.motion.geometry.number
-    if isinstance(window, tuple):
-        value, dimension, edges = view.given["t"], u.TIME, window
-    else:
-        ((text, edges),) = window.items()
-        value, dimension = view.row(text), quantities.dimensions.dimension(parse(text))
-    low, high = (number(edge, dimension) for edge in edges)
+    window = view.graph.quantities.window(name)
+    value = view.given["t"] if window.signal is None else view.row(window.signal)
+    low, high = (view.motion.geometry.number(end, window.dimension) for end in window.ends)
     over = value - low
-    if dimension == u.ANGLE:
+    if window.turning:
         over = over - 2 * ca.pi * ca.floor(over / (2 * ca.pi))
     return ca.logic_and(over >= 0, over <= high - low)
 

@@ -1,13 +1,15 @@
 """Measures: numbers taken of a run, with the places where expressions break, searches, grades and their check."""
 
+from linkwright.measures.bound_measure import BoundMeasure, bound
 from linkwright.measures.check import misfit
 from linkwright.measures.enclosed import enclose
 from linkwright.measures.found import MeasureResult
-from linkwright.measures.measure import Measurer, bound, measure_all
+from linkwright.measures.measure import Measurer, measure_all
 from linkwright.measures.probe import Probe, Search
 from linkwright.measures.reading import Reading
 
 __all__ = [
+    "BoundMeasure",
     "MeasureResult",
     "Measurer",
     "Probe",

@@ -32,7 +32,7 @@ def misfit(measurer: Measurer, results: Sequence[MeasureResult]) -> float | None
     count = max(LEAST, 2 * run.steps)
     second = run.start + (run.stop - run.start) * np.mod(GOLDEN * np.arange(1, count + 1), 1.0)
     t = np.sort(np.concatenate([run.t, second]))
-    trees = [measurer.trees[result.name] for result in known]
+    trees = [measurer.by_name[result.name].signal for result in known]
     values = run.all_rates(trees, t)[0]
     worst = [0.0]
     for result, row in zip(known, values, strict=True):
@@ -42,7 +42,7 @@ def misfit(measurer: Measurer, results: Sequence[MeasureResult]) -> float | None
 
 def _extremes(measurer: Measurer, result: MeasureResult, t: Array, row: Array) -> float:
     """By how much values exceed reported extremes beyond their round-off, over the range."""
-    probe = measurer.probe(result.name, result.measure.window)
+    probe = measurer.probe(measurer.by_name[result.name])
     some = row[probe.counting(t) & np.isfinite(row)]
     if not some.size:
         return 0.0
@@ -56,7 +56,7 @@ def _extremes(measurer: Measurer, result: MeasureResult, t: Array, row: Array) -
 
 def _mean(measurer: Measurer, result: MeasureResult) -> float:
     """How far a mean lies outside the extremes of what is averaged, and from that of another rule, over its size."""
-    kind, probe = kind_of(result.measure), measurer.probe(result.name, result.measure.window)
+    kind, probe = kind_of(result.measure), measurer.probe(measurer.by_name[result.name])
     reported, power = kind.mean_of(result.found[0].value, probe.length()), kind.power
     if reported is None or power is None:
         return 0.0

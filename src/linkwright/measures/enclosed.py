@@ -47,7 +47,7 @@ def _claim(measurer: Measurer, result: MeasureResult) -> Claim | None:
     proven = kind_of(measure).proven
     if not proven:
         return None
-    probe = measurer.probe(result.name, measure.window)
+    probe = measurer.probe(measurer.by_name[result.name])
     if probe.limits:
         return None
     top = probe.top().value if 1.0 in proven else np.inf

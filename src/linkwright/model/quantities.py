@@ -16,6 +16,7 @@ from linkwright.expressions.synonyms import unit_meant
 from linkwright.expressions.units import Dimension, UnitError, si_text, spelled, unit, words_of
 from linkwright.findings import Finding, Term
 from linkwright.model.actions import column_unit
+from linkwright.model.bound_window import BoundWindow
 from linkwright.model.inference import Inference
 from linkwright.model.mechanism import Mechanism
 from linkwright.model.names import Names
@@ -140,6 +141,10 @@ class Quantities:
         for finding in (*names.unknown(place), *names.misplaced(place)):
             return DimensionError(finding.code, **finding.data)
         return None
+
+    def window(self, name: str) -> BoundWindow:
+        """A window by its name."""
+        return BoundWindow.of(self.mechanism.windows[name], self.dimensions)
 
     def drive_dimension(self, drive: str) -> Dimension:
         """The dimension of what a drive prescribes: an angle or a length."""

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.expressions import units as u
-from linkwright.expressions.language import parse
+from linkwright.expressions.language import Node
 from linkwright.graph.rows import WindowRow
+from linkwright.model.bound_window import BoundWindow
 from linkwright.results.batch_run import Bunch, What, Who
 from linkwright.results.discontinuities import ASIDE
 
@@ -66,13 +66,13 @@ class Windows:
     def __init__(self, bunch: Bunch, jumps: bool) -> None:
         self.bunch = bunch
         self.gaps = gaps(bunch) if jumps else None
-        self._known: dict[str | None, Spans] = {}
+        self._known: dict[BoundWindow | None, Spans] = {}
 
-    def __getitem__(self, name: str | None) -> Spans:
-        if name not in self._known:
-            found = spans(self.bunch, name)
-            self._known[name] = found if self.gaps is None else without(found, self.gaps)
-        return self._known[name]
+    def __getitem__(self, window: BoundWindow | None) -> Spans:
+        if window not in self._known:
+            found = spans(self.bunch, window)
+            self._known[window] = found if self.gaps is None else without(found, self.gaps)
+        return self._known[window]
 
 
 def gaps(bunch: Bunch) -> Spans:
@@ -80,7 +80,7 @@ def gaps(bunch: Bunch) -> Spans:
     every, actions = np.arange(bunch.samples), bunch.run.compiled.graph.actions
     parts = list[tuple[Who, Array, Array]]()
     for name in actions.windows:
-        owner, a, b = spans(bunch, name).flat()
+        owner, a, b = spans(bunch, bunch.quantities.window(name)).flat()
         who = np.concatenate([owner, owner, every, every])
         t = np.concatenate([a, b, np.full(bunch.samples, bunch.start), bunch.stop])
         parts += _beside(bunch, WindowRow(name), who, t)
@@ -135,27 +135,22 @@ def each(owner: Who, who: Who, samples: int) -> Iterator[tuple[Who, Who]]:
         yield some, first[who[some]] + k
 
 
-def spans(bunch: Bunch, name: str | None) -> Spans:
+def spans(bunch: Bunch, window: BoundWindow | None) -> Spans:
     """The intervals that a window means within each sample's run; the whole run without one."""
     start, stop = np.full(bunch.samples, bunch.start), bunch.stop
-    if name is None:
+    if window is None:
         return _packed(np.arange(bunch.samples), start, stop, bunch.samples)
-    quantities = bunch.quantities
-    window = quantities.mechanism.windows[name]
-    if isinstance(window, tuple):
-        edges = [quantities.value(edge, u.TIME) for edge in window]
+    edges = [bunch.quantities.value(end, window.dimension) for end in window.ends]
+    if window.node is None:
         low, high = np.maximum(edges[0], start), np.minimum(edges[1], stop)
         who = np.flatnonzero(low < high)
         return _packed(who, low[who], high[who], bunch.samples)
-    ((text, sides),) = window.items()
-    dimension = quantities.dimensions.dimension(parse(text))
-    low, high = (np.broadcast_to(quantities.value(edge, dimension), bunch.samples) for edge in sides)
-    return _within(bunch, text, low, high, turning=dimension == u.ANGLE)
+    low, high = (np.broadcast_to(edge, bunch.samples) for edge in edges)
+    return _within(bunch, window.node, low, high, window.turning)
 
 
-def _within(bunch: Bunch, text: str, low: Array, high: Array, turning: bool) -> Spans:
-    """Where a signal lies in low .. high (samples,); of an angle, in that range or any whole turns from it."""
-    node = bunch.quantities.dimensions.bind(parse(text), None)
+def _within(bunch: Bunch, node: Node, low: Array, high: Array, turning: bool) -> Spans:
+    """Where an expression lies in low .. high (samples,); of an angle, in that range or any whole turns from it."""
 
     def beyond(edge: Array) -> tuple[Who, Array]:
         def off(values: Array, who: Who | None) -> Array:

@@ -34,7 +34,10 @@ def jumps(run: Run) -> Array:
     """The times right before and right after each jump of an acting element: (jumps, 2)."""
     actions, found = run.compiled.graph.actions, list[tuple[float, float]]()
     for name in actions.windows:
-        edges = {edge for interval in intervals(run, name) for edge in interval} | {run.start, run.stop}
+        edges = {edge for interval in intervals(run, run.compiled.quantities.window(name)) for edge in interval} | {
+            run.start,
+            run.stop,
+        }
         found += _beside(run, sorted(edges), WindowRow(name))
     for node in actions.jumps:
         found += _beside(run, zeros(run, node).tolist(), node)

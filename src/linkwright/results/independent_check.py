@@ -161,17 +161,12 @@ class Reports:
 
     def inside(self, window: str) -> Array:
         """Whether a window holds. At its edges, where round-off decides, the report is believed."""
-        entry = self.mechanism.windows[window]
-        if isinstance(entry, tuple):
-            value, dimension, edges = self.t, u.TIME, entry
-        else:
-            ((text, edges),) = entry.items()
-            dimension = self.compiled.quantities.dimensions.dimension(parse(text))
-            value = self.rows[self.compiled.graph.signal(text).text]
-        low, high = (self.compiled.quantities.value(edge, dimension) for edge in edges)
+        stated = self.compiled.quantities.window(window)
+        value = self.t if stated.signal is None else self.rows[self.compiled.graph.signal(stated.signal).text]
+        low, high = (self.compiled.quantities.value(end, stated.dimension) for end in stated.ends)
         slack = 1e-9 * max(high - low if high - low < 1e9 else 0.0, float(np.abs(value).max(initial=0.0)))
         over = value - low
-        if dimension == u.ANGLE:
+        if stated.turning:
             over = np.mod(over + slack, 2 * np.pi) - slack
         vague = (np.abs(over) < slack) | (np.abs(over - (high - low)) < slack)
         return np.where(vague, self.rows[WindowRow(window)] != 0, (over >= 0) & (over <= high - low))

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.expressions import units as u
-from linkwright.expressions.language import Node, parse
+from linkwright.expressions.language import Node
+from linkwright.model.bound_window import BoundWindow
 from linkwright.results.stationary import crossings
 
 if TYPE_CHECKING:
@@ -18,25 +18,19 @@ Array = NDArray[np.float64]
 Interval = tuple[float, float]
 
 
-def intervals(run: Run, name: str | None) -> list[Interval]:
+def intervals(run: Run, window: BoundWindow | None) -> list[Interval]:
     """The intervals of time (s) that a window means within a run; the whole run without one."""
-    if name is None:
+    if window is None:
         return [(run.start, run.stop)]
-    quantities = run.compiled.quantities
-    window = quantities.mechanism.windows[name]
-    if isinstance(window, tuple):
-        low, high = (quantities.value(edge, u.TIME) for edge in window)
+    low, high = (run.compiled.quantities.value(end, window.dimension) for end in window.ends)
+    if window.node is None:
         low, high = max(low, run.start), min(high, run.stop)
         return [(low, high)] if low < high else []
-    ((text, edges),) = window.items()
-    dimension = quantities.dimensions.dimension(parse(text))
-    low, high = (quantities.value(edge, dimension) for edge in edges)
-    return _within(run, text, low, high, turning=dimension == u.ANGLE)
+    return _within(run, window.node, low, high, window.turning)
 
 
-def _within(run: Run, text: str, low: float, high: float, turning: bool) -> list[Interval]:
-    """Where a signal lies in low .. high; of an angle, in that range or any whole turns from it."""
-    node = run.compiled.quantities.dimensions.bind(parse(text), None)
+def _within(run: Run, node: Node, low: float, high: float, turning: bool) -> list[Interval]:
+    """Where an expression lies in low .. high; of an angle, in that range or any whole turns from it."""
 
     def value(t: Array) -> Array:
         return np.asarray(run.jets(node, t).d[0])

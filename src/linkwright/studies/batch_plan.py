@@ -19,12 +19,12 @@ from functools import cached_property, partial
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.expressions.language import Node, parse
+from linkwright.expressions.language import Node
 from linkwright.graph.rows import determinants, reaches, spans
 from linkwright.kernels.parameter_batch import Varied
-from linkwright.measures import MeasureResult, bound, measure_all
+from linkwright.measures import BoundMeasure, MeasureResult, bound, measure_all
 from linkwright.measures.features import features
-from linkwright.reductions import Figures, Measure, kind_of
+from linkwright.reductions import Figures
 from linkwright.results import Run
 from linkwright.results.batch_run import Bunch, What
 from linkwright.results.batch_windows import Windows
@@ -45,81 +45,75 @@ CHUNK = 1 << 17
 
 
 def measure_many(
-    varied: Varied, run: Run, p: Array, names: Sequence[str] | None = None, stop: Array | None = None
+    varied: Varied, run: Run, p: Array, measures: Sequence[BoundMeasure] | None = None, stop: Array | None = None
 ) -> Many:
-    """The measures of some names, or all, of the samples ``p`` (parameters, samples) as :meth:`Varied.parameters`
+    """Some measures, or all of the mechanism, of the samples ``p`` (parameters, samples) as :meth:`Varied.parameters`
     gives them. ``run`` is the nominal one; ``stop`` (samples,) are the ends of their runs (s) where these differ.
 
     To ask again and again keep a :class:`Measuring`.
     """
-    return Measuring(varied, run, names).of(p, stop)
+    return Measuring(varied, run, measures).of(p, stop)
 
 
 class Measuring:
     """What the nominal run tells of how to measure many others; :meth:`of` may be called from several threads."""
 
-    def __init__(self, varied: Varied, run: Run, names: Sequence[str] | None = None, kernel: str = "numpy") -> None:
+    def __init__(
+        self, varied: Varied, run: Run, measures: Sequence[BoundMeasure] | None = None, kernel: str = "numpy"
+    ) -> None:
         self.varied, self.run, self.kernel = varied, run, kernel
         self.quantities, self.graph = run.compiled.quantities, run.compiled.graph
-        measures = self.quantities.mechanism.measures
-        self.measures = {name: measures[name] for name in (measures if names is None else names)}
-        self.trees = {key: tree for name in self.measures for key, tree in bound(self.quantities, name).items()}
+        self.measures = bound(self.quantities) if measures is None else measures
         structure = run.compiled.structure
         self.reaches, self.spans, self.determinants = reaches(structure), spans(structure), determinants(structure)
         self.pressures = [row for row, _ in angles(run.compiled)]
         varying = varied.joins(run.compiled.parameters[:, None])
         self.kinks, self.joins = kinks(run.compiled, varying), law_joins(run.compiled, varying)
-        self.single = [name for name, measure in self.measures.items() if self._singly(name, measure)]
+        self.single = {measure.name for measure in self.measures if self._singly(measure)}
         self.steps = self._steps()
         self.jumping = self._jumping()
         self.panels = self._panels()
-        self.single += self._apart()
+        self.single |= self._apart()
 
     # What the nominal run tells.
 
-    def _of(self, name: str) -> list[Node]:
-        """The expressions of a measure, that of its window among them."""
-        measure = self.measures[name]
-        keys, window = (name, *(f"{name} {key}" for key in measure.also)), measure.window
-        signal = self.quantities.mechanism.windows[window] if window else ()
-        texts = [] if isinstance(signal, tuple) else [*signal]
-        return [self.trees[key] for key in keys] + [
-            self.quantities.dimensions.bind(parse(text), None) for text in texts
-        ]
+    @property
+    def shared(self) -> list[BoundMeasure]:
+        """The measures that are taken of all samples together."""
+        return [measure for measure in self.measures if measure.name not in self.single]
 
-    def _singly(self, name: str, measure: Measure) -> bool:
+    def _singly(self, measure: BoundMeasure) -> bool:
         """Whether a measure is taken of one sample after the other."""
-        kind = kind_of(measure)
-        if kind.needs(measure) is None:
+        if measure.kind.needs(measure.entry) is None:
             return True
-        signals = [self.graph.signal(text) for text in self.run.signals_of(self._of(name))]
+        signals = [self.graph.signal(text) for text in self.run.signals_of(measure.nodes)]
         if any(signal.kind == "pole" for signal in signals):
             return True
         if all(signal.kinematic for signal in signals):
             return False
         tables, lookups = self.run.compiled.tables, self.graph.actions.lookups
         straight = any(tables[lookup.table].degree == 1 and not lookup.integral for lookup in lookups)
-        return straight and kind.power is not None
+        return straight and measure.kind.power is not None
 
     def _steps(self) -> int:
         """The steps of the grid; measures that the nominal run needs a finer one for go to the others."""
         run, steps = self.run, [min(self.run.grid, MOST_STEPS)]
-        trees = {name: self._of(name) for name in self.measures if name not in self.single}
-        every = [*dict.fromkeys(tree for some in trees.values() for tree in some)]
+        every = [*dict.fromkeys(node for measure in self.shared for node in measure.nodes)]
         fine = fineness(partial(run.all_rates, every), run.start, run.stop, run.grid) if every else []
         needed = dict(zip(every, fine, strict=True))
-        for name, some in trees.items():
-            finest = max((needed[tree] // 2 for tree in some), default=0)  # half would do, and a quarter just so
+        for measure in self.shared:
+            # Half of what it needs would do, and a quarter just so.
+            finest = max((needed[node] // 2 for node in measure.nodes), default=0)
             if finest > MOST_STEPS:
-                self.single.append(name)
+                self.single.add(measure.name)
             else:
                 steps.append(finest)
         return max(steps)
 
     def _jumping(self) -> bool:
         """Whether something may jump that is measured of all samples together: forces do where a load's window ends."""
-        shared = [tree for name in self.measures if name not in self.single for tree in self._of(name)]
-        forces = any(not self.graph.signal(text).kinematic for text in self.run.signals_of(shared))
+        shared = self.run.signals_of([node for measure in self.shared for node in measure.nodes])
+        forces = any(not self.graph.signal(text).kinematic for text in shared)
         return forces and bool(self.graph.actions.windows or self.graph.actions.jumps)
 
     def _panels(self) -> dict[str, int]:
@@ -128,39 +122,39 @@ class Measuring:
         nominal = self.run.compiled.parameters[:, None]
         bunch = Bunch(self.varied, self.run, nominal, self.steps, kernel=self.kernel)
         windows = Windows(bunch, self.jumping)
-        for name, measure in self.measures.items():
-            power = kind_of(measure).power
-            if power is None or name in self.single:
+        for measure in self.shared:
+            power = measure.kind.power
+            if power is None:
                 continue
-            where, places = windows[measure.window], corners(bunch, self.trees[name], self.kinks)
+            where, places = windows[measure.window], corners(bunch, measure.signal, self.kinks)
             panels, last = FIRST_PANELS, np.full(1, np.inf)
             while panels <= MOST_PANELS:
-                now, size = mean(bunch, self.trees[name], where, power, panels, places)
+                now, size = mean(bunch, measure.signal, where, power, panels, places)
                 if not abs(now - last)[0] > CLOSE * size[0]:
                     break
                 panels, last = 2 * panels, now
             if panels > MOST_PANELS:
-                self.single.append(name)
+                self.single.add(measure.name)
             else:
-                found[name] = panels
+                found[measure.name] = panels
         return found
 
-    def _apart(self) -> list[str]:
+    def _apart(self) -> set[str]:
         """The measures for which the shared grid is too coarse already at the nominal parameters: what is taken of
         these together differs from the run's own measures."""
-        shared = [name for name in self.measures if name not in self.single]
         nominal = Bunch(self.varied, self.run, self.run.compiled.parameters[:, None], self.steps, kernel=self.kernel)
         many = Taken(self, nominal).many()
-        if not shared or many.failed.any():
-            return []
-        own = {result.name: result for result in measure_all(self.run, shared)[0]}
-        sizes = {name: float(np.abs(nominal.on_grid(self.trees[name])[0]).max()) for name in shared}
-        return [name for name in shared if not _alike(own[name], many.figures[name], sizes[name])]
+        if not self.shared or many.failed.any():
+            return set()
+        sizes = [float(np.abs(nominal.on_grid(measure.signal)[0]).max()) for measure in self.shared]
+        own = measure_all(self.run, self.shared)[0]
+        pairs = zip(own, sizes, strict=True)
+        return {one.name for one, size in pairs if not _alike(one, many.figures[one.name], size)}
 
-    def hard(self, name: str) -> list[Node]:
+    def hard(self, measure: BoundMeasure) -> list[Node]:
         """The break functions of a measure at whose zeros it need not be continuous."""
         find = self.quantities.signals.find
-        found = [feature for tree in self._of(name) for feature in features(tree, find)]
+        found = [feature for node in measure.nodes for feature in features(node, find)]
         return [feature.node for feature in found if feature.kind.hard]
 
     # Many samples.
@@ -180,8 +174,8 @@ class Measuring:
     @cached_property
     def watched(self) -> list[What]:
         """All curves that are looked at on the grid."""
-        trees = [tree for name in self.measures if name not in self.single for tree in self._of(name)]
-        breaking = [node for name in self.measures if name not in self.single for node in self.hard(name)]
+        trees = [node for measure in self.shared for node in measure.nodes]
+        breaking = [node for measure in self.shared for node in self.hard(measure)]
         followed = (*self.reaches, *self.spans, *self.determinants)  # they tell whether a sample can be followed
         return [*dict.fromkeys([*trees, *breaking]), *followed, *self.pressures]
 

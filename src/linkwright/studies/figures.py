@@ -9,10 +9,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.expressions.units import Dimension, unit
+from linkwright.expressions.units import Dimension
 from linkwright.kernels import Compiled
 from linkwright.kernels.parameter_batch import Varied
-from linkwright.reductions import figure, kind_of
+from linkwright.measures import BoundMeasure
 from linkwright.results import Run
 from linkwright.studies.batch_plan import Measuring
 
@@ -35,31 +35,28 @@ class Column:
         return " ".join(filter(None, (self.measure, self.label)))
 
 
-def columns(compiled: Compiled, name: str) -> list[Column]:
+def columns(compiled: Compiled, measure: BoundMeasure) -> list[Column]:
     """The figures of a measure."""
-    quantities, measure = compiled.quantities, compiled.mechanism.measures[name]
-    dimension = quantities.dimensions.resolve(figure(name, measure))
-    text, size = quantities.unit_of(dimension) if measure.unit is None else (measure.unit, unit(measure.unit)[0])
-    return [Column(name, label, dimension, text, size) for label in kind_of(measure).labels]
+    text, size = measure.unit(compiled.quantities)
+    return [Column(measure.name, label, measure.dimension, text, size) for label in measure.kind.labels]
 
 
 class Figures:
     """Measures of many samples of a run; the ``required`` ones have a requirement."""
 
-    def __init__(self, run: Run, varied: Varied, names: Sequence[str], kernel: str) -> None:
-        self.run, self.varied, self.names, self.kernel = run, varied, tuple(names), kernel
-        mechanism = run.compiled.mechanism
-        self.columns = [column for name in names for column in columns(run.compiled, name)]
-        self.required = [name for name in names if name in mechanism.require]
+    def __init__(self, run: Run, varied: Varied, measures: Sequence[BoundMeasure], kernel: str) -> None:
+        self.run, self.varied, self.measures, self.kernel = run, varied, measures, kernel
+        self.columns = [column for measure in measures for column in columns(run.compiled, measure)]
+        self.required = [measure.name for measure in measures if measure.requirement is not None]
 
     @cached_property
     def _measuring(self) -> Measuring:
-        return Measuring(self.varied, self.run, self.names, self.kernel)
+        return Measuring(self.varied, self.run, self.measures, self.kernel)
 
     def of(self, p: Array) -> tuple[Array, Array]:
         """(figures, samples) in SI, NaN where a sample has none, and whether requirements are met, 1 or 0:
         (required, samples); from all parameters (parameters, samples)."""
-        if not self.names:
+        if not self.measures:
             return np.empty((0, p.shape[1])), np.empty((0, p.shape[1]))
         many = self._measuring.of(p)
         rows = [many.figures[column.measure][column.label].values for column in self.columns]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import closing
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -15,7 +15,7 @@ from linkwright.blocks.runners import opened
 from linkwright.findings import Finding, ModelError, Term
 from linkwright.kernels import KERNELS
 from linkwright.kernels.kernel_selection import Choice, choose
-from linkwright.measures import bound
+from linkwright.measures import BoundMeasure, bound
 from linkwright.model.origin import table_files
 from linkwright.results import Run
 from linkwright.studies.assembly_checks import singular, unassembled
@@ -105,25 +105,28 @@ def refused(nominal: Run, options: Sampling, names: Iterable[str]) -> list[Findi
     return found or locked(nominal)
 
 
-def chosen(nominal: Run, options: Sampling) -> Choice:
-    """The kernel that computes it, and why. That doesn't depend on the runner, which may change no figure."""
+def chosen(nominal: Run, options: Sampling, more: Sequence[BoundMeasure] = ()) -> Choice:
+    """The kernel that computes it with ``more`` measures, and why. That doesn't depend on the runner, which may change no
+    figure."""
     samples = sampled_study(options).draws(nominal.compiled, options).samples
     compiled, poses = nominal.compiled, samples * nominal.t.size
     quantities = compiled.quantities
     trees = [quantities.dimensions.bind(signal.node, None) for signal in options.signals(compiled)]
-    trees += [tree for name in options.measures(compiled) for tree in bound(quantities, name).values()]
-    program = compiled.graph.program(nominal.signals_of(trees), rates=bool(options.measures(compiled)))
+    measures = [*bound(quantities, options.measures(compiled)), *more]
+    trees += [tree for measure in measures for tree in measure.trees.values()]
+    program = compiled.graph.program(nominal.signals_of(trees), rates=bool(measures))
     return choose(program, poses, wish=options.kernel)
 
 
-def perform(nominal: Run, options: Sampling, kernel: str, site: Site) -> Performed:
-    """Compute all samples, going on with an interrupted study in the site's folder.
+def perform(nominal: Run, options: Sampling, kernel: str, site: Site, more: tuple[BoundMeasure, ...] = ()) -> Performed:
+    """Compute all samples, with ``more`` measures than the options ask for, going on with an interrupted study in the
+    site's folder.
 
     Raises :class:`Interrupted`, and :class:`ModelError` where it can't be carried on.
     """
     assert site.document is not None, "samples need the file's document"
     files = tuple(table_files(nominal.compiled.mechanism, site.folder).items())
-    work = SampleWork(site.document, files, kernel, options.study, uses=nominal.compiled.quantities.uses)
+    work = SampleWork(site.document, files, kernel, options.study, more, uses=nominal.compiled.quantities.uses)
     task = opened(work)
     assert isinstance(task, SampleTask)
     if not tabled(task.plan.samples) and task.figures.columns:

@@ -24,6 +24,7 @@ from linkwright.kernels import Compiled
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.kernels.registry import KERNELS
 from linkwright.kernels.versions import versions
+from linkwright.measures import BoundMeasure, bound
 from linkwright.model.document import Document, plain
 from linkwright.model.places import Place
 from linkwright.model.temporary import temporary_folder
@@ -48,7 +49,7 @@ STRIP = 1 << 18
 class SampleWork:
     """A ``study`` of many samples that any process can perform: the file's document and the content of its tables.
 
-    ``reach`` (figures, 2) are the least and largest edges of the histograms that atoms make, in SI; none of them
+    ``more`` are measures besides those that the options ask for. ``reach`` (figures, 2) are the least and largest edges of the histograms that atoms make, in SI; none of them
     where the figures of all samples are kept. ``uses`` are those of the nominal :class:`Quantities`.
     """
 
@@ -56,6 +57,7 @@ class SampleWork:
     files: tuple[tuple[str, bytes], ...]
     kernel: str
     study: str
+    more: tuple[BoundMeasure, ...] = ()
     reach: tuple[tuple[float, float], ...] = ()
     uses: tuple[Place, ...] = ()
 
@@ -76,7 +78,7 @@ class SampleWork:
         data = plain(self.document)
         data["studies"] = {name: data["studies"][name] for name in ("cycle", self.study)}
         data["studies"][self.study].pop("kernel", None)
-        said = json.dumps([data, self.reach], sort_keys=True)
+        said = json.dumps([data, self.reach, [measure.content for measure in self.more]], sort_keys=True)
         sums = [f"{name} {hashlib.sha256(content).hexdigest()}" for name, content in self.files]
         return hashlib.sha256("\n".join([said, *sums]).encode()).hexdigest()
 
@@ -94,7 +96,9 @@ class SampleWork:
         tasks, findings = read_studies(studies)
         raise_errors(findings)
         options = next(task.options for task in tasks if task.study.name == self.study)
-        return SampleTask(sampled_study(options).sampled_mechanism(compiled), options, self.kernel, self.reach)
+        return SampleTask(
+            sampled_study(options).sampled_mechanism(compiled), options, self.kernel, self.more, self.reach
+        )
 
 
 class SampleTask:
@@ -107,7 +111,12 @@ class SampleTask:
     """
 
     def __init__(
-        self, compiled: Compiled, options: Sampling, kernel: str, reach: Sequence[tuple[float, float]] = ()
+        self,
+        compiled: Compiled,
+        options: Sampling,
+        kernel: str,
+        more: Sequence[BoundMeasure] = (),
+        reach: Sequence[tuple[float, float]] = (),
     ) -> None:
         self.compiled, self.options, self.kernel, self.reach = compiled, options, kernel, reach
         self.plan = sampled_study(options).draws(compiled, options)
@@ -115,7 +124,8 @@ class SampleTask:
         stop = span(compiled, options.cycle)[0]
         self.run = Run(compiled, 0.0, stop, options.steps)
         self.signals = Signals(self.run, self.varied, [s.text for s in options.signals(compiled)], kernel)
-        self.figures = Figures(self.run, self.varied, options.measures(compiled), kernel)
+        measures = [*bound(compiled.quantities, options.measures(compiled)), *more]
+        self.figures = Figures(self.run, self.varied, measures, kernel)
         self.cut = Cut(self.plan.samples, self.run.t.size if self.signals.texts else 1)
 
     @property

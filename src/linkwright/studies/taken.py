@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.language import Node
-from linkwright.measures import measure_all
-from linkwright.reductions import Figures, Measure, figure, kind_of
+from linkwright.measures import BoundMeasure, measure_all
+from linkwright.model.bound_window import BoundWindow
+from linkwright.reductions import Figures, Measure
 from linkwright.results.batch_run import Bunch, What
 from linkwright.results.batch_windows import Spans, Windows, spans
 from linkwright.results.single_sample import alone
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
+Extreme = tuple[Node, BoundWindow | None, float]
+"""An expression, the window over which it is looked at, 1 for its largest value and -1 for its smallest."""
 
 SETTLED = 1e-9
 """A mean that differs by more than this share of the mean magnitude from that on half as many panels isn't settled."""
@@ -65,20 +68,21 @@ class Taken:
         asked = self.measuring
         self.extremes, self.coarse = self.all_extremes(), dict[str, Mask]()
         many = Many(self.failed())
-        for name, measure in asked.measures.items():
-            many.figures[name] = self.blank(measure) if name in asked.single else self.figures(name, measure)
-        self.singly(many, asked.single, ~many.failed)
+        single = [measure for measure in asked.measures if measure.name in asked.single]
+        for measure in asked.measures:
+            many.figures[measure.name] = self.blank(measure) if measure in single else self.figures(measure)
+        self.singly(many, single, ~many.failed)
         near = self.bunch.fast | self.close([*asked.reaches, *asked.determinants])
-        for name in asked.measures:
-            if name not in asked.single:
-                some = near | self.close(asked.hard(name)) | self.coarse.get(name, False)
-                self.singly(many, [name], some & ~many.failed)
-        for name, found in many.figures.items():
-            for figures in found.values():
+        for measure in asked.shared:
+            some = near | self.close(asked.hard(measure)) | self.coarse.get(measure.name, False)
+            self.singly(many, [measure], some & ~many.failed)
+        for measure in asked.measures:
+            found = many.figures[measure.name].values()
+            for figures in found:
                 unknown = many.failed | ~np.isfinite(figures.values)
                 figures.values[unknown] = figures.times[unknown] = np.nan
-            if name in self.bunch.quantities.mechanism.require:
-                many.met[name] = self.verdict(name, asked.measures[name], found)
+            if measure.requirement is not None:
+                many.met[measure.name] = measure.met(self.bunch.quantities, [figures.values for figures in found])
         return many
 
     def close(self, what: Sequence[What]) -> Mask:
@@ -112,12 +116,12 @@ class Taken:
             failed |= square(bunch.on_grid(pressure)[0]).any(axis=1)
         return failed
 
-    def all_extremes(self) -> dict[tuple[Node, str | None, float], Figures]:
+    def all_extremes(self) -> dict[Extreme, Figures]:
         """Every extreme that a measure needs, those of one curve together."""
-        asks: dict[Node, dict[tuple[str | None, float], None]] = {}
+        asks: dict[Node, dict[tuple[BoundWindow | None, float], None]] = {}
         for tree, window, sign in self.wanted():
             asks.setdefault(tree, {})[window, sign] = None
-        found: dict[tuple[Node, str | None, float], Figures] = {}
+        found: dict[Extreme, Figures] = {}
         jumping = [tree for tree in asks if self.sides is not None and self.measuring.run.may_jump(tree)]
         beside = self.sides.candidates(self.bunch, jumping) if self.sides is not None and jumping else {}
         for tree, places in asks.items():
@@ -126,51 +130,35 @@ class Taken:
             found |= {(tree, *place): figure for place, figure in zip(places, figures, strict=True)}
         return found
 
-    def wanted(self) -> Iterator[tuple[Node, str | None, float]]:
+    def wanted(self) -> Iterator[Extreme]:
         """The extremes that the measures need: curve, window, sign."""
-        trees = self.measuring.trees
-        for name, measure in self.measuring.measures.items():
-            if name in self.measuring.single:
-                continue
-            for key, sign in kind_of(measure).needs(measure) or ():
-                yield trees[f"{name} {key}".rstrip()], measure.window, sign
+        for measure in self.measuring.shared:
+            for key, sign in measure.kind.needs(measure.entry) or ():
+                yield measure.trees[key], measure.window, sign
 
-    def blank(self, measure: Measure) -> dict[str, Figures]:
+    def blank(self, measure: BoundMeasure) -> dict[str, Figures]:
         """The labels of a measure, without figures yet."""
         size = self.bunch.samples
-        return {label: Figures(np.full(size, np.nan), np.full(size, np.nan)) for label in kind_of(measure).labels}
+        return {label: Figures(np.full(size, np.nan), np.full(size, np.nan)) for label in measure.kind.labels}
 
-    def figures(self, name: str, measure: Measure) -> dict[str, Figures]:
+    def figures(self, measure: BoundMeasure) -> dict[str, Figures]:
         """A measure's figures by label, in its range of angles."""
-        found = kind_of(measure).figures(Sampled(self, name, measure))
-        values = {label: figures.values for label, figures in found.items()}
-        if measure.wrap is not None:
-            quantities = self.bunch.quantities
-            dimension = quantities.dimensions.resolve(figure(name, measure))
-            low, high = (quantities.value(edge, dimension) for edge in measure.wrap)
-            with np.errstate(invalid="ignore"):
-                values = {label: low + (value - low) % (high - low) for label, value in values.items()}
-        return {label: Figures(values[label].copy(), figures.times.copy()) for label, figures in found.items()}
+        found, quantities = measure.kind.figures(Sampled(self, measure)), self.bunch.quantities
+        return {
+            label: Figures(measure.wrapped(quantities, figures.values).copy(), figures.times.copy())
+            for label, figures in found.items()
+        }
 
-    def singly(self, many: Many, names: Sequence[str], some: Mask) -> None:
+    def singly(self, many: Many, measures: Sequence[BoundMeasure], some: Mask) -> None:
         """Put in what is taken of some samples one after the other."""
         bunch = self.bunch
-        for i in np.flatnonzero(some) if names else ():
+        for i in np.flatnonzero(some) if measures else ():
             run = alone(bunch.varied, bunch.run, bunch.p[:, i], float(bunch.stop[i]), bunch.kernel)
-            for result in measure_all(run, names)[0]:
+            for result in measure_all(run, measures)[0]:
                 found = {f.label: f for f in result.found}
                 for label, figures in many.figures[result.name].items():
                     value, time = (found[label].value, found[label].time) if label in found else (np.nan, None)
                     figures.values[i], figures.times[i] = value, np.nan if time is None else time
-
-    def verdict(self, name: str, measure: Measure, found: dict[str, Figures]) -> Mask:
-        """Which samples meet the requirement on a measure."""
-        quantities = self.bunch.quantities
-        requirement = quantities.mechanism.require[name]
-        dimension = quantities.dimensions.resolve(figure(name, measure))
-        low = -np.inf if requirement.low is None else quantities.value(requirement.low, dimension)
-        high = np.inf if requirement.high is None else quantities.value(requirement.high, dimension)
-        return np.asarray(np.logical_and.reduce([(low <= f.values) & (f.values <= high) for f in found.values()]))
 
 
 @dataclass(frozen=True)
@@ -178,12 +166,16 @@ class Sampled:
     """One measure of a bunch of samples, as :class:`~linkwright.reductions.InSamples` has it."""
 
     taken: Taken
-    name: str
-    measure: Measure
+    asked: BoundMeasure
+
+    @property
+    def measure(self) -> Measure:
+        """The entry."""
+        return self.asked.entry
 
     @property
     def _window(self) -> Spans:
-        return self.taken.windows[self.measure.window]
+        return self.taken.windows[self.asked.window]
 
     @property
     def length(self) -> Array:
@@ -198,24 +190,22 @@ class Sampled:
 
     def extreme(self, sign: float, key: str = "") -> Figures:
         """The largest values of an expression, or with the sign -1 the smallest."""
-        tree = self.taken.measuring.trees[f"{self.name} {key}".rstrip()]
-        return self.taken.extremes[tree, self.measure.window, sign]
+        return self.taken.extremes[self.asked.trees[key], self.asked.window, sign]
 
     def mean(self) -> Array:
         """The mean of the kind's power; samples for which its panels are too coarse are noted."""
-        asked, bunch, power = self.taken.measuring, self.taken.bunch, kind_of(self.measure).power
+        plan, bunch, tree, power = self.taken.measuring, self.taken.bunch, self.asked.signal, self.asked.kind.power
         assert power is not None
-        tree, panels = asked.trees[self.name], asked.panels[self.name]
-        places = corners(bunch, tree, asked.kinks)
+        panels, places = plan.panels[self.asked.name], corners(bunch, tree, plan.kinks)
         values, size = mean(bunch, tree, self._window, power, panels, places)
         half, _ = mean(bunch, tree, self._window, power, panels // 2, places)
         with np.errstate(invalid="ignore"):
-            self.taken.coarse[self.name] = ~(np.abs(values - half) <= SETTLED * size)
+            self.taken.coarse[self.asked.name] = ~(np.abs(values - half) <= SETTLED * size)
         return values
 
     def values(self, times: Array) -> Array:
         """The signal of each at a time (s) of its own."""
         who = np.flatnonzero(np.isfinite(times))
         values = np.full_like(times, np.nan)
-        values[who] = self.taken.bunch.values(self.taken.measuring.trees[self.name], who, times[who])
+        values[who] = self.taken.bunch.values(self.asked.signal, who, times[who])
         return values

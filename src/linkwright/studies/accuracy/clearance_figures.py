@@ -10,9 +10,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions.language import parse
 from linkwright.findings import Finding, Term
-from linkwright.measures import bound
-from linkwright.reductions import Measure, kind_of
-from linkwright.results import Run
+from linkwright.measures import BoundMeasure
 from linkwright.studies.accuracy.clearance import PATH, Plays
 from linkwright.studies.accuracy.derivatives import Derivatives, Deviated
 from linkwright.studies.accuracy.options import AccuracyOptions
@@ -22,18 +20,21 @@ Array = NDArray[np.float64]
 Effects = dict[tuple[str, str], PlayEffect]
 
 
-def state_plays(outcome: AccuracyOutcome, run: Run, options: AccuracyOptions, every: Mapping[str, Figure]) -> None:
-    """Give figures of measures of ``run``, and an outcome's curves and joints, what the clearances do to them.
+def state_plays(
+    outcome: AccuracyOutcome, options: AccuracyOptions, measures: Sequence[BoundMeasure], every: Mapping[str, Figure]
+) -> None:
+    """Give figures of measures, and an outcome's curves and joints, what the clearances do to them.
 
-    Those whose measure isn't in the outcome's file stand for signals, which are warned of once.
+    Those whose measure isn't in the file stand for signals, which are warned of once.
     """
     if not options.clearances:
         return
-    plays = Plays(run.compiled, run, options)
-    effects, lacking = play_effects(plays, [*dict.fromkeys(figure.column.measure for figure in every.values())])
+    run = outcome.run
+    plays, valued = Plays(run.compiled, run, options), {figure.column.measure for figure in every.values()}
+    effects, lacking = play_effects(plays, [measure for measure in measures if measure.name in valued])
     for figure in every.values():
         figure.play = effects.get((figure.column.measure, figure.column.label))
-    lacking = {name: why for name, why in lacking.items() if name in outcome.compiled.mechanism.measures}
+    lacking = {name: why for name, why in lacking.items() if name in run.compiled.mechanism.measures}
     for text, curve in outcome.curves.items():
         tree = run.compiled.quantities.dimensions.bind(parse(text), None)
         if plays.fits([tree]):
@@ -44,18 +45,17 @@ def state_plays(outcome: AccuracyOutcome, run: Run, options: AccuracyOptions, ev
     outcome.warnings += [*plays.warnings, *unaffected(lacking)]
 
 
-def play_effects(plays: Plays, names: Sequence[str]) -> tuple[Effects, dict[str, Term]]:
+def play_effects(plays: Plays, measures: Sequence[BoundMeasure]) -> tuple[Effects, dict[str, Term]]:
     """The effects on measures that have a value, by name and label; why the others have none, by name."""
-    known, found = plays.compiled.mechanism.measures, Effects()
-    lacking = {name: why for name in names if (why := _lacks(plays, name, known[name]))}
-    fitting = [name for name in names if name not in lacking]
+    lacking = {measure.name: why for measure in measures if (why := _lacks(plays, measure))}
+    fitting, found = [measure for measure in measures if measure.name not in lacking], Effects()
     if fitting and plays.held:
         rested, moved = (Derivatives(plays.run, slopes, fitting) for slopes in (plays.resting, plays.gaps))
-        for name in fitting:
-            bounds = kind_of(known[name]).bound(Played(plays, moved.deviated(name)))
-            for shift, worst in zip(rested.of(name), bounds, strict=True):
+        for measure in fitting:
+            bounds = measure.kind.bound(Played(plays, moved.deviated(measure.name)))
+            for shift, worst in zip(rested.of(measure.name), bounds, strict=True):
                 shifts = shift.sides[:, 1]  # a place also moves as directions turn, which no held one shows
-                found[name, shift.label] = plays.effect(shifts, np.maximum(worst, np.abs(shifts[1:])))
+                found[measure.name, shift.label] = plays.effect(shifts, np.maximum(worst, np.abs(shifts[1:])))
     return found, lacking
 
 
@@ -70,17 +70,14 @@ def unaffected(lacking: Mapping[str, Term]) -> list[Finding]:
     ]
 
 
-def _lacks(plays: Plays, name: str, measure: Measure) -> Term | None:
+def _lacks(plays: Plays, measure: BoundMeasure) -> Term | None:
     """Why a measure has no effect to state."""
-    quantities, window = plays.compiled.quantities, plays.compiled.mechanism.windows.get(measure.window or "")
-    edges = [] if window is None or isinstance(window, tuple) else [parse(text) for text in window]
-    edges = [quantities.dimensions.bind(edge, None) for edge in edges]
-    kind = kind_of(measure)
-    if not kind.bounded:
+    if not measure.kind.bounded:
         return Term("play-reduction")
-    if not plays.fits([*bound(quantities, name).values(), *edges]):
+    if not plays.fits(measure.nodes):
         return Term("play-no-position")
-    if kind.still and edges:
+    edges = measure.window.nodes if measure.window is not None else []
+    if measure.kind.still and edges:
         still = plays.gaps.at(edges, plays.run.t, rates=False).slope
         return Term("play-window") if still.any() else None
     return None

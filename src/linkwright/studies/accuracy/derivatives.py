@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import Node
-from linkwright.measures import Measurer, Probe, Reading
-from linkwright.reductions import Derivative, Local, kind_of
+from linkwright.measures import BoundMeasure, Measurer, Probe, Reading
+from linkwright.model.bound_window import BoundWindow
+from linkwright.reductions import Derivative, Local
 from linkwright.results import Run
 from linkwright.results.quadrature import gauss_points
 from linkwright.studies.accuracy.law_joints import Joins
@@ -36,31 +37,27 @@ MOST_PANELS = 1 << 12
 
 
 class Derivatives:
-    """The derivatives of the measures of a run."""
+    """The derivatives of measures of a run; of its mechanism's by default."""
 
-    def __init__(self, run: Run, slopes: Slopes, names: Sequence[str]) -> None:
+    def __init__(self, run: Run, slopes: Slopes, measures: Sequence[BoundMeasure] | None = None) -> None:
         self.run, self.slopes, self.edges, self.joins = run, slopes, Edges(slopes), Joins(slopes)
-        self.measurer = Measurer(run, names)
-        self.trees = self.measurer.trees
+        self.measurer = Measurer(run, measures)
 
     def of(self, name: str) -> list[Derivative]:
         """Those of a measure's figures, in their order."""
-        return kind_of(self.measurer.measures[name]).derivative(self.deviated(name))
+        return self.measurer.by_name[name].kind.derivative(self.deviated(name))
 
     def deviated(self, name: str) -> Deviated:
         """A measure's signal by the deviations."""
-        return Deviated(self, name, self.measurer.reading(name))
+        measure = self.measurer.by_name[name]
+        return Deviated(self, measure, self.measurer.reading(measure))
 
-    def probe(self, key: str, window: str | None) -> Probe:
-        """An expression over a window."""
-        return self.measurer.probe(key, window)
-
-    def moves(self, window: str | None, time: float) -> Array | None:
+    def moves(self, window: BoundWindow | None, time: float) -> Array | None:
         """How a time moves with the deviations that is an end of a window or of a load."""
         end = self.edges.end(window, time)
         return self.edges.jump(time) if end is None else end
 
-    def place(self, tree: Node, time: float, value: float, window: str | None) -> Array:
+    def place(self, tree: Node, time: float, value: float, window: BoundWindow | None) -> Array:
         """The derivative of an expression's extreme at a place, of this value."""
         moves = self.moves(window, time)
         if moves is None and (jumping := self.joins.extreme(tree, time, value)) is not None:
@@ -71,22 +68,22 @@ class Derivatives:
         slope = here.slope[0, :, 0]
         return slope if moves is None else np.asarray(slope + here.rate[0, 0] * moves)
 
-    def extreme(self, key: str, window: str | None, sign: float) -> Derivative:
+    def extreme(self, measure: BoundMeasure, sign: float) -> Derivative:
         """That of the largest value, or with the sign -1 of the smallest."""
-        probe = self.probe(key, window)
+        probe = self.measurer.probe(measure)
         times, values = probe.candidates
         best = (sign * values).max()
         near = times[sign * values >= best - TIE * np.abs(values).max()]
-        slopes = np.stack([self.place(probe.node, float(time), sign * best, window) for time in near])
+        slopes = np.stack([self.place(probe.node, float(time), sign * best, measure.window) for time in near])
         apart = [slopes[0]]
         for slope in slopes[1:]:
             if all(np.abs(slope - one).max() > APART * np.abs(slopes).max() for one in apart):
                 apart.append(slope)
         return Derivative("max" if sign > 0 else "min", float(near[0]), np.stack(apart), sign)
 
-    def integral(self, name: str, window: str | None, power: int) -> tuple[float, Array, float, Array]:
-        """The integral of a power of an expression over a window with its derivative; the window's length likewise."""
-        probe, edges = self.probe(name, window), self.edges
+    def integral(self, measure: BoundMeasure, power: int) -> tuple[float, Array, float, Array]:
+        """The integral of a power of a measure's signal over its window with its derivative; the window's length likewise."""
+        probe, edges = self.measurer.probe(measure), self.edges
         total, slope, length, grows = 0.0, np.zeros(self.slopes.count), probe.length(), np.zeros(self.slopes.count)
         corners = np.concatenate([probe.stationary, self.run.breaks])
         for a, b in probe.intervals:
@@ -94,7 +91,7 @@ class Derivatives:
             value, part = self._quadrature(probe.node, a, b, inside, power)
             total, slope = total + value, slope + part
             for edge, sign in ((a, -1.0), (b, 1.0)):
-                moves = edges.end(window, edge)
+                moves = edges.end(measure.window, edge)
                 assert moves is not None
                 slope = slope + sign * self._power(probe, edge, power) * moves
                 grows = grows + sign * moves
@@ -134,7 +131,7 @@ class Deviated:
     """One measure, as :class:`~linkwright.reductions.WithDeviations` has it."""
 
     every: Derivatives
-    name: str
+    measure: BoundMeasure
     here: Reading
 
     @property
@@ -145,28 +142,28 @@ class Deviated:
 
     def extreme(self, sign: float) -> Derivative:
         """That of the largest value, or with the sign -1 of the smallest."""
-        return self.every.extreme(self.name, self.here.measure.window, sign)
+        return self.every.extreme(self.measure, sign)
 
     def integral(self, power: int) -> tuple[float, Array, float, Array]:
         """That of a power over the window, and of the window's length."""
-        return self.every.integral(self.name, self.here.measure.window, power)
+        return self.every.integral(self.measure, power)
 
     def at(self, times: Sequence[float] | Array, key: str = "", rates: bool = True) -> Local:
         """The signal, or another expression, at times (s)."""
-        return self.every.slopes.at([self._tree(key)], np.asarray(times), rates)
+        return self.every.slopes.at([self.measure.trees[key]], np.asarray(times), rates)
 
     def moves(self, time: float) -> Array | None:
         """How a time moves that is an end of the window or of a load."""
-        return self.every.moves(self.here.measure.window, time)
+        return self.every.moves(self.measure.window, time)
 
     def turns(self, time: float, key: str) -> Array:
         """How a time moves at which another expression turns."""
-        return self.every.edges.turn(self._tree(key), time)
+        return self.every.edges.turn(self.measure.trees[key], time)
 
     def number(self, expression: Expression) -> tuple[float, Array]:
         """An expression of parameters of the kind of the signal, with its derivative."""
         dimensions = self.every.run.compiled.quantities.dimensions
-        return self.every.slopes.constant(expression, dimensions.dimension(self.here.measure.signal.node))
+        return self.every.slopes.constant(expression, dimensions.dimension(self.measure.entry.signal.node))
 
     def signals(self, names: Sequence[str], times: Array) -> tuple[Array, Array]:
         """Signals by their names, and their derivatives."""
@@ -175,6 +172,3 @@ class Deviated:
     def same(self, a: float, b: float) -> bool:
         """Whether two times are one place."""
         return self.every.edges.same(a, b)
-
-    def _tree(self, key: str) -> Node:
-        return self.every.trees[f"{self.name} {key}".rstrip()]

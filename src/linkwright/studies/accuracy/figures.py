@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.language import parse
-from linkwright.measures import measure_all
+from linkwright.measures import BoundMeasure, measure_all
 from linkwright.results import Run
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.accuracy.derivatives import Derivatives
@@ -38,16 +38,19 @@ def curves(run: Run, slopes: Slopes, contributors: Contributors, texts: Sequence
     return found
 
 
-def figures(run: Run, slopes: Slopes, contributors: Contributors, names: Sequence[str]) -> dict[str, Figure]:
+def figures(
+    run: Run, slopes: Slopes, contributors: Contributors, measures: Sequence[BoundMeasure]
+) -> dict[str, Figure]:
     """All figures of some measures by their names; a measure without a value has none."""
-    results = {result.name: result for result in measure_all(run, names)[0] if result.found}
-    derivatives, made = Derivatives(run, slopes, [*results]), dict[str, Figure]()
-    for name, result in results.items():
-        pairs = list(zip(columns(run.compiled, name), result.found, strict=True))
+    taken = zip(measures, measure_all(run, measures)[0], strict=True)
+    results = [(measure, result) for measure, result in taken if result.found]
+    derivatives, made = Derivatives(run, slopes, [measure for measure, _ in results]), dict[str, Figure]()
+    for measure, result in results:
+        pairs = list(zip(columns(run.compiled, measure), result.found, strict=True))
         if not len(contributors):
             made |= {c.name: Figure(c, number.value, number.time, np.empty((0, 2))) for c, number in pairs}
             continue
-        for (column, number), one in zip(pairs, derivatives.of(name), strict=True):
+        for (column, number), one in zip(pairs, derivatives.of(measure.name), strict=True):
             coefficients = larger(one.sides)
             limits = one.limits(contributors.low, contributors.high)
             mean, sigma = spread(coefficients, contributors)

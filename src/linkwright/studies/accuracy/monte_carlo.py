@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from linkwright.findings import Finding
 from linkwright.kernels.kernel_selection import Choice
+from linkwright.measures import BoundMeasure
 from linkwright.results import Run
 from linkwright.studies.accuracy import intervals
 from linkwright.studies.accuracy.contributors import Contributors
@@ -56,13 +57,13 @@ def check_monte_carlo(options: AccuracyOptions, contributors: Contributors) -> I
         yield from copula(contributors).findings
 
 
-def monte_carlo(nominal: Run, options: AccuracyOptions, site: Site) -> Random:
-    """Compute the random samples that the site's document asks for. ``nominal`` is the run of that document.
+def monte_carlo(nominal: Run, options: AccuracyOptions, site: Site, more: tuple[BoundMeasure, ...]) -> Random:
+    """Compute the random samples that the options ask for, with ``more`` measures of each.
 
     Raises :class:`Interrupted`, and :class:`ModelError` where it can't be carried on.
     """
-    choice = chosen(nominal, options)
-    done = perform(nominal, options, choice.kernel, site)
+    choice = chosen(nominal, options, more)
+    done = perform(nominal, options, choice.kernel, site, more)
     found = Random(options.samples, done.failed, choice, state=tuple(done.kept.files), seconds=done.seconds)
     if done.task.figures.columns:
         found.figures = _figures(done)

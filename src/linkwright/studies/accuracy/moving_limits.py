@@ -10,8 +10,8 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.expressions import units as u
-from linkwright.expressions.language import Node, parse
+from linkwright.expressions.language import Node
+from linkwright.model.bound_window import BoundWindow
 from linkwright.results.discontinuities import zeros
 from linkwright.results.windows import intervals
 from linkwright.studies.accuracy.signal_sensitivities import Slopes
@@ -36,13 +36,13 @@ class Edges:
     def __init__(self, slopes: Slopes) -> None:
         self.slopes, self.run = slopes, slopes.run
         self.length = self.run.stop - self.run.start
-        self._moving: dict[str | Node, list[tuple[float, Array]]] = {}
+        self._moving: dict[BoundWindow | Node, list[tuple[float, Array]]] = {}
 
     def same(self, a: float, b: float) -> bool:
         """Whether two times are one place."""
         return abs(a - b) <= SAME * self.length
 
-    def end(self, window: str | None, time: float) -> Array | None:
+    def end(self, window: BoundWindow | None, time: float) -> Array | None:
         """The derivative (deviations,) of an end of a window, ``None`` where the time is no end of it."""
         still = np.zeros(self.slopes.count)
         if self.same(time, self.run.start) or self.same(time, self.run.stop):
@@ -51,8 +51,8 @@ class Edges:
 
     def jump(self, time: float) -> Array | None:
         """The derivative of a time at which a load begins or ends to act, ``None`` where there is none."""
-        actions = self.run.compiled.graph.actions
-        every = (self._found(way, time) for way in (*actions.windows, *actions.jumps))
+        actions, window = self.run.compiled.graph.actions, self.run.compiled.quantities.window
+        every = (self._found(way, time) for way in (*map(window, actions.windows), *actions.jumps))
         return next((found for found in every if found is not None), None)
 
     def side(self, tree: Node, time: float, value: float) -> float:
@@ -62,14 +62,14 @@ class Edges:
             return time
         return float(beside[np.argmin(np.abs(self.run.jets(tree, beside).d[0] - value))])
 
-    def _found(self, way: str | Node, time: float) -> Array | None:
+    def _found(self, way: BoundWindow | Node, time: float) -> Array | None:
         """The derivative of a time at which a window ends, or an expression changes its sign."""
         if way not in self._moving:
-            self._moving[way] = [*self._ends(way)] if isinstance(way, str) else [*self._zeros(way)]
+            self._moving[way] = [*self._ends(way)] if isinstance(way, BoundWindow) else [*self._zeros(way)]
         # The two sides of a jump lie up to 1e-8 of the run beside it.
         return next((slope for edge, slope in self._moving[way] if abs(edge - time) <= 3e-8 * self.length), None)
 
-    def _ends(self, window: str) -> Iterator[tuple[float, Array]]:
+    def _ends(self, window: BoundWindow) -> Iterator[tuple[float, Array]]:
         return ((edge, self._slope(window, edge)) for ab in intervals(self.run, window) for edge in ab)
 
     def _zeros(self, node: Node) -> Iterator[tuple[float, Array]]:
@@ -77,21 +77,17 @@ class Edges:
         here = self.slopes.at([node], times)
         return zip(times.tolist(), (-here.slope[0] / here.rate[0]).T, strict=True)
 
-    def _slope(self, window: str, edge: float) -> Array:
-        quantities = self.run.compiled.quantities
-        entry = quantities.mechanism.windows[window]
+    def _slope(self, window: BoundWindow, edge: float) -> Array:
         if self.same(edge, self.run.start) or self.same(edge, self.run.stop):
             return np.zeros(self.slopes.count)
-        if isinstance(entry, tuple):
-            ends = [self.slopes.constant(side, u.TIME) for side in entry]
-            return min(ends, key=lambda end: abs(end[0] - edge))[1]
-        ((text, sides),) = entry.items()
-        dimension = quantities.dimensions.dimension(parse(text))
-        here = self.slopes.at([quantities.dimensions.bind(parse(text), None)], np.array([edge]))
+        levels = [self.slopes.constant(end, window.dimension) for end in window.ends]
+        if window.node is None:
+            return min(levels, key=lambda end: abs(end[0] - edge))[1]
+        here = self.slopes.at([window.node], np.array([edge]))
         away = []
-        for level, slope in (self.slopes.constant(side, dimension) for side in sides):
+        for level, slope in levels:
             off = here.value[0, 0] - level
-            away.append((abs(np.sin(off / 2)) if dimension == u.ANGLE else abs(off), slope))
+            away.append((abs(np.sin(off / 2)) if window.turning else abs(off), slope))
         level_slope = min(away, key=lambda side: side[0])[1]
         return np.asarray((level_slope - here.slope[0, :, 0]) / here.rate[0, 0])
 

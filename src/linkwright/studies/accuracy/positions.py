@@ -1,4 +1,4 @@
-"""Named positions: the signals there become measures of the mechanism, and so nothing else need know of them."""
+"""Named positions: the signals there are measures, and so nothing else need know of them."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.unknown import unknown
-from linkwright.expressions.written import FrozenDict
 from linkwright.findings import Finding
 from linkwright.kernels import Compiled
-from linkwright.model.document import Document
+from linkwright.measures import BoundMeasure
+from linkwright.model.bound_window import BoundWindow
 from linkwright.reductions import Measure
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.cycle.options import span
@@ -21,8 +21,7 @@ from linkwright.studies.sampling_options import of_signals, signal_faults
 
 PATH = ("studies", "accuracy", "positions")
 WIDEST = ""
-OWN = "accuracy__"
-"""The measures and windows that stand for positions begin so."""
+"""Stands for the position at which the worst case is widest."""
 _EXTREME = re.compile(r"\s*(max|min)\s+(\S.*)", re.S)
 _END = re.compile(r"\s*(start|end)\s+of\s+(\S+)\s*")
 
@@ -58,47 +57,35 @@ def check_positions(compiled: Compiled, options: AccuracyOptions) -> Iterator[Fi
 
 
 @dataclass(frozen=True)
-class Augmented:
-    """A document in which signals at positions are measures, asked for with the other outputs. ``places`` says of each
-    of these which signal it is and at which position, :data:`WIDEST` for the widest pose."""
+class PlacedSignal:
+    """A signal at a position, :data:`WIDEST` for the widest pose, as a measure."""
 
-    document: Document
-    places: Mapping[str, tuple[str, str]]
+    text: str
+    position: str
+    measure: BoundMeasure
 
 
-def augmented(
-    document: Document, compiled: Compiled, options: AccuracyOptions, widest: Mapping[str, float]
-) -> Augmented:
-    """The document with a measure of each signal at each named position, and at its ``widest`` time (s)."""
-    measures, windows = dict(document.measures), dict(document.windows)
-    places: dict[str, tuple[str, str]] = {}
+def placed_signals(compiled: Compiled, options: AccuracyOptions, widest: Mapping[str, float]) -> Iterator[PlacedSignal]:
+    """Each signal at each named position, and at its ``widest`` time (s)."""
     stop = span(compiled, options.cycle)[0]
 
-    def at(time: float, window: str) -> dict[str, str]:
+    def at(time: float) -> tuple[str, BoundWindow | None]:
+        """The instant of a time: where the window begins that is left of the run from there."""
         if time >= stop:
-            return {"where": "end"}
-        windows[window] = (Expression(f"{time!r} s"), Expression(f"{stop!r} s"))
-        return {"where": "start", "window": window}
+            return "end", None
+        return "start", BoundWindow((Expression(f"{time!r} s"), Expression(f"{stop!r} s")))
 
-    def place(position: str, window: str) -> dict[str, str]:
-        text = options.positions[position]
+    def place(text: str) -> tuple[str, BoundWindow | None]:
         if match := _END.fullmatch(text):
-            return {"where": match[1], "window": match[2]}
-        if _EXTREME.fullmatch(text):
-            return {"where": text}
-        return at(compiled.quantities.value(Expression(text), u.TIME), window)
+            return match[1], compiled.quantities.window(match[2])
+        return (text, None) if _EXTREME.fullmatch(text) else at(compiled.quantities.value(Expression(text), u.TIME))
 
-    for number, signal in enumerate(options.signals(compiled)):
-        wheres = {name: place(name, f"{OWN}{i}") for i, name in enumerate(options.positions)}
+    for signal in options.signals(compiled):
+        places = {name: place(text) for name, text in options.positions.items()}
         if signal.text in widest:
-            wheres[WIDEST] = at(widest[signal.text], f"{OWN}widest_{number}")
-        for i, (position, where) in enumerate(wheres.items()):
-            name = f"{OWN}{number}_{i}"
-            measures[name] = Measure.model_validate({"value": signal.raw, **where})
-            places[name] = signal.text, position
-    studies = {name: dict(entry) for name, entry in document.studies.items()}
-    outputs = [output.raw for output in options.outputs or ()]
-    if places:
-        studies["accuracy"]["outputs"] = [*outputs, *places]
-    changed = {"measures": FrozenDict(measures), "windows": FrozenDict(windows), "studies": FrozenDict(studies)}
-    return Augmented(document.model_copy(update=changed), places)
+            places[WIDEST] = at(widest[signal.text])
+        for position, (where, window) in places.items():
+            name = f"{signal.text} at {position}" if position != WIDEST else signal.text
+            entry = Measure.model_validate({"value": signal.raw, "where": where})
+            measure = BoundMeasure.made(compiled.quantities, name, entry, window, ("studies", "accuracy", "outputs"))
+            yield PlacedSignal(signal.text, position, measure)

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from collections.abc import Iterator, Mapping, Sequence
 
-from linkwright.compilation import examine
-from linkwright.findings import Finding, ModelError, raise_errors
+from linkwright.findings import Finding, ModelError
 from linkwright.kernels import Compiled
 from linkwright.kernels.manufactured_cam import cut
 from linkwright.kernels.parameter_batch import Varied
-from linkwright.model.document import Document
+from linkwright.measures import BoundMeasure, bound
 from linkwright.presentation.blocks import FileOf, StudyReport
 from linkwright.reductions import kind_of
 from linkwright.results import Run
@@ -25,13 +23,13 @@ from linkwright.studies.accuracy.law_checks import check_laws
 from linkwright.studies.accuracy.monte_carlo import check_monte_carlo, monte_carlo
 from linkwright.studies.accuracy.options import AccuracyOptions
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, Figure
-from linkwright.studies.accuracy.positions import WIDEST, augmented, check_positions
+from linkwright.studies.accuracy.positions import WIDEST, PlacedSignal, check_positions, placed_signals
 from linkwright.studies.accuracy.report import report
 from linkwright.studies.accuracy.signal_sensitivities import Slopes
 from linkwright.studies.accuracy.stated_contributors import check_contributors, contributors, skipped
 from linkwright.studies.accuracy.worst_case_vertices import check_searched, evaluating, search
 from linkwright.studies.cycle.options import span
-from linkwright.studies.registry import Command, Setting, Study, read_studies, register
+from linkwright.studies.registry import Command, Setting, Study, register
 from linkwright.studies.run_context import Site
 from linkwright.studies.sampling import refused
 from linkwright.studies.sampling_options import check_outputs, check_span
@@ -67,7 +65,6 @@ class AccuracyStudy(Study):
 
     def run(self, compiled: Compiled, options: AccuracyOptions, site: Site) -> AccuracyOutcome:
         """Transfer coefficients, worst case, root sum square, random samples, and what is asked of these."""
-        assert site.document is not None, "accuracy needs the file's document"
         compiled = self.sampled_mechanism(compiled)
         nominal = Run(compiled, 0.0, span(compiled, options.cycle)[0], options.steps)
         deviations = contributors(compiled, options)
@@ -77,20 +74,20 @@ class AccuracyStudy(Study):
             return outcome
         texts = [signal.text for signal in options.signals(compiled)]
         add_calibration(outcome)
-        outcome.curves = curves(nominal, Slopes(nominal, deviations.directions), deviations, texts)
+        slopes = Slopes(nominal, deviations.directions)
+        outcome.curves = curves(nominal, slopes, deviations, texts)
         widest = {text: float(nominal.t[curve.widest]) for text, curve in outcome.curves.items()}
-        placed = augmented(site.document, compiled, options, widest)
-        own, asked = _opened(placed.document, compiled, site)
-        run = Run(own, 0.0, nominal.stop, nominal.steps)
-        names = asked.measures(own)
-        every = figures(run, Slopes(run, deviations.directions), deviations, names)
-        outcome.warnings += [*skipped(compiled, options), *_valueless(names, every, placed.places)]
-        searched = search(evaluating(run, deviations, names), deviations, every, options.nonlinear)
+        placed = [*placed_signals(compiled, options, widest)]
+        more = tuple(signal.measure for signal in placed)
+        measures = [*bound(compiled.quantities, options.measures(compiled)), *more]
+        every = figures(nominal, slopes, deviations, measures)
+        outcome.warnings += [*skipped(compiled, options), *_valueless(measures, every)]
+        searched = search(evaluating(nominal, deviations, measures), deviations, every, options.nonlinear)
         outcome.warnings += check_searched(searched)
         for name, figure in every.items():
             figure.searched = searched.get(name)
         if options.samples and len(deviations):
-            random = monte_carlo(run, asked, replace(site, document=placed.document))
+            random = monte_carlo(nominal, options, site, more)
             outcome.kernel, outcome.samples, outcome.failed = random.choice.kernel, random.samples, random.failed
             outcome.state = random.state
             outcome.warnings += random.warnings
@@ -98,8 +95,8 @@ class AccuracyStudy(Study):
                 figure.monte_carlo = random.figures.get(name)
             for text, sampled in random.curves.items():
                 outcome.curves[text].sampled = sampled
-        state_plays(outcome, run, options, every)
-        _place(outcome, every, placed.places)
+        state_plays(outcome, options, measures, every)
+        _place(outcome, every, placed)
         add_allocation(outcome)
         return outcome
 
@@ -144,46 +141,26 @@ def _check_derivatives(compiled: Compiled, options: AccuracyOptions) -> Iterator
             yield Finding("accuracy.no-derivative", ("studies", "accuracy", "outputs"), data)
 
 
-def _opened(document: Document, nominal: Compiled, site: Site) -> tuple[Compiled, AccuracyOptions]:
-    """A document with more outputs, compiled, and its options."""
-    compiled, findings = examine(document, site.folder, nominal.quantities.uses)
-    raise_errors(findings)
-    tasks, findings = read_studies({k: v for k, v in document.studies.items() if k in ("cycle", "accuracy")})
-    raise_errors(findings)
-    options = next(task.options for task in tasks if isinstance(task.options, AccuracyOptions))
-    assert compiled is not None
-    return cut(compiled), options
-
-
-def _valueless(
-    names: list[str], every: Mapping[str, Figure], places: Mapping[str, tuple[str, str]]
-) -> Iterator[Finding]:
+def _valueless(measures: Sequence[BoundMeasure], every: Mapping[str, Figure]) -> Iterator[Finding]:
     """Measures without a value at the nominal dimensions, and signals without one at a position."""
     known = {figure.column.measure for figure in every.values()}
-    for name in names:
-        if name not in known:
-            path = ("studies", "accuracy", "outputs") if name in places else ("measures", name)
-            shown = _shown(*places[name]) if name in places else name
-            yield Finding("measure.not-finite", path, {"name": shown}, severity="warning")
+    for measure in measures:
+        if measure.name not in known:
+            yield Finding("measure.not-finite", measure.path, {"name": measure.name}, severity="warning")
 
 
-def _shown(text: str, position: str) -> str:
-    """How a signal at a position is called."""
-    return f"{text} at {position}" if position != WIDEST else text
-
-
-def _place(outcome: AccuracyOutcome, every: Mapping[str, Figure], places: Mapping[str, tuple[str, str]]) -> None:
+def _place(outcome: AccuracyOutcome, every: Mapping[str, Figure], placed: Sequence[PlacedSignal]) -> None:
     """Give each figure its place in the outcome: a measure's, or that of a signal at a position. A signal without any
     value has no curve."""
+    places = {signal.measure.name: signal for signal in placed}
+    outcome.figures = {name: figure for name, figure in every.items() if name not in places}
+    valued = set()
     for name, figure in every.items():
-        if name not in places:
-            outcome.figures[name] = figure
+        if (signal := places.get(name)) is None:
             continue
-        text, position = places[name]
-        figure.column = replace(figure.column, measure=_shown(text, position))
-        if position == WIDEST:
-            outcome.curves[text].figure = figure
+        if signal.position == WIDEST:
+            outcome.curves[signal.text].figure = figure
+            valued.add(signal.text)
         else:
-            outcome.curves[text].positions[position] = figure
-    valued = {places[name][0] for name in every if name in places and places[name][1] == WIDEST}
+            outcome.curves[signal.text].positions[signal.position] = figure
     outcome.curves = {text: curve for text, curve in outcome.curves.items() if text in valued}

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from linkwright.findings import Finding
 from linkwright.kernels.parameter_batch import Varied
+from linkwright.measures import BoundMeasure
 from linkwright.results import Run
 from linkwright.studies.accuracy.contributors import Contributors
 from linkwright.studies.accuracy.deviations import Shift
@@ -36,11 +37,13 @@ ROUND = 1e-9
 """Of the figure's size: what is no more counts as round-off."""
 
 
-def evaluating(run: Run, contributors: Contributors, names: Sequence[str], kernel: str = "numpy") -> Evaluate:
+def evaluating(
+    run: Run, contributors: Contributors, measures: Sequence[BoundMeasure], kernel: str = "numpy"
+) -> Evaluate:
     """What evaluates the figures of some measures, by the names of their columns."""
     shift = Shift(run.compiled, contributors)
     varied = Varied(run.compiled, shift.names)
-    figures = Figures(run, varied, names, kernel)
+    figures = Figures(run, varied, measures, kernel)
 
     def evaluate(deviations: Array) -> dict[str, Array]:
         rows, _ = figures.of(varied.parameters(shift.values(deviations)))

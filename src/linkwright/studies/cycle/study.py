@@ -73,7 +73,7 @@ class Cycle(Study):
             return CycleOutcome(Result(run, undecided))
         certificate = certify(run)
         result = Result(run, certificate=certificate)
-        measurer = Measurer(run, [*compiled.mechanism.measures])
+        measurer = Measurer(run)
         measures = enclose(measurer, measurer.all())
         result.certificate = replace(certificate, measures=misfit(measurer, measures))
         measurer.findings += lost(run)
