@@ -16,8 +16,7 @@ import casadi as ca
 
 from linkwright.elements.follower import Follower
 from linkwright.elements.force import Acting, Break
-from linkwright.expressions import units as u
-from linkwright.expressions.language import FUNCTIONS, Call, Name, Node, is_signal, nodes, parse, signal_text
+from linkwright.expressions.language import FUNCTIONS, Call, Name, Node, is_signal, nodes, signal_text
 from linkwright.expressions.trees import children
 from linkwright.model.signals import Signal
 from linkwright.notation import Scalar, Wrench

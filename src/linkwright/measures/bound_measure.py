@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from linkwright.expressions.fields import Requirement
 from linkwright.expressions.language import Node
 from linkwright.expressions.units import Dimension, unit
-from linkwright.expressions.fields import Requirement
 from linkwright.model.bound_window import BoundWindow
 from linkwright.model.quantities import Quantities
 from linkwright.reductions import Measure, MeasureKind, figure, kind_of

@@ -12,9 +12,7 @@ from numpy.typing import NDArray
 
 from linkwright.elements.force import Misfit
 from linkwright.elements.joint import Applied
-from linkwright.expressions import units as u
 from linkwright.expressions.fields import Expression
-from linkwright.expressions.language import parse
 from linkwright.expressions.units import Dimension
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.rows import BodyPlace, Named, WindowRow

@@ -106,8 +106,8 @@ def refused(nominal: Run, options: Sampling, names: Iterable[str]) -> list[Findi
 
 
 def chosen(nominal: Run, options: Sampling, more: Sequence[BoundMeasure] = ()) -> Choice:
-    """The kernel that computes it with ``more`` measures, and why. That doesn't depend on the runner, which may change no
-    figure."""
+    """The kernel that computes it with ``more`` measures, and why. That doesn't depend on the runner, which may change
+    no figure."""
     samples = sampled_study(options).draws(nominal.compiled, options).samples
     compiled, poses = nominal.compiled, samples * nominal.t.size
     quantities = compiled.quantities

@@ -49,8 +49,9 @@ STRIP = 1 << 18
 class SampleWork:
     """A ``study`` of many samples that any process can perform: the file's document and the content of its tables.
 
-    ``more`` are measures besides those that the options ask for. ``reach`` (figures, 2) are the least and largest edges of the histograms that atoms make, in SI; none of them
-    where the figures of all samples are kept. ``uses`` are those of the nominal :class:`Quantities`.
+    ``more`` are measures besides those that the options ask for. ``reach`` (figures, 2) are the least and largest edges
+    of the histograms that atoms make, in SI; none of them where the figures of all samples are kept. ``uses`` are
+    those of the nominal :class:`Quantities`.
     """
 
     document: Document

@@ -82,7 +82,8 @@ class Derivatives:
         return Derivative("max" if sign > 0 else "min", float(near[0]), np.stack(apart), sign)
 
     def integral(self, measure: BoundMeasure, power: int) -> tuple[float, Array, float, Array]:
-        """The integral of a power of a measure's signal over its window with its derivative; the window's length likewise."""
+        """The integral of a power of a measure's signal over its window with its derivative, and the window's length
+        likewise."""
         probe, edges = self.measurer.probe(measure), self.edges
         total, slope, length, grows = 0.0, np.zeros(self.slopes.count), probe.length(), np.zeros(self.slopes.count)
         corners = np.concatenate([probe.stationary, self.run.breaks])
