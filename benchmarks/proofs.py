@@ -17,7 +17,7 @@ import numpy as np
 
 from linkwright.app.job import examine_file
 from linkwright.enclosures import Claim, Proof, panels, proofs, prove_all
-from linkwright.measures import Measurer
+from linkwright.measures import Measurer, bound
 from linkwright.results import Run
 from linkwright.studies.change_point_carry import carried
 from linkwright.studies.cycle.options import CycleOptions, span
@@ -57,11 +57,11 @@ def cases(part: str = "") -> Iterator[Case]:
 
 def searched(run: Run) -> dict[str, Claim]:
     """The extremes of a run's measures, as the search finds them."""
-    measures = run.compiled.mechanism.measures
-    measurer = Measurer(run, [name for name, measure in measures.items() if measure.reduction in BOUNDED])
+    every = bound(run.compiled.quantities)
+    measurer = Measurer(run, [measure for measure in every if measure.entry.reduction in BOUNDED])
     found = {}
-    for name, measure in measurer.measures.items():
-        probe = measurer.probe(name, measure.window)
+    for name, measure in measurer.by_name.items():
+        probe = measurer.probe(measure)
         if not probe.limits:
             ends = tuple((float(a), float(b)) for a, b in probe.intervals)
             found[name] = Claim(probe.node, ends, probe.bottom().value, probe.top().value)

@@ -260,13 +260,13 @@ for name in [name for name, kernel in KERNELS.items() if kernel.available() and 
     found[name] = {"rows": rows.tolist(), "figures": figures}
 start = np.array([0.06, 50.0])
 directions = varied.parameters(start[:, None] + np.eye(2)) - compiled.parameters[:, None]
-derivatives = Derivatives(run, Slopes(run, directions), ["mean", "most", "sides"])
+derivatives = Derivatives(run, Slopes(run, directions))
 slopes = {name: [d.sides[:, 0].tolist() for d in derivatives.of(name)] for name in ("mean", "most", "sides")}
 alone = []
 for gap, preload in values.T.tolist():
     one = lw.compile(document.replace(gap=f"{gap} m", preload=f"{preload} N"))
     alone.append({r.name: {f.label: f.value for f in r.found} for r in measure_all(Run(one, 0.0, 1.0, 60))[0]})
-print(json.dumps({"kernels": found, "slopes": slopes, "alone": alone, "single": Measuring(varied, run).single}))
+print(json.dumps({"kernels": found, "slopes": slopes, "alone": alone, "single": sorted(Measuring(varied, run).single)}))
 """
 
 

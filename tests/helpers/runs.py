@@ -29,12 +29,8 @@ def example_run(name: str) -> Run:
 
 def trees(run: Run) -> dict[str, Node]:
     """The expressions of its measures, bound to SI."""
-    quantities = run.compiled.quantities
-    found = {}
-    for name, measure in run.compiled.mechanism.measures.items():
-        if measure.reduction != "straightness":
-            found[name] = bound(quantities, name)[name]
-    return found
+    every = bound(run.compiled.quantities)
+    return {measure.name: measure.signal for measure in every if measure.entry.reduction != "straightness"}
 
 
 def edges(run: Run, panels: int) -> np.ndarray:

@@ -230,10 +230,10 @@ def test_planted_faults_are_caught_by_the_check(fault: str, monkeypatch: pytest.
     owner, name, wrong = FAULTS[fault]
     data = slider_crank(measures={"a": {"max": "B.x"}, "b": {"mean": "B.x + 60 mm"}, "c": {"rms": "B.x"}})
     run = cycle_of(data).result.run
-    measurer = Measurer(run, ["a", "b", "c"])
+    measurer = Measurer(run)
     assert misfit(measurer, measurer.all()) < 1e-12
     monkeypatch.setattr(owner, name, wrong)
-    measurer = Measurer(run, ["a", "b", "c"])
+    measurer = Measurer(run)
     assert misfit(measurer, measurer.all()) > 1e-7
 
 
@@ -247,7 +247,7 @@ def test_a_failed_check_fails_the_run(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_a_proof_refutes_what_is_planted(monkeypatch: pytest.MonkeyPatch) -> None:
     run = cycle_of(slider_crank(measures={"a": {"max": "B.x"}})).result.run
-    measurer = Measurer(run, ["a"])
+    measurer = Measurer(run)
     true = Probe.top
     monkeypatch.setattr(Probe, "top", lambda p: Peak(true(p).value * (1 - 1e-6), 0.0, ""))
     (result,) = enclose(measurer, measurer.all())

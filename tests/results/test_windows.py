@@ -20,7 +20,7 @@ R = 50.0
 def spans(data: dict[str, Any], window: Any) -> list[tuple[float, float]]:
     """The intervals (s) that a window means."""
     run = cycle_of({**data, "windows": {"w": window}}).result.run
-    return [(float(a), float(b)) for a, b in intervals(run, "w")]
+    return [(float(a), float(b)) for a, b in intervals(run, run.compiled.quantities.window("w"))]
 
 
 def turning(turns: float = 1, speed: str = "60 rpm", start: str = "0 deg", samples: int = 60) -> dict[str, Any]:

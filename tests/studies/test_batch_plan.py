@@ -103,7 +103,7 @@ def same(many: Many, result: MeasureResult, run: Run, i: int) -> None:
     figures = many.figures[result.name]
     assert {f.label for f in result.found} == {*figures}
     size = max(float(np.nanmax(np.abs(f.values))) for f in figures.values())
-    tree = bound(run.compiled.quantities, result.name)[result.name]
+    tree = bound(run.compiled.quantities, [result.name])[0].signal
     if result.measure.reduction == "mean":  # which may be zero
         size = max(size, float(np.abs(run.jets(tree, run.t).d[0]).max()))
     for f in result.found:
@@ -177,7 +177,7 @@ def test_clusters(made: Callable[[], Document]) -> None:
 def test_a_drive_with_dwells() -> None:
     """Its law has corners that depend on the lengths; the dwell itself is taken of each sample on its own."""
     some = Batch.round_nominal("examples/paper_feeder_dwell.yaml", 0.01, 2)
-    assert some.measuring.single == ["left_dwell_1mm"]
+    assert some.measuring.single == {"left_dwell_1mm"}
     some.check()
 
 
@@ -189,7 +189,7 @@ def test_every_reduction() -> None:
     measures |= {"path": {"path": "P"}, "straightness": {"straightness": "P"}}
     named = {f"{kind}_": measure for kind, measure in measures.items()}
     some = batch(four_bar(measures=named), a=[0.04, 0.042], b=[0.12, 0.118])
-    assert {*some.measuring.single} == {"straightness_", "dwell_"}
+    assert some.measuring.single == {"straightness_", "dwell_"}
     some.check()
 
 
@@ -467,7 +467,7 @@ def test_a_sample_does_not_depend_on_the_others_to_the_last_bit(path: str, monke
 def test_some_names_only() -> None:
     some = Batch.round_nominal("examples/paper_feeder.yaml", 0.01, 3)
     run = run_of(some.document, some.compiled)
-    many = measure_many(some.varied, run, some.p, ["stroke", "M0_feed"])
+    many = measure_many(some.varied, run, some.p, bound(some.compiled.quantities, ["stroke", "M0_feed"]))
     assert [*many.figures] == ["stroke", "M0_feed"]
     assert [*many.met] == ["stroke"]
     whole = some.measuring.of(some.p)

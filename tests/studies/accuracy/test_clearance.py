@@ -18,7 +18,7 @@ from helpers.compiled import compiled_from
 from linkwright.expressions.language import Node, parse
 from linkwright.kernels import Compiled
 from linkwright.kernels.parameter_batch import Varied
-from linkwright.measures import measure_all
+from linkwright.measures import bound, measure_all
 from linkwright.model.document import load, plain
 from linkwright.results import Run
 from linkwright.studies.accuracy.clearance import Plays
@@ -182,7 +182,7 @@ def test_figures_over_all_directions() -> None:
     }
     sections = {"measures": measures, "windows": {"up": {"motor.angle": ["60 deg", "200 deg"]}}}
     found = plays(four_bar(**sections), {"A": 0.05})
-    effects, _ = play_effects(found, [*measures])
+    effects, _ = play_effects(found, bound(found.compiled.quantities))
     turned = np.linspace(0, 2 * np.pi, 72, endpoint=False)
     still = {"B": "0 deg", "O4": "0 deg"}
     compiled = gapped(
@@ -192,13 +192,12 @@ def test_figures_over_all_directions() -> None:
         parameters={**four_bar()["parameters"], "gap": "0.05 mm", "phi": "0 deg"},
     )
     varied = Varied(compiled, ["gap", "phi"])
-    names = [*measures]
-    many = Measuring(varied, Run(compiled, 0.0, 1.0, 60), names)
+    many = Measuring(varied, Run(compiled, 0.0, 1.0, 60))
     shares = (1.0, 0.5, 0.25)
     figures = [many.of(varied.parameters(np.stack([0 * turned + share * 5e-5, turned]))).figures for share in shares]
-    moved = Derivatives(found.run, found.gaps, names)
+    moved = Derivatives(found.run, found.gaps)
     nominal = {result.name: result.found[0].value for result in measure_all(found.run)[0]}
-    for name in names:
+    for name in measures:
         linear = 5e-5 * moved.of(name)[0].sides[:, 0] @ np.stack([np.cos(turned), np.sin(turned)])
         left = [
             some[name][""].values - nominal[name] - share * linear for some, share in zip(figures, shares, strict=True)
@@ -305,7 +304,7 @@ def test_measures_add_up_what_the_curve_shows() -> None:
     }
     measures |= {"quiet": {"dwell": "P.x", "within": 1}, "moving": {"mean": "P.x", "window": "right"}}
     found = plays(four_bar(measures=measures, windows={"right": {"P.x": [40, 60]}}), PINS)
-    effects, lacking = play_effects(found, [*measures])
+    effects, lacking = play_effects(found, bound(found.compiled.quantities))
     assert [*effects] == [("stroke", ""), ("ends", "min"), ("ends", "max"), ("mean", "")]
     assert [*lacking] == ["fast", "quiet", "moving"]
     assert {w.data["names"]: w.severity for w in unaffected(lacking | {"slow": lacking["fast"]})} == {
@@ -317,21 +316,21 @@ def test_measures_add_up_what_the_curve_shows() -> None:
     assert stroke.shift == pytest.approx(high.shift - low.shift, rel=1e-12)
     assert stroke.bound == pytest.approx(high.bound + low.bound, rel=1e-12)
     assert sum(stroke.shifts.values()) == pytest.approx(stroke.shift, rel=1e-12)
-    places = {result.name: result.found for result in measure_all(found.run, ["ends"])[0]}["ends"]
+    places = {result.name: result.found for result in measure_all(found.run)[0]}["ends"]
     for place, effect in zip(places, (low, high), strict=True):
         assert place.time is not None
         shift, _ = found.curve(tree(found.compiled, "P.x"), np.array([place.time]))
         assert shift[0] == pytest.approx(effect.shift, rel=1e-9)
     t = np.linspace(0, 1, 2000, endpoint=False)  # a whole turn: the trapezoidal rule converges at once
-    shift, bound = found.curve(tree(found.compiled, "P.x"), t).mean(axis=1)
-    assert (effects["mean", ""].shift, effects["mean", ""].bound) == pytest.approx((shift, bound), rel=1e-6)
+    shift, most = found.curve(tree(found.compiled, "P.x"), t).mean(axis=1)
+    assert (effects["mean", ""].shift, effects["mean", ""].bound) == pytest.approx((shift, most), rel=1e-6)
 
 
 def test_no_joint_rests_beyond_the_bound() -> None:
     """The left end of the feeder's stroke is where reactions turn fast, and the place with them."""
     compiled = compiled_from(plain(load(EXAMPLES / "paper_feeder.yaml")))
     found = Plays(compiled, Run(compiled, 0.0, 1.5, 60), options(dict.fromkeys("ABCD", 0.001)))
-    effect = play_effects(found, ["left_limit_angle"])[0]["left_limit_angle", ""]
+    effect = play_effects(found, bound(compiled.quantities, ["left_limit_angle"]))[0]["left_limit_angle", ""]
     assert effect.bound > 0
     assert all(abs(shift) <= effect.bounds[name] for name, shift in effect.shifts.items())
 
@@ -344,8 +343,8 @@ def test_an_outcome_is_given_its_plays() -> None:
     outcome = AccuracyOutcome(compiled, asked, run, deviations)
     slopes = Slopes(run, deviations.directions)
     outcome.curves = curves(run, slopes, deviations, ["P.y", "P.vy"])
-    every = figures(run, slopes, deviations, ["stroke", "ends", "force"])
-    state_plays(outcome, run, asked, every)
+    every = figures(run, slopes, deviations, bound(compiled.quantities))
+    state_plays(outcome, asked, bound(compiled.quantities), every)
     assert {name: figure.play is not None for name, figure in every.items()} == {
         "stroke": True,
         "ends min": True,

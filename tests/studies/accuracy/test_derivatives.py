@@ -65,7 +65,7 @@ def derived(
     varied = Varied(compiled, names)
     start = np.array([compiled.quantities.parameters[name] for name in names])
     directions = varied.parameters(start[:, None] + np.eye(len(names))) - compiled.parameters[:, None]
-    derivatives = Derivatives(run, Slopes(run, directions), list(measures))
+    derivatives = Derivatives(run, Slopes(run, directions))
     nominal = np.array([NOMINAL[name] for name in names])
     steps = 2e-4 * nominal
     shifts = (steps[:, None] * OFFSETS)[None] * np.eye(len(names))[:, :, None]
@@ -135,7 +135,7 @@ def test_where_two_places_have_the_same_extreme_the_derivative_is_one_sided() ->
     names = list(compiled.graph.parameters)
     directions = np.zeros((len(names), 2))
     directions[names.index("offset"), 0] = directions[names.index("AB"), 1] = 1.0
-    derivatives = Derivatives(Run(compiled, 0.0, 1.5, 200), Slopes(Run(compiled, 0.0, 1.5, 200), directions), ["top"])
+    derivatives = Derivatives(Run(compiled, 0.0, 1.5, 200), Slopes(Run(compiled, 0.0, 1.5, 200), directions))
     (one,) = derivatives.of("top")
     assert one.tie
     np.testing.assert_allclose(one.sides[0], [-0.155, 0.155], rtol=1e-9)  # -AB below, AB above

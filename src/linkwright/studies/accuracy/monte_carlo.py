@@ -57,7 +57,7 @@ def check_monte_carlo(options: AccuracyOptions, contributors: Contributors) -> I
         yield from copula(contributors).findings
 
 
-def monte_carlo(nominal: Run, options: AccuracyOptions, site: Site, more: tuple[BoundMeasure, ...]) -> Random:
+def monte_carlo(nominal: Run, options: AccuracyOptions, site: Site, more: tuple[BoundMeasure, ...] = ()) -> Random:
     """Compute the random samples that the options ask for, with ``more`` measures of each.
 
     Raises :class:`Interrupted`, and :class:`ModelError` where it can't be carried on.
