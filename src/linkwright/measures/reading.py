@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,13 +10,15 @@ from numpy.typing import NDArray
 
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.units import ANGLE
-from linkwright.measures.dwells import Course
-from linkwright.measures.paths import around
 from linkwright.measures.probe import Probe, inner
 from linkwright.reductions import Found, Grade, Kind, Measure, Peak, Unmeasured
+from linkwright.results.stationary import stationary
 from linkwright.results.windows import Interval, passing
 
 Array = NDArray[np.float64]
+
+LEAST = 100
+"""The fewest steps of an interval on which curves are looked at."""
 
 
 @dataclass
@@ -106,17 +108,28 @@ class Reading:
         """An end of an interval, moved off a jump there."""
         return inner(self.probe.run, edge, side)
 
-    def longest(self, width: float) -> Interval:
-        """The longest stretch (s) in which the signal varies by ``width`` at most."""
-        found = []
-        for a, b in self.intervals:
-            turning = np.array([a, *(t for t in self.stationary if a < t < b), b])
-            found.append(Course(self.values, turning).longest(width))
-        return max(found, key=lambda stretch: stretch[1] - stretch[0])
+    def signals(self, names: Sequence[str], t: Array) -> Array:
+        """Signals by their names at times (s)."""
+        return self.probe.run.evaluate(names, t)
 
-    def strip(self, point: str) -> tuple[float, complex, Array]:
-        """The narrowest strip that holds a point's path."""
-        return around(self.probe.run, point, self.intervals)
+    @property
+    def grid(self) -> Array:
+        """Times (s) all over the intervals."""
+        return np.concatenate([np.linspace(a, b, self._steps + 1) for a, b in self.intervals])
+
+    def turning(self, curve: Callable[[Array], tuple[Array, Array]]) -> Array:
+        """The times (s) at which a curve turns, with the ends of the intervals."""
+
+        def rates(t: Array) -> tuple[Array, Array]:
+            value, rate = curve(t)
+            return value[None], rate[None]
+
+        found = [[[a], stationary(rates, a, b, self._steps)[0], [b]] for a, b in self.intervals]
+        return np.concatenate([part for parts in found for part in parts])
+
+    @property
+    def _steps(self) -> int:
+        return max(self.probe.run.grid, LEAST)
 
 
 def whole(probe: Probe) -> Probe:

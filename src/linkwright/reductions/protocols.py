@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
 import numpy as np
@@ -70,12 +70,16 @@ class InRun(Protocol):
     def inner(self, edge: float, side: int) -> float:
         """An end of an interval, moved off a jump there to the interval's side (0 before, 1 after)."""
 
-    def longest(self, width: float) -> Interval:
-        """The longest stretch of time in which the signal varies by ``width`` at most."""
+    def signals(self, names: Sequence[str], t: Array) -> Array:
+        """Signals by their names at times: (names, times)."""
 
-    def strip(self, point: str) -> tuple[float, complex, Array]:
-        """The narrowest strip that holds a point's path: its width, the unit vector across it, and the times at which
-        the path is outermost on either side, with the ends of the intervals."""
+    @property
+    def grid(self) -> Array:
+        """Times all over the intervals, ends included, as close as the run is looked at."""
+
+    def turning(self, curve: Callable[[Array], tuple[Array, Array]]) -> Array:
+        """The times at which a curve turns that is given by its value and rate at times, with the ends of the
+        intervals."""
 
 
 class InSamples(Protocol):

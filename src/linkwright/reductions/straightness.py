@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Annotated
 
 import numpy as np
@@ -11,6 +12,7 @@ from pydantic import Field
 from linkwright.expressions.fields import Name
 from linkwright.expressions.typed_fields import Ref
 from linkwright.expressions.units import LENGTH
+from linkwright.notation.hull import hull
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import OfPath
 from linkwright.reductions.found import Found
@@ -18,9 +20,12 @@ from linkwright.reductions.kind import MeasureKind, register
 from linkwright.reductions.protocols import InRun, WithDeviations
 
 Array = NDArray[np.float64]
+Path = NDArray[np.complex128]
 
 ON = 1e-9
 """Points nearer than this share of a path's extent to a side of its strip lie on it."""
+ROUNDS = 60
+"""The most rounds in which outermost points are added."""
 
 
 class StraightnessEntry(OfPath):
@@ -42,7 +47,7 @@ class Straightness(MeasureKind):
     differentiable = True
 
     def found(self, run: InRun) -> tuple[Found, ...]:
-        return (run.found("", run.strip(run.measure.point)[0]),)
+        return (run.found("", _of_run(run)[0]),)
 
     def derivative(self, found: WithDeviations) -> list[Derivative]:
         """The path lies on one side with two points, on the other with one between these. The strip turns so that it
@@ -50,7 +55,7 @@ class Straightness(MeasureKind):
         chord of the two. (Without a chord the width is stationary in the strip's direction.)
         """
         point = found.here.measure.point
-        _, across, times = found.here.strip(point)
+        _, across, times = _of_run(found.here)
         values, slopes = found.signals([f"{point}.{axis}" for axis in ("x", "y", "vx", "vy")], times)
         place, speed, moved = values[0] + 1j * values[1], values[2] + 1j * values[3], slopes[0] + 1j * slopes[1]
         for i, time in enumerate(times):
@@ -71,3 +76,62 @@ def _side(height: Array, along: Array) -> tuple[int, int]:
     """The outermost two points that lie on the upper side; the same one twice where there is but one."""
     on = np.flatnonzero(height >= height.max() - ON * np.ptp(along))
     return int(on[along[on].argmin()]), int(on[along[on].argmax()])
+
+
+def _of_run(run: InRun) -> tuple[float, complex, Array]:
+    """The narrowest strip that holds the path over the window."""
+
+    def plane(*axes: str) -> Callable[[Array], Path]:
+        def along(t: Array) -> Path:
+            x, y = run.signals([f"{run.measure.point}.{axis}" for axis in axes], t)
+            return np.asarray(x + 1j * y)
+
+        return along
+
+    return narrowest(plane("x", "y"), plane("vx", "vy"), run.grid, run.turning)
+
+
+def narrowest(
+    place: Callable[[Array], Path],
+    speed: Callable[[Array], Path],
+    grid: Array,
+    turning: Callable[[Callable[[Array], tuple[Array, Array]]], Array],
+) -> tuple[float, complex, Array]:
+    """The narrowest strip that holds a path: its width, the unit vector across it, the times at which the path is
+    outermost in that direction and its opposite, with the ends.
+
+    ``place`` gives x + iy of the point at times, ``speed`` its velocity so; ``grid`` are times to begin with;
+    ``turning`` gives the times at which a value turns, from it and its rate, with the ends. The narrowest strip of some
+    points of the path is a lower bound, the whole path's extent across that strip an upper one; the path's outermost
+    points join the others until the two bounds meet.
+    """
+    points = hull(place(grid))
+    extent = float(np.abs(points - points[0]).max())
+    best, held = (np.inf if extent > 0 else 0.0), (1j, np.empty(0))
+    for _ in range(ROUNDS if extent > 0 else 0):
+        least, across = strip(points)
+
+        def height(t: Array, across: complex = across) -> tuple[Array, Array]:
+            return (place(t) * across.conjugate()).real, (speed(t) * across.conjugate()).real
+
+        times = turning(height)
+        found = place(times)
+        heights = (found * across.conjugate()).real
+        if np.ptp(heights) < best:
+            best, held = float(np.ptp(heights)), (across, times)
+        if best - least <= 1e-12 * best + 1e-15 * extent:
+            break
+        points = hull(np.concatenate([points, found[[heights.argmin(), heights.argmax()]]]))
+    return best, *held
+
+
+def strip(corners: Path) -> tuple[float, complex]:
+    """The width of the narrowest strip around a convex polygon, and the unit vector across it.
+
+    One side of it lies on an edge of the polygon (Houle and Toussaint 1988).
+    """
+    edges = np.roll(corners, -1) - corners
+    across = 1j * edges / np.abs(edges)
+    widths = ((corners[None] - corners[:, None]) * across.conjugate()[:, None]).real.max(axis=1)
+    i = int(widths.argmin())
+    return float(widths[i]), complex(across[i])

@@ -13,7 +13,7 @@ from linkwright.escape import markup
 from linkwright.expressions import units as u
 from linkwright.findings import Joined, Said, Text
 from linkwright.graph.modes import Mode
-from linkwright.measures.paths import hull
+from linkwright.notation.hull import hull
 from linkwright.presentation.blocks import Block, Bullets, Card, Cards, Section, Sentences, StudyReport
 from linkwright.structure import FRAME
 from linkwright.studies.modes.outcome import ModesOutcome

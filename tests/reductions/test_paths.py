@@ -12,7 +12,9 @@ from hypothesis import strategies as st
 from scipy.optimize import minimize_scalar
 from scipy.special import ellipe
 
-from linkwright.measures.paths import hull, straightness, strip
+from linkwright.notation.hull import hull
+from linkwright.reductions.straightness import narrowest, strip
+from linkwright.results.stationary import stationary
 from studies.models import four_bar, job_of, measured, slider_crank, trammel, value
 
 R, L, E = 50.0, 160.0, 20.0  # mm of the slider-crank
@@ -128,7 +130,12 @@ def test_straightness_of_random_curves(factors: list[complex], stop: float) -> N
         return sum(f * (1j * k) ** power * np.exp(1j * k * t) for f, k in zip(factors, orders, strict=True))
 
     size = float(np.abs(curve(np.linspace(0, stop, 200), 1)).max()) or 1.0
-    found = straightness(lambda t: curve(t, 0), lambda t: curve(t, 1), [(0.0, stop)], 100)
+
+    def turning(along: Any) -> Any:
+        inner = stationary(lambda t: tuple(row[None] for row in along(t)), 0.0, stop, 100)[0]
+        return np.concatenate([[0.0], inner, [stop]])
+
+    found, *_ = narrowest(lambda t: curve(t, 0), lambda t: curve(t, 1), np.linspace(0.0, stop, 101), turning)
     wanted = brute(curve(np.linspace(0, stop, 8001), 0))
     assert found <= wanted + 1e-6 * size
     assert found >= wanted - 1e-6 * size

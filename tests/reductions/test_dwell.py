@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from linkwright.measures.dwells import Course
+from linkwright.reductions.dwell import Course
 from linkwright.results.stationary import stationary
 from studies.models import measured, slider_crank
 
