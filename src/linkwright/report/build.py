@@ -13,7 +13,7 @@ from linkwright.expressions.units import LENGTH, TIME, Dimension
 from linkwright.findings import Finding
 from linkwright.model.document import Document, dump
 from linkwright.model.origin import Origin, hashed
-from linkwright.presentation.plain import listed
+from linkwright.presentation.json_numbers import listed
 from linkwright.report.cam_shapes import cam_shapes
 from linkwright.report.centrodes import centrodes
 from linkwright.report.data import (

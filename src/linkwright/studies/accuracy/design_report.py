@@ -9,7 +9,7 @@ import numpy as np
 
 from linkwright.findings import Said, Text
 from linkwright.presentation.blocks import Cell, Unit
-from linkwright.presentation.plain import known, listed
+from linkwright.presentation.json_numbers import known, listed
 from linkwright.studies.accuracy.allocation_outcome import Allocation, Allotted, Held
 from linkwright.studies.accuracy.calibration_outcome import Calibration, Estimate, Observed
 

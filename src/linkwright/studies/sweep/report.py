@@ -8,7 +8,7 @@ import numpy as np
 
 from linkwright.findings import Said
 from linkwright.presentation.blocks import Block, Cell, Charts, Number, Section, Sentences, StudyReport, Table, Unit
-from linkwright.presentation.plain import known
+from linkwright.presentation.json_numbers import known
 from linkwright.studies.shares import CONFIDENCE
 from linkwright.studies.sweep.charts import charts
 from linkwright.studies.sweep.outcome import Statistics, SweepOutcome
