@@ -241,7 +241,7 @@ def test_a_tie_shows_both_sides(made: AccuracyOutcome) -> None:
     slopes = np.array([[-1.0, 1.0], [0.5, 0.5], [0, 0]])
     tied = replace(made, figures={"stroke": replace(figure, coefficients=slopes, tie=True)}, curves={})
     lines = {row[0]: row for row in rows(review(tied.figures["stroke"], tied))}
-    assert lines["r"][4] == "−1 / 1 mm/mm"
+    assert lines["r"][4] == "-1 / 1 mm/mm"
     first = next(row for row in accuracy_entry(tied)["accuracy"]["stroke"]["contributors"] if row["parameter"] == "r")
     assert (first["coefficients"], first["worst"]) == ([-1, 1], pytest.approx([0, 0.05]))
     assert "two places" in section_of(tied)
