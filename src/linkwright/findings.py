@@ -54,9 +54,9 @@ Text = str | Said
 
 
 class Joined(Said):
-    """Texts one after another, such as the names of a list."""
+    """Texts one after another, such as the names of a list; or what else becomes a text."""
 
-    def __init__(self, parts: Iterable[Text], between: str = ", ") -> None:
+    def __init__(self, parts: Iterable[object], between: str = ", ") -> None:
         super().__init__(between, parts=tuple(parts))
 
     def __str__(self) -> str:

@@ -11,6 +11,7 @@ import pytest
 import linkwright as lw
 from app.models import FORM, FORM_LINES, KINDS, NAMES, NAMES_LINES, NO_STUDY, SOUND, STUCK, UNMET, WARNED
 from linkwright.app import examine_file, perform
+from linkwright.studies import STUDIES
 
 
 def file(folder: Path, text: str) -> Path:
@@ -54,6 +55,17 @@ def test_run_writes_where_it_is_told(tmp_path: Path) -> None:
         "summary.json",
     ]
     assert json.loads((out / "summary.json").read_text("utf-8")) == json.loads(json.dumps(job.summary))
+
+
+def test_what_an_outcome_shows_is_made_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    study, made = STUDIES["cycle"], []
+    report = study.report
+    monkeypatch.setattr(study, "report", lambda outcome: made.append(outcome) or report(outcome))
+    job = lw.run(file(tmp_path, SOUND), tmp_path / "out")
+    assert job.summary and job.outcomes.reports()
+    assert made == [job.cycle]
+    job.outcomes["cycle"] = lw.run(file(tmp_path, SOUND)).cycle
+    assert job.outcomes.reports() and made == [made[0], job.cycle]
 
 
 @pytest.mark.parametrize(("text", "code"), KINDS.values(), ids=KINDS)

@@ -27,7 +27,7 @@ def test_the_study_alone(file: Path, tmp_path: Path) -> None:
     result = call("accuracy", file, "--out", tmp_path / "out", "--samples", 100, "--workers", 1, "--fresh")
     assert result.exit_code == 0
     assert "3 contributors; 100 random samples, computed with the numpy kernel." in result.stdout
-    for text in ("stroke", "100.879 mm", "−0.11", "maximum: ", "far: 0.01518", "r 99 %"):
+    for text in ("stroke", "100.879 mm", "-0.11", "maximum: ", "far: 0.01518", "r 99 %"):
         assert text in result.stdout
     assert {path.name for path in (tmp_path / "out").iterdir()} == {
         "linkwright-manifest.json", "report.html", "summary.json", "accuracy.csv", "accuracy_bands.csv",

@@ -21,13 +21,12 @@ from linkwright.presentation.blocks import (
     Measure,
     Measures,
     MeasureValue,
-    Number,
     Section,
     Sentences,
     Slider,
     Table,
-    Verdict,
 )
+from linkwright.presentation.cells import Number, Verdict
 
 HOSTILE = "[red]x[/red]\x1b[2J"
 SEEN = "[red]x[/red]\\x1b[2J"

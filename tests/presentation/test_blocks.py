@@ -19,14 +19,13 @@ from linkwright.presentation.blocks import (
     Copied,
     Measure,
     Measures,
-    Number,
     Section,
     Sentences,
     Slider,
     Table,
-    Verdict,
     filled,
 )
+from linkwright.presentation.cells import Number, Verdict
 from linkwright.words import catalogue
 
 

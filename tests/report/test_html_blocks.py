@@ -20,12 +20,12 @@ from linkwright.presentation.blocks import (
     Measure,
     Measures,
     MeasureValue,
-    Number,
     Section,
     Sentences,
     Slider,
     Table,
 )
+from linkwright.presentation.cells import Number
 from linkwright.report.html_blocks import html, section
 
 HOSTILE = "<img src=x>&\"'"

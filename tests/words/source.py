@@ -120,13 +120,27 @@ def spoken() -> Iterator[tuple[str, set[str] | None]]:
                     whole = None in names or HOLE in key
                     given = None if whole else {name for name in names if name}
                     yield re.escape(TEXTS[_name(node.func)]) + key, given
+    yield from ((key, None) for key in tables() if HOLE not in key)
+
+
+def tables() -> Iterator[str]:
+    """The keys that tables make of the texts they name, as patterns: of the title, of all heads."""
+    for tree in trees():
+        for node in ast.walk(tree):
+            match node:
+                case (
+                    ast.Call(func=ast.Name("table"), args=[ast.Constant(str(of)), *names])
+                    | ast.Call(func=ast.Name("partial"), args=[ast.Name("table"), ast.Constant(str(of)), *names])
+                ):
+                    title = _patterns(names[0]) if names else []
+                    yield from (rf"{of}\.{key}" for key in (rf"table\.{(title or [HOLE])[0]}", rf"column\.{HOLE}"))
 
 
 def keys() -> re.Pattern[str]:
     """All keys that strings of the source make up, those with holes too where they tell at least a key's group."""
     nodes = [node for tree in trees() for node in ast.walk(tree) if isinstance(node, ast.expr)]
     found = {key for node in nodes for key in _patterns(node) if HOLE not in key or GROUP.match(key)}
-    return re.compile("|".join(found - {re.escape("term.") + HOLE}))
+    return re.compile("|".join({*found, *tables()} - {re.escape("term.") + HOLE}))
 
 
 HOLE = ".+"

@@ -37,7 +37,7 @@ from linkwright.studies import (
     Task,
     read_studies,
 )
-from linkwright.studies.registry import OfStructures
+from linkwright.studies.registry import OfStructures, Outcomes
 
 CANNOT = ("structure.", "assembly.", "motion.", "measure.nothing", "measure.not-finite", "export.cannot-")
 """Codes that begin so mean a model that can't do what is asked (exit code 1); all others a wrong file (2)."""
@@ -198,7 +198,7 @@ class Job:
     lie that are no longer current, while there are no newer ones."""
 
     examined: Examined
-    outcomes: dict[str, Any] = field(default_factory=dict)
+    outcomes: Outcomes = field(default_factory=Outcomes)
     folder: Path | None = None
     stopped: Stopped | None = None
     outdated: Path | None = None

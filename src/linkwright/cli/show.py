@@ -21,7 +21,7 @@ from linkwright.cli.progress import Bar
 from linkwright.escape import json_text, line
 from linkwright.findings import Finding
 from linkwright.report.structure_summary import facts
-from linkwright.studies.registry import STUDIES, ranked
+from linkwright.studies.registry import STUDIES
 from linkwright.words import say
 
 if TYPE_CHECKING:
@@ -101,8 +101,8 @@ def check_data(examined: Examined) -> dict[str, Any]:
 def job(done: Job, file: Path, telling: Telling) -> None:
     """What the studies of a job show, what they found, and where its files lie."""
     if not telling.quiet:
-        for study, outcome in ranked(done.outcomes):
-            for section in study.report(outcome).sections:
+        for report in done.outcomes.reports():
+            for section in report.sections:
                 terminal.show(section, telling.verbose)
     for item in done.examined.located(done.found):
         finding(item, file)

@@ -6,54 +6,13 @@ shows them; charts are drawn only where they are shown.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from linkwright.escape import printed
 from linkwright.findings import Said, Text
-
-UNKNOWN = "–"
-"""What stands for a number that there isn't."""
-
-
-@dataclass(frozen=True)
-class Number:
-    """A number with so many significant ``digits``, in ``unit`` where that stands beside it; ``unknown`` stands for
-    one that there isn't."""
-
-    value: float | None
-    digits: int = 7
-    unit: str = ""
-    unknown: Text = UNKNOWN
-    form: str = "g"
-
-    def __str__(self) -> str:
-        if self.value is None:
-            return str(self.unknown)
-        return f"{self.value:.{self.digits}{self.form}} {printed(self.unit)}".rstrip()
-
-
-class Unit(Said):
-    """A unit as files spell it (``N*m``, ``mm/s^2``); a terminal and a page show it in print (N·m, mm/s²)."""
-
-    def __str__(self) -> str:
-        return printed(self.key)
-
-
-@dataclass(frozen=True)
-class Verdict:
-    """Whether something is as it should be, in a word."""
-
-    passed: bool
-    text: Text
-
-    def __str__(self) -> str:
-        return str(self.text)
-
-
-Cell = Text | Number | Verdict
+from linkwright.presentation.cells import Cell, Number
 
 
 @dataclass(frozen=True)
@@ -87,6 +46,13 @@ class Table:
         """The columns that hold numbers alone, whose units stand elsewhere."""
         columns = enumerate(zip(*self.rows, strict=True))
         return tuple(i for i, cells in columns if all(isinstance(c, Number) and not c.unit for c in cells))
+
+
+def table(of: str, name: str, heads: Iterable[Text], rows: Iterable[Sequence[Cell]], **data: Any) -> Table:
+    """The table ``name`` of the texts ``of``: its title is ``OF.table.NAME`` of the catalogue, its heads
+    ``OF.column.HEAD``, filled with ``data``; a head that is no mere key stays what it is."""
+    columns = [head if isinstance(head, Said) else Said(f"{of}.column.{head}", **data) for head in heads]
+    return Table(name, Said(f"{of}.table.{name}", **data), columns, [*rows])
 
 
 @dataclass(frozen=True)

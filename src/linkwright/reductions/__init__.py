@@ -3,7 +3,7 @@
 from linkwright.reductions import dwell, extreme, mean, straightness, value
 from linkwright.reductions.derivative import Derivative, Local
 from linkwright.reductions.entry import ENTRIES, SIGNAL, Measure, OfPath, figure, of_signal, reduced
-from linkwright.reductions.found import Figures, Found, Peak, Unmeasured
+from linkwright.reductions.figures import Figures, Found, Peak, Unmeasured
 from linkwright.reductions.grades import SAMPLED, Grade, Kind
 from linkwright.reductions.kind import REDUCTIONS, MeasureKind, kind_of, register
 from linkwright.reductions.protocols import InRun, InSamples, WithDeviations, WithPlay

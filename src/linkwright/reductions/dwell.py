@@ -17,7 +17,7 @@ from linkwright.expressions.units import TIME
 from linkwright.expressions.written import Fault
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure, of_signal
-from linkwright.reductions.found import Found
+from linkwright.reductions.figures import Found
 from linkwright.reductions.kind import MeasureKind, register
 from linkwright.reductions.protocols import InRun, WithDeviations
 

@@ -13,7 +13,7 @@ from pydantic import Field
 from linkwright.expressions.fields import Expression
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure
-from linkwright.reductions.found import Figures, Found
+from linkwright.reductions.figures import Figures, Found
 from linkwright.reductions.kind import MeasureKind, register
 from linkwright.reductions.protocols import InRun, InSamples, WithDeviations, WithPlay
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from linkwright.notation.registry import Registry
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import ENTRIES, Measure
-from linkwright.reductions.found import Figures, Found
+from linkwright.reductions.figures import Figures, Found
 from linkwright.reductions.protocols import InRun, InSamples, WithDeviations, WithPlay
 from linkwright.words import add
 

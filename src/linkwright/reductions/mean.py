@@ -15,7 +15,7 @@ from linkwright.expressions.typed_fields import Ref
 from linkwright.expressions.units import LENGTH, SPEED
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure, OfPath
-from linkwright.reductions.found import Figures, Found
+from linkwright.reductions.figures import Figures, Found
 from linkwright.reductions.kind import MeasureKind, register
 from linkwright.reductions.protocols import InRun, InSamples, WithDeviations, WithPlay
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions.fields import Expression
 from linkwright.reductions.derivative import Derivative, Local
-from linkwright.reductions.found import Figures, Found, Peak
+from linkwright.reductions.figures import Figures, Found, Peak
 from linkwright.reductions.grades import Grade
 
 Array = NDArray[np.float64]

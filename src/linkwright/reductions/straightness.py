@@ -15,7 +15,7 @@ from linkwright.expressions.units import LENGTH
 from linkwright.notation.hull import hull
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import OfPath
-from linkwright.reductions.found import Found
+from linkwright.reductions.figures import Found
 from linkwright.reductions.kind import MeasureKind, register
 from linkwright.reductions.protocols import InRun, WithDeviations
 

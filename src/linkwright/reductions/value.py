@@ -16,7 +16,7 @@ from linkwright.expressions.written import Fault, short_text
 from linkwright.findings import Said
 from linkwright.reductions.derivative import Derivative
 from linkwright.reductions.entry import SIGNAL, Measure
-from linkwright.reductions.found import Figures, Found, Unmeasured
+from linkwright.reductions.figures import Figures, Found, Unmeasured
 from linkwright.reductions.grades import SAMPLED, Grade
 from linkwright.reductions.kind import MeasureKind, register
 from linkwright.reductions.protocols import InRun, InSamples, WithDeviations

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any, Literal
+from collections.abc import Sequence
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,7 @@ from linkwright.expressions.units import LENGTH, TIME, Dimension
 from linkwright.findings import Finding
 from linkwright.model.document import Document, dump
 from linkwright.model.origin import Origin, hashed
-from linkwright.presentation.plain import listed
+from linkwright.presentation.json_numbers import listed
 from linkwright.report.cam_shapes import cam_shapes
 from linkwright.report.centrodes import centrodes
 from linkwright.report.data import (
@@ -35,7 +35,7 @@ from linkwright.report.summary import drawn, found
 from linkwright.results import Result
 from linkwright.structure import FRAME
 from linkwright.studies.drive_sweep import Sweep
-from linkwright.studies.registry import ranked
+from linkwright.studies.registry import Outcomes
 from linkwright.words import catalogue, say
 
 Array = NDArray[np.float64]
@@ -50,7 +50,7 @@ _RATES = (("position", ""), ("velocity", "v"), ("acceleration", "a"))
 
 def report_data(
     document: Document,
-    outcomes: Mapping[str, Any],
+    outcomes: Outcomes,
     examined: Sequence[Finding] = (),
     origin: Origin | None = None,
 ) -> ReportData:
@@ -59,7 +59,7 @@ def report_data(
     ``examined`` are the findings on the file itself. Without an ``origin`` it is that of a document made in Python.
     """
     origin = origin or Origin(None, hashed(dump(document).encode()))
-    whole, shown = drawn(outcomes), [study.report(outcome) for study, outcome in ranked(outcomes)]
+    whole, shown = drawn(outcomes), outcomes.reports()
     assert whole is not None
     result = whole.thinned(MAX_STEPS)
     findings = [*examined, *found(outcomes)]

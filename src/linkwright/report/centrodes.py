@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwright.presentation.plain import listed
+from linkwright.presentation.json_numbers import listed
 from linkwright.report.data import Centrode
 from linkwright.results import Result
 

@@ -11,7 +11,6 @@ from linkwright.presentation.blocks import (
     Bullets,
     Card,
     Cards,
-    Cell,
     Charts,
     Check,
     Checks,
@@ -23,6 +22,7 @@ from linkwright.presentation.blocks import (
     Table,
     filled,
 )
+from linkwright.presentation.cells import Cell, Number, Numbers
 from linkwright.report.stacks import stacks
 from linkwright.words import say
 
@@ -56,7 +56,7 @@ def _(block: Bullets) -> str:
 @html.register
 def _(block: Table) -> str:
     heads = [markup(head) for head in block.heads]
-    rows = ([_lines(cell) for cell in row] for row in block.rows)
+    rows = ([_cell(cell) for cell in row] for row in block.rows)
     kind = "limits wide" if len(heads) > WIDE else "limits"
     return f"<h3>{markup(block.title)}</h3>{table(kind, heads, rows, block.numeric)}"
 
@@ -152,5 +152,6 @@ def _number(value: float | None) -> str:
     return "–" if value is None else f"{value:.6g}".replace("-", "−")
 
 
-def _lines(cell: Cell) -> str:
-    return markup(cell).replace("\n", "<br>")
+def _cell(cell: Cell) -> str:
+    text = markup(cell).replace("\n", "<br>")
+    return text.replace("-", "−") if isinstance(cell, Number | Numbers) else text

@@ -9,19 +9,19 @@ from linkwright.findings import Finding, Said
 from linkwright.model.document import Document
 from linkwright.model.origin import Origin
 from linkwright.results import Result
-from linkwright.studies.registry import ranked
+from linkwright.studies.registry import Outcomes
 
 SCHEMA = 2
 """The version of the layout of ``summary.json``: 2 has grades, and ``null`` with ``unbounded`` where 1 had numbers."""
 
 
-def drawn(outcomes: Mapping[str, Any]) -> Result | None:
+def drawn(outcomes: Outcomes) -> Result | None:
     """What the report of some outcomes draws."""
-    results = (outcome.result for _, outcome in ranked(outcomes))
+    results = (outcomes[name].result for name in outcomes.ranked())
     return next((result for result in results if result is not None), None)
 
 
-def found(outcomes: Mapping[str, Any]) -> list[Finding]:
+def found(outcomes: Outcomes) -> list[Finding]:
     """What the studies found: failures and warnings; no warning of what is another one's failure."""
     failures = [finding for outcome in outcomes.values() for finding in outcome.failures]
     warnings = [finding for outcome in outcomes.values() for finding in outcome.warnings]
@@ -29,15 +29,15 @@ def found(outcomes: Mapping[str, Any]) -> list[Finding]:
     return [*failures, *(finding for finding in warnings if (finding.code, finding.path) not in told)]
 
 
-def summary(document: Document, outcomes: Mapping[str, Any], findings: list[Finding], origin: Origin) -> dict[str, Any]:
+def summary(document: Document, outcomes: Outcomes, findings: list[Finding], origin: Origin) -> dict[str, Any]:
     """What ``summary.json`` holds: origin, name, verdict, the entries of each study, all findings of the file and its
     run."""
     done = bool(outcomes) and all(outcome.done for outcome in outcomes.values())
     done = done and not any(finding.severity == "error" for finding in findings)
     data: dict[str, Any] = {"schema": SCHEMA, "linkwright": origin.version, **origin.as_dict()}
     data |= {"name": document.title, "done": done}
-    for study, outcome in ranked(outcomes):
-        entry = dict(study.report(outcome).summary)
+    for report in outcomes.reports():
+        entry = dict(report.summary)
         if "measures" in entry:  # the file's own stay what they are
             entry |= {"measures": entry["measures"] | data.get("measures", {})}
         data |= entry

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar, Protocol, runtime_checkable
@@ -143,7 +143,24 @@ def read_studies(raw: Mapping[str, Mapping[str, Any]]) -> tuple[list[Task], list
     return [Task(study, options) for study, options in read], findings
 
 
-def ranked(outcomes: Mapping[str, Any]) -> Iterator[tuple[Study, Any]]:
-    """Outcomes with their studies, in the order in which report and summary have them."""
-    for name in sorted(outcomes, key=lambda name: STUDIES[name].rank):
-        yield STUDIES[name], outcomes[name]
+class Outcomes(dict[str, Any]):
+    """Outcomes by the names of their studies. What each shows is made once, for page, summary and terminal alike."""
+
+    def __init__(self, *outcomes: Any, **named: Any) -> None:
+        super().__init__(*outcomes, **named)
+        self._reports: dict[str, tuple[Any, StudyReport]] = {}
+
+    def ranked(self) -> list[str]:
+        """Their names in the order in which report and summary have them."""
+        return sorted(self, key=lambda name: STUDIES[name].rank)
+
+    def reports(self) -> list[StudyReport]:
+        """What they show, in that order."""
+        return [self._report(name) for name in self.ranked()]
+
+    def _report(self, name: str) -> StudyReport:
+        outcome, report = self._reports.get(name, (None, None))
+        if report is None or outcome is not self[name]:
+            report = STUDIES[name].report(self[name])
+            self._reports[name] = self[name], report
+        return report

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from helpers.shown import tables
 from linkwright.app.job import summary_text
 from linkwright.studies.accuracy.allocation_outcome import Allocation, Allotted, Held, Optimality
 from linkwright.studies.accuracy.calibration_outcome import Calibration, Confounded, Estimate, Observed
 from linkwright.studies.accuracy.design_report import (
-    Rows,
     allocation_entry,
     calibration_entry,
     design_sentences,
@@ -55,10 +55,6 @@ def calibration() -> Calibration:
     )  # fmt: skip
 
 
-def words(rows: Rows) -> list[list[str]]:
-    return [[str(cell) for cell in row] for row in rows]
-
-
 def test_the_cheapest_tolerances() -> None:
     entry = allocation_entry(allocation())
     assert entry is not None
@@ -76,10 +72,10 @@ def test_the_cheapest_tolerances() -> None:
 
 
 def test_what_can_be_said_of_a_price() -> None:
-    tables = {name: words(rows) for name, _, rows in design_tables(allocation(), None)}
-    assert tables["allocation"][0] == ["AB", "0.05", "0.02", "0.0195", "IT8", "0.0125", "mm"]
-    assert tables["allocation"][1][4] == "fixed"
-    assert tables["targets"] == [["swing", "0.06", "0.08", "0.06", "0.058", "0.003", "deg"]]
+    shown = tables([*design_tables(allocation(), None)])
+    assert shown["allocation"][0] == ["AB", "0.05", "0.02", "0.0195", "IT8", "0.0125", "mm"]
+    assert shown["allocation"][1][4] == "fixed"
+    assert shown["targets"] == [["swing", "0.06", "0.08", "0.06", "0.058", "0.003", "deg"]]
 
 
 @pytest.mark.parametrize(
@@ -115,8 +111,8 @@ def test_what_can_not_be_told_apart() -> None:
     told = " ".join(map(str, design_sentences(None, calibration())))
     assert "AB, BC aren't identifiable separately" in told
     assert "Row 7, E.x: residual 1" in told
-    tables = {name: words(rows) for name, _, rows in design_tables(None, calibration())}
-    rows = {row[0]: row for row in tables["calibration"]}
+    shown = tables([*design_tables(None, calibration())])
+    rows = {row[0]: row for row in shown["calibration"]}
     assert rows["AB"][1:6] == ["155", "155.02", "0.02", "0.018 .. 0.022", "0.001"]
     assert rows["BC"][4:6] == ["not identifiable", "–"]
 

@@ -29,6 +29,7 @@ from linkwright.studies.accuracy.outcome import AccuracyOutcome
 from linkwright.studies.accuracy.report import report, sentences
 from linkwright.studies.accuracy.summary import accuracy_entry, per
 from linkwright.studies.accuracy.tables import overview, review, review_text
+from linkwright.studies.registry import Outcomes
 from studies.models import slider_crank
 
 SIZES = np.array([[low, high] for low, high, _ in LIMITS.values()])  # mm
@@ -48,7 +49,7 @@ def entry(made: AccuracyOutcome) -> dict[str, Any]:
 def section_of(done: AccuracyOutcome) -> str:
     document = lw.Document.model_validate(slider_crank())
     found = re.search(
-        r'<section id="accuracy">.*?</section>', page(report_data(document, {"accuracy": done})), re.DOTALL
+        r'<section id="accuracy">.*?</section>', page(report_data(document, Outcomes(accuracy=done))), re.DOTALL
     )
     assert found is not None
     return found[0]
@@ -240,7 +241,7 @@ def test_a_tie_shows_both_sides(made: AccuracyOutcome) -> None:
     slopes = np.array([[-1.0, 1.0], [0.5, 0.5], [0, 0]])
     tied = replace(made, figures={"stroke": replace(figure, coefficients=slopes, tie=True)}, curves={})
     lines = {row[0]: row for row in rows(review(tied.figures["stroke"], tied))}
-    assert lines["r"][4] == "−1 / 1 mm/mm"
+    assert lines["r"][4] == "-1 / 1 mm/mm"
     first = next(row for row in accuracy_entry(tied)["accuracy"]["stroke"]["contributors"] if row["parameter"] == "r")
     assert (first["coefficients"], first["worst"]) == ([-1, 1], pytest.approx([0, 0.05]))
     assert "two places" in section_of(tied)
@@ -292,7 +293,7 @@ def test_the_section(made: AccuracyOutcome) -> None:
     copied = re.findall('data-copy="([^"]*)"', text)
     assert [unescape(each) for each in copied] == [review_text(figure, made) for figure in made.every.values()]
     assert "lower bound of the worst case" in text
-    assert 'href="#accuracy"' in page(report_data(lw.Document.model_validate(slider_crank()), {"accuracy": made}))
+    assert 'href="#accuracy"' in page(report_data(lw.Document.model_validate(slider_crank()), Outcomes(accuracy=made)))
 
 
 def test_names_are_escaped() -> None:

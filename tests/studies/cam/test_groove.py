@@ -11,13 +11,14 @@ import numpy as np
 import pytest
 
 from helpers.heat_seal import NC, findings, heat_seal, performed
-from helpers.shown import heads, rows
+from helpers.shown import blocks, heads, rows
 from linkwright.cam.nc.posts import Grbl, Post
+from linkwright.presentation.blocks import Table
 from linkwright.report.cam_shapes import cam_shapes
 from linkwright.studies.cam.charts import charts
 from linkwright.studies.cam.files import FILES
 from linkwright.studies.cam.picture import picture, still
-from linkwright.studies.cam.report import cam_tables
+from linkwright.studies.cam.report import report
 
 GROOVE = {"closed": "groove"}
 
@@ -29,7 +30,7 @@ def test_a_groove_and_what_is_written_of_it() -> None:
     assert all(one["written"] and one["lift_error"] < 2e-3 for one in entry.values())
     least, most = entry["fanuc"]["play_mm"]
     assert -4e-3 < least < most < 4e-3  # 2e-3 deg of an arm of 90 mm are 3 um on each flank
-    (table,) = [one for one in cam_tables(job.cam) if one.name == "cam-nc"]
+    (table,) = [one for one in blocks(report(job.cam), Table) if one.name == "nc"]
     assert heads(table).index("Clearance, mm") == heads(table).index("Excess material, mm") + 1
     assert [row[0] for row in rows(table)] == ["fanuc", "grbl"]
     drawn = {str(chart.title): chart.drawing for chart in charts(job.cam)}

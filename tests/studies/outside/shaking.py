@@ -17,7 +17,8 @@ from linkwright.expressions.typed_fields import Quantity
 from linkwright.findings import Finding, Said
 from linkwright.kernels import Compiled
 from linkwright.model.csv_text import cell, head, written
-from linkwright.presentation.blocks import Chart, Charts, FileOf, Number, Section, Sentences, StudyReport, Table
+from linkwright.presentation.blocks import Chart, Charts, FileOf, Section, Sentences, StudyReport, Table
+from linkwright.presentation.cells import Number
 from linkwright.results import Result, Run
 from linkwright.studies.numbers import constant
 from linkwright.studies.registry import Command, Setting, Study, register

@@ -15,15 +15,16 @@ from click.testing import CliRunner
 from ruamel.yaml import YAML
 
 import linkwright as lw
-from helpers.shown import tables
+from helpers.shown import blocks, tables
 from helpers.workspaces import arm, findings, four_bar, performed
 from linkwright.app.job import Job
 from linkwright.cli import cli
 from linkwright.model.document import parse_document, plain
+from linkwright.presentation.blocks import Table
 from linkwright.studies.workspace.files import svg
 from linkwright.studies.workspace.path_files import drives_yaml, laws_csv
 from linkwright.studies.workspace.paths_report import path_charts
-from linkwright.studies.workspace.report import workspace_tables
+from linkwright.studies.workspace.report import report
 
 EXAMPLE = Path(__file__).parents[3] / "examples" / "five_bar_path.yaml"
 REACH = {"motor": "shoulder", "duration": "2 s"}
@@ -103,9 +104,9 @@ def test_modes_and_values_are_told_apart_and_the_best_is_pasted(ring: Job) -> No
 
 def test_how_they_are_written(ring: Job) -> None:
     outcome = ring.outcomes["workspace"]
-    shown = tables(workspace_tables(outcome))
-    assert [row[3] for row in shown["workspace-paths"]] == ["yes (best)", "not at u = 0 .. 1: outside by 14.57 mm"]
-    assert [row[1] for row in shown["workspace-drives"]] == ["motor", "servo"]
+    shown = tables(blocks(report(outcome), Table))
+    assert [row[3] for row in shown["paths"]] == ["yes (best)", "not at u = 0 .. 1: outside by 14.57 mm"]
+    assert [row[1] for row in shown["drives"]] == ["motor", "servo"]
     head, rows = columns(laws_csv(outcome))
     assert head[:7] == ["path", "alpha [deg]", "mode", "t [s]", "u", "P.x [mm]", "P.y [mm]"]
     assert len(rows) == 41 and all(len(row) == len(head) for row in rows)

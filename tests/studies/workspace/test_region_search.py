@@ -10,14 +10,15 @@ import shapely
 
 import linkwright as lw
 from helpers.compiled import compiled_from
-from helpers.shown import heads, rows
+from helpers.shown import blocks, heads, rows
 from linkwright.model.document import parse_document
+from linkwright.presentation.blocks import Table
 from linkwright.studies.workspace import region_search as module
 from linkwright.studies.workspace.certificate import SEARCHED
 from linkwright.studies.workspace.curves import Segments, smooth, traced
 from linkwright.studies.workspace.mesh import Box, Mesh, found_pits, mesh
 from linkwright.studies.workspace.region_search import ROUGH, _with_slivers, reached, searched
-from linkwright.studies.workspace.report import workspace_entry, workspace_sentences, workspace_tables
+from linkwright.studies.workspace.report import report, workspace_entry, workspace_sentences
 from linkwright.studies.workspace.sheet import Sheet
 from linkwright.words import say
 from studies.workspace.models import arm, triad_turned_round
@@ -160,9 +161,9 @@ def test_what_has_no_inverse_in_closed_form_is_searched_for_and_says_so() -> Non
     assert entry["grade"] == SEARCHED and entry["area"] is None and entry["certified"] is False
     sentences = [*map(str, workspace_sentences(outcome))]
     assert say("workspace.searched", count=1) in sentences and say("workspace.certified") not in sentences
-    table = next(one for one in workspace_tables(outcome) if one.name == "workspace-regions")
+    table = next(one for one in blocks(report(outcome), Table) if one.name == "regions")
     row = dict(zip(heads(table), rows(table)[0], strict=True))
-    assert row[say("workspace.column.within")] == "-" and row[say("workspace.column.grade")] == "searched"
+    assert row[say("workspace.column.within")] == "–" and row[say("workspace.column.grade")] == "searched"
     assert held(one.region.sheet, one.region.shape) > 0.999
 
 

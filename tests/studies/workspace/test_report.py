@@ -15,12 +15,12 @@ import pytest
 from helpers.shown import blocks, heads, rows
 from helpers.workspaces import arm, five_bar, four_bar, performed
 from linkwright.app.job import Job
-from linkwright.presentation.blocks import Charts
+from linkwright.presentation.blocks import Charts, Table
 from linkwright.report.build import report_data
 from linkwright.report.page import page
 from linkwright.studies.workspace.certificate import Certificate, Fault
 from linkwright.studies.workspace.files import boundary_csv, dxf, geojson, svg
-from linkwright.studies.workspace.report import report, workspace_tables
+from linkwright.studies.workspace.report import report
 
 
 @pytest.fixture(scope="module")
@@ -59,7 +59,7 @@ def test_what_is_proven_of_a_region_is_in_the_summary_and_the_table(job: Job) ->
     low, high = proven["area"]
     assert low < area < high and high - low < 2e-3 * area
     assert job.workspace is not None
-    table = workspace_tables(job.workspace)[0]
+    table = blocks(report(job.workspace), Table)[0]
     row = dict(zip(heads(table), rows(table)[0], strict=True))
     assert "Unit" not in row
     assert row["Area"] == f"{region['area']:.7g} mm²"
@@ -85,8 +85,8 @@ def test_what_is_proven_of_a_region_is_in_the_summary_and_the_table(job: Job) ->
             "1",
             "not certified",
         ),
-        (Certificate("searched"), "-", "1", "1", "searched"),
-        (Certificate("searched", faults=(Fault("cut", 1.0, (0.0, 0.0)),)), "-", "1", "1", "not certified"),
+        (Certificate("searched"), "–", "1", "1", "searched"),
+        (Certificate("searched", faults=(Fault("cut", 1.0, (0.0, 0.0)),)), "–", "1", "1", "not certified"),
     ],
 )
 def test_what_is_not_proven_is_said_in_the_table(
@@ -96,7 +96,7 @@ def test_what_is_not_proven_is_said_in_the_table(
     (one,) = job.workspace.workspaces
     reached = replace(one.regions[0], region=replace(one.regions[0].region, certificate=certificate))
     changed = replace(job.workspace, workspaces=[replace(one, regions=(reached,))])
-    table = workspace_tables(changed)[0]
+    table = blocks(report(changed), Table)[0]
     row = dict(zip(heads(table), rows(table)[0], strict=True))
     found = [row[head] for head in ("Bounds", "Parts", "Holes", "Grade")]
     assert found == [within, parts, holes, grade]

@@ -23,7 +23,7 @@ from linkwright.kernels import Compiled
 from linkwright.kernels.law import Law
 from linkwright.kernels.laws import uniform, values_at
 from linkwright.model.references import option_faults
-from linkwright.presentation.plain import known
+from linkwright.presentation.json_numbers import known
 from linkwright.structure import FRAME
 from linkwright.studies.drive_sweep import Sweep, sweeping
 from linkwright.studies.limits.extremes import Transmission, transmission

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from linkwright.findings import Said, Text
-from linkwright.presentation.blocks import Cell, Unit
-from linkwright.presentation.plain import known, listed
+from linkwright.presentation.blocks import Table, table
+from linkwright.presentation.cells import UNKNOWN, Cell, Number, Numbers, Unit
+from linkwright.presentation.json_numbers import known, listed
 from linkwright.studies.accuracy.allocation_outcome import Allocation, Allotted, Held
 from linkwright.studies.accuracy.calibration_outcome import Calibration, Estimate, Observed
 
-Rows = list[list[Cell]]
 THOUSANDTH = 1e-3
 """What a thousandth of a unit of width saves is shown: a micron, of millimetres."""
 
@@ -126,25 +127,23 @@ def design_sentences(allocation: Allocation | None, calibration: Calibration | N
                 yield Said("accuracy.outlier", row=one.row, name=name, rest=_shown(one.residual, size))
 
 
-def design_tables(
-    allocation: Allocation | None, calibration: Calibration | None
-) -> Iterator[tuple[str, tuple[str, ...], Rows]]:
-    """Their tables: key, heads, rows."""
-    widths = ("width", "cheapest", "rounded")
+def design_tables(allocation: Allocation | None, calibration: Calibration | None) -> Iterator[Table]:
+    """Their tables."""
+    widths, made = ("width", "cheapest", "rounded"), partial(table, "accuracy")
     if allocation is not None:
-        yield "allocation", ("dimension", *widths, "grade", "saves", "unit"), list(map(_tolerance, allocation.items))
-        yield "targets", ("output", "wanted", *widths, "saves", "unit"), list(map(_demand, allocation.targets))
+        yield made("allocation", ("dimension", *widths, "grade", "saves", "unit"), map(_tolerance, allocation.items))
+        yield made("targets", ("output", "wanted", *widths, "saves", "unit"), map(_demand, allocation.targets))
     if calibration is not None:
         heads = ("dimension", "nominal", "estimate", "estimated", "interval", "error", "unit")
-        yield "calibration", heads, list(map(_estimated, calibration.estimates))
+        yield made("calibration", heads, map(_estimated, calibration.estimates))
         if calibration.after:
-            rows = [_fitted(calibration, i) for i in range(len(calibration.outputs))]
-            yield "fit", ("output", "sigma", "before", "after", "unit"), rows
+            rows = (_fitted(calibration, i) for i in range(len(calibration.outputs)))
+            yield made("fit", ("output", "sigma", "before", "after", "unit"), rows)
 
 
 def _tolerance(one: Allotted) -> list[Cell]:
     widths = (_shown(width, one.size) for width in (one.now, one.half, one.rounded))
-    grade = Said("accuracy.fixed") if one.fixed else one.grade or "–"
+    grade = Said("accuracy.fixed") if one.fixed else one.grade or UNKNOWN
     return [one.name, *widths, grade, _shown(one.price * one.size * THOUSANDTH), Unit(one.unit)]
 
 
@@ -155,7 +154,7 @@ def _demand(one: Held) -> list[Cell]:
 
 def _estimated(one: Estimate) -> list[Cell]:
     figures = (_shown(value, one.size) for value in (one.nominal, one.value, one.deviation))
-    ends = " .. ".join(_shown(end, one.size) for end in one.interval or ())
+    ends = Numbers([_shown(end, one.size) for end in one.interval or ()])
     told = ends if one.identified else Said("accuracy.not-told")
     return [one.name, *figures, told, _shown(one.error, one.size), Unit(one.unit)]
 
@@ -169,6 +168,5 @@ def _known(value: float | None, size: float = 1.0) -> float | None:
     return None if value is None else known(value / size)
 
 
-def _shown(value: float | None, size: float = 1.0) -> str:
-    number = _known(value, size)
-    return "–" if number is None else f"{number:.5g}".replace("-", "−")
+def _shown(value: float | None, size: float = 1.0) -> Number:
+    return Number(_known(value, size), 5)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.findings import Said
-from linkwright.presentation.plain import known
+from linkwright.presentation.json_numbers import known
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, Curve, Figure
 
 Array = NDArray[np.float64]

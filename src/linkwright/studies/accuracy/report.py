@@ -9,13 +9,14 @@ import numpy as np
 
 from linkwright.drawing.charts import MOST_CHARTS
 from linkwright.findings import Said, Text
-from linkwright.presentation.blocks import Block, Chart, Charts, Copied, Section, Sentences, StudyReport, Unit
+from linkwright.presentation.blocks import Block, Chart, Charts, Copied, Section, Sentences, StudyReport
+from linkwright.presentation.cells import Unit, percent
 from linkwright.studies.accuracy.charts import curve_charts, figure_charts
 from linkwright.studies.accuracy.design_report import design_sentences
 from linkwright.studies.accuracy.disagreement import along, disagreement
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, Curve, Figure
 from linkwright.studies.accuracy.summary import accuracy_entry
-from linkwright.studies.accuracy.tables import deviation, further, moment, overview, percent, review, review_text
+from linkwright.studies.accuracy.tables import deviation, further, moment, overview, review, review_text
 
 
 def report(outcome: AccuracyOutcome) -> StudyReport:
@@ -33,7 +34,7 @@ def sentences(outcome: AccuracyOutcome) -> list[Text]:
     data = {"contributors": len(outcome.contributors), "samples": f"{outcome.samples:,}", "kernel": outcome.kernel}
     told: list[Text] = [Said("accuracy.sentence.samples" if outcome.samples else "accuracy.sentence", **data)]
     if outcome.failed:
-        share = percent(outcome.failed / outcome.samples)
+        share = percent(outcome.failed / outcome.samples, 3)
         told.append(Said("accuracy.failed", failed=f"{outcome.failed:,}", samples=data["samples"], share=share))
     told += [text for figure in outcome.every.values() for text in _remarks(figure, outcome, brief=True)]
     apart = (disagreement(figure, outcome) for figure in outcome.every.values())
@@ -66,7 +67,7 @@ def _remarks(figure: Figure, outcome: AccuracyOutcome, brief: bool = False) -> I
     if found is not None and not (brief and found.off <= outcome.options.nonlinear):
         key = "accuracy.searched" if found.proven else "accuracy.searched.bound"
         ends = {"low": deviation(found.low / size, figure), "high": deviation(found.high / size, figure)}
-        yield Said(key, name=figure.name, off=percent(found.off), unit=Unit(figure.column.unit), **ends)
+        yield Said(key, name=figure.name, off=percent(found.off, 3), unit=Unit(figure.column.unit), **ends)
     if brief:
         return
     if figure.time is not None:

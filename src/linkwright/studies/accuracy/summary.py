@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions.units import FORCE, LENGTH, TIME
 from linkwright.findings import Said
-from linkwright.presentation.plain import known, listed
+from linkwright.presentation.json_numbers import known, listed
 from linkwright.studies.accuracy.contributors import Contributor
 from linkwright.studies.accuracy.design_report import allocation_entry, calibration_entry
 from linkwright.studies.accuracy.disagreement import along, disagreement

@@ -1,16 +1,14 @@
-"""The accuracy study as tables of text: outputs, contributors, joints with clearance."""
+"""The accuracy study as tables: outputs, contributors, joints with clearance."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from math import floor, inf, log10
 
-import numpy as np
-
-from linkwright.escape import printed
 from linkwright.expressions.units import TIME
 from linkwright.findings import Joined, Said, Text
-from linkwright.presentation.blocks import Cell, Table
+from linkwright.presentation.blocks import Table, table
+from linkwright.presentation.cells import UNKNOWN, Cell, Number, Numbers, percent
 from linkwright.studies.accuracy.design_report import design_tables
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, Figure, MonteCarlo
 from linkwright.studies.accuracy.summary import WIDE, part, per, ranked, study_entry
@@ -25,18 +23,14 @@ def overview(outcome: AccuracyOutcome) -> list[Table]:
     rows = [_line(*place, outcome) for place in _places(outcome)]
     heads = ["output", "at", "nominal", "worst", "rss", "monte_carlo", "play", "first"]
     if not outcome.joints:
-        del heads[-2]
-        for row in rows:
-            del row[-2]
-    return [_grid("outputs", heads, rows, outcome)] if rows else []
+        heads, rows = [*heads[:-2], heads[-1]], [[*row[:-2], row[-1]] for row in rows]
+    return [_table("outputs", heads, rows, outcome)]
 
 
 def further(outcome: AccuracyOutcome) -> list[Table]:
     """Correlations, what clearances do, joints with clearance, allocation, calibration; those that there are."""
-    grids = [_correlations(outcome), _play(outcome), _joints(outcome)]
     design = design_tables(outcome.allocation, outcome.calibration)
-    grids += [_grid(name, heads, rows, outcome) for name, heads, rows in design]
-    return grids
+    return [_correlations(outcome), _play(outcome), _joints(outcome), *design]
 
 
 def _places(outcome: AccuracyOutcome) -> Iterator[tuple[str, Text, Figure]]:
@@ -52,13 +46,12 @@ def _line(name: str, position: Text, figure: Figure, outcome: AccuracyOutcome) -
     told = ", ".join(f"{name} {percent(share, 2)}" for name, share in first if share > 0)
     ranges = (_range(ends, figure) for ends in _totals(figure).values())
     play = [] if figure.play is None else [sign * figure.play.bound / figure.column.size for sign in (-1, 1)]
-    nominal = _with(_nominal(figure), figure.column.unit)
-    return [name, _at(position, figure, outcome), nominal, *ranges, _range(play, figure), told or "–"]
+    return [name, _at(position, figure, outcome), _nominal(figure), *ranges, _range(play, figure), told or UNKNOWN]
 
 
 def _at(position: Text, figure: Figure, outcome: AccuracyOutcome) -> Text:
     time = "" if figure.time is None else moment(figure.time, outcome)
-    return Joined(filter(None, (position, time)), ": ") if position or time else "–"
+    return Joined(filter(None, (position, time)), ": ") if position or time else UNKNOWN
 
 
 def _totals(figure: Figure) -> dict[str, tuple[float, ...]]:
@@ -75,23 +68,22 @@ def review(figure: Figure, outcome: AccuracyOutcome) -> Table:
     size, unit, rows = figure.column.size, figure.column.unit, list[list[Cell]]()
     for i in ranked(figure):
         one = outcome.contributors.every[i]
-        below, above = figure.coefficients[i] * one.size / size
-        coefficient = f"{_number(below, 5)} / {_number(above, 5)}" if figure.tie else _number(above, 5)
+        coefficients = [Number(float(c), 5) for c in figure.coefficients[i] * one.size / size]
+        limits = [Number(end / one.size, 6, signed=True) for end in (one.low, one.high)]
         rows.append(
             [
                 one.name,
-                _with(_number(one.nominal / one.size), one.unit),
+                Number(one.nominal / one.size, 6, one.unit),
                 one.stated,
-                _with(f"{_signed(one.low / one.size)} / {_signed(one.high / one.size)}", one.unit),
-                _with(coefficient, per(unit, one.unit)),
-                percent(float(figure.shares[i])),
-                _with(_range([end / size for end in part(figure, i, one)], figure), unit),
+                Numbers(limits, one.unit, " / "),
+                Numbers(coefficients if figure.tie else coefficients[1:], per(unit, one.unit), " / "),
+                percent(float(figure.shares[i]), 3),
+                _range([end / size for end in part(figure, i, one)], figure, unit),
             ]
         )
-    nominal = _with(_nominal(figure), unit)
     for key, ends in _totals(figure).items():
-        rows.append([_head(key, outcome), nominal, "", "", "", "", _with(_range(ends, figure), unit)])
-    return _grid("review", heads, rows, outcome, figure.name)
+        rows.append([_head(key, outcome), _nominal(figure), *[""] * 4, _range(ends, figure, unit)])
+    return _table("review", heads, rows, outcome, figure.name)
 
 
 def review_text(figure: Figure, outcome: AccuracyOutcome) -> str:
@@ -102,24 +94,26 @@ def review_text(figure: Figure, outcome: AccuracyOutcome) -> str:
     )  # fmt: skip
     size, unit = figure.column.size, figure.column.unit
     rows: list[list[Cell]] = [[_head(head, outcome) for head in heads]]
+
+    def plain(*values: float) -> list[Cell]:
+        return [Number(value, 10, unknown="") for value in values]
+
     for i in ranked(figure):
         one = outcome.contributors.every[i]
-        low, high = part(figure, i, one)
         slope = float(figure.coefficients[i].mean()) * one.size / size
-        limits = (_plain(one.low / one.size), _plain(one.high / one.size))
-        share, ends = _plain(float(figure.shares[i])), (_plain(low / size), _plain(high / size))
-        known = (one.name, _plain(one.nominal / one.size), one.unit, one.stated, *limits)
-        rows.append([*known, _plain(slope), per(unit, one.unit), share, *ends, unit])
+        limits, ends = plain(one.low / one.size, one.high / one.size), (end / size for end in part(figure, i, one))
+        known = [one.name, *plain(one.nominal / one.size), one.unit, one.stated, *limits]
+        rows.append([*known, *plain(slope), per(unit, one.unit), *plain(float(figure.shares[i]), *ends), unit])
     for key, deviations in _totals(figure).items():
-        contributions = [_plain(end) for end in deviations] or ["", ""]
-        rows.append([_head(key, outcome), _plain(figure.nominal / size), unit, *[""] * 6, *contributions, unit])
+        contributions = plain(*deviations) or ["", ""]
+        rows.append([_head(key, outcome), *plain(figure.nominal / size), unit, *[""] * 6, *contributions, unit])
     return "\n".join("\t".join(" ".join(str(cell).split()) for cell in row) for row in rows) + "\n"
 
 
 def _correlations(outcome: AccuracyOutcome) -> Table:
     pairs = study_entry(outcome)["correlations"]
-    rows = [[*pair["of"], _number(pair["is"])] for pair in pairs]
-    return _grid("correlations", ("dimension", "dimension", "correlation"), rows, outcome)
+    rows = [[*pair["of"], Number(pair["is"], 6)] for pair in pairs]
+    return _table("correlations", ("dimension", "dimension", "correlation"), rows, outcome)
 
 
 def _play(outcome: AccuracyOutcome) -> Table:
@@ -133,50 +127,39 @@ def _play(outcome: AccuracyOutcome) -> Table:
         told = ", ".join(f"{joint} ±{_fixed(play.bounds[joint] / size, play.bound / size, 3)}" for joint in joints)
         bound = f"±{_fixed(play.bound / size, play.bound / size, 3)}"
         both = _range([(low - play.bound) / size, (high + play.bound) / size], figure)
-        shift, nominal = deviation(play.shift / size, figure), _with(_nominal(figure), figure.column.unit)
-        rows.append([name, _at(position, figure, outcome), nominal, shift, bound, both, told])
-    return _grid("play", ("output", "at", "nominal", "shift", "bound", "together", "joints"), rows, outcome)
+        shift = deviation(play.shift / size, figure)
+        rows.append([name, _at(position, figure, outcome), _nominal(figure), shift, bound, both, told])
+    return _table("play", ("output", "at", "nominal", "shift", "bound", "together", "joints"), rows, outcome)
 
 
 def _joints(outcome: AccuracyOutcome) -> Table:
     rows = []
     for joint in study_entry(outcome)["joints"]:
         lost = [
-            Said(
-                "accuracy.lost",
-                low=_number(span["from"]),
-                high=_number(span["to"]),
-                unit=span["unit"],
-                why=span["cause"],
-            )
-            for span in joint["contact_lost"]
+            Said("accuracy.lost", **{key: Number(at[end], 6) for key, end in _LOST}, unit=at["unit"], why=at["cause"])
+            for at in joint["contact_lost"]
         ]
-        reaction = " .. ".join(_fixed(joint[end], joint["reaction_max"], 4) for end in ("reaction_min", "reaction_max"))
-        clearance = _with(_number(joint["clearance"]), joint["unit"])
-        rows.append(
-            [
-                joint["joint"],
-                ", ".join(joint["links"]),
-                clearance,
-                _with(reaction, joint["reaction_unit"]),
-                Joined(lost, "\n") if lost else Said("accuracy.kept"),
-            ]
-        )
-    heads = ("joint", "links", "clearance", "reaction", "lost")
-    return _grid("joints", heads, rows, outcome)
+        reaction = [_fixed(joint[f"reaction_{end}"], joint["reaction_max"], 4) for end in ("min", "max")]
+        clearance = Number(joint["clearance"], 6, joint["unit"])
+        told = Joined(lost, "\n") if lost else Said("accuracy.kept")
+        links = Joined(joint["links"])
+        rows.append([joint["joint"], links, clearance, Numbers(reaction, joint["reaction_unit"]), told])
+    return _table("joints", ("joint", "links", "clearance", "reaction", "lost"), rows, outcome)
 
 
-def _grid(
+_LOST = (("low", "from"), ("high", "to"))
+
+
+def _table(
     name: str, heads: Iterable[str], rows: Sequence[Sequence[Cell]], outcome: AccuracyOutcome, of: str = ""
 ) -> Table:
-    title = Said(f"accuracy.table.{name}", name=of)
-    return Table(name, title, [_head(head, outcome) for head in heads], rows)
+    return table("accuracy", name, [_head(head, outcome) for head in heads], rows, output=of)
 
 
 def _head(key: str, outcome: AccuracyOutcome) -> Said:
     sampled = (figure.monte_carlo for figure in outcome.every.values() if figure.monte_carlo is not None)
     coverage = next((found.coverage for found in sampled), MonteCarlo.coverage)
-    return Said(f"accuracy.column.{key}", coverage=percent(coverage, 4))
+    return Said(f"accuracy.column.{key}", coverage=percent(coverage))
 
 
 # Numbers.
@@ -188,59 +171,31 @@ def _scale(figure: Figure) -> float:
     return max(figure.half, abs(figure.worst[0]), abs(figure.worst[1]), figure.sigma, play) / figure.column.size
 
 
-def _fixed(value: float | None, scale: float | None, digits: int) -> str:
+def _fixed(value: float | None, scale: float | None, digits: int, unit: str = "", signed: bool = False) -> Number:
     """A number with so many digits of what is ``scale`` large."""
-    if value is None or scale is None or not np.isfinite(value):
-        return "–"
+    if value is None or scale is None:
+        return Number(None)
     decimals = digits - 1 - floor(log10(scale)) if 0 < scale < inf else 12
-    return _sign(f"{value:.{decimals}f}" if 0 <= decimals <= 9 and abs(value) < 1e9 else f"{value:.6g}")
+    if 0 <= decimals <= 9 and abs(value) < 1e9:
+        return Number(value, decimals, unit, form="f", signed=signed)
+    return Number(value, 6, unit, signed=signed)
 
 
-def _nominal(figure: Figure) -> str:
-    return _fixed(figure.nominal / figure.column.size, _scale(figure), 3)
+def _nominal(figure: Figure) -> Number:
+    return _fixed(figure.nominal / figure.column.size, _scale(figure), 3, figure.column.unit)
 
 
-def deviation(value: float, figure: Figure) -> str:
+def deviation(value: float, figure: Figure) -> Number:
     """A deviation in the figure's unit, with its sign."""
-    text = _fixed(value, _scale(figure), 3)
-    return f"+{text}" if value > 0 else text
+    return _fixed(value, _scale(figure), 3, signed=True)
 
 
-def _range(ends: Iterable[float], figure: Figure) -> str:
-    """Least and largest deviation; one figure where they are opposite."""
-    texts = [deviation(end, figure) for end in ends]
-    if len(texts) == 2 and texts[0].startswith("−") and texts[1] == f"+{texts[0][1:]}":
-        return f"±{texts[0][1:]}"
-    return " .. ".join(texts) or "–"
+def _range(ends: Iterable[float], figure: Figure, unit: str = "") -> Numbers:
+    """Least and largest deviation."""
+    return Numbers([deviation(end, figure) for end in ends], unit)
 
 
-def _number(value: float | None, digits: int = 6) -> str:
-    return "–" if value is None or not np.isfinite(value) else _sign(f"{value:.{digits}g}")
-
-
-def _signed(value: float) -> str:
-    return f"+{_number(value)}" if value > 0 else _number(value)
-
-
-def _plain(value: float) -> str:
-    return f"{value:.10g}" if np.isfinite(value) else ""
-
-
-def _sign(text: str) -> str:
-    return text.replace("-", "−")
-
-
-def _with(text: str, unit: str) -> str:
-    return f"{text} {printed(unit)}" if unit and text != "–" else text
-
-
-def percent(share: float, digits: int = 3) -> str:
-    """A share in percent."""
-    rounded = float(f"{100 * share:.{digits}g}")  # no 1e+02
-    return _sign(f"{rounded:g} %") if np.isfinite(share) else "–"
-
-
-def moment(time: float | None, outcome: AccuracyOutcome) -> str:
+def moment(time: float, outcome: AccuracyOutcome) -> Number:
     """A time (s) in the file's unit."""
     unit, second = outcome.compiled.quantities.unit_of(TIME)
-    return "–" if time is None else f"{time / second:.6g} {unit}"
+    return Number(time / second, 6, unit)

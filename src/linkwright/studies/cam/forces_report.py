@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
 from linkwright.findings import Said, Text
-from linkwright.presentation.blocks import Chart, Number
+from linkwright.presentation.blocks import Chart
+from linkwright.presentation.cells import Number
 from linkwright.studies.cam.charts import over
 from linkwright.studies.cam.figures import along_lift
 from linkwright.studies.cam.outcome import CamOutcome

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
@@ -10,18 +9,9 @@ import numpy as np
 from linkwright.cam.checks import Check
 from linkwright.expressions import units as u
 from linkwright.findings import Said, Text
-from linkwright.presentation.blocks import (
-    Block,
-    Cell,
-    Charts,
-    Number,
-    Section,
-    Sentences,
-    StudyReport,
-    Table,
-    Unit,
-    Verdict,
-)
+from linkwright.presentation.blocks import Block, Charts, Section, Sentences, StudyReport, Table, table
+from linkwright.presentation.cells import Cell, Number, Unit, Verdict, numbers
+from linkwright.presentation.json_numbers import known, listed
 from linkwright.studies.cam.charts import charts, of_disc
 from linkwright.studies.cam.force_findings import MEASURES
 from linkwright.studies.cam.forces_report import force_charts, force_entry, force_sentences
@@ -39,7 +29,7 @@ def cam_entry(outcome: CamOutcome) -> dict[str, Any]:
     for figure in outcome.figures:
         unit, one = quantities.unit_of(figure.dimension)
         told = {
-            "value": figure.value / one if math.isfinite(figure.value) else None,
+            "value": known(figure.value / one),
             "unit": unit,
             "at": figure.theta / deg,
             "at_unit": angle,
@@ -54,7 +44,7 @@ def cam_entry(outcome: CamOutcome) -> dict[str, Any]:
         entry["size"]["map"] = {
             "base": (found.first / size).tolist(),
             found.names[1]: (found.second / size).tolist(),
-            "margins": [[m if math.isfinite(m) else None for m in row] for row in found.margins.tolist()],
+            "margins": [*map(listed, found.margins)],
         }
     if outcome.second is not None:
         follower = outcome.second.disc.follower
@@ -108,10 +98,10 @@ def _milled(outcome: CamOutcome, one: Milled) -> dict[str, Any]:
     if proof.faults:
         return told
     if proof.play is not None:
-        told["play_mm"] = [_known(1e3 * play) for play in proof.play]
+        told["play_mm"] = [known(1e3 * play) for play in proof.play]
     return told | {
-        "lift_error": _known(proof.worst / size),
-        "velocity_error": _known(float(np.abs(proof.rate).max()) / size * deg),
+        "lift_error": known(proof.worst / size),
+        "velocity_error": known(float(np.abs(proof.rate).max()) / size * deg),
         "gouge_mm": 1e3 * proof.gouge,
         "rest_mm": 1e3 * proof.rest,
         "time_s": proof.time,
@@ -119,16 +109,11 @@ def _milled(outcome: CamOutcome, one: Milled) -> dict[str, Any]:
     }
 
 
-def _known(value: float) -> float | None:
-    """None where the follower falls off."""
-    return value if math.isfinite(value) else None
-
-
 def report(outcome: CamOutcome) -> StudyReport:
     """What was found, pictures and charts, tables."""
-    drawn = [*charts(outcome), *force_charts(outcome)]
-    blocks: list[Block] = [Sentences(cam_sentences(outcome)), Charts(drawn), *cam_tables(outcome)]
-    return StudyReport([Section("cam", blocks)], cam_entry(outcome))
+    drawn, summary = [*charts(outcome), *force_charts(outcome)], cam_entry(outcome)
+    blocks: list[Block] = [Sentences(cam_sentences(outcome)), Charts(drawn), *cam_tables(outcome, summary["cam"])]
+    return StudyReport([Section("cam", blocks)], summary)
 
 
 def cam_sentences(outcome: CamOutcome) -> list[Text]:
@@ -150,13 +135,12 @@ def cam_sentences(outcome: CamOutcome) -> list[Text]:
     return [*told, *force_sentences(outcome)]
 
 
-def cam_tables(outcome: CamOutcome) -> list[Table]:
-    """Tables of text; those with nothing in them are left out."""
-    entry = cam_entry(outcome)["cam"]
+def cam_tables(outcome: CamOutcome, entry: dict[str, Any]) -> list[Table]:
+    """Its entry as tables."""
     figures: list[list[Cell]] = [
         [
             Said(f"cam.figure.{name}"),
-            _n(one["value"]),
+            Number(one["value"]),
             Unit(one["unit"]),
             _place(one),
             one.get("require", "–"),
@@ -172,10 +156,10 @@ def cam_tables(outcome: CamOutcome) -> list[Table]:
     play = ("play",) if any("play_mm" in m for m in entry["nc"].values()) else ()
     columns = ("post", "error", "tolerance", "unit", "velocity", "gouge", "rest", *play, "time", "lines", "written")
     return [
-        _grid("figures", ("figure", "value", "unit", "at", "required", "verdict"), figures),
-        _grid("checks", ("check", "value", "unit", "at", "limit", "margin", "verdict"), checks),
-        _grid("nc", columns, made),
-        _grid("parts", ("part", "value", "unit"), parts),
+        table("cam", "figures", ("figure", "value", "unit", "at", "required", "verdict"), figures),
+        table("cam", "checks", ("check", "value", "unit", "at", "limit", "margin", "verdict"), checks),
+        table("cam", "nc", columns, made),
+        table("cam", "parts", ("part", "value", "unit"), parts),
     ]
 
 
@@ -187,35 +171,26 @@ def _of(second: bool, row: list[Cell]) -> list[Cell]:
 
 
 def _check_row(c: dict[str, Any]) -> list[Cell]:
-    numbers: list[Cell] = [_n(c["value"]), Unit(c["unit"]), _place(c), _n(c["limit"]), _n(c["margin"])]
+    numbers: list[Cell] = [Number(c["value"]), Unit(c["unit"]), _place(c), Number(c["limit"]), Number(c["margin"])]
     return [Said(f"cam.check.{c['name']}"), *numbers, _mark(c)]
 
 
 def _nc_row(post: str, m: dict[str, Any]) -> list[Cell]:
-    error: list[Cell] = [_n(m["lift_error"], 3), _n(m["tolerance"]), Unit(m["unit"])]
+    error: list[Cell] = [Number(m["lift_error"], 3), Number(m["tolerance"]), Unit(m["unit"])]
     speed = Number(m["velocity_error"], 3, f"{m['unit']}/{m['angle_unit']}")
-    off: list[Cell] = [_n(m["gouge_mm"], 3), _n(m["rest_mm"], 3)]
+    off: list[Cell] = [Number(m["gouge_mm"], 3), Number(m["rest_mm"], 3)]
     if "play_mm" in m:
-        off.append(" .. ".join("–" if play is None else f"{play:.2g}" for play in m["play_mm"]))
-    return [post, *error, speed, *off, f"{m['time_s']:.0f}", str(m["lines"]), _word(m["written"])]
+        off.append(numbers(m["play_mm"], 2))
+    return [post, *error, speed, *off, Number(m["time_s"], 0, form="f"), Number(m["lines"], 9), _word(m["written"])]
 
 
 def _parts(entry: dict[str, Any]) -> list[list[Cell]]:
     rows = list[list[Cell]]()
     if "contour" in entry:
-        rows.append([Said("cam.part.area"), _n(entry["contour"]["area"], 9), Unit(f"{entry['contour']['unit']}^2")])
+        rows.append([Said("cam.part.area"), Number(entry["contour"]["area"], 9), Unit(f"{entry['contour']['unit']}^2")])
     if "volume" in entry:
-        rows.append([Said("cam.part.volume"), _n(entry["volume"]["value"], 9), Unit(entry["volume"]["unit"])])
+        rows.append([Said("cam.part.volume"), Number(entry["volume"]["value"], 9), Unit(entry["volume"]["unit"])])
     return rows
-
-
-def _grid(name: str, columns: tuple[str, ...], rows: list[list[Cell]]) -> Table:
-    heads = [Said(f"cam.column.{column}") for column in columns]
-    return Table(f"cam-{name}", Said(f"cam.table.{name}"), heads, rows)
-
-
-def _n(value: float | None, digits: int = 7) -> Number:
-    return Number(value, digits)
 
 
 def _place(entry: dict[str, Any]) -> Number:

@@ -12,7 +12,7 @@ from linkwright.expressions.fields import Expression
 from linkwright.expressions.language import parse
 from linkwright.expressions.units import ANGLE, TIME, Dimension
 from linkwright.measures.probe import Probe, Search
-from linkwright.reductions.found import Peak
+from linkwright.reductions.figures import Peak
 from linkwright.results import Run
 from linkwright.results.windows import intervals
 from linkwright.studies.limits.extremes import Transmission, transmission

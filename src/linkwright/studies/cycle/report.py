@@ -2,23 +2,15 @@
 
 from __future__ import annotations
 
+from functools import partial
+from itertools import starmap
 from typing import Any
 
 from linkwright.expressions.units import TIME
 from linkwright.findings import Joined, Said
 from linkwright.measures import MeasureResult
-from linkwright.presentation.blocks import (
-    Cell,
-    Checks,
-    Measure,
-    Measures,
-    MeasureValue,
-    Number,
-    Section,
-    StudyReport,
-    Table,
-    Unit,
-)
+from linkwright.presentation.blocks import Checks, Measure, Measures, MeasureValue, Section, StudyReport, Table, table
+from linkwright.presentation.cells import Cell, Number, Unit
 from linkwright.reductions import Grade
 from linkwright.results import Certificate, Result
 from linkwright.results.netcdf import netcdf_bytes
@@ -32,61 +24,51 @@ def report(outcome: CycleOutcome) -> StudyReport:
     certificate, quantities = outcome.result.certificate, outcome.result.run.compiled.quantities
     time_unit, second = quantities.unit_of(TIME)
     sections = [Section("measures", [Measures([measure(m, second, time_unit) for m in outcome.measures])])]
-    if (found := outcome.overview) is not None:
-        sections.append(Section("overview", overview_tables(overview_entry(found, outcome.result.run), time_unit)))
+    entry = cycle_entry(outcome)
+    if "overview" in entry:
+        sections.append(Section("overview", overview_tables(entry["overview"], time_unit)))
     if certificate is not None:
         near = certificate.nearest
         nearest = f"{near.time / second:.6g} {time_unit}" if near else ""
         sections.append(Section("certificate", [Checks(checks(certificate, nearest), remarks(certificate))]))
-    return StudyReport(sections, cycle_entry(outcome))
+    return StudyReport(sections, entry)
 
 
 def overview_tables(entry: dict[str, Any], time_unit: str) -> list[Table]:
     """The overview of a cycle without measures, from its entry."""
 
-    def table(name: str, heads: tuple[str, ...], rows: list[list[Cell]]) -> Table:
-        titles = [Said(f"overview.column.{head}", at_unit=time_unit) for head in heads]
-        return Table(name, Said(f"overview.{name}"), titles, rows)
-
     def place(one: dict[str, Any]) -> list[Cell]:
         return [_number(one["value"]), Number(one["at"], 6)]
 
-    outputs: list[list[Cell]] = [
-        [
-            name,
-            *place(e["min"]),
-            *place(e["max"]),
-            _number(_less(e["max"]["value"], e["min"]["value"])),
-            Unit(e["unit"]),
-        ]
-        for name, e in entry["outputs"].items()
-    ]
-    drives: list[list[Cell]] = [
+    def output(name: str, e: dict[str, Any]) -> list[Cell]:
+        low, high = e["min"]["value"], e["max"]["value"]
+        span = None if low is None or high is None else high - low
+        return [name, *place(e["min"]), *place(e["max"]), _number(span), Unit(e["unit"])]
+
+    drives = [
         [name, Said(f"overview.{key}"), *place(e), _number(e["rms"]), Unit(e["unit"])]
         for name, both in entry["drives"].items()
         for key, e in both.items()
     ]
-    reactions: list[list[Cell]] = [
+    reactions = [
         [e["joint"], Joined(e["links"]), *place(e), _number(e["rms"]), Unit(e["unit"])] for e in entry["reactions"]
     ]
-    angles: list[list[Cell]] = [
+    angles = [
         [e["group"], Number(e["least"]), Unit(e["unit"]), Number(e["at"], 6, unknown=Said("limits.everywhere"))]
         for e in entry["transmission"]
     ]
+    outputs = starmap(output, entry["outputs"].items())
+    made = partial(table, "overview", at_unit=time_unit)
     return [
-        table("outputs", ("output", "min", "at", "max", "at", "span", "unit"), outputs),
-        table("drives", ("drive", "quantity", "peak", "at", "rms", "unit"), drives),
-        table("reactions", ("joint", "links", "peak", "at", "rms", "unit"), reactions),
-        table("transmission", ("group", "least", "unit", "at"), angles),
+        made("outputs", ("output", "min", "at", "max", "at", "span", "unit"), outputs),
+        made("drives", ("drive", "quantity", "peak", "at", "rms", "unit"), drives),
+        made("reactions", ("joint", "links", "peak", "at", "rms", "unit"), reactions),
+        made("transmission", ("group", "least", "unit", "at"), angles),
     ]
 
 
 def _number(value: float | None) -> Number:
     return Number(value, unknown=Said("value.unbounded"))
-
-
-def _less(high: float | None, low: float | None) -> float | None:
-    return None if high is None or low is None else high - low
 
 
 def measure(m: MeasureResult, second: float, time_unit: str) -> Measure:

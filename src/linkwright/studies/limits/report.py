@@ -8,7 +8,8 @@ from typing import Any
 
 from linkwright.expressions.units import ANGLE, LENGTH, TIME
 from linkwright.findings import Joined, Said, Text
-from linkwright.presentation.blocks import Cell, Number, Section, StudyReport, Table, Unit
+from linkwright.presentation.blocks import Section, StudyReport, Table, table
+from linkwright.presentation.cells import Cell, Number, Unit
 from linkwright.studies.limits.extremes import Course, Transmission
 from linkwright.studies.limits.four_links import FourLinks
 from linkwright.studies.limits.outcome import DriveLimits, LimitsOutcome, Stretch
@@ -128,19 +129,16 @@ def tables(entry: dict[str, Any]) -> list[Table]:
     """The same as tables."""
     stretches = list(_stretches(entry))
     return [
-        _table("ranges", ("drive", "from", "to", "unit", "ends"), _ranges(entry)),
-        _table("signals", ("by", "signal", "min", "at", "max", "at", "span", "unit", "ratio"), _signals(stretches)),
-        _table("dead_centres", ("by", "signal", "end", "value", "unit", "at"), _dead_centres(stretches)),
-        _table("transmission", ("by", "group", "signature", "least", "unit", "at"), _transmission(stretches)),
-        _table("change_points", ("by", "group", "at"), _change_points(stretches)),
-        _table("four_links", ("links", "type", "turning", "margin", "unit"), _loops(entry)),
+        table("limits", "ranges", ("drive", "from", "to", "unit", "ends"), _ranges(entry)),
+        table("limits", "signals", _SIGNALS, _signals(stretches)),
+        table("limits", "dead_centres", ("by", "signal", "end", "value", "unit", "at"), _dead_centres(stretches)),
+        table("limits", "transmission", ("by", "group", "signature", "least", "unit", "at"), _transmission(stretches)),
+        table("limits", "change_points", ("by", "group", "at"), _change_points(stretches)),
+        table("limits", "four_links", ("links", "type", "turning", "margin", "unit"), _loops(entry)),
     ]
 
 
-def _table(name: str, heads: tuple[str, ...], rows: Iterator[list[Cell]]) -> Table:
-    return Table(name, Said(f"limits.{name}"), [Said(f"limits.column.{head}") for head in heads], list(rows))
-
-
+_SIGNALS = ("by", "signal", "min", "at", "max", "at", "span", "unit", "ratio")
 Stretches = list[tuple[Text, dict[str, Any]]]
 
 

@@ -9,7 +9,8 @@ from typing import Any
 from linkwright.expressions.units import ANGLE, FORCE
 from linkwright.findings import Said, Text
 from linkwright.model.csv_text import cell, written
-from linkwright.presentation.blocks import Cell, Number, Section, StudyReport, Table, Unit
+from linkwright.presentation.blocks import Section, StudyReport, table
+from linkwright.presentation.cells import Cell, Number, Unit
 from linkwright.studies.reactions.outcome import Reaction, ReactionsOutcome
 
 TINY = 1e-13
@@ -67,15 +68,11 @@ def report(outcome: ReactionsOutcome) -> StudyReport:
         [Said(f"reactions.{key}"), Number(entry[key], 1, form="e")] for key in ("closure", "equilibrium")
     ]
     tables = [
-        _table("joints", ("joint", "reaction", "value", "unit"), rows),
-        _table("bars", ("bar", "value", "unit", "kind"), bars),
-        _table("proof", ("check", "residual"), proof if rows else []),
+        table("reactions", "joints", ("joint", "reaction", "value", "unit"), rows),
+        table("reactions", "bars", ("bar", "value", "unit", "kind"), bars),
+        table("reactions", "proof", ("check", "residual"), proof if rows else []),
     ]
     return StudyReport([Section("reactions", tables)], summary)
-
-
-def _table(name: str, heads: tuple[str, ...], rows: list[list[Cell]]) -> Table:
-    return Table(name, Said(f"reactions.{name}"), [Said(f"reactions.column.{head}") for head in heads], rows)
 
 
 def _number(value: float | None) -> Number:

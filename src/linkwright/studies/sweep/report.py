@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 
 from linkwright.findings import Said
-from linkwright.presentation.blocks import Block, Cell, Charts, Number, Section, Sentences, StudyReport, Table, Unit
-from linkwright.presentation.plain import known
+from linkwright.presentation.blocks import Block, Charts, Section, Sentences, StudyReport, Table, table
+from linkwright.presentation.cells import Number, Numbers, Unit, percent
+from linkwright.presentation.json_numbers import known
 from linkwright.studies.shares import CONFIDENCE
 from linkwright.studies.sweep.charts import charts
 from linkwright.studies.sweep.outcome import Statistics, SweepOutcome
@@ -83,38 +84,29 @@ def _band(outcome: SweepOutcome, text: str) -> dict[str, Any]:
 
 def report(outcome: SweepOutcome) -> StudyReport:
     """What was done, what came out, and its charts."""
-    drawn = charts(outcome)
+    drawn, summary = charts(outcome), sweep_entry(outcome)
     legend = Sentences([Said("sweep.chart.legend")] if drawn else [], note=True, detail=True)
-    blocks: list[Block] = [Sentences([sentence(outcome)]), *tables(outcome), legend, Charts(drawn)]
-    return StudyReport([Section("sweep", blocks)], sweep_entry(outcome))
+    blocks: list[Block] = [Sentences([sentence(outcome)]), *tables(outcome, summary["sweep"]), legend, Charts(drawn)]
+    return StudyReport([Section("sweep", blocks)], summary)
 
 
-def tables(outcome: SweepOutcome) -> list[Table]:
+def tables(outcome: SweepOutcome, entry: dict[str, Any]) -> list[Table]:
     """What was varied, measures and their requirements, signals."""
     if not outcome.performed:
         return []
-    entry = sweep_entry(outcome)["sweep"]
 
-    def numbers(name: str, heads: tuple[str, ...], keys: tuple[str, ...]) -> Table:
+    def numbers(name: str, head: str, *keys: str) -> Table:
         """A table of figures with their units."""
-        rows = [[key, *(_number(e.get(k)) for k in keys), Unit(e["unit"])] for key, e in entry[name].items()]
-        return _table(name, (*heads, "unit"), rows)
+        rows = [[key, *(Number(e.get(k), 6) for k in keys), Unit(e["unit"])] for key, e in entry[name].items()]
+        return table("sweep", name, (head, *keys, "unit"), rows)
 
-    shares = [[name, e["require"], _percent(e["share"]), _interval(e)] for name, e in entry["require"].items()]
+    shares = [[name, e["require"], percent(e["share"]), _interval(e)] for name, e in entry["require"].items()]
     return [
-        numbers("vary", ("parameter", "nominal", "min", "max"), ("nominal", "min", "max")),
-        numbers("measures", ("measure", *_SPREAD), _SPREAD),
-        _table("require", ("measure", "requirement", "share", "interval"), shares),
-        numbers("signals", ("signal", *_BAND), _BAND),
+        numbers("vary", "parameter", "nominal", "min", "max"),
+        numbers("measures", "measure", "mean", "deviation", "min", "max"),
+        table("sweep", "require", ("measure", "requirement", "share", "interval"), shares),
+        numbers("signals", "signal", "min", "max", "deviation_max"),
     ]
-
-
-_SPREAD = ("mean", "deviation", "min", "max")
-_BAND = ("min", "max", "deviation_max")
-
-
-def _table(name: str, heads: tuple[str, ...], rows: list[list[Cell]]) -> Table:
-    return Table(name, Said(f"sweep.table.{name}"), [Said(f"sweep.column.{head}") for head in heads], rows)
 
 
 def sentence(outcome: SweepOutcome) -> Said:
@@ -126,15 +118,5 @@ def sentence(outcome: SweepOutcome) -> Said:
     return Said(key, plan=outcome.plan.name, kernel=outcome.kernel, **data)
 
 
-def _number(value: float | None) -> Number:
-    return Number(value, 6)
-
-
-def _percent(share: float) -> str:
-    return f"{100 * share:.4g} %"
-
-
-def _interval(entry: dict[str, Any]) -> str:
-    if entry["low"] is None:
-        return "–"
-    return f"{_percent(entry['low'])} .. {_percent(entry['high'])}"
+def _interval(entry: dict[str, Any]) -> Numbers:
+    return Numbers([] if entry["low"] is None else [percent(entry["low"]), percent(entry["high"])])

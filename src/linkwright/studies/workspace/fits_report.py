@@ -4,40 +4,31 @@ from __future__ import annotations
 
 from typing import Any
 
-from linkwright.findings import Said, Text
-from linkwright.presentation.blocks import Table
+from linkwright.findings import Said
+from linkwright.presentation.blocks import Table, table
+from linkwright.presentation.cells import Cell, Number, Unit, numbers, percent
 from linkwright.studies.workspace.fits_outcome import Required
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 from linkwright.studies.workspace.overlay import Overlay
+from linkwright.studies.workspace.region_columns import region_cells, region_heads
 
 
 def fit_tables(outcome: WorkspaceOutcome) -> list[Table]:
     """Each figure in each region."""
     part: Required = outcome.parts["fits"]
-    names = [*outcome.options.for_]
-    own = ("size", "centre", "fits", "margin", "scale")
-    heads: list[Text] = [Said("fits.column.figure"), *names, Said("workspace.column.mode")]
-    heads += [*(Said(f"fits.column.{c}") for c in own), Said("workspace.column.unit")]
+    own = ("size", "centre", "fits", "margin", "scale", Said("workspace.column.unit"))
     rows = [
-        [
-            entry["figure"],
-            *(f"{entry[name]:.6g}" for name in names),
-            entry["mode"] or Said("workspace.one-mode"),
-            *_cells(entry),
-            entry["unit"],
-        ]
+        [entry["figure"], *region_cells(outcome, entry), *_cells(entry), Unit(entry["unit"])]
         for entry in part.as_dict()
     ]
-    return [Table("workspace-fits", Said("fits.table"), heads, rows)]
+    return [table("fits", "fits", ("figure", *region_heads(outcome), *own), rows)]
 
 
-def _cells(entry: dict[str, Any]) -> list[Text]:
-    x, y = entry["centre"]
-    cells: list[Text] = [Said(f"fits.{entry['shape']}", **entry), f"{x:.6g}, {y:.6g}"]
-    if entry["largest"]:
-        return [*cells, Said("fits.largest"), "-", "-"]
-    scale = f"{100 * entry['scale']:.4g} %"
-    return [*cells, Said("fits.yes" if entry["fits"] else "fits.no"), f"{entry['margin']:.4g}", scale]
+def _cells(entry: dict[str, Any]) -> list[Cell]:
+    centre = numbers(entry["centre"], 6, apart=", ")
+    fits = "largest" if entry["largest"] else "yes" if entry["fits"] else "no"
+    margin, scale = (None, None) if entry["largest"] else (entry["margin"], entry["scale"])
+    return [Said(f"fits.{entry['shape']}", **entry), centre, Said(f"fits.{fits}"), Number(margin, 4), percent(scale)]
 
 
 def fit_overlays(outcome: WorkspaceOutcome, index: int) -> list[Overlay]:

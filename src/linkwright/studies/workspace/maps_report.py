@@ -13,9 +13,10 @@ from linkwright.drawing.charts import named
 from linkwright.drawing.plane import Plane, framed_box, outline
 from linkwright.drawing.tiled import tiled
 from linkwright.expressions import units as u
-from linkwright.findings import Joined, Said, Text
+from linkwright.findings import Said, Text
 from linkwright.model.csv_text import cell, head, written
-from linkwright.presentation.blocks import Chart, Table, Unit
+from linkwright.presentation.blocks import Chart, Table, table
+from linkwright.presentation.cells import UNKNOWN, Cell, Number, Numbers, Unit, numbers, percent
 from linkwright.studies.workspace.curve_lines import lines
 from linkwright.studies.workspace.errors_outcome import ErrorsPart, RegionErrors
 from linkwright.studies.workspace.map_picture import levels_of, map_picture
@@ -24,6 +25,7 @@ from linkwright.studies.workspace.outcome import WorkspaceOutcome
 from linkwright.studies.workspace.quality import better
 from linkwright.studies.workspace.quality_outcome import QualityPart, by_drives, closures
 from linkwright.studies.workspace.raster import raster
+from linkwright.studies.workspace.region_columns import region_cells, region_heads
 from linkwright.studies.workspace.steps import Steps
 
 Array = NDArray[np.float64]
@@ -80,54 +82,43 @@ def _pictured(part: Part, which: str) -> Iterator[Text]:
 
 def quality_tables(outcome: WorkspaceOutcome) -> list[Table]:
     """The least and greatest values of the maps by region; singular positions."""
-    entries, names = _quality(outcome).as_dict(), [*outcome.options.for_]
+    entries, unit = _quality(outcome).as_dict(), Unit(outcome.compiled.quantities.unit_of(u.LENGTH)[0])
     maps = [
-        [*_front(entry, names), title(outcome, name), _ends(one), Unit(one["unit"] or "-")]
+        [*region_cells(outcome, entry), title(outcome, name), _ends(one), Unit(one["unit"] or UNKNOWN)]
         for entry in entries
         for name, one in entry["maps"].items()
     ]
-    unit = outcome.compiled.quantities.unit_of(u.LENGTH)[0]
-    loci = [
-        [
-            *_front(entry, names),
-            Said(f"workspace.locus.{one['kind']}"),
-            one["determinant"] or "-",
-            str(one["curves"]),
-            f"{one['length']:.6g}",
-            unit,
-        ]
-        for entry in entries
-        for one in entry["loci"]
-    ]
+
+    def locus(one: dict[str, Any]) -> list[Cell]:
+        kind, determinant = Said(f"workspace.locus.{one['kind']}"), one["determinant"] or UNKNOWN
+        return [kind, determinant, Number(one["curves"]), Number(one["length"], 6), unit]
+
+    loci = [[*region_cells(outcome, entry), *locus(one)] for entry in entries for one in entry["loci"]]
+    front = region_heads(outcome)
     return [
-        _grid("quality", [*names, *_heads("mode", "map", "ends", "unit")], maps),
-        _grid("loci", [*names, *_heads("mode", "locus", "determinant", "count", "length", "unit")], loci),
+        table("workspace", "quality", [*front, "map", "ends", "unit"], maps),
+        table("workspace", "loci", [*front, "locus", "determinant", "count", "length", "unit"], loci),
     ]
 
 
 def errors_tables(outcome: WorkspaceOutcome) -> list[Table]:
     """The worst errors, and what is sure of each region."""
-    part, names = _errors(outcome), [*outcome.options.for_]
-    errors, sure = [], []
+    part, errors, sure = _errors(outcome), list[list[Cell]](), list[list[Cell]]()
     for entry in part.as_dict():
         found = entry["maps"]
         rows = [(found[f"error {axis} least"]["least"], found[f"error {axis} most"]["greatest"]) for axis in "xy"]
         told = [_ends(found["error worst"]), *(_between(*ends) for ends in rows), _ends(found["spread worst"])]
-        errors.append([*_front(entry, names), *told, entry["unit"]])
-        kept, precise = entry["guaranteed"], entry.get("precise")
-        row: list[Text] = []
-        unit = entry["unit"]
-        for what in (kept, precise) if precise else (kept,):
-            row += [f"{what['area']:.6g} {u.squared(unit)}".rstrip(), f"{100 * what['share']:.4g} %"]
-        inward = " .. ".join("-" if way is None else f"{way:.4g}" for way in kept["inward"])
-        sure.append([*_front(entry, names), *row, f"{inward} {unit}".rstrip()])
-    heads = ["guaranteed", "share-region", *(["precise", "share-region"] if part.limit is not None else []), "inward"]
-    data = {"point": outcome.point}
-    shown = [title(outcome, "error worst"), *(Said("workspace.column.error", axis=axis, **data) for axis in "xy")]
-    shown.append(title(outcome, "spread worst"))
+        unit, front = entry["unit"], region_cells(outcome, entry)
+        errors.append([*front, *told, Unit(unit)])
+        whats = [entry[kind] for kind in ("guaranteed", "precise") if kind in entry]
+        areas = [cell for w in whats for cell in (Number(w["area"], 6, u.squared(unit)), percent(w["share"]))]
+        sure.append([*front, *areas, numbers(entry["guaranteed"]["inward"], 4, unit)])
+    kinds = ["guaranteed", "share-region", *(["precise", "share-region"] if part.limit is not None else []), "inward"]
+    axes = (Said("workspace.column.error", axis=axis, point=outcome.point) for axis in "xy")
+    shown: list[Text] = [title(outcome, "error worst"), *axes, title(outcome, "spread worst"), "unit"]
     return [
-        _grid("errors", [*names, *_heads("mode"), *shown, *_heads("unit")], errors),
-        _grid("guaranteed", [*names, *_heads("mode", *heads)], sure),
+        table("workspace", "errors", [*region_heads(outcome), *shown], errors),
+        table("workspace", "guaranteed", [*region_heads(outcome), *kinds], sure),
     ]
 
 
@@ -140,28 +131,13 @@ def title(outcome: WorkspaceOutcome, name: str) -> Said:
     return Said(f"workspace.map.{name.replace(' ', '-')}", determinant=by_drives(outcome), point=outcome.point)
 
 
-def _heads(*columns: str) -> list[Text]:
-    return [Said(f"workspace.column.{column}") for column in columns]
-
-
-def _front(entry: dict[str, Any], names: Sequence[str]) -> list[Text]:
-    return [*(f"{entry[name]:.6g}" for name in names), entry["mode"] or Said("workspace.one-mode")]
-
-
-def _ends(one: dict[str, Any]) -> Text:
+def _ends(one: dict[str, Any]) -> Numbers:
     return _between(one["least"], one["greatest"])
 
 
-def _between(*ends: dict[str, Any] | None) -> Text:
-    told: list[Text] = [
-        "-" if end is None else Said("workspace.endless") if end["value"] is None else f"{end['value']:.5g}"
-        for end in ends
-    ]
-    return Joined(told, " .. ")
-
-
-def _grid(name: str, heads: Sequence[Text], rows: Sequence[Sequence[Text]]) -> Table:
-    return Table(f"workspace-{name}", Said(f"workspace.table.{name}"), heads, rows)
+def _between(*ends: dict[str, Any] | None) -> Numbers:
+    endless = Said("workspace.endless")
+    return Numbers([Number(None) if end is None else Number(end["value"], 5, unknown=endless) for end in ends])
 
 
 def quality_charts(outcome: WorkspaceOutcome) -> Sequence[Chart]:

@@ -14,6 +14,7 @@ from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.kernels import Compiled
+from linkwright.presentation.json_numbers import known
 from linkwright.studies.workspace.inverse_kinematics import ServoLaw, Way, free, timed
 from linkwright.studies.workspace.outcome import Reached, Workspace, WorkspaceOutcome, shown
 from linkwright.studies.workspace.path_options import WantedPath, WantedPaths, rate_of, wanted
@@ -155,11 +156,6 @@ class Followed:
         every = (*motion, u.TORQUE if turns else u.FORCE, u.POWER, u.ENERGY)
         keys = ("value", "speed", "acceleration", "effort", "power", "work")
         return {key: self.compiled.quantities.unit_of(one) for key, one in zip(keys, every, strict=True)}
-
-
-def known(value: float) -> float | None:
-    """A number, or nothing."""
-    return value if math.isfinite(value) else None
 
 
 def follow(paths: WantedPaths, outcome: WorkspaceOutcome) -> Followed:

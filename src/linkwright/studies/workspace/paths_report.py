@@ -10,14 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.drawing.charts import LEFT, LETTER, MOST_CHARTS, MOST_POSES, TOP, Axes, named, shortened, thinned
-from linkwright.escape import markup, printed
+from linkwright.escape import markup
 from linkwright.expressions import units as u
 from linkwright.findings import Joined, Said, Text
-from linkwright.presentation.blocks import Chart, Table
+from linkwright.presentation.blocks import Chart, Table, table
+from linkwright.presentation.cells import UNKNOWN, Cell, Number, numbers, percent
 from linkwright.studies.workspace.inverse_kinematics import ServoLaw
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
 from linkwright.studies.workspace.overlay import Overlay
 from linkwright.studies.workspace.path_outcome import Attempt, Followed
+from linkwright.studies.workspace.region_columns import region_cells, region_heads
 
 Array = NDArray[np.float64]
 
@@ -35,38 +37,33 @@ def path_sentences(outcome: WorkspaceOutcome) -> list[Text]:
 def path_tables(outcome: WorkspaceOutcome) -> list[Table]:
     """Each path in each region; the drives along the best way of each."""
     part: Followed = outcome.parts["paths"]
-    names = [*outcome.options.for_]
     own = ("followed", "duration", "reversals", "dead", "residual", "determinant", "share")
-    heads: list[Text] = [Said("paths.column.path"), *names, Said("workspace.column.mode")]
-    heads += [Said(f"paths.column.{c}") for c in own]
-    rows, drives = list[list[Text]](), list[list[Text]]()
+    rows, drives = list[list[Cell]](), list[list[Cell]]()
     for entry in part.as_dict():
-        front = [entry["path"], *(f"{entry[n]:.6g}" for n in names), entry["mode"] or Said("workspace.one-mode")]
-        rows.append([*front, *_told(entry)])
+        rows.append([entry["path"], *region_cells(outcome, entry), *_told(entry)])
         if entry["followed"] and entry["best"]:
             drives += [[entry["path"], name, *_drive(told)] for name, told in entry["drives"].items()]
     columns = ("path", "drive", "value", "speed", "acceleration", "effort", "power", "work")
     return [
-        Table("workspace-paths", Said("paths.table"), heads, rows),
-        Table("workspace-drives", Said("paths.drives"), [Said(f"paths.column.{c}") for c in columns], drives),
+        table("paths", "paths", ("path", *region_heads(outcome), *own), rows),
+        table("paths", "drives", columns, drives),
     ]
 
 
-def _told(entry: dict[str, Any]) -> list[Text]:
+def _told(entry: dict[str, Any]) -> list[Cell]:
     if not entry["followed"]:
         texts = [_stretch(one, entry["unit"]) for one in entry["stretches"]]
         told = Said("paths.not", stretches=Joined(texts, "; ")) if texts else Said("paths.nothing")
-        return [told, *["-"] * 6]
+        return [told, *[UNKNOWN] * 6]
     how = "best" if entry["best"] and entry["kept"] else "yes" if entry["kept"] else "reverses"
-    share = entry["servo_share"]
     return [
         Said(f"paths.{how}"),
-        f"{entry['duration']:.6g} {entry['time_unit']}",
-        str(len(entry["reversals"])),
-        str(len(entry["dead_positions"])),
-        f"{entry['residual']:.2g} {entry['unit']}",
-        "-" if entry["determinant"] is None else f"{entry['determinant']:.4g}",
-        "-" if share is None else f"{100 * share:.4g} %",
+        Number(entry["duration"], 6, entry["time_unit"]),
+        Number(len(entry["reversals"])),
+        Number(len(entry["dead_positions"])),
+        Number(entry["residual"], 2, entry["unit"]),
+        Number(entry["determinant"], 4),
+        percent(entry["servo_share"]),
     ]
 
 
@@ -75,19 +72,14 @@ def _stretch(one: dict[str, Any], unit: str) -> Said:
     return Said(f"paths.stretch.{one['why']}", by=f"{one['by']:.4g} {unit}", drive=one["drive"] or "", **ends)
 
 
-def _drive(told: dict[str, Any]) -> list[str]:
-    value = told["value"]
-    largest = (told.get(key) for key in ("speed", "acceleration", "effort", "power"))
-    work = told.get("work")
+def _drive(told: dict[str, Any]) -> list[Cell]:
+    value, work = told["value"], told.get("work")
+    largest = (told.get(key, {}) for key in ("speed", "acceleration", "effort", "power"))
     return [
-        f"{value['from']:.6g} .. {value['to']:.6g} {printed(value['unit'])}",
-        *("-" if one is None else f"{_number(one['largest'])} {printed(one['unit'])}" for one in largest),
-        f"{_number(work['given'])}, {_number(work['taken'])} {printed(work['unit'])}" if work else "-",
+        numbers((value["from"], value["to"]), 6, value["unit"]),
+        *(Number(one.get("largest"), 6, one.get("unit", "")) for one in largest),
+        numbers((work["given"], work["taken"]), 6, work["unit"], ", ") if work else UNKNOWN,
     ]
-
-
-def _number(value: float | None) -> str:
-    return "-" if value is None else f"{value:.6g}"
 
 
 def path_overlays(outcome: WorkspaceOutcome, index: int) -> list[Overlay]:

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from linkwright.expressions import units as u
-from linkwright.findings import Said, Text
-from linkwright.presentation.blocks import Block, Charts, Section, Sentences, StudyReport, Table
+from linkwright.findings import Joined, Said, Text
+from linkwright.presentation.blocks import Block, Charts, Section, Sentences, StudyReport, Table, table
+from linkwright.presentation.cells import Cell, Number, Numbers, Unit, numbers, percent
+from linkwright.presentation.json_numbers import known
 from linkwright.studies.workspace.certificate import Certificate
 from linkwright.studies.workspace.doubts import sized
 from linkwright.studies.workspace.outcome import Workspace, WorkspaceOutcome
 from linkwright.studies.workspace.parts_report import written
 from linkwright.studies.workspace.picture import areas, pictures
+from linkwright.studies.workspace.region_columns import mode_cell, value_cells, value_heads
 from linkwright.studies.workspace.shapes import Figures, figures
 from linkwright.studies.workspace.steps import Steps
 
@@ -80,11 +83,6 @@ def sum_of_overlaps(one: Workspace) -> float:
     return float(shapely.union_all([overlap.shape for overlap in one.overlaps]).area) if one.overlaps else 0.0
 
 
-def known(value: float) -> float | None:
-    """A number, or nothing."""
-    return value if math.isfinite(value) else None
-
-
 def _bounds(bounds: tuple[float, ...], size: float) -> list[float | None]:
     return [known(edge / size) for edge in bounds]
 
@@ -111,13 +109,14 @@ def _drives(outcome: WorkspaceOutcome) -> dict[str, Any]:
 
 def report(outcome: WorkspaceOutcome) -> StudyReport:
     """What was found, pictures for all values of varied parameters, tables."""
+    summary = workspace_entry(outcome)
     drawn = [*pictures(outcome), *(chart for part in written(outcome) for chart in part.charts(outcome))]
     blocks: list[Block] = [
         Sentences(workspace_sentences(outcome)),
         Charts(drawn, Steps(outcome).sliders()),
-        *workspace_tables(outcome),
+        *workspace_tables(outcome, summary["workspace"]),
     ]
-    return StudyReport([Section("workspace", blocks)], workspace_entry(outcome), areas(outcome))
+    return StudyReport([Section("workspace", blocks)], summary, areas(outcome))
 
 
 def workspace_sentences(outcome: WorkspaceOutcome) -> list[Text]:
@@ -149,62 +148,64 @@ def _proven(every: list[Certificate], unit: str, size: float) -> list[Text]:
     return [*told, Said("workspace.searched", count=searched)] if searched else told
 
 
-def workspace_tables(outcome: WorkspaceOutcome) -> list[Table]:
-    """Tables of text; those with nothing in them are left out."""
-    entry = workspace_entry(outcome)["workspace"]
-    names = [*outcome.options.for_]
-    grids = [
-        _grid("regions", ("mode", "area", "within", *_SHAPE[1:], "grade"), names, entry["regions"]),
-        _grid("union", (*_SHAPE, "both"), names, entry["union"]),
-        _grid("overlap", ("modes", "area", "share", "parts"), names, entry["overlap"]),
-        _grid("turning", ("drive", "intervals", "other", "unit", "signs"), names, entry["turning"]),
-        _grid("curves", ("mode", "length", "parts", "x", "y"), names, entry.get("curves", [])),
+def workspace_tables(outcome: WorkspaceOutcome, entry: dict[str, Any]) -> list[Table]:
+    """Its entry as tables, and those of its parts."""
+    made = []
+    for name, (columns, cells) in _TABLES.items():
+        rows = ([*value_cells(outcome, one), *cells(one)] for one in entry.get(name, ()))
+        made.append(table("workspace", name, [*value_heads(outcome), *columns], rows))
+    return [*made, *(one for part in written(outcome) for one in part.tables(outcome))]
+
+
+Entry = Mapping[str, Any]
+
+
+def _region(one: Entry) -> list[Cell]:
+    proven = one["certificate"]
+    sure = proven["certified"] or not proven["faults"]
+    within = numbers(proven["area"] or (), unit=u.squared(one["unit"]))
+    grade = Said(f"workspace.grade.{proven['grade'] if sure else 'contradicted'}")
+    return [mode_cell(one), _area(one, "area"), within, *_shape(one), grade]
+
+
+def _shape(one: Entry) -> list[Cell]:
+    proven = one.get("certificate", {})
+    counts: list[Cell] = [
+        Said("workspace.count-open", count=one[what]) if proven.get("area") and not proven[what] else Number(one[what])
+        for what in ("holes", "parts")
     ]
-    grids += [grid for part in written(outcome) for grid in part.tables(outcome)]
-    return grids
+    return [Number(one["perimeter"], unit=one["unit"]), *counts, *_extents(one)]
 
 
-_SHAPE = ("area", "perimeter", "holes", "parts", "x", "y")
+def _extents(one: Entry) -> Iterator[Numbers]:
+    for low, high in zip(one["bounds"][:2], one["bounds"][2:], strict=True):
+        yield numbers(() if low is None else (low, high), 6, one["unit"])
 
 
-def _grid(name: str, columns: tuple[str, ...], names: list[str], entries: list[Mapping[str, Any]]) -> Table:
-    heads: list[Text] = [*names, *(Said(f"workspace.column.{column}") for column in columns)]
-    rows = [[*(f"{entry[n]:.6g}" for n in names), *(_cell(entry, column) for column in columns)] for entry in entries]
-    return Table(f"workspace-{name}", Said(f"workspace.table.{name}"), heads, rows)
+def _area(one: Entry, key: str) -> Number:
+    return Number(one[key], unit=u.squared(one["unit"]))
 
 
-def _between(ends: list[float], unit: str) -> str:
-    low, high = ends
-    return f"{low:.7g} .. {high:.7g} {unit}".rstrip()
+def _turning(one: Entry) -> list[Cell]:
+    intervals: Text = Joined(numbers(ends, 6) for ends in one["intervals"])
+    if one["whole"] or not one["intervals"]:
+        intervals = Said("workspace.everywhere" if one["whole"] else "workspace.nowhere")
+    signs = ", ".join(f"{group} {sign:+d}" for group, sign in one["mode"].items()) or Said("workspace.every-mode")
+    return [one["drive"], intervals, one["other"], Unit(one["unit"]), signs]
 
 
-def _cell(entry: Mapping[str, Any], column: str) -> Text:
-    unit, proven = entry.get("unit", ""), entry.get("certificate", {})
-    if column in ("x", "y") and "bounds" in entry:
-        low, high = entry["bounds"]["xy".index(column) :: 2]
-        return "-" if low is None else f"{low:.6g} .. {high:.6g} {unit}".rstrip()
-    if column in ("area", "both"):
-        return f"{entry['several' if column == 'both' else column]:.7g} {u.squared(unit)}".rstrip()
-    if column == "within":
-        return "-" if proven["area"] is None else _between(proven["area"], u.squared(unit))
-    if column in ("perimeter", "length"):
-        return f"{entry[column]:.7g} {unit}".rstrip()
-    if column in ("parts", "holes") and proven.get("area") and not proven[column]:
-        return Said("workspace.count-open", count=entry[column])
-    if column == "grade":
-        sure = proven["certified"] or not proven["faults"]
-        return Said(f"workspace.grade.{proven['grade'] if sure else 'contradicted'}")
-    if column == "modes":
-        return " / ".join(entry["modes"])
-    if column == "mode":
-        return entry["mode"] or Said("workspace.one-mode")
-    if column == "intervals":
-        if entry["whole"]:
-            return Said("workspace.everywhere")
-        return ", ".join(f"{low:.6g} .. {high:.6g}" for low, high in entry["intervals"]) or Said("workspace.nowhere")
-    if column == "signs":
-        return ", ".join(f"{group} {sign:+d}" for group, sign in entry["mode"].items()) or Said("workspace.every-mode")
-    value = entry[column]
-    if column == "share":
-        return f"{100 * value:.4g} %"
-    return str(value) if isinstance(value, int | str) else f"{value:.7g}"
+_SHAPE = ("perimeter", "holes", "parts", "x", "y")
+_TABLES: Mapping[str, tuple[tuple[str, ...], Callable[[Entry], list[Cell]]]] = {
+    "regions": (("mode", "area", "within", *_SHAPE, "grade"), _region),
+    "union": (("area", *_SHAPE, "both"), lambda one: [_area(one, "area"), *_shape(one), _area(one, "several")]),
+    "overlap": (
+        ("modes", "area", "share", "parts"),
+        lambda one: [" / ".join(one["modes"]), _area(one, "area"), percent(one["share"]), Number(one["parts"])],
+    ),
+    "turning": (("drive", "intervals", "other", "unit", "signs"), _turning),
+    "curves": (
+        ("mode", "length", "parts", "x", "y"),
+        lambda one: [mode_cell(one), Number(one["length"], unit=one["unit"]), Number(one["parts"]), *_extents(one)],
+    ),
+}
+"""By their key in the entry: the columns, and the cells of one row."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import lru_cache, partial
+from typing import Any
 
 from linkwright.drawing.charts import named
 from linkwright.drawing.plane import Bounds, Plane, framed_box, outline
@@ -11,9 +12,11 @@ from linkwright.drawing.tiled import tiled
 from linkwright.expressions import units as u
 from linkwright.findings import Said, Text
 from linkwright.model.csv_text import cell, head, written
-from linkwright.presentation.blocks import Chart, Table
+from linkwright.presentation.blocks import Chart, Table, table
+from linkwright.presentation.cells import Cell, Number, Unit, numbers
 from linkwright.studies.workspace.curve_lines import lines
 from linkwright.studies.workspace.outcome import WorkspaceOutcome
+from linkwright.studies.workspace.region_columns import region_cells, region_heads
 from linkwright.studies.workspace.steps import Steps
 from linkwright.studies.workspace.trajectories_outcome import RegionTrajectories, TrajectoriesPart
 from linkwright.studies.workspace.trajectory_picture import ColouredLine, Scale, trajectory_picture
@@ -36,22 +39,18 @@ def trajectories_sentences(outcome: WorkspaceOutcome) -> list[Text]:
 
 def trajectories_tables(outcome: WorkspaceOutcome) -> list[Table]:
     """The trajectories of each region counted and measured."""
-    names = [*outcome.options.for_]
-    own = ("mode", "held", "values", "drive-unit", "assembled", "whole", "stretches", "length", "unit")
-    data = dict(zip(("held", "moving"), _part(outcome).drives, strict=True))
-    heads: list[Text] = [*names, *(Said(f"trajectories.column.{column}", **data) for column in own)]
-    rows = []
-    for entry in _part(outcome).as_dict():
-        values = entry["values"]
-        row = [*(f"{entry[name]:.6g}" for name in names), entry["mode"] or Said("workspace.one-mode"), entry["hold"]]
-        row += [
-            f"{values['from']:.6g} .. {values['to']:.6g}",
-            values["unit"],
-            f"{entry['assembled']}/{values['count']}",
-        ]
-        row += [str(entry["whole"]), str(entry["stretches"]), f"{entry['length']:.7g}", entry["unit"]]
-        rows.append(row)
-    return [Table("workspace-trajectories", Said("trajectories.table"), heads, rows)]
+    own = ("held", "values", "drive-unit", "assembled", "whole", "stretches", "length", "unit")
+    held, moving = _part(outcome).drives
+    rows = [[*region_cells(outcome, entry), *_cells(entry)] for entry in _part(outcome).as_dict()]
+    heads = [*region_heads(outcome), *own]
+    return [table("trajectories", "trajectories", heads, rows, held=held, moving=moving)]
+
+
+def _cells(entry: dict[str, Any]) -> list[Cell]:
+    values = entry["values"]
+    drive = [entry["hold"], numbers((values["from"], values["to"]), 6), Unit(values["unit"])]
+    counts = [f"{entry['assembled']}/{values['count']}", Number(entry["whole"]), Number(entry["stretches"])]
+    return [*drive, *counts, Number(entry["length"]), Unit(entry["unit"])]
 
 
 def trajectories_charts(outcome: WorkspaceOutcome) -> Sequence[Chart]:

@@ -31,7 +31,7 @@ ACCURACY: dict[str, str] = {
     "accuracy.samples": "samples",
     "accuracy.copy": "Copy for spreadsheet",
     "accuracy.table.outputs": "Outputs: deviations from nominal",
-    "accuracy.table.review": "{name}: contributors",
+    "accuracy.table.review": "{output}: contributors",
     "accuracy.table.correlations": "Correlated deviations",
     "accuracy.table.play": "Effect of clearances",
     "accuracy.column.shift": "Shift under load",

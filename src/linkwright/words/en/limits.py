@@ -1,12 +1,12 @@
 """The words of the limits study's tables."""
 
 LIMITS: dict[str, str] = {
-    "limits.ranges": "Ranges of motion, each drive alone",
-    "limits.signals": "Minima, maxima and strokes",
-    "limits.dead_centres": "Dead centres",
-    "limits.transmission": "Minimum transmission angles",
-    "limits.change_points": "Change points",
-    "limits.four_links": "Four-bars and slider-cranks",
+    "limits.table.ranges": "Ranges of motion, each drive alone",
+    "limits.table.signals": "Minima, maxima and strokes",
+    "limits.table.dead_centres": "Dead centres",
+    "limits.table.transmission": "Minimum transmission angles",
+    "limits.table.change_points": "Change points",
+    "limits.table.four_links": "Four-bars and slider-cranks",
     "limits.column.drive": "Drive",
     "limits.column.from": "From",
     "limits.column.to": "To",

@@ -2,9 +2,9 @@
 
 REACTIONS: dict[str, str] = {
     "report.reactions": "Reactions",
-    "reactions.joints": "Joint reactions: force of the first link on the second",
-    "reactions.bars": "Two-force bars (pinned at two points, not loaded): tension is positive",
-    "reactions.proof": "Verification",
+    "reactions.table.joints": "Joint reactions: force of the first link on the second",
+    "reactions.table.bars": "Two-force bars (pinned at two points, not loaded): tension is positive",
+    "reactions.table.proof": "Verification",
     "reactions.column.joint": "Joint",
     "reactions.column.reaction": "Reaction",
     "reactions.column.value": "Value",

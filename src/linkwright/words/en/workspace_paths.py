@@ -1,8 +1,8 @@
 """The words of wanted paths and required figures in a workspace."""
 
 WORKSPACE_PATHS: dict[str, str] = {
-    "paths.table": "Required paths",
-    "paths.drives": "Drives along the required paths, best solution of each",
+    "paths.table.paths": "Required paths",
+    "paths.table.drives": "Drives along the required paths, best solution of each",
     "paths.column.path": "Path",
     "paths.column.followed": "Followed",
     "paths.column.duration": "Duration",
@@ -39,7 +39,7 @@ WORKSPACE_PATHS: dict[str, str] = {
     "paths.pasted": "Drives with which the model file moves {point} along the required path {path}. Replace the entries of the same name in the file with these (a table is a new entry).",
     "paths.pasted.off": "The tables deviate from the law by at most {off} {unit}, from t = 0 to {time} s.",
     "paths.pasted.period": "The law repeats every {time} s.",
-    "fits.table": "Required and largest shapes",
+    "fits.table.fits": "Required and largest shapes",
     "fits.column.figure": "Shape",
     "fits.column.size": "Size",
     "fits.column.centre": "Centre",

@@ -4,7 +4,7 @@ WORKSPACE_TRAJECTORIES: dict[str, str] = {
     "trajectories.sentence": "Trajectories of {point} at {count} constant values of {held}, while {moving} moves through its range. They are tangent to the dead positions of the output, where the region folds.",
     "trajectories.picture": "Trajectories of {point} at constant {held}, in mode {mode}{values}",
     "trajectories.scale": "{held}, locked at constant values while {moving} moves",
-    "trajectories.table": "Trajectories by region",
+    "trajectories.table.trajectories": "Trajectories by region",
     "trajectories.column.mode": "Mode",
     "trajectories.column.held": "Locked drive",
     "trajectories.column.values": "Values",
