@@ -6,7 +6,7 @@ A finding has a stable code; its words come from the catalogue. Raising is the c
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -61,6 +61,11 @@ class Joined(Said):
 
     def __str__(self) -> str:
         return self.key.join(map(str, self.data["parts"]))
+
+
+def both(names: Sequence[str]) -> Text:
+    """Names of a sentence, as in *a, b and c*."""
+    return Term("and", first=", ".join(names[:-1]), last=names[-1]) if len(names) > 1 else names[0]
 
 
 @dataclass(frozen=True)

@@ -155,6 +155,28 @@ def test_compile_raises_with_every_finding(tmp_path: Path) -> None:
     assert {f.path[0] for f in caught.value.findings} == {"drives", "measures", "require"}
 
 
+def test_compile_takes_what_check_and_run_take(tmp_path: Path) -> None:
+    path = file(tmp_path, SOUND)
+    programs = [lw.compile(model) for model in (path, str(path), lw.load(path))]
+    assert len({repr(program) for program in programs}) == 1
+    with pytest.raises(lw.ModelError) as caught:
+        lw.compile(file(tmp_path, NAMES))
+    assert {(f.path[0], f.line) for f in caught.value.findings if f.path[0] in ("drives", "measures")} <= {
+        (f.path[0], f.line) for f in lw.check(path)
+    }
+    assert all(f.line for f in caught.value.findings)
+    with pytest.raises(lw.ModelError) as caught:
+        lw.compile("nowhere.yaml")
+    assert [f.code for f in caught.value.findings] == ["file.not-found"]
+
+
+def test_dump_and_save_want_a_document(tmp_path: Path) -> None:
+    path = str(file(tmp_path, SOUND))
+    for wrong in (lambda: lw.dump(path), lambda: lw.save(path, tmp_path / "copy.yaml")):  # type: ignore[arg-type]
+        with pytest.raises(TypeError, match=r"linkwright\.load"):
+            wrong()
+
+
 def test_load_raises_with_every_finding(tmp_path: Path) -> None:
     with pytest.raises(lw.ModelError) as caught:
         lw.load(file(tmp_path, FORM))

@@ -202,16 +202,16 @@ def test_a_sketched_point_as_near_to_one_mode_as_to_the_other() -> None:
 @pytest.mark.parametrize(
     ("data", "by", "way"),
     [
-        (four_bar(1, 1, 1, 4), math.dist((math.cos(0.5), math.sin(0.5)), (4, 0)) - 2, "more"),
-        (four_bar(1, 9, 3, 4), 6 - math.dist((math.cos(0.5), math.sin(0.5)), (4, 0)), "less"),
-        (slider_crank(1, 1.5, 4), 4 - math.sin(0.5) - 1.5, "more"),
+        (four_bar(1, 1, 1, 4), math.dist((math.cos(0.5), math.sin(0.5)), (4, 0)) - 2, "wide"),
+        (four_bar(1, 9, 3, 4), 6 - math.dist((math.cos(0.5), math.sin(0.5)), (4, 0)), "narrow"),
+        (slider_crank(1, 1.5, 4), 4 - math.sin(0.5) - 1.5, "wide"),
     ],
 )
 def test_a_group_that_cannot_close_says_by_how_much(data: dict[str, Any], by: float, way: str) -> None:
     finding = only(data)
     assert finding.code == "assembly.cannot-close"
     assert float(finding.data["by"]) == pytest.approx(by, rel=1e-3)
-    assert (finding.data["way"], finding.data["unit"]) == (way, "m")
+    assert (finding.data["short"].key, finding.data["unit"]) == (f"term.gap-{way}", "m")
 
 
 def trammel(heading: float) -> dict[str, Any]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from linkwright.expressions.fields import Expression
 from linkwright.expressions.units import Dimension
-from linkwright.findings import Finding
+from linkwright.findings import Finding, Term
 from linkwright.kernels import Compiled
 from linkwright.studies.numbers import constant
 
@@ -19,5 +19,5 @@ def positive(
     if value is None:
         return default, found
     if not 0 < value < 1e12:
-        return default, [Finding("export.options", path, {"export": to, "key": key, "reason": "must be positive"})]
+        return default, [Finding("export.options", path, {"export": to, "key": key, "reason": Term("positive")})]
     return value, []

@@ -73,7 +73,7 @@ class Varied:
         for name, follower in quantities.mechanism.followers.items():
             for law in follower.laws.values() if follower.derived else ():
                 if held := {*self.compiled.motions[law].names} & self.varying:
-                    data = {"law": law, "cam": name, "names": ", ".join(sorted(held))}
+                    data = {"law": law, "name": name, "names": ", ".join(sorted(held))}
                     yield Finding("varied.second", quantities.mechanism.path_of(name), data)
 
     def parameters(self, values: Array) -> Array:

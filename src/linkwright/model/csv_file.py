@@ -10,7 +10,7 @@ from itertools import islice
 from pathlib import Path
 
 from linkwright.expressions.written import NO_TEXT
-from linkwright.findings import Finding, ModelError, capped
+from linkwright.findings import Finding, ModelError, Term, capped
 from linkwright.model.input_files import read_beside
 from linkwright.model.quantities import LARGEST
 
@@ -82,7 +82,7 @@ def read_csv(name: str, folder: Path | None, path: Path_, limit: int) -> CsvFile
     if not found:
         raise ModelError([Finding("table.empty", path, {"file": name})])
     if len(found) == 1 and (sign := next((sign for sign in ";\t" if sign in found[0]), None)):
-        data = {"file": name, "sign": "tab" if sign == "\t" else sign}
+        data = {"file": name, "sign": Term("tab") if sign == "\t" else sign}
         raise ModelError([Finding("table.separator", path, data)])
     return CsvFile(name, path, found, rows)
 

@@ -145,6 +145,8 @@ def replaced(document: Document, parameters: Mapping[str, Any]) -> Document:
 
 def dump(document: Document) -> str:
     """The document as the text of a model file; expressions and units stand as they were written."""
+    if not isinstance(document, Document):
+        raise TypeError("dump and save take a document; linkwright.load reads one from a file")
     return write_text(plain(document))
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.elements.force import FORCES, Chart
+from linkwright.escape import printed
 from linkwright.expressions.units import LENGTH, TIME, Dimension
 from linkwright.findings import Finding
 from linkwright.model.document import Document, dump
@@ -256,7 +257,7 @@ def _plot(result: Result, title: str, group: Literal["motion", "force"], names: 
     if not any(_largest(values) > 0 for _, values, _ in shown):
         return None
     series: list[Series] = [{"name": name, "values": listed(values)} for name, values, _ in shown]
-    return {"title": title, "group": group, "unit": shown[0][2], "series": series}
+    return {"title": title, "group": group, "unit": printed(shown[0][2]), "series": series}
 
 
 def _largest(values: Array) -> float:

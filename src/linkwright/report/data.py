@@ -120,7 +120,7 @@ class Series(TypedDict):
 
 
 class Plot(TypedDict):
-    """Curves of one unit against time. ``group`` says under which heading it stands."""
+    """Curves of one unit against time. ``group`` is its heading; ``unit`` is as printed, mm/s²."""
 
     title: str
     group: Literal["motion", "force"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from linkwright.escape import markup, printed
+from linkwright.escape import markup
 from linkwright.presentation.blocks import Check, Checks, Measure, Measures
 from linkwright.report.data import Failure, Plot, ReportData
 from linkwright.report.html_blocks import mark
@@ -121,7 +121,7 @@ def plots(data: ReportData) -> str:
 
 
 def _plot(index: int, plot: Plot) -> str:
-    unit = f' <span class="unit">{markup(printed(plot["unit"]))}</span>' if plot["unit"] else ""
+    unit = f' <span class="unit">{markup(plot["unit"])}</span>' if plot["unit"] else ""
     return (
         f'<figure class="plot" data-plot="{index}">'
         f"<figcaption>{markup(plot['title'])}{unit}</figcaption>"

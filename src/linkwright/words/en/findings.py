@@ -625,11 +625,11 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Name a point of the follower away from its pivot.",
     ),
     "study.cams": (
-        "The study {study} moves two drives independently, but cam followers ({names}) move with their motors.",
-        "Remove the study, or replace each cam with a drive.",
+        "The study {study} moves each drive independently, but the followers ({names}) move with their drives.",
+        "Remove the study, or replace each follower with a drive.",
     ),
     "study.follower": (
-        "{name} is the follower of a cam: it moves with the motor {motor}, not independently.",
+        "{name} is a follower: it moves with the drive {motor}, not independently.",
         "Name {motor} as the drive; its followers move with it.",
     ),
     "motion.cylinder-length": (
@@ -1179,8 +1179,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Write these numbers explicitly, or don't vary what they depend on; the table's values may vary.",
     ),
     "varied.second": (
-        "{names} vary in the law {law}, whose maximum lift determines the position of the second contact of the cam "
-        "{cam}.",
+        "{names} vary in the law {law}, which determines the position of the second contact of {name}; that position "
+        "is computed once, for the nominal values.",
         "Give the position of the second contact under second, or don't vary the law.",
     ),
     "varied.values": (
@@ -1194,7 +1194,7 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "varied.cannot-assemble": (
         "{count} of {samples} samples can't be assembled; the first one is {sample}, at t = {time} s: there {joints} "
-        "of {links} are {distance} {unit} apart, {by} {unit} {way} than the links can span ({limit} {unit}).",
+        "of {links} are {distance} {unit} apart, {short}.",
         "Narrow the ranges of the varied lengths, or use only the remaining samples.",
     ),
     "varied.stuck": (
@@ -1443,9 +1443,9 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Add them by hand if the simulation needs them.",
     ),
     "export.followers": (
-        "MuJoCo has no cam pairs: the followers of {names} have actuators of their own, which move them by the laws; the "
-        "camshafts' actuators don't feel them.",
-        "Use their controls in positions.csv; use the forces and torques on cams from linkwright.",
+        "MuJoCo has no joint in which a link follows a drive: each follower ({names}) has an actuator of its own, which "
+        "moves it by its law. The forces on a follower don't load the actuator of its drive.",
+        "Use the followers' controls in positions.csv; take their forces and the drives' torques from linkwright.",
     ),
     # Of batches.
     "batch.head": (
@@ -1494,9 +1494,9 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Remove it from left_out, or name another master.",
     ),
     "functions.master-cam": (
-        "The joint {joint} can't be the master: functions of cams depend on the camshaft's joint ({drives} follow "
-        "cams).",
-        "Remove master; the joint of the camshaft is then the driving one.",
+        "The joint {joint} can't be the master: the functions of followers ({drives}) depend on the joint of their "
+        "drive.",
+        "Remove master; the joint of the drive is then the driving one.",
     ),
     "functions.master-still": (
         "The joint {joint} can't be the master: it doesn't move within the range.",
@@ -1732,8 +1732,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "workspace.never-closes": (
         "The links can't be assembled at any pose{values}: {links} are closest to it at {at}, where {joints} are "
-        "{distance} {unit} apart, {by} {unit} {way} than the links can span ({limit} {unit}).",
-        "Make the links {direction} by at least {by} {unit}; or widen the drives' ranges.",
+        "{distance} {unit} apart, {short}.",
+        "{lengths}; or widen the drives' ranges.",
     ),
     # Of workspaces: maps.
     "workspace.two-drives": (
@@ -2184,9 +2184,8 @@ _TEXTS: dict[str, tuple[str, str]] = {
         "Write {options}. Or start at another pose.",
     ),
     "assembly.cannot-close": (
-        "{links} can't be assembled at the start: {joints} are {distance} {unit} apart, {by} {unit} {way} than the "
-        "links can span ({limit} {unit}).",
-        "Make the links {direction} by at least {by} {unit}; or start at another pose.",
+        "{links} can't be assembled at the start: {joints} are {distance} {unit} apart, {short}.",
+        "{lengths}; or start at another pose.",
     ),
     "assembly.degenerate": (
         "{links} have no unique pose at the start: their joints {joints} coincide, or their lines are parallel.",
@@ -2212,14 +2211,14 @@ _TEXTS: dict[str, tuple[str, str]] = {
     ),
     "motion.cannot-assemble": (
         "{links} can't be assembled between {drive} = {from} and {to} {unit}: {joints} are {distance} {length_unit} "
-        "apart, {by} {length_unit} {way} than the links can span ({limit} {length_unit}).",
-        "Make the links {direction} by at least {by} {length_unit}; or keep {drive} out of that range.",
+        "apart, {short}.",
+        "{lengths}; or keep {drive} out of that range.",
     ),
     "motion.out-of-reach": (
         "{drive} can't follow its law from t = {time} to {until} s: the law reaches {worst} {unit}, but the links "
-        "limit the motion to {from} {unit} (and to {to} {unit} at the end of that time). {joints} would be "
-        "{distance} {length_unit} apart, {by} {length_unit} {way} than {links} can span ({limit} {length_unit}).",
-        "Keep the law of {drive} within this limit; or make the links {direction} by at least {by} {length_unit}.",
+        "limit the motion to {from} {unit} (and to {to} {unit} at the end of that time). {joints} of {links} would be "
+        "{distance} {length_unit} apart, {short}.",
+        "{lengths}; or keep the law of {drive} within this limit.",
     ),
     "motion.dead-centre": (
         "At t = {time} s ({drive} = {value} {unit}) {motors} is at a dead centre relative to {drive}: it doesn't "
@@ -2343,6 +2342,9 @@ _TERMS: dict[str, str] = {
     "must-choice": "it must be {expected}, not {given}",
     # What is given.
     "nothing": "nothing",
+    "tab": "tab",
+    "positive": "it must be positive",
+    "and": "{first} and {last}",
     "none": "none",
     "given-mapping": "a mapping",
     "given-list": "a list of length {count}",
@@ -2416,6 +2418,11 @@ _TERMS: dict[str, str] = {
     "a-measure": "a measure",
     "the-shaking": "the shaking force",
     "the-energies": "the energies",
+    # Why links can't be assembled, and how long they would have to be.
+    "gap-wide": "{by} {unit} more than the links can span ({limit} {unit})",
+    "gap-narrow": "{by} {unit} less than the links can span ({limit} {unit})",
+    "lengths-longer": "Make the links longer by at least {by} {unit}",
+    "lengths-equal": "Make the difference between the links' lengths at least {by} {unit} smaller",
     # Why a clearance has no effect to state.
     "play-no-position": "it contains velocities, accelerations or forces, on which the effect of clearances isn't known",
     "play-reduction": "it evaluates many positions at once, or rates of change",
