@@ -1,8 +1,9 @@
-"""Clusters: groups beyond the dyads, solved by Newton on the same closures.
+"""Clusters: Assur groups of class III and higher, solved by Newton on the same closure equations as dyads.
 
-A cluster's links hang on one another over a tree of joints, each free joint with one unknown coordinate; the
-joints left over close it. Its coordinates come in as numbers or symbols; rates and equilibrium follow from the
-closure just as for a dyad, with a matrix of more than two rows.
+The links of a cluster form a tree: each is placed on an earlier one by a joint, which has one unknown coordinate if no
+drive holds it. The joints that are left close the loops; each gives closure equations, as many in all as there are
+coordinates. The coordinates come in as numbers or symbols, solved elsewhere. Rates and equilibrium then follow from the
+closure just as for a dyad, by linear systems with a matrix of more than two rows.
 """
 
 from __future__ import annotations

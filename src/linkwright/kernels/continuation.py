@@ -1,7 +1,8 @@
-"""Following clusters along a motion: their coordinates at any time, on the branch that the start pose begins.
+"""Numerical continuation of one cluster along a motion: its coordinates at any time, on the branch of the start pose.
 
-A path of Newton-solved poses is laid once, from pose to pose with the exact rates as predictor and steps short
-enough that the corrector has little to do; coordinates at other times start from its cubic interpolation.
+A path of solved poses is built once by a predictor and corrector method: the exact rates predict the next pose, Newton
+corrects it, and the step length is adapted so that the corrections stay small. Coordinates at other times start from
+the cubic interpolation of this path.
 """
 
 from __future__ import annotations
@@ -91,7 +92,7 @@ class Follower(Corrector):
         return self.between(t)
 
     def extend(self, to: float, p: Array, at: Callable[[Array], Array]) -> None:
-        """Lay the path up to a time."""
+        """Continue the path up to a time (s), or to the singular pose that ends it."""
         path = self.path
         if not path.t:
             self.note(0.0, self.start, p, at)

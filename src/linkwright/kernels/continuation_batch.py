@@ -1,9 +1,9 @@
-"""Following the clusters of many samples at once, each by steps of its own: in the parameters from the nominal start
-pose to that of the sample, and in time from pose to pose.
+"""Numerical continuation of the clusters of many samples at once, each with steps of its own: first in the parameters,
+from the nominal start pose to that of the sample, then in time from pose to pose.
 
-A step foretells the coordinates with the closures' slopes where it begins, and lets Newton correct them; it is taken
-only where the correction is small (:data:`CLOSE`), and halved else, so that no sample jumps to another mode. What
-becomes of a sample doesn't depend on the others.
+A step predicts the coordinates with the closures' slopes at its beginning, and Newton corrects them. It is accepted
+only if the correction is small (:data:`CLOSE`), else halved, so that no sample jumps to another assembly mode. The
+result of a sample doesn't depend on the other samples, to the last bit.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ HELD = 1 << 14
 
 
 class _Joined(Corrector):
-    """Newton on one cluster, foretold by the closure's slopes."""
+    """Newton on one cluster, from a prediction by the slopes of its closure equations."""
 
     def __init__(self, graph: Graph, cluster: Cluster, size: float, kernel: str) -> None:
         super().__init__(graph, cluster, size, kernel)
@@ -45,8 +45,8 @@ class _Joined(Corrector):
     def step(self, x: Array, p: Array, slopes: Array) -> tuple[Array, Array]:
         """Put the coordinates into the inputs, which hold those of poses nearby, where the ``slopes`` are known.
 
-        Gives how far off foretold ones are, over what is allowed, (poses,), NaN where there is no solution; and the
-        slopes there. Forth and back are looked at, as a step that ends on another mode may look small one way.
+        Gives the error of the prediction over the allowed one, (poses,), NaN where there is no solution; and the
+        slopes there. The step is checked forward and backward, as one that ends on another mode may look good one way.
         """
         # Forward: from the known pose, predict with the slopes there (one Newton step), then let Newton converge.
         u = x[self.rows]

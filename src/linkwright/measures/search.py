@@ -1,8 +1,8 @@
 """Turning points and zeros of functions of time between places at which they need not be continuous.
 
-Exact rates are looked at on a grid; a change of their sign between two points of one piece brackets a turning point.
-The grid is doubled until the brackets' counts, or the extremes, have stood still. What is looked at besides equal
-steps (refinement beside near-singular poses, both sides of places) belongs to it at every level.
+Exact rates are evaluated on a grid; a change of their sign between two points of one piece brackets a turning point.
+The grid is doubled until the number of brackets, or the extremes, stay the same. Further times (near singular poses, on
+both sides of places) belong to the grid at every level.
 """
 
 from __future__ import annotations

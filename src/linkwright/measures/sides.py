@@ -1,9 +1,10 @@
 """One-sided limits of expressions at places where they need not be continuous.
 
-Signals (or, of those that are quotients, their numerators) are smooth beside the place: a polynomial through exact
-values and rates at a few times on one side gives each its germ with errors, and the expression's arithmetic goes on
-with germs. The orders of what vanishes then say what the expression does there. Where germs don't decide, such as for
-logarithms, values at distances that are halved again and again do, or nothing does.
+On one side of such a place the signals themselves are smooth (of a quotient, its numerator and its denominator). A
+polynomial fitted to exact values and rates at a few times there gives each signal a germ: a series with error bounds
+(:mod:`linkwright.measures.germs`). The expression is then evaluated with germs instead of numbers, and the leading
+exponent of the result tells limit, pole or jump. Where germs can't decide, such as for logarithms, values at distances
+that are halved again and again are compared; if these don't decide either, the limit counts as unknown.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-r"""The cheapest tolerances with which outputs keep within what is wanted of them.
+r"""Tolerance allocation: the cheapest tolerances with which all outputs meet their targets.
 
 Costs are convex in the half-widths :math:`d`. Of the two kinds of rows of a problem (``allocation_problem.py``) the
 first is a convex quadratic (a correlation matrix has no negative eigenvalue), the second is linear: the problem is

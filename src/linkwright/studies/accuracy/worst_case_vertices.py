@@ -1,9 +1,9 @@
-"""The worst case by evaluating the mechanism itself, where the linear one isn't to be trusted.
+"""The nonlinear worst case, by evaluating the mechanism itself where the linear worst case can't be trusted.
 
-First the two vertices of the tolerance box that the linear coefficients name, and their neighbours by one coordinate.
-Where the figure at the two is off the linear worst case, or a neighbour beyond it, by more than a stated share of its
-width: all vertices, or where these are too many, from several of them the best flip of one or two coordinates until
-none helps; then steps inside the box from the best places, since the worst need not be at a vertex.
+First the two vertices of the tolerance box at which the linear worst case lies are evaluated, and all their neighbours
+that differ in one coordinate. If the results differ from the linear worst case by more than a stated share of its
+width, the search goes on: over all vertices, or if these are too many, from several of them by the best flip of one or
+two coordinates until none helps; finally by steps inside the box, since the worst case need not be at a vertex.
 """
 
 from __future__ import annotations

@@ -1,8 +1,12 @@
-"""The plane of the working point in square cells, each decided by enclosures: reached, not reached, or open.
+"""The workspace by subdivision: square cells of the plane, each proven to be reached or not, or left open.
 
-A cell is reached when one pose has all its functions positive all over it; it isn't when each pose has a negative one.
-Others are cut into four, down to a size; then on where the edge of the region doesn't run through as one line. What the
-open cells hold is bounded by their functions' linear parts and what these leave (the mean value form: Moore, Kearfott,
+At a place of the working point each pose of the mechanism has functions that must all be positive: the radicands of its
+dyads and the distances of its drives from the ends of their ranges. Enclosures bound these functions over a whole cell.
+A cell is *reached* if one pose has all of them positive all over it, and *not reached* if every pose has a negative
+one. Other cells are cut into four, down to a size, and further only where the edge of the region doesn't pass as one
+line.
+
+The reached share of open cells is bounded by linear functions with a remainder (mean value form: Moore, Kearfott,
 Cloud, Introduction to Interval Analysis, 2009, ch. 6). So the area is enclosed, whatever curves are drawn.
 """
 

@@ -1,7 +1,8 @@
-"""The curves that can bound a workspace, in the drives' plane and as paths of the working point.
+"""The curves that can bound a workspace, in the plane of the drives' values and as paths of the working point.
 
-They are where the jacobian is singular, where two assembly modes meet (the rim of a sheet), and the ends of the
-drives' ranges. Each is found on the triangles of a mesh and refined until its path lies within a chord tolerance.
+There are three kinds: places where the jacobian d(x, y)/d(drives) is singular, places where two assembly modes meet
+(the rim of a sheet), and the ends of the drives' ranges. Curves are located on the triangles of a mesh by sign changes
+(marching triangles); then their pieces are halved until the path of each lies within a chord tolerance.
 """
 
 from __future__ import annotations
