@@ -1,4 +1,8 @@
-"""Branch and bound over time: that no value of an expression lies outside what is said of it."""
+"""Proofs by branch and bound over time: an expression stays between two limits over all of some spans.
+
+The run is cut into panels, over each of which the expression is enclosed by a Taylor model. A panel is decided where
+the enclosure lies within the limits; it refutes the claim where a value is proven to lie outside; else it is halved.
+"""
 
 from __future__ import annotations
 
@@ -130,11 +134,13 @@ def _first(run: Run) -> int:
 
 def _proofs(run: Run, claims: Sequence[Claim], edges: Sequence[float], budget: int | None, zeros: bool) -> list[Proof]:
     """In doubles; what round-off leaves open there, in long doubles."""
+    # Most claims are decided in double precision.
     first = _first(run)
     budget = BUDGET * first if budget is None else budget
     search = _Search(run, Enclosure(run, [claim.node for claim in claims]), claims, edges, zeros, first)
     search.go(budget)
     found = search.proofs()
+    # Repeat those that only round-off left open with long doubles, on the open spans alone.
     left = [i for i, proof in enumerate(found) if proof.reason == "round-off"]
     spent = max(proof.panels for proof in found)
     if not left or not PRECISE or spent >= budget:
@@ -159,6 +165,7 @@ class _Search:
         first: int,
     ) -> None:
         self.run, self.enclosure, self.claims, self.zeros = run, enclosure, claims, zeros
+        # Initial panels: equal steps, cut also at the ends of spans, at edges, and around change points.
         length = run.stop - run.start
         ends = [end for claim in claims for span in claim.spans for end in span]
         bands = [(p.time - GAP * p.width, p.time + GAP * p.width) for p in run.compiled.passages.every]
@@ -169,7 +176,9 @@ class _Search:
         start, stop = every[:-1], every[1:]
         self.closed: list[tuple[int, Span]] = []  # panels that aren't looked at further
         self.panels = enclosure.panels(start, stop)
+        # Which claim has to be shown on which panel.
         self.asked = np.array([_covered(start, stop, claim.spans, 1e-11 * length) for claim in claims])
+        # Inside the band of a change point nothing can be enclosed: leave these panels open.
         barred = _covered(start, stop, bands, 0.0)
         self.closed += [(int(i), self._span(int(p))) for i, p in zip(*np.nonzero(self.asked & barred), strict=True)]
         self.passed = {i for i, _ in self.closed}
@@ -193,16 +202,19 @@ class _Search:
         while self.panels.count and (cost := spent + self.panels.count + OVERHEAD) <= budget:
             spent = cost
             self.count += self.asked.sum(axis=1)
+            # Evaluate all panels at once and drop those on which every claim is decided.
             self.decide()
             undecided = np.any(self.asked, axis=0)
             self._keep(undecided)
             width = (self.panels.stop - self.panels.start) / (self.run.stop - self.run.start)
+            # Give up on panels that became too narrow, sooner where the enclosure is undefined.
             narrow = self.asked & ((width < NARROWEST) | ((width < VAGUEST) & np.isnan(self.last[0])))
             for claim, panel in zip(*np.nonzero(narrow), strict=True):
                 self.closed.append((int(claim), self._span(int(panel))))
                 self.undefined[claim] |= np.isnan(self.last[0, claim, panel])
             self.asked &= ~narrow
             self._keep(np.any(self.asked, axis=0))
+            # Halve all others.
             self.panels, self.asked = self.panels.halves(), np.concatenate([self.asked, self.asked], axis=1)
             self.last = np.concatenate([self.last, self.last], axis=2)
 
@@ -211,6 +223,7 @@ class _Search:
 
     def decide(self) -> None:
         """Take off all that the panels decide."""
+        # Enclose all expressions over all panels; collect the pairs of claim and panel in one model.
         models = self.enclosure(self.panels)
         claim, panel = np.nonzero(self.asked)
         terms = max(len(m.c) for m in models)
@@ -219,6 +232,7 @@ class _Search:
         for i, model in enumerate(models):
             here = claim == i
             c[: len(model.c), here], r[here] = model.c[:, panel[here]], model.r[panel[here]]
+        # First a cheap range of each model.
         low, high = TaylorModel(c, r, self.panels.some(panel)).range()
         known = np.isfinite(low) & np.isfinite(high)
         limits = self.limits[claim]
@@ -228,6 +242,8 @@ class _Search:
         else:
             with np.errstate(invalid="ignore"):
                 loose = known & ((low < limits[:, 0]) | (high > limits[:, 1]))
+        # Only where that leaves the claim open, compute the tight range of the polynomial. Its extremes are also the
+        # places to test for a counterexample.
         if loose.any():
             some = c[:, loose]
             top, at = above(some)
@@ -241,6 +257,7 @@ class _Search:
                 decided = known & ((low > 0) | (high < 0))
             else:
                 decided = known & (low >= limits[:, 0]) & (high <= limits[:, 1])
+        # Decided panels contribute to the proven range of their claim.
         np.minimum.at(self.low, claim[decided], low[decided])
         np.maximum.at(self.high, claim[decided], high[decided])
         # Where the bound of what a polynomial misses doesn't fall any more, and is what hinders, it is round-off.
@@ -249,6 +266,7 @@ class _Search:
         for i, on in zip(claim[noise], panel[noise], strict=True):
             self.closed.append((int(i), self._span(int(on))))
             self.stalled.add(int(i))
+        # Remember the remainders, to notice on the next level whether they still fall.
         self.last[1] = self.last[0]
         self.last[0, claim, panel] = np.where(np.isfinite(r), r, np.nan)
         self.asked[claim[decided | noise], panel[decided | noise]] = False
@@ -257,6 +275,7 @@ class _Search:
 
     def _refute(self, claim: Whole, panel: Whole, c: Array, r: Array, h: Array, way: float) -> None:
         """Note which claims a polynomial passes at places h of its panel, clear of the margins."""
+        # Evaluate rigorously at the place: the value minus remainder and round-off must pass the limit.
         h = np.clip(h, -self.panels.inner[panel], self.panels.inner[panel])
         value = evaluated(c, h)
         value = value - r - 8 * len(c) * ROUND * np.abs(c).sum(axis=0)

@@ -106,6 +106,7 @@ class TaylorModel:
             return self
         if self.is_zero():
             return more
+        # Add the coefficients; the shorter polynomial has no terms of higher powers.
         long, short = (self, more) if len(self.c) >= len(more.c) else (more, self)
         if len(long.c) == len(short.c):
             c = long.c + short.c
@@ -113,6 +114,7 @@ class TaylorModel:
             wide = max(long.c.shape[1], short.c.shape[1])
             c = long.c.copy() if long.c.shape[1] == wide else np.repeat(long.c, wide, axis=1)
             c[: len(short.c)] += short.c
+        # Each coefficient is rounded once, which is at most a unit of the sum of their magnitudes.
         size = np.add.reduce(np.abs(c), axis=0)
         return TaylorModel(c, (self.r + more.r + UNITS[c.dtype.char] * size) * UP, self.on or more.on, size)
 
@@ -134,9 +136,12 @@ class TaylorModel:
         other = lift(other)
         if self.is_zero() or other.is_zero():
             return ZERO
+        # All coefficients of the product, also those above the order of the panels.
         c = product(self.c, other.c)
         on = self.on or other.on
+        # Remainder: each polynomial times the other's remainder, both remainders, and round-off.
         r = self.size * other.r + self.r * (other.size + other.r) + rounding(self, other)
+        # Terms above the order go into the remainder, as |h| <= 1.
         if on is not None and len(c) > on.order + 1:
             r = r + np.add.reduce(np.abs(c[on.order + 1 :]), axis=0)
             c = c[: on.order + 1]
@@ -154,12 +159,15 @@ class TaylorModel:
         """1 over it: a series y, and its error from the proof that e = 1 - y b is below 1, as 1/b = y / (1 - e)."""
         if self._inverse is None:
             with np.errstate(all="ignore"):
+                # An approximate inverse first: a truncated series in floating point.
                 y = reciprocal_series(self.c, self.on.order if self.on is not None else 0)
                 found = TaylorModel(y, np.zeros_like(y[0]), self.on)
+                # Then its residual e = 1 - y b, bounded with all round-off; it proves how good the series is.
                 short = product(self.c, y)
                 short[0] -= 1.0
                 e = np.add.reduce(np.abs(short), axis=0) * UP + rounding(self, found) + self.r * found.size
                 e = e * UP
+                # 1/b = y / (1 - e), so y misses at most |y| e / (1 - e); nothing is known where e may reach 1.
                 found.r = np.where(e < 1.0, found.size * e / (1.0 - e) * UP + TINY, np.nan)
             self._inverse = found
         return self._inverse
@@ -183,6 +191,7 @@ class TaylorModel:
     def _whole(self, power: int) -> TaylorModel:
         if power < 0:
             return self.inverse()._whole(-power)
+        # Square and multiply.
         found, square = ONE, self
         while power:
             if power & 1:
@@ -226,10 +235,12 @@ class TaylorModel:
     def sign(self) -> Array:
         """1 or -1 where that is the sign all over a panel, the margins to its neighbours apart; 0 where undecided."""
         with np.errstate(invalid="ignore"):
+            # The cheap test: the constant term outweighs all others and the remainder.
             clear = np.abs(self.c[0]) > self.spread() * (1 + 1e-14)
             found = np.where(clear, np.sign(self.c[0]), 0.0)
             if self.on is None or len(self.c) < 2 or clear.all():
                 return found
+            # Where it fails, bound the polynomial more tightly, over the panel without its margins.
             rest = np.flatnonzero(~clear & np.isfinite(self.r))
             r = np.broadcast_to(self.r, clear.shape)[rest]
             low, high = bounds(self.c[:, rest] * self.on.inner[rest] ** POWERS[: len(self.c), None])
@@ -265,6 +276,7 @@ def product(a: Array, b: Array) -> Array:
     """
     if len(a) > len(b):
         a, b = b, a
+    # A constant factor needs no convolution.
     if len(a) == 1:
         return np.asarray(a * b)
     wide = max(a.shape[1], b.shape[1])
@@ -274,6 +286,8 @@ def product(a: Array, b: Array) -> Array:
     if key not in kept:
         if len(kept) > 200:
             kept.clear()
+        # A view that shifts row i by i columns: written as an outer product, summed along the rows it is the
+        # convolution. The buffers are kept by shape, as their allocation would dominate.
         buffer = np.zeros((len(a), len(a) + len(b) - 1, wide), dtype=dtype)
         row, column, item = buffer.strides
         kept[key] = buffer, as_strided(buffer, (len(a), len(b), wide), (row + column, column, item))
@@ -287,6 +301,7 @@ def reciprocal_series(b: Array, order: int) -> Array:
     order = order if len(b) > 1 else 0
     y = np.empty((order + 1, b.shape[1]), dtype=b.dtype)
     y[0] = first = 1.0 / b[0]
+    # From b y = 1: coefficient k of the product vanishes for k > 0.
     for k in range(1, order + 1):
         n = min(k, len(b) - 1)
         y[k] = -np.einsum("ip,ip->p", b[1 : n + 1], y[k - n : k][::-1]) * first
@@ -299,6 +314,7 @@ def root_series(a: Array, order: int) -> Array:
     s = np.empty((order + 1, a.shape[1]), dtype=a.dtype)
     s[0] = np.sqrt(a[0])
     half = 0.5 / s[0]
+    # From s s = a: solve coefficient k for s[k], the others are known.
     for k in range(1, order + 1):
         given = a[k] if k < len(a) else 0.0
         known = np.einsum("ip,ip->p", s[1:k], s[1:k][::-1]) if k > 1 else 0.0

@@ -1,8 +1,9 @@
-"""Clusters: groups beyond the dyads, solved by Newton on the same closures.
+"""Clusters: Assur groups of class III and higher, solved by Newton on the same closure equations as dyads.
 
-A cluster's links hang on one another over a tree of joints, each free joint with one unknown coordinate; the
-joints left over close it. Its coordinates come in as numbers or symbols; rates and equilibrium follow from the
-closure just as for a dyad, with a matrix of more than two rows.
+The links of a cluster form a tree: each is placed on an earlier one by a joint, which has one unknown coordinate if no
+drive holds it. The joints that are left close the loops; each gives closure equations, as many in all as there are
+coordinates. The coordinates come in as numbers or symbols, solved elsewhere. Rates and equilibrium then follow from the
+closure just as for a dyad, by linear systems with a matrix of more than two rows.
 """
 
 from __future__ import annotations
@@ -80,16 +81,22 @@ def solve_cluster(motion: Motion, step: Cluster, drives: dict[str, Jet], unknown
             else:
                 motion.bodies[edge.link] = _free(motion, edge, starts[edge], Jet([*rates[edge], *next_rate]))
 
+    # Step 1: place the links at the given coordinates, without rates.
     place([])
+    # Step 2: how each coordinate moves the links, and from that the matrix of the closure equations. It is factored
+    # once and serves all rates, the equilibrium and Newton.
     fields, twists = _fields(motion, step)
     gaps = [gap.d[0] for gap in _gaps(motion, closures)]
     slopes = _slopes(motion, closures, fields)
     factor = Factor(slopes)
+    # Step 3: each time derivative of the closure is linear in the highest rates with this same matrix. Set these to
+    # zero, see what the equations miss, and solve for them.
     for k in range(1, motion.order + 1):
         place([0.0])
         rest = [gap.d[k] for gap in _gaps(motion, closures)]
         for edge, q in zip(step.free, factor.solve(rest), strict=True):
             rates[edge].append(-q)
+    # Step 4: place the links once more with all rates.
     place([])
     motion.clusters[step] = SolvedCluster(
         gaps, slopes, factor, [rates[edge] for edge in step.free], fields, twists, closures
@@ -120,12 +127,16 @@ def _fields(motion: Motion, step: Cluster) -> tuple[list[dict[str, Twist]], dict
     """
     twists = {e.link: outer_joint(motion, e.joint, e.link).twist(motion.bodies[e.link]) for e in step.edges}
     fields: list[dict[str, Twist]] = []
+    # Walk along the tree from the known links outward; only links beyond the moved joint move.
     for own in step.free:
         field: dict[str, Twist] = {}
         for edge in step.edges:
             base, anchor = field.get(edge.base, STILL), motion.bodies[edge.link].anchor.now
+            # A free pin keeps its link's angle in the frame; a link on a slide or held by a drive turns with its
+            # base.
             turn = 0.0 if edge.joint.kind.angular and edge.drive is None else base.turn
             along = base.velocity(anchor)
+            # The joint's own freedom comes on top of what its base does.
             if edge is own:
                 freedom = twists[edge.link]
                 turn += freedom.turn
@@ -153,6 +164,7 @@ def _slopes(motion: Motion, closures: Closures, fields: list[dict[str, Twist]]) 
 
 def newton(motion: Motion, step: Cluster, start: list[float], drives: dict[str, Jet]) -> list[float] | None:
     """The cluster's coordinates on plain numbers by damped Newton from a start nearby; ``None`` where it fails."""
+    # Newton needs positions only, so rates are switched off for its duration.
     here, still = list(start), motion.order
     motion.order = 0
     try:
@@ -160,6 +172,7 @@ def newton(motion: Motion, step: Cluster, start: list[float], drives: dict[str, 
         tiny = TINY * max(1.0, *(abs(float(q)) for body in motion.bodies.values() for q in body.anchor.now))
         for _ in range(40):
             solved = motion.clusters[step]
+            # Full Newton step, then halve it until the closure error falls enough (Armijo's rule).
             steps = solved.factor.solve(solved.gaps)
             damping = 1.0
             while damping > 1e-4:
@@ -171,6 +184,7 @@ def newton(motion: Motion, step: Cluster, start: list[float], drives: dict[str, 
             else:
                 return None  # no step helps: a place where the links come near but don't meet
             here, last = there, miss
+            # Converged when both the closure error and the step are at round-off.
             if last < tiny and max(map(abs, steps)) < 1e-12:
                 return here
         return None

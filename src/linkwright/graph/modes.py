@@ -94,6 +94,7 @@ class Explorer:
 
     def run(self) -> Found:
         """Follow every choice."""
+        # Depth-first: each walk follows one list of choices and notes the alternatives it passes.
         self.todo: list[tuple[Choice, ...]] = [()]
         most, walks = min(MOST, max(8, 2000 // len(self.structure.topology.moving))), 0
         while self.todo:
@@ -106,6 +107,8 @@ class Explorer:
 
     def needs(self) -> dict[Step, frozenset[int]]:
         """The choices, by their numbers, on which the places of each step's known links depend."""
+        # Go through the steps in order; a link depends on all choices behind the links that carry it, and on its own
+        # step's.
         found: dict[Step, frozenset[int]] = {}
         behind: dict[str, frozenset[int]] = {}
         count = 0
@@ -120,6 +123,7 @@ class Explorer:
 
     def dead_end(self, step: Step) -> _DeadEnd:
         """A step can't be closed: nor can it after any choices that agree in what its known links depend on."""
+        # Drop all noted walks that would fail the same way: they agree in the choices on which this step depends.
         if self.goal is None:
             same = {i: self.taken[i] for i in self.needed[step]}
             self.todo = [p for p in self.todo if not all(i < len(p) and p[i] == v for i, v in same.items())]
@@ -136,6 +140,7 @@ class Explorer:
         """One mode: the choices given, then the first of each; the others are noted to be walked later."""
         self.chosen, self.singular = chosen, False
         self.taken: list[Choice] = []
+        # Solve the whole position; dyads ask for their branch and clusters for their coordinates.
         self.motion = Motion(self.structure, self.geometry, 0)
         try:
             with np.errstate(all="ignore"):
@@ -145,6 +150,7 @@ class Explorer:
         bodies = self.motion.bodies.values()
         if all(math.isfinite(float(v)) for body in bodies for v in (*body.anchor.now, *body.axis.now)):
             self.found.modes.append(self.mode())
+        # No finite position: the outer pins of a dyad meet, so that it may turn freely.
         elif free := [g.label for g, (_, solved) in self.motion.dyads.items() if not math.isfinite(solved.determinant)]:
             self.found.free_groups.add(free[0])
 
@@ -165,11 +171,13 @@ class Explorer:
             raise self.dead_end(group)
         if group.modes == 1:
             return 1.0
+        # A dyad at its limit has one mode only (a double root): the mode is singular.
         touching = abs(float(dyad.root(1.0).reach)) < 1e-13
         self.singular = self.singular or touching
         options: list[Choice] = [1.0] if touching else [1.0, -1.0]
         if group.inner.joint in self.structure.topology.mechanism.cylinders:
             options = [group.front]  # no cylinder has a negative length
+        # If a given pose is sought, take first the branch whose link points as there.
         elif self.goal is not None and not touching:
             goal = self.goal[group.links[0]].axis.now
             axes = [dyad.solve(sign, 0).first.axis.now for sign in (1.0, -1.0)]
@@ -192,10 +200,12 @@ class Explorer:
 
     def cluster(self, cluster: Cluster) -> list[list[float]]:
         """All coordinates of a cluster on the links placed so far: of a triad all, else those found."""
+        # If a given pose is sought, start from the coordinates that it has.
         if self.goal is not None:
             self.motion.bodies.update({link: self.goal[link] for link in cluster.links})
             there = self.polish(cluster, read_coordinates(self.motion, cluster))
             return [] if there is None else [there]
+        # All modes of a triad follow from a polynomial, so the list is complete.
         shape = triad(self.motion, cluster, self.drives)
         candidates: list[list[float]] = []
         complete = False
@@ -204,10 +214,12 @@ class Explorer:
             roots = system.roots()
             complete = roots.complete
             candidates = [coordinates(self.motion, cluster, system, pose) for pose in roots.poses]
+        # Other groups are searched from many starts; some mode may be missing.
         if not complete:
             if cluster.label not in self.found.open_groups:
                 self.found.open_groups.append(cluster.label)
             candidates += self.search(cluster)
+        # Improve every candidate by Newton and drop duplicates; near singular poses these agree to fewer digits.
         found: list[tuple[list[float], bool]] = []
         for start in candidates:
             there = self.polish(cluster, start)
@@ -230,6 +242,7 @@ class Explorer:
         """
         if not all(map(math.isfinite, start)):
             return None
+        # Newton first; where it creeps, as at a double root, least-squares steps.
         there = newton(self.motion, cluster, start, self.drives)
         there = self.settle(cluster, start) if there is None else there
         if there is None:
@@ -255,6 +268,7 @@ class Explorer:
             gaps = np.array([float(gap) for gap in solved.gaps])
             if np.abs(gaps).max() < CLOSED * min(self.size, 1.0):
                 return at
+            # The minimum-norm step ignores the direction in which the slopes are singular.
             step = np.linalg.lstsq(np.array(solved.slopes, dtype=float), gaps, rcond=1e-9)[0]
             here = here - step
         return None

@@ -78,6 +78,8 @@ class System:
         if self.circles:
             radius = self.circles[0].reach / size
             for circle in self.circles[1:]:
+                # Subtracting the first circle's equation cancels |p|^2 and leaves an equation that is linear in the
+                # place p.
                 x, y = circle.centre(c, s, self.reference).minus(self.origin)
                 x, y, other = x / size, y / size, circle.reach / size
                 # |p - m|^2 = l^2 less |p|^2 = r^2
@@ -87,8 +89,11 @@ class System:
     def polynomial(self, c: Scalar, s: Scalar, size: float = 1.0) -> Scalar:
         """The trigonometric polynomial whose roots are the platform's angles."""
         rows = self.rows(c, s, size)
+        # Three lines meet in one point if their 3 x 3 determinant vanishes (expanded by the third column).
         if not self.circles:
             return sum(row[2] * crossed(*rows[:k], *rows[k + 1 :])[2] * (-1) ** k for k, row in enumerate(rows))
+        # Two lines: Cramer's rule gives p = (x, y) / d. Put into the first circle and multiplied by d^2, no division
+        # is left, so the expression stays a polynomial in the cosine and sine of phi.
         x, y, d = crossed(*rows)
         reach = self.circles[0].reach / size * d
         return x * x + y * y - reach * reach
@@ -100,6 +105,7 @@ class System:
     def place(self, c: Scalar, s: Scalar) -> Pair:
         """The platform's place at a root of the polynomial where two of its equations differ: by Cramer's rule; of
         three, by all pairs of them, weighted by their determinants."""
+        # Weighting by determinants avoids a pair of nearly parallel lines.
         found = [crossed(*pair) for pair in combinations(self.rows(c, s), 2)]
         weights = [d for _, _, d in found] if len(found) > 1 else [1.0]
         x, y, d = (sum(w * one[k] for w, one in zip(weights, found, strict=True)) for k in range(3))
@@ -122,12 +128,14 @@ class System:
         for one, other in combinations(self.circles, 2):
             gap = one.centre(c, s, self.reference).minus(other.centre(c, s, self.reference))
             a, b = one.reach * one.reach, other.reach * other.reach
+            # Two circles meet if the triangle of radii and centre distance exists (16 times its squared area).
             rest = a + b - gap.dot(gap)
             found.append(4 * a * b - rest * rest)
         for circle in self.circles:
             centre = circle.centre(c, s, self.reference)
             for line in self.linear:
                 a, b, rest = line.row(c, s, self.reference)
+                # A circle meets a line if the centre is no farther away than the radius.
                 off = a * centre.x + b * centre.y + rest
                 found.append(circle.reach * circle.reach * (a * a + b * b) - off * off)
         return found
@@ -139,9 +147,11 @@ class System:
     def places(self, phi: float) -> Iterator[Pair]:
         """All places of the platform at one of its angles, singular rows included."""
         rows = self._at(phi)
+        # Scale the lines, so that the singular values below compare directions.
         rows = rows / np.maximum(np.hypot(rows[:, 0], rows[:, 1]), 1e-300)[:, None] if len(rows) else rows
         radius = self.circles[0].reach / self.size if self.circles else math.nan
         if len(rows) >= 2:
+            # Two lines or more: their common point by least squares, unless they are parallel.
             x, _, _, values = np.linalg.lstsq(rows[:, :2], -rows[:, 2], rcond=1e-12)
             if values[-1] > 1e-12:
                 yield self._place(x)
@@ -186,18 +196,28 @@ def crossed(one: Row, other: Row) -> Row:
 def trigonometric_roots(f: Callable[[Array], Array]) -> tuple[list[float], Array]:
     """The real roots of a trigonometric polynomial of degree three at most, with candidates around double ones;
     and its harmonics' sizes over the largest (none where it vanishes altogether)."""
+    # Sample the polynomial at equal angles; the FFT gives its Fourier coefficients.
+    # Sample the polynomial at equal angles; the FFT gives its Fourier coefficients.
     samples = np.asarray(f(2 * np.pi * np.arange(SAMPLES) / SAMPLES), dtype=float)
     c = np.fft.rfft(samples) / SAMPLES
     sizes = np.abs(c)
     if not sizes.max() > 1e-14:
         return [], np.zeros(0)
     sizes /= sizes.max()
+    # The degree is that of the highest harmonic above round-off.
+    # The degree is that of the highest harmonic above round-off.
     degree = max((k for k in range(1, DEGREE + 1) if sizes[k] > ROUND_OFF), default=0)
     if degree == 0:
         return [], sizes
+    # With z = exp(i phi), multiplied by z^degree, it is an ordinary polynomial in z with twice the degree.
+    # With z = exp(i phi), multiplied by z^degree, it is an ordinary polynomial in z with twice the degree.
     coefficients = np.concatenate([c[1 : degree + 1][::-1], c[:1], c[1 : degree + 1].conj()])
     found, every = [], np.roots(coefficients)
     for z in every:
+        # Real angles are the roots on the unit circle. Round-off moves double roots off it, so those nearby are
+        # candidates; the caller checks each by Newton.
+        # Real angles are the roots on the unit circle. Round-off moves double roots off it, so those nearby are
+        # candidates too; all are verified later.
         if (off := abs(abs(z) - 1.0)) < NEAR:
             phi = float(np.angle(z))
             found.append(phi)

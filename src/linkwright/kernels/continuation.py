@@ -1,7 +1,8 @@
-"""Following clusters along a motion: their coordinates at any time, on the branch that the start pose begins.
+"""Numerical continuation of one cluster along a motion: its coordinates at any time, on the branch of the start pose.
 
-A path of Newton-solved poses is laid once, from pose to pose with the exact rates as predictor and steps short
-enough that the corrector has little to do; coordinates at other times start from its cubic interpolation.
+A path of solved poses is built once by a predictor and corrector method: the exact rates predict the next pose, Newton
+corrects it, and the step length is adapted so that the corrections stay small. Coordinates at other times start from
+the cubic interpolation of this path.
 """
 
 from __future__ import annotations
@@ -52,6 +53,7 @@ class Corrector:
     def moved(self, step: Array, u: Array) -> Array:
         """The largest step of a pose's coordinates: (poses,), in rad, and of slides over the size or where it is more
         over how far they are out, so that one that runs away doesn't do so in ever smaller steps."""
+        # A slide counts relative to its own travel once that exceeds the mechanism's size.
         size = np.maximum(self.scale[:, None], np.abs(u) * self.slides[:, None])
         return np.asarray(np.abs(step / size).max(axis=0))
 
@@ -78,6 +80,7 @@ class Follower(Corrector):
 
     def solve(self, x: Array, t: Array, p: Array, at: Callable[[Array], Array]) -> Array:
         """The coordinates at times ``t``: (coordinates, times), NaN past the path's end. ``at`` gives inputs."""
+        # Predict from the path, correct with Newton, and keep the largest correction for the certificate.
         start = self.foretell(x, t, p, at)
         found = self.newton(x, start, p)
         self.correction = max(self.correction, float(np.nan_to_num(self.moved(found - start, found)).max(initial=0.0)))
@@ -89,23 +92,29 @@ class Follower(Corrector):
         return self.between(t)
 
     def extend(self, to: float, p: Array, at: Callable[[Array], Array]) -> None:
-        """Lay the path up to a time."""
+        """Continue the path up to a time (s), or to the singular pose that ends it."""
         path = self.path
         if not path.t:
             self.note(0.0, self.start, p, at)
+        # Start with 64 steps for the whole span; the loop below adapts the length.
         step = max(to / 64, 1e-12)
         while path.t[-1] < to and path.end is None:
             now, u, rate = path.t[-1], path.u[-1], path.rate[-1]
             there = min(now + step, to)
+            # Predictor: follow the tangent, that is the exact rates at the last pose.
             guess = u + (there - now) * rate
             x = at(np.array([there]))
+            # Corrector: Newton from the predicted pose.
             found = self.newton(x, guess[:, None], p)[:, 0]
             moved = self.moved((found - guess)[:, None], u[:, None])[0]
+            # A large correction (or NaN, no solution) could mean another assembly mode: refuse the step and halve it.
+            # If that needs steps that are too short, the path ends here at a singular pose.
             if not moved < CLOSE:
                 step = (there - now) / 2
                 if step < PATIENCE * to:
                     path.end = now
                 continue
+            # The pose is accepted; where the correction was small the next step may be longer.
             self.note(there, found, p, at)
             self.correction = max(self.correction, float(moved))
             step = (there - now) * (1.5 if moved < CLOSE / 3 else 1.0)
@@ -122,10 +131,12 @@ class Follower(Corrector):
         times, u, rate = np.array(self.path.t), np.array(self.path.u), np.array(self.path.rate)
         if times.size == 1:
             return np.repeat(u.T, t.size, axis=1)
+        # Find the interval of the path that holds each time, and the share s of it that has passed.
         i = np.clip(np.searchsorted(times, t) - 1, 0, times.size - 2)
         h = times[i + 1] - times[i]
         s = ((t - times[i]) / h)[:, None]
         h = h[:, None]
+        # Cubic Hermite interpolation from coordinates and rates at both ends.
         a, b, da, db = u[i], u[i + 1], rate[i] * h, rate[i + 1] * h
         value = a + s * (da + s * (3 * (b - a) - 2 * da - db + s * (2 * (a - b) + da + db)))
         if self.path.end is not None:

@@ -1,9 +1,9 @@
-"""Following the clusters of many samples at once, each by steps of its own: in the parameters from the nominal start
-pose to that of the sample, and in time from pose to pose.
+"""Numerical continuation of the clusters of many samples at once, each with steps of its own: first in the parameters,
+from the nominal start pose to that of the sample, then in time from pose to pose.
 
-A step foretells the coordinates with the closures' slopes where it begins, and lets Newton correct them; it is taken
-only where the correction is small (:data:`CLOSE`), and halved else, so that no sample jumps to another mode. What
-becomes of a sample doesn't depend on the others.
+A step predicts the coordinates with the closures' slopes at its beginning, and Newton corrects them. It is accepted
+only if the correction is small (:data:`CLOSE`), else halved, so that no sample jumps to another assembly mode. The
+result of a sample doesn't depend on the other samples, to the last bit.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ HELD = 1 << 14
 
 
 class _Joined(Corrector):
-    """Newton on one cluster, foretold by the closure's slopes."""
+    """Newton on one cluster, from a prediction by the slopes of its closure equations."""
 
     def __init__(self, graph: Graph, cluster: Cluster, size: float, kernel: str) -> None:
         super().__init__(graph, cluster, size, kernel)
@@ -45,16 +45,20 @@ class _Joined(Corrector):
     def step(self, x: Array, p: Array, slopes: Array) -> tuple[Array, Array]:
         """Put the coordinates into the inputs, which hold those of poses nearby, where the ``slopes`` are known.
 
-        Gives how far off foretold ones are, over what is allowed, (poses,), NaN where there is no solution; and the
-        slopes there. Forth and back are looked at, as a step that ends on another mode may look small one way.
+        Gives the error of the prediction over the allowed one, (poses,), NaN where there is no solution; and the
+        slopes there. The step is checked forward and backward, as one that ends on another mode may look good one way.
         """
+        # Forward: from the known pose, predict with the slopes there (one Newton step), then let Newton converge.
         u = x[self.rows]
         missed = self.closed(x, p)[0].T
         guess = u - steps(slopes, missed)
         x[self.rows] = found = self.newton(x, guess, p)
+        # Backward: from the pose found, predict the old one with the new slopes. Only if both predictions are good is
+        # the step certainly on the same assembly mode.
         ending = self.closed(x, p)[1]
         back = found + steps(ending, missed)
         off = np.maximum(self.moved(found - guess, found), self.moved(back - u, found))
+        # The step also must not move any coordinate by more than the stride, however good the prediction is.
         return np.maximum(off / CLOSE, self.moved(found - u, found) / STRIDE), ending
 
 
@@ -88,6 +92,8 @@ class Pursuit:
 
         Samples don't wait for each other: one that needs many short steps falls behind.
         """
+        # Each sample has its own time, step length and next target. A step of infinite length aims directly at the
+        # target.
         samples, count = targets.shape
         found = np.full((len(u), samples, count), np.nan)
         u, now, step = u.copy(), now.copy(), np.full(samples, np.inf)
@@ -95,18 +101,24 @@ class Pursuit:
         goals = np.hstack([targets, np.full((samples, 1), np.inf)])
         met = todo = np.flatnonzero(np.isfinite(u).all(axis=0))
         slopes = [np.full((samples, joined.n, joined.n), np.nan) for joined in self.joined]
+        # Slopes of the closures at the start: they serve as predictor of the first step.
         x, p = place(todo, now[todo])
         x[self.rows] = u[:, todo]
         for joined, known in zip(self.joined, slopes, strict=True):
             known[todo] = joined.closed(x, p)[1]
         while True:
+            # Samples that have arrived at their target note the pose and aim at the next one (several targets may be
+            # equal).
             while (met := met[goals[met, ahead[met]] <= now[met]]).size:
                 found[:, met, ahead[met]] = u[:, met]
                 ahead[met] += 1
                 step[met] = np.inf
+            # Drop samples that have passed all targets or have got lost (NaN).
             todo = todo[(ahead[todo] < count) & np.isfinite(u[0, todo])]
             if not todo.size:
                 return found
+            # One step of all remaining samples, higher group by higher group: later groups need the coordinates of
+            # earlier ones.
             there = np.minimum(now[todo] + step[todo], goals[todo, ahead[todo]])
             x, p = place(todo, there)
             x[self.rows] = u[:, todo]
@@ -116,11 +128,15 @@ class Pursuit:
                 far, ending = joined.step(x, p, known[todo])
                 off = np.maximum(off, far)  # keeps NaN
                 ends.append(ending)
+            # Accept steps with a small error; on these the slopes at the end serve for the next step. NaN is not
+            # good.
             good = off < 1
             for known, ending in zip(slopes, ends, strict=True):
                 known[todo[good]] = ending[good]
             met, length = todo[good], there - now[todo]
             u[:, met], now[met] = x[self.rows][:, good], there[good]
+            # Adapt the step: longer where the error was under a third, halved where the step was refused; a sample
+            # whose step becomes too short has met a singular pose.
             step[todo] = length * np.where(good, np.where(off < 1 / 3, 1.5, 1.0), 0.5)
             u[:, todo[~good & (step[todo] < least[todo])]] = np.nan
 
@@ -176,6 +192,8 @@ class Pursued:
         """The same, from path to path."""
         found = np.full((len(self.rows), *t.shape), np.nan)
         lost = np.zeros(t.shape, dtype=bool)
+        # Paths are laid over spans of a power of two, so that a path does not depend on the exact times that are
+        # asked for.
         company, index = self._company(p)
         to = t.max(axis=1, initial=-1.0)
         span = np.where(to > 0, np.exp2(np.ceil(np.log2(np.maximum(to, np.finfo(float).tiny)))), 0.0)
@@ -183,9 +201,12 @@ class Pursued:
         for scale in np.unique(span[to >= 0]).tolist():
             which = np.flatnonzero(span == scale)
             paths = company.paths(scale, index[which], to[which])
+            # Interpolate and correct in blocks of samples that fit into the cache.
             for first in range(0, which.size, height):
                 some = which[first : first + height]
                 found[:, some], lost[some] = self._between(paths, index[some], x[:, some], p[:, some], t[some])
+            # Samples whose interpolation was not good enough are followed again from the last reliable pose, step by
+            # step.
             if (left := which[lost[which].any(axis=1)]).size:
                 since, u = paths.before(np.where(lost[left], t[left], np.inf).min(axis=1), index[left])
                 along = self._along(p[:, left], t[left], u, since)
@@ -231,6 +252,7 @@ class Pursued:
 
         def place(which: NDArray[np.intp], share: Array) -> tuple[Array, Array]:
             goal, nominal = p[:, which], self.nominal[:, None]
+            # The homotopy: parameters move on a straight line from the nominal ones to those of the sample.
             there = np.where(share < 1, nominal + share * (goal - nominal), goal)
             return self._inputs(there, np.zeros_like(share)), there
 

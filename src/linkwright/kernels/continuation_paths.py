@@ -76,6 +76,7 @@ class Paths:
 
     def extend(self, to: Array) -> None:
         """Lay the paths past times ``to`` (samples,), as far as they go."""
+        # Take steps with all samples that have not reached their time yet; each has its own step length.
         open_ = self.open.copy()
         while True:
             here = self.t[np.arange(len(self.t)), self.last]
@@ -83,6 +84,9 @@ class Paths:
             if not todo.size:
                 break
             self._advance(todo, here[todo])
+        # A path that stopped because its steps became too short: try to get a little past its last pose with steps of
+        # any length. If that fails the motion really ends there; else later times are left to step-by-step
+        # continuation.
         if (stuck := np.flatnonzero(open_ & ~self.open)).size:
             goal = here[stuck] + RIM * self.span
             least = np.full(stuck.size, PATIENCE * self.span)
@@ -98,12 +102,16 @@ class Paths:
         """One step of some samples that stand at ``here``, as far as it is good."""
         last, step = self.last[todo], self.step[todo]
         u, rate = self.u[:, todo, last], self.rate[:, todo, last]
+        # Predictor of second order: rates and half their rate of change, estimated over the last step.
         there, guess = here + step, u + step * (rate + step * self.bend[:, todo])
         found, ending = self._solved(todo, there, guess)
         moved = self.solver.moved
+        # Three errors over what is allowed: the correction by Newton, the length of the step, and how far the step
+        # differs from the trapezoidal rule. The last one measures the error of the cubic interpolation.
         off = moved(found - guess, found) / CLOSE
         off = np.maximum(off, moved(found - u, found) / STRIDE)
         off = np.maximum(off, moved(found - u - step * (rate + ending) / 2, found) / NEAR)
+        # Append accepted poses to the paths of their samples, with the rates there.
         good = np.flatnonzero(off < 1)
         met, place = todo[good], last[good] + 1
         if place.max(initial=0) >= self.t.shape[1]:
@@ -112,6 +120,8 @@ class Paths:
         self.u[:, met, place], self.rate[:, met, place] = found[:, good], ending[:, good]
         self.bend[:, met] = ((ending - rate) / (2 * step))[:, good]
         self.last[met] = place
+        # The error grows with the cube of the step, so the table of growth factors depends on it; refused steps are
+        # halved.
         step = step * np.select([off < limit for limit, _ in GROWTH], [growth for _, growth in GROWTH], 0.5)
         self.step[todo] = np.minimum(step, LONGEST * self.span)
         self.open[todo] = step >= SHORTEST * self.span
@@ -138,6 +148,7 @@ class Paths:
     def foretell(self, t: Array, some: Index) -> Array:
         """The coordinates of some samples at times ``t`` (samples, times), by cubic interpolation: (coordinates,
         samples, times), NaN outside of the paths."""
+        # For each time, the flat index of the pose before it; the next one in memory is the pose after it.
         a = self._before(t, some)
         np.clip(a, 0, self.t.shape[1] - 2, out=a)
         a += some[:, None] * self.t.shape[1]
@@ -145,11 +156,13 @@ class Paths:
         since = self.t.ravel()[a]
         h = self.t.ravel()[b] - since
         h[~((t >= 0) & np.isfinite(h))] = np.nan
+        # Weights of the cubic Hermite interpolation, from the share s of the interval.
         s = (t - since) / h
         rest = 1.0 - s
         step = s * s * (1.0 + 2.0 * rest)
         first, second = h * s * rest * rest, -h * s * s * rest
         found = np.empty((len(self.u), *t.shape))
+        # Coordinate by coordinate, in place: these arrays are large.
         for to, u, rate in zip(found, self.u, self.rate, strict=True):
             start = u.ravel()[a]
             np.subtract(u.ravel()[b], start, out=to)

@@ -42,13 +42,17 @@ def _quadrant(x: float) -> tuple[float, float, float]:
     The first two differences are exact too, the third one's error goes to ``tail``. No double in the range is nearer
     than 2**-61 to a multiple of pi/2 (45.553093477052 is the nearest), so r keeps its digits.
     """
+    # n = round(2 x / pi); adding and subtracting ROUNDER rounds without a call.
     n = (x * 0.6366197723675814 + ROUNDER) - ROUNDER if math.fabs(x) <= FARTHEST else math.nan
+    # Subtract n pi/2 in parts, from the largest; these differences are exact.
     near = (x - n * 1.5707963109016418) - n * 1.5893254712295857e-08
     third = n * 6.123233932053594e-17
     less = near - third
+    # What the third difference lost, and the fourth part of pi/2.
     rest = ((near - less) - third) - n * 6.36831716351095e-25
     r = less + rest
     tail = (less - r) + rest
+    # Reduce n to the quadrant 0 .. 3.
     turns = (0.25 * (n - 1.5) + ROUNDER) - ROUNDER
     return n - 4.0 * turns, r, tail
 
@@ -56,9 +60,11 @@ def _quadrant(x: float) -> tuple[float, float, float]:
 def _sine(r: float, tail: float) -> tuple[float, float]:
     """Sine of r + tail, |r| <= pi/4 (Cephes), and what its last rounding took away."""
     z = r * r
+    # Minimax polynomial of (sin r - r) / r^3 in r^2, by Horner's scheme.
     p = 1.58962301576546568060e-10 * z - 2.50507477628578072866e-8
     p = (p * z + 2.75573136213857245213e-6) * z - 1.98412698295895385996e-4
     p = (p * z + 8.33333333332211858878e-3) * z - 1.66666666666666307295e-1
+    # The correction to r: the polynomial, and the tail by the slope cos r = 1 - r^2 / 2.
     more = r * z * p + tail * (1.0 - 0.5 * z)
     s = r + more
     return s, (r - s) + more
@@ -67,11 +73,13 @@ def _sine(r: float, tail: float) -> tuple[float, float]:
 def _cosine(r: float, tail: float) -> tuple[float, float]:
     """Cosine of r + tail, |r| <= pi/4 (Cephes), and what its last rounding took away."""
     z = r * r
+    # Minimax polynomial of (cos r - 1 + r^2 / 2) / r^4.
     p = -1.13585365213876817300e-11 * z + 2.08757008419747316778e-9
     p = (p * z - 2.75573141792967388112e-7) * z + 2.48015872888517045348e-5
     p = (p * z - 1.38888888888730564116e-3) * z + 4.16666666666665929218e-2
     half = 0.5 * z
     w = 1.0 - half
+    # What the rounding of 1 - r^2 / 2 lost comes back with the higher terms.
     more = ((1.0 - w) - half) + (z * z * p - r * tail)
     c = w + more
     return c, (w - c) + more
@@ -105,6 +113,7 @@ def tan(x: float) -> float:
     odd = math.fabs(quadrant - 2.0) == 1.0
     above = -c if odd else s
     below = s if odd else c
+    # Quotient first, then one correction by what the roundings of both had taken away.
     q = above / below
     inverse = 2.4 - 1.41 * c
     return q + ((off_c + q * off_s) * q if odd else off_s - q * off_c) * inverse
@@ -119,18 +128,21 @@ def _arc(low: float, high: float) -> float:
     scale = 0.25 if high > 1.0e300 else (1.2676506002282294e30 if high < 1.0e-290 else 1.0)
     low = low * scale
     high = high * scale
+    # Choose b with tan b = 0, 1/2 or 1, whichever is nearest to the quotient.
     small = low <= 0.4375 * high
     middle = low <= 0.6875 * high
     above = low - (0.0 if small else (0.5 * high if middle else high))
     below = high + (0.0 if small else (0.5 * low if middle else low))
     t = above / (below if below != 0.0 else 1.0)
     z = t * t
+    # Minimax polynomial of the arc tangent for the small rest t.
     p = 1.62858201153657823623e-02 * z - 3.65315727442169155270e-02
     p = (p * z + 4.97687799461593236017e-02) * z - 5.83357013379057348645e-02
     p = (p * z + 6.66107313738753120669e-02) * z - 7.69187620504482999495e-02
     p = (p * z + 9.09088713343650656196e-02) * z - 1.11111104054623557880e-01
     p = (p * z + 1.42857142725034663711e-01) * z - 1.99999999998764832476e-01
     p = (p * z + 3.33333333333329318027e-01) * z
+    # Add the angle b, whose low part is kept in fine.
     start = 0.0 if small else (0.4636476090008061 if middle else 0.7853981633974483)
     fine = 0.0 if small else (2.2698777452961687e-17 if middle else 3.061616997868383e-17)
     return start + (t - (t * p - fine))
@@ -152,9 +164,11 @@ def atan2(y: float, x: float) -> float:
     """
     wide = math.fabs(x)
     tall = math.fabs(y)
+    # Divide the smaller by the larger component: an angle of at most pi/4.
     steep = tall > wide
     a = _arc(wide if steep else tall, tall if steep else wide)
     left = x < 0.0
+    # Unfold into the right octant by selects.
     start = 1.5707963267948966 if steep else (3.141592653589793 if left else 0.0)
     fine = 6.123233995736766e-17 if steep else (1.2246467991473532e-16 if left else 0.0)
     value = start + ((a if steep == left else -a) + fine)
@@ -178,10 +192,12 @@ def asin(x: float) -> float:
     """
     size = math.fabs(x)
     steep = size > 0.5
+    # For large arguments use the half angle, where the arc sine is well conditioned.
     half = 0.5 - 0.5 * size
     z = (half if half > 0.0 else 0.0) if steep else size * size
     s = math.sqrt(z) if steep else size
     p, q = _arc_sine(z)
+    # Split s, so that the error of the square root can be recovered.
     long = s * 134217729.0
     split = long - (long - s)
     head = split if steep else s
@@ -215,18 +231,22 @@ def acos(x: float) -> float:
 
 def exp(x: float) -> float:
     """e to the x (fdlibm's form; the scaling by 2**n in two steps, so that results below 2**-1022 are rounded once)."""
+    # Clamp to the range in which the result is neither 0 nor infinite.
     held = x if x < 710.0 else 710.0
     held = held if held > -746.0 else -746.0
+    # x = n ln 2 + r; ln 2 in two parts, so that r keeps its digits.
     raised = held * 1.4426950408889634 + ROUNDER
     n = raised - ROUNDER
     high = held - n * 6.93147180369123816490e-01
     low = n * 1.90821492927058770002e-10
     r = high - low
+    # Rational form of exp r.
     z = r * r
     p = 4.13813679705723846039e-08 * z - 1.65339022054652515390e-06
     p = (p * z + 6.61375632143793436117e-05) * z - 2.77777777770155933842e-03
     c = r - (p * z + 1.66666666666666019037e-01) * z
     value = 1.0 - ((low - (r * c) / (2.0 - c)) - high)
+    # Multiply by 2^n in two factors, written straight into the exponent bits.
     half = 0.5 * n + ROUNDER
     first = float(np.int64((np.float64(half).view(np.int64) + 1023) << 52).view(np.float64))
     other = (n - (half - ROUNDER)) + ROUNDER
@@ -236,9 +256,11 @@ def exp(x: float) -> float:
 
 def log(x: float) -> float:
     """Natural logarithm (fdlibm's form): -inf at 0, NaN below."""
+    # Scale subnormal numbers up; invalid ones become 1 and are replaced at the end.
     tiny = x < 2.2250738585072014e-308
     held = x * 1.8014398509481984e16 if tiny else x
     held = held if (x > 0.0) & (x < math.inf) else 1.0
+    # x = 2^n (1 + f) with 1 + f between sqrt(1/2) and sqrt(2), read from the bits.
     bits = np.float64(held).view(np.int64) + 0x95F619980C433
     n = (
         float(np.int64((bits >> 52) | 0x4330000000000000).view(np.float64))
@@ -246,6 +268,7 @@ def log(x: float) -> float:
         - (54.0 if tiny else 0.0)
     )
     f = float(np.int64((bits & 0xFFFFFFFFFFFFF) + 0x3FE6A09E667F3BCD).view(np.float64)) - 1.0
+    # Series of log((1 + s) / (1 - s)) = log(1 + f).
     s = f / (2.0 + f)
     z = s * s
     p = 1.479819860511658591e-01 * z + 1.531383769920937332e-01

@@ -1,7 +1,9 @@
-"""Germs: what an expression does right beside one time, as a series in the distance s > 0 from it.
+"""Germs: the behaviour of an expression on one side of a time, as a series in the distance s > 0 from it.
 
-A germ is ``s^low (c0 + c1 s^step + c2 s^(2 step) + ...)`` with an error of each coefficient. Coefficients within their
-errors of zero count as zero; orders then decide between poles with their sides, jumps and removable places.
+A germ is a truncated Puiseux series ``s^low (c0 + c1 s^step + c2 s^(2 step) + ...)``, with an error bound of each
+coefficient. Arithmetic and elementary functions map germs to germs. A coefficient that is zero within its error counts
+as zero; the leading exponent then tells poles (and the sign of infinity), jumps, roots and removable singularities
+apart. Where the errors are too large for a decision, :class:`Undecided` is raised.
 """
 
 from __future__ import annotations
@@ -52,6 +54,7 @@ class Germ:
 
     def leading(self) -> tuple[Fraction, float] | None:
         """Exponent and coefficient of the first term that isn't zero; ``None`` where all known ones are."""
+        # Go up the coefficients: clearly zero, clearly not zero, or in between, which decides nothing.
         for k, (c, e) in enumerate(zip(self.c.tolist(), self.e.tolist(), strict=True)):
             if not math.isfinite(c) or SMALL * e < abs(c) <= SURE * e:
                 raise Undecided
@@ -108,6 +111,7 @@ class Germ:
     def __add__(self, other: Germ | float) -> Germ:
         if not isinstance(other, Germ):
             return self + Germ.constant(float(other))
+        # Bring both to a common step of exponents, then shift the one that begins later.
         a, b = self._aligned(other)
         if a.low > b.low:
             a, b = b, a
@@ -136,6 +140,7 @@ class Germ:
             return Germ(self.c * factor, (self.e + EPS * np.abs(self.c)) * abs(factor), self.low, self.step)
         a, b = self._aligned(other)
         size = min(a.c.size, b.c.size)
+        # Product of series by convolution; errors by the product rule, plus round-off.
         c = np.convolve(a.c, b.c)[:size]
         e = np.convolve(np.abs(a.c), b.e)[:size] + np.convolve(a.e, np.abs(b.c) + b.e)[:size]
         return Germ(c, e + EPS * np.convolve(np.abs(a.c), np.abs(b.c))[:size], a.low + b.low, a.step)
@@ -155,6 +160,7 @@ class Germ:
         d = self.stripped()
         size = d.c.size
         q, e = np.zeros(size), np.zeros(size)
+        # Coefficient k of d q = 1 gives q[k] from those before; its error follows the same recursion.
         for k in range(size):
             known = float(np.dot(d.c[1 : k + 1], q[:k][::-1])) if k else 0.0
             spread = float(np.dot(np.abs(d.c[1 : k + 1]), e[:k][::-1] + EPS * np.abs(q[:k][::-1]))) if k else 0.0
@@ -177,17 +183,21 @@ class Germ:
         base = self.leading()
         if base is None:
             raise Undecided
+        # Factor out the leading term: x = c0 s^low (1 + u).
         unit = self.stripped()
         exponent = Fraction(float(power)).limit_denominator(FINEST)
         if power != int(power) and unit.c[0] < 0:
             return Germ.constant(math.nan)
+        # Its power is exact: |c0|^p, with the sign that integer powers have.
         first = abs(unit.c[0]) ** float(power) * (1.0 if unit.c[0] > 0 or int(power) % 2 == 0 else -1.0)
+        # (1 + u)^p by the binomial series, as u begins with a positive power of s.
         u = Germ(unit.c / unit.c[0], (unit.e + EPS * np.abs(unit.c)) / abs(unit.c[0]), Fraction(0), unit.step)
         u.c[0], u.e[0] = 0.0, 0.0
         total, term = Germ.constant(1.0), Germ.constant(1.0)
         for k in range(1, unit.c.size):
             term = term * u * ((float(power) - k + 1) / k)
             total = total + term
+        # The relative error of c0 is multiplied by the power.
         error = float(unit.e[0] / abs(unit.c[0])) * abs(float(power))
         series = total * first
         series = Germ(series.c, series.e + error * np.abs(series.c), series.low, series.step)
@@ -237,6 +247,7 @@ def _common(*exponents: Fraction) -> Fraction:
 def _smooth(name: str, *args: Germ) -> Germ:
     """A function that is smooth at the arguments' values, by jets in s^step."""
     (germ,) = args
+    # Taylor coefficients of f at the value, by jets: coefficients times k! are derivatives.
     germ = germ.regular()
     at = float(germ.c[0])
     factorials = np.cumprod([1.0, *range(1, germ.c.size)])
@@ -245,6 +256,7 @@ def _smooth(name: str, *args: Germ) -> Germ:
     slope = getattr(Jet([at, 1.0]), name)().d[1]
     if not np.isfinite(c).all() or not math.isfinite(slope):
         raise Undecided
+    # Errors grow with the slope of the function.
     e = np.convolve(germ.e, np.abs(c) + abs(slope))[: c.size] + 4 * EPS * np.abs(c)
     return Germ(c, e, Fraction(0), germ.step)
 
@@ -275,6 +287,7 @@ def _tan(x: Germ) -> Germ:
 
 def _arcsin(x: Germ) -> Germ:
     x = x.regular()
+    # Near +-1 the arc sine has a vertical tangent, so the distance from there decides.
     off = 1.0 - abs(x)
     lead = off.leading()
     if lead is None:
@@ -297,6 +310,7 @@ def _arctan2(y: Germ, x: Germ) -> Germ:
     a, b = y.leading(), x.leading()
     if a is None and b is None:
         raise Undecided
+    # Divide by the larger component, so that the ratio has no pole.
     if a is not None and (b is None or a[0] < b[0]):  # along the y axis, towards s = 0
         turn, ratio, start = -1.0, x / y, math.copysign(math.pi / 2, a[1])
     else:

@@ -70,6 +70,7 @@ class Search:
         return self._limits[node]
 
     def _vanishing(self, node: Node) -> list[Limits]:
+        # Places at which the same break functions vanish share their series; take them together.
         groups: dict[tuple[object, ...], list[Hard]] = {}
         for hard in self.places.hard[node]:
             groups.setdefault(hard.features, []).append(hard)
@@ -88,6 +89,7 @@ class Search:
         inside = times[(times >= self.run.start) & (times <= self.run.stop)]
         if not inside.size:
             return []
+        # Only where the expression really has no value there.
         unknown = ~np.isfinite(np.asarray(self.run.jets(node, inside).d[0]))
         sides = Sides(self.run, node, ())
         return [Limits(float(t), sides.compared(float(t), -1), sides.compared(float(t), 1)) for t in inside[unknown]]
@@ -119,6 +121,7 @@ class Probe:
         """The expression with its rate; at few times by the program of all expressions, which is made already."""
         if t.size > FEW:
             return self.run.jets(self.node, t)
+        # The program of all signals exists already, which for few times is faster than making a new one.
         names = self.search.signals
         rows = dict(zip(names, zip(*self.run.rates(names, t), strict=True), strict=True)) if names else {}
         return self.run.combine(self.node, t, rows)
@@ -139,21 +142,26 @@ class Probe:
         """Among which the extremes are: turning points, cuts, ends of the window, limits towards places."""
         run, pieces = self.run, self.search.places.pieces
         centres = (pieces.before + pieces.after) / 2
+        # Candidates inside the intervals: turning points and cuts.
         inside = np.concatenate([self.stationary, centres])
         inside = inside[np.logical_or.reduce([(a < inside) & (inside < b) for a, b in self.intervals])]
         # Of a jump, a turning point or an end of the window only has a side, the inner one.
         for before, after in run.jumps:
             inside = inside[~((before < inside) & (inside < after))]
+        # Ends of the intervals, moved off jumps to the inner side.
         ends = [edge for a, b in self.intervals for edge in (inner(run, a, 1), inner(run, b, 0))]
         times = np.unique(np.concatenate([inside, ends]))
+        # Drop times near singular places: there the one-sided limits or germs stand for the values.
         times = self._away(times)
         sharp = 4 * float(np.finfo(float).eps) * max(abs(run.start), abs(run.stop))
         found = [Peak(value, time, "") for value, time in zip(self.values(times).tolist(), times.tolist(), strict=True)]
         found += self._beside(centres)
         for place in self.limits:
+            # Limits from both sides of each place, as far as that side lies in an interval.
             for name, side, sign in (("before", place.before, -1), ("after", place.after, 1)):
                 if any(place.time - a > sharp if sign < 0 else b - place.time > sharp for a, b in self._at(place.time)):
                     found.append(Peak(side.value, place.time, name))
+                # Where cancellation spoils values near a removable singularity, take the germ's values.
                 for a, b in self._at(place.time) if side.removable else ():
                     s, values = side.near(place.time - a if sign < 0 else b - place.time)
                     t = place.time + sign * s
@@ -169,6 +177,7 @@ class Probe:
             t, centre = sides[kept], centres[kept]
             if t.size:
                 jet = self.jets(t)
+                # Extrapolate along the rate to the cut: a difference to the value in its middle is a jump.
                 values = np.asarray(jet.d[0] + np.nan_to_num(jet.d[1]) * (centre - t))
                 there = self.values(centre)
                 jumps = ~(np.abs(values - there) <= SAME * np.abs(values))
@@ -207,6 +216,7 @@ class Probe:
     def finite(self) -> bool:
         """Whether the expression has a value all over the intervals, but for places where it is unbounded."""
         pieces = self.search.places.pieces
+        # Check on the grid and a few times of each interval, off the cuts and off unbounded places.
         t = pieces.grid(self.run.grid)
         t = t[~np.isin(t, np.concatenate([pieces.before, pieces.after]))]
         for a, b in self.intervals:
@@ -234,6 +244,7 @@ class Probe:
 
     def mean(self, power: int = 1, rule: int = 0) -> Mean:
         """The mean of a power over the intervals, by one of two rules on nodes of its own."""
+        # Close to singular places the integral comes from the series, elsewhere from quadrature on panels.
         with np.errstate(invalid="ignore"):  # poles of both signs have no mean
             beside = sum(edge.integral(power) for stretch in self.stretches for edge in stretch)
         return mean(self.values, self._panels(), beside, self.length(), power, self.run.grid // 4, rule)
@@ -241,6 +252,7 @@ class Probe:
     def _panels(self) -> Callable[[int], list[Array]]:
         """The edges of panels on each stretch between places with one-sided limits, by the number of panels a run."""
         run, pieces = self.run, self.search.places.pieces
+        # Panels also end at turning points, breaks and cuts, where the integrand is less smooth.
         turning = np.concatenate([self.stationary, run.breaks, (pieces.before + pieces.after) / 2, pieces.more])
 
         def edges(panels: int) -> list[Array]:
@@ -259,6 +271,8 @@ class Probe:
         """The intervals cut at places with one-sided limits, the ends with what lies between them and the panels."""
         found = []
         for a, b in self.intervals:
+            # Cut each interval at its places with one-sided limits; a place at an end of the interval counts for that
+            # end.
             inner_places = [p for p in self.limits if a - self.near <= p.time <= b + self.near]
             marks: list[tuple[float, Side | None, Side | None]] = [(a, None, None)]
             for p in inner_places:

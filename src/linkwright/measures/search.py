@@ -1,8 +1,8 @@
 """Turning points and zeros of functions of time between places at which they need not be continuous.
 
-Exact rates are looked at on a grid; a change of their sign between two points of one piece brackets a turning point.
-The grid is doubled until the brackets' counts, or the extremes, have stood still. What is looked at besides equal
-steps (refinement beside near-singular poses, both sides of places) belongs to it at every level.
+Exact rates are evaluated on a grid; a change of their sign between two points of one piece brackets a turning point.
+The grid is doubled until the number of brackets, or the extremes, stay the same. Further times (near singular poses, on
+both sides of places) belong to the grid at every level.
 """
 
 from __future__ import annotations
@@ -52,9 +52,12 @@ class Pieces:
 
     def grid(self, steps: int) -> Array:
         """Equal steps, the further times, the sides, and a few times inside each piece, however short it is."""
+        # A few interior times for each piece between two cuts, so that short pieces are not missed by the equal
+        # steps.
         lows, highs = np.append(self.start, self.after), np.append(self.before, self.stop)
         inner = lows[:, None] + np.maximum(highs - lows, 0.0)[:, None] * INSIDE
         t = np.union1d(np.linspace(self.start, self.stop, steps + 1), np.concatenate([self.more, inner.ravel()]))
+        # Remove times inside the gap of a cut, between its last time before and its first time after.
         i = np.searchsorted(self.after, t)
         last = np.minimum(i, self.after.size - 1)
         if self.after.size:
@@ -86,18 +89,23 @@ def turning(rates: Rates, pieces: Pieces, steps: int, still: Array | float = 0.0
     counts: list[list[int]] = []
     levels: list[list[Array]] = []
     while True:
+        # Look on this grid for sign changes of the rate; keep the brackets of the last two grids.
         t = pieces.grid(steps)
         levels = [*levels[-1:], _turns(t, *rates(t), pieces.number(t), still)]
         counts.append([len(found) for found in levels[-1]])
+        # A row has settled when its number of brackets stayed the same on three grids.
         standing = [len(counts) > 2 and len({c[row] for c in counts[-3:]}) == 1 for row in range(len(counts[0]))]
         if all(standing) or steps >= most:
             break
         steps *= 2
+    # Rows that never settle, such as oscillations near a singular pose, keep their highest and lowest brackets only.
     levels = [
         [b if s else _outermost(rates, row, b) for row, (b, s) in enumerate(zip(level, standing, strict=True))]
         for level in levels
     ]
+    # Locate the turning points by root finding on the exact rates.
     times = roots(lambda at: rates(at)[1], levels[-1])
+    # A row with unstable counts is accepted after all if the extremes of the last two grids agree.
     if not all(standing):
         before = roots(lambda at: rates(at)[1], levels[0])
         standing = [s or _same(rates, row, before[row], times[row]) for row, s in enumerate(standing)]
@@ -109,6 +117,7 @@ def zeros(rates: Rates, pieces: Pieces, turned: Turning, steps: int) -> list[Arr
     most."""
     found = []
     grid = pieces.grid(_first(steps)[0])
+    # Between two neighbouring turning points a row is monotone, so it has at most one zero there.
     t = np.union1d(grid, np.concatenate([*turned.times, grid[:0]]))
     values, number = rates(t)[0], pieces.number(t)
     exact = []
@@ -117,6 +126,7 @@ def zeros(rates: Rates, pieces: Pieces, turned: Turning, steps: int) -> list[Arr
         at, sign, piece = t[known], np.sign(row[known]), number[known]
         change = np.flatnonzero((sign[:-1] != sign[1:]) & (piece[:-1] == piece[1:]))
         found.append(np.stack([at[change], at[change + 1]], axis=1))
+        # Values that are exactly zero are zeros themselves, unless the row is zero nearly everywhere.
         exact.append(t[row == 0] if np.count_nonzero(row == 0) <= row.size // 2 else t[:0])
     crossed = roots(lambda at: rates(at)[0], found)
     return [np.union1d(r, e) if e.size else r for r, e in zip(crossed, exact, strict=True)]
@@ -135,12 +145,15 @@ def _turns(t: Array, values: Array, slopes: Array, number: Rows, still: Array | 
     for value, slope, floor in zip(values, slopes, floors, strict=True):
         known = np.isfinite(value) & np.isfinite(slope)
         at, size, rate, piece = t[known], np.abs(value[known]), slope[known], number[known]
+        # Skip rows that only vary by round-off.
         if not at.size or not np.abs(rate).max() * (t[-1] - t[0]) > STILL * max(size.max(), floor):
             found.append(np.empty((0, 2)))
             continue
+        # A rate has a reliable sign only if it changes the value by more than round-off over the local step.
         usual = max(float(np.quantile(size, USUAL)), floor)
         clear = np.abs(rate) * width[known] > GAIN * np.maximum(size, usual)
         at, sign, piece = at[clear], np.sign(rate[clear]), piece[clear]
+        # A sign change counts only between neighbours in the same piece, not across a cut.
         change = np.flatnonzero((sign[:-1] != sign[1:]) & (piece[:-1] == piece[1:]))
         found.append(np.stack([at[change], at[change + 1]], axis=1))
     return found

@@ -1,9 +1,10 @@
 """One-sided limits of expressions at places where they need not be continuous.
 
-Signals (or, of those that are quotients, their numerators) are smooth beside the place: a polynomial through exact
-values and rates at a few times on one side gives each its germ with errors, and the expression's arithmetic goes on
-with germs. The orders of what vanishes then say what the expression does there. Where germs don't decide, such as for
-logarithms, values at distances that are halved again and again do, or nothing does.
+On one side of such a place the signals themselves are smooth (of a quotient, its numerator and its denominator). A
+polynomial fitted to exact values and rates at a few times there gives each signal a germ: a series with error bounds
+(:mod:`linkwright.measures.germs`). The expression is then evaluated with germs instead of numbers, and the leading
+exponent of the result tells limit, pole or jump. Where germs can't decide, such as for logarithms, values at distances
+that are halved again and again are compared; if these don't decide either, the limit counts as unknown.
 """
 
 from __future__ import annotations
@@ -82,6 +83,7 @@ class Side:
             return math.inf if power % 2 == 0 else self.value
         if self.germ is None:
             return self.value**power * width if math.isfinite(self.value) else math.nan
+        # Integrate the series term by term.
         germ = self.germ**power if power > 1 else self.germ
         exponents = [float(germ.low + k * germ.step) + 1.0 for k in range(germ.c.size)]
         return math.fsum(c * width**e / e for c, e in zip(germ.c.tolist(), exponents, strict=True) if e > 0)
@@ -92,6 +94,8 @@ UNKNOWN = Side(math.nan)
 
 def _stencil() -> tuple[Array, Array, Array]:
     """Places in 0..1, the matrix from values and rates there to coefficients, and that from these back."""
+    # Chebyshev nodes in 0 .. 1, and the matrix of powers and their slopes there; its pseudoinverse fits a polynomial
+    # to values and rates.
     x = (1 - np.cos(np.pi * (np.arange(NODES) + 0.5) / NODES)) / 2
     powers = np.arange(TERMS)
     back = np.concatenate([x[:, None] ** powers, powers * x[:, None] ** np.maximum(powers - 1, 0)])
@@ -136,6 +140,8 @@ class Sides:
     def _one(self, time: float, side: int, atoms: dict[Node, Germ], reach: float) -> tuple[Side, bool]:
         try:
             with np.errstate(all="ignore"):
+                # First: does any break function vanish here on this side? If none does, the expression is smooth and
+                # needs no limit.
                 vanishing = [self._germ(f.node, time, side, atoms).leading() for f in self.features]
             touched = any(lead is None or lead[0] > 0 for lead in vanishing)
         except (Undecided, ZeroDivisionError):
@@ -144,19 +150,23 @@ class Sides:
             return UNKNOWN, False
         try:
             with np.errstate(all="ignore"):
+                # Second: the germ of the expression itself. Its leading exponent gives limit or pole.
                 germ = self._germ(self.node, time, side, atoms)
             value, exponent = germ.limit()
             if not math.isnan(value):
+                # Third: the distance up to which the germ agrees with evaluated values.
                 germ = germ.stripped() if germ.leading() is not None else Germ.constant(0.0)
                 radius = self._valid(germ, time, side, VALID * reach)
                 return Side(value, min(exponent, Fraction(0)), germ if radius else None, radius), True
         except (Undecided, ZeroDivisionError, OverflowError):
             pass
+        # The germs decide nothing: compare values at smaller and smaller distances.
         return self.compared(time, side), True
 
     def _valid(self, germ: Germ, time: float, side: int, reach: float) -> float:
         """How far (s) a germ stands for the expression: the distance at which its values agree, or agree best; 0 where
         they never do."""
+        # Compare from far to near; the largest distance at which they agree counts.
         s = np.asarray(reach * 0.25 ** np.arange(TRIES), dtype=np.float64)
         s = s[s > CLOSEST * (self.run.stop - self.run.start)]
         t: Array = time + side * s
@@ -208,21 +218,26 @@ class Sides:
         for attempt in range(NEARER):
             if not left.size:
                 break
+            # Sample each atom at Chebyshev nodes on this side of the time, values and rates.
             t = times[left, None] + side * reach[left, None] * X
             values, slopes = self._smooth(atoms, t.ravel())
+            # Rates count per stretch, so that they have the unit of the values.
             data = np.concatenate(
                 [values.reshape(len(atoms), *t.shape), side * reach[left, None] * slopes.reshape(len(atoms), *t.shape)],
                 axis=2,
             )
+            # Fit, and measure what the polynomial misses at the nodes.
             c = data @ FIT.T
             miss = np.abs(c @ BACK.T - data).max(axis=2)
             size = np.abs(data[:, :, :NODES]).max(axis=2) + 1e-300
             good = (miss <= FITS * size).all(axis=0) | (attempt == NEARER - 1)
+            # Errors of the coefficients: round-off of the data, the misfit, and the uncertainty of the time itself.
             noise = 4 * EPS * np.abs(data) + 2 * miss[:, :, None]
             off = np.array([self._sharp(time) for time in times[left].tolist()]) / reach[left]
             noise += off[None, :, None] * np.abs(c[:, :, 1:2])
             e = noise @ np.abs(FIT).T
             scale = reach[left, None] ** -np.arange(TERMS)
+            # Accept good fits as germs in s; the others are repeated on a fifth of the stretch.
             for k in np.flatnonzero(good):
                 germs = (Germ(c[i, k] * scale[k], e[i, k] * scale[k]) for i in range(len(atoms)))
                 found[left[k]] = dict(zip(atoms, germs, strict=True))
@@ -261,6 +276,7 @@ class Sides:
     def compared(self, time: float, side: int) -> Side:
         """The limit from values at distances that are halved, as near as there are values."""
         run = self.run
+        # Values at distances that are halved; the differences of the last eight tell how they behave.
         away = self._room(np.array([time]), side)[0] * 0.5 ** np.arange(LOOKS)
         away = away[away > 1e-12 * (run.stop - run.start)]
         with np.errstate(all="ignore"):

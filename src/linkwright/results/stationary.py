@@ -50,7 +50,9 @@ def fineness(rates: Callable[[Array], tuple[Array, Array]], start: float, stop: 
     found: dict[int, int] = {}
     while True:
         t = np.linspace(start, stop, steps + 1)
+        # Count the brackets of each row on this grid.
         counts.append([len(_brackets(t, v, s)) for v, s in zip(*rates(t), strict=True)])
+        # A row is resolved once three grids in a row, each twice as fine, gave the same count.
         for row, last in enumerate(zip(*counts[-3:], strict=True)):
             if row not in found and len(last) == 3 and len(set(last)) == 1:
                 found[row] = steps
@@ -81,8 +83,10 @@ def _settled(
     steps = min(max(steps, FIRST_STEPS), LATEST_FIRST)
     while True:
         t = np.linspace(start, stop, steps + 1)
+        # Look at the grid and count the sign changes of each row.
         brackets = look(t)
         counts.append([len(b) for b in brackets])
+        # Three equal counts on grids that were doubled each time: no sign change has been missed so far.
         same = [len(last) == 3 and len(set(last)) == 1 for last in zip(*counts[-3:], strict=True)]
         for row, found in enumerate(brackets):
             if alone and same[row]:
@@ -93,6 +97,7 @@ def _settled(
 
 
 def _brackets(t: Array, values: Array, slopes: Array, scale: float = 0.0) -> Array:
+    # A row that could change by no more than round-off over the whole span has no turning points.
     size, swing = max(_largest(values), scale), _largest(slopes) * (t[-1] - t[0])
     if not swing > 1e-11 * size:
         return np.empty((0, 2))
@@ -106,6 +111,7 @@ def _largest(values: Array) -> float:
 
 def _sign_changes(t: Array, f: Array) -> Array:
     """Pairs of neighbouring times at which f clearly has opposite signs: (brackets, 2)."""
+    # Rates within round-off of zero have no reliable sign and are passed over.
     clear = ~np.isnan(f) & (np.abs(f) > NOISE * _largest(f))
     at, sign = t[clear], np.sign(f[clear])
     turn = np.flatnonzero(sign[:-1] != sign[1:])
@@ -143,6 +149,7 @@ def bracketed(
     def finite(t: Array, row: Rows) -> Array:
         return np.asarray(np.nan_to_num(f(t, row), posinf=HUGE, neginf=-HUGE))
 
+    # a and b always enclose the root; c is the third point that inverse quadratic interpolation needs.
     a, b, c = low, high, high
     fa, fb = finite(a, rows), finite(b, rows)
     fc = fb
@@ -155,20 +162,27 @@ def bracketed(
     for _ in range(MOST_LOOKS):
         if not going.any():
             break
+        # Once less than half of the brackets are open, continue with those alone.
         if 2 * np.count_nonzero(going) < going.size:  # rarely, as kernels like calls of the same size
             some = going
             open_, rows, going = open_[some], rows[some], going[some]
             a, b, c, fa, fb, fc, share, tolerance = (v[some] for v in (a, b, c, fa, fb, fc, share, tolerance))
+        # Evaluate at the chosen share of the bracket.
         x = a + share * (b - a)
         fx = finite(x, rows)
+        # Keep the pair of points with opposite signs as the new bracket; the discarded one becomes c.
         same = np.sign(fx) == np.sign(fa)
         c, fc = np.where(same, a, b), np.where(same, fa, fb)
         b, fb = np.where(same, b, a), np.where(same, fb, fa)
         a, fa = x, fx
+        # The better end is the current estimate. A bracket is closed when it is narrower than its tolerance or a root
+        # is hit.
         found[open_[going]] = np.where(np.abs(fa) <= np.abs(fb), a, b)[going]
         width = np.abs(b - a)
         going = going & (width > tolerance) & (fa != 0)
         with np.errstate(all="ignore"):
+            # Chandrupatla's criterion: interpolate only if the inverse parabola through the three points is monotone
+            # in the bracket, else bisect.
             xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
             safe = (phi**2 < xi) & ((1 - phi) ** 2 < 1 - xi)
             inverse = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)

@@ -1,4 +1,4 @@
-r"""The cheapest tolerances with which outputs keep within what is wanted of them.
+r"""Tolerance allocation: the cheapest tolerances with which all outputs meet their targets.
 
 Costs are convex in the half-widths :math:`d`. Of the two kinds of rows of a problem (``allocation_problem.py``) the
 first is a convex quadratic (a correlation matrix has no negative eigenvalue), the second is linear: the problem is
@@ -37,15 +37,19 @@ SETTINGS: dict[str, Any] = {
 
 def allocate(problem: Problem) -> Allocation:
     """The cheapest half-widths; where an item has choices, the cheapest of these as well."""
+    # If even the loosest tolerances meet all targets there is nothing to solve; if the tightest do not, they cannot
+    # be met.
     low, high = problem.ends
     halves, multipliers, reached = high, np.zeros(problem.owner.size), True
     loose = problem.kept(high)
     if not loose:
         halves = low if problem.kept(low) else _closest(problem)
         reached = problem.kept(halves)
+    # In between: the convex optimum.
     if not loose and reached:
         halves, multipliers = _optimum(problem)
     cost = problem.hull(halves)
+    # Round to grades, if every item has a list of choices.
     choice = rounded(problem, halves, multipliers, cost) if reached and _wanted(problem) else None
     return _outcome(problem, halves, multipliers, cost, choice, reached, loose)
 
@@ -58,12 +62,15 @@ def optimality(problem: Problem, halves: Array, multipliers: Array) -> Optimalit
     """The conditions of Karush, Kuhn and Tucker, taken from the laws and the rows alone."""
     cost, uses = problem.hull(halves), problem.uses(halves)
     low, high = problem.ends
+    # Stationarity: at the optimum each marginal cost equals the weighted sum of the rows' slopes; at a kink or at an
+    # end of its range it may lie between the one-sided slopes.
     needed, off = -multipliers @ problem.slopes(halves), 0.0
     for i, (law, half) in enumerate(zip(problem.laws, halves, strict=True)):
         below, above = law.slopes(half)
         below = -np.inf if half <= low[i] * (1 + NEAR) else below
         above = np.inf if half >= high[i] * (1 - NEAR) else above
         off = max(off, (below - needed[i]) * half, (needed[i] - above) * half)
+    # Complementarity: a row with a multiplier must be fully used.
     slack = float(np.abs(multipliers * (1 - uses)).max())
     return Optimality(
         float(off / cost if cost else off), max(0.0, float(uses.max()) - 1), slack / cost if cost else slack
@@ -77,6 +84,7 @@ def _optimum(problem: Problem) -> tuple[Array, Array]:
     rows: list[int] = []
     while True:
         uses = problem.uses(halves)
+        # Active set: add the most exceeded row of each target and solve again, until no row is exceeded.
         worst = [int(np.flatnonzero(problem.owner == k)[uses[problem.owner == k].argmax()]) for k in _demands(problem)]
         new = [row for row in worst if uses[row] > 1 + SLACK and row not in rows]
         if not new:
@@ -121,6 +129,8 @@ def _solved(problem: Problem, rows: Sequence[int]) -> tuple[Array, Array]:
     low, high = problem.ends
     u, every, middle = _symbols(problem)
     scale = problem.hull(middle) or 1.0
+    # Smooth laws enter the cost as formulas. A stepped law enters as its convex hull: a new variable above all
+    # straight pieces (epigraph form).
     total, levels, pieces = ca.SX(0), [], []
     for half, law in zip(ca.vertsplit(every[problem.free]), problem.laws, strict=True):
         if isinstance(law, Stepped):  # a level above all pieces of the hull
@@ -132,6 +142,7 @@ def _solved(problem: Problem, rows: Sequence[int]) -> tuple[Array, Array]:
         else:
             total += law.formula(half) / scale  # type: ignore[attr-defined]
     uses = _uses(problem, every, rows)
+    # Solve with IPOPT in the logarithms of the half-widths; costs are scaled to about one.
     found = _minimum(
         ca.vertcat(u, *levels),
         total,
@@ -139,6 +150,7 @@ def _solved(problem: Problem, rows: Sequence[int]) -> tuple[Array, Array]:
         [*([1.0] * len(uses)), *([0.0] * len(pieces))],
         (np.log(low / middle), np.log(high / middle)),
     )
+    # Undo the logarithm; tiny multipliers are what an interior point method leaves, and count as zero.
     halves = np.clip(middle * np.exp(np.array(found["x"]).ravel()[: low.size]), low, high)
     multipliers = np.array(found["lam_g"]).ravel()[: len(uses)]
     return halves, np.where(multipliers < NONE, 0.0, multipliers) * scale
@@ -150,12 +162,14 @@ def _closest(problem: Problem) -> Array:
     import casadi as ca
 
     low, high = problem.ends
+    # Without negative correlations smaller tolerances always help, so the least ones are closest.
     part = problem.weights[problem.squared][:, :, None] * problem.weights[problem.squared][:, None, :]
     if not (part * problem.correlation < 0).any():
         return low
     u, every, middle = _symbols(problem)
     most = ca.SX.sym("most")
     uses = _uses(problem, every, range(problem.owner.size))
+    # Otherwise minimise the largest use of all rows.
     found = _minimum(
         ca.vertcat(u, most),
         most,

@@ -91,8 +91,10 @@ class _Weighted:
     def raw(self, z: Array) -> tuple[Array, Array]:
         """Fitted less measured values (m,) and their Jacobian by z (m, n)."""
         if self._last is None or not np.array_equal(self._last[0], z):
+            # Evaluate the model only once per place; residuals and Jacobian are asked for separately.
             values, slopes = self.model(self.start + self.basis @ z)
             off = (values - self.data.values)[self.known]
+            # Angles differ by less than half a turn.
             turns = self.data.turns[self.owner]
             off[turns] = (off[turns] + np.pi) % (2 * np.pi) - np.pi
             self._last = z.copy(), off, np.moveaxis(slopes, 1, 2)[self.known] @ self.basis
@@ -120,6 +122,7 @@ def fit(
     threshold: float = 1e-6,
 ) -> Fit:
     """Estimate the deviations d = start + basis z. Raises :class:`TooFew`, :class:`Unusable`."""
+    # The nominal mechanism has to work, or there is nothing to start from.
     work = _Weighted(model, data, start, basis, prior)
     if not all(np.isfinite(part).all() for part in work.raw(np.zeros(start.size))):
         raise Unusable
@@ -130,6 +133,8 @@ def fit(
             [float(np.sqrt((j[work.owner == o] ** 2).sum(axis=1).mean() or 1.0)) for o in range(open_.size)]
         )
         work.sigma = np.where(open_, size, work.sigma)
+    # Alternate: estimate the deviations with fixed weights, then the unknown standard deviations from the residuals,
+    # until these settle.
     z = np.zeros(start.size)
     for turn in range(MOST_ROUNDS):
         z, step = _estimate(work, _near(work, z) if turn == 0 else z, threshold)
@@ -154,10 +159,12 @@ def _estimate(work: _Weighted, z: Array, threshold: float) -> tuple[Array, float
     in the null space."""
     left = np.inf
     for _ in range(MOST_STEPS):
+        # Gauss-Newton step in the space of identifiable directions only (truncated SVD): the estimate of least norm.
         u, s, v, rank = _parts(work.jacobian(z), threshold)
         told = v[:, :rank]
         new = told @ (told.T @ z - (u[:, :rank].T @ work.residuals(z)) / s[:rank])
         step = float(np.abs(new - z).max())
+        # Stop when steps no longer shrink: round-off is reached.
         if step >= left or not np.isfinite(work.residuals(new)).all():
             break
         z, left = new, step
@@ -181,6 +188,7 @@ def _leverages(j: Array, threshold: float) -> Array:
 
 def _sigmas(work: _Weighted, z: Array, open_: NDArray[np.bool_], threshold: float) -> Array:
     """Standard deviations of the outputs whose own aren't known: residuals over the freedom that is left to each."""
+    # Each output's share of the degrees of freedom follows from the leverages of its own residuals.
     off, sigma = work.raw(z)[0], work.sigma.copy()
     share = _leverages(work.jacobian(z), threshold)[: off.size]
     for o in np.flatnonzero(open_):
@@ -197,13 +205,16 @@ def _figures(work: _Weighted, z: Array, step: float, estimated: bool, confidence
     from scipy.special import chdtrc, stdtrit
 
     j, r, basis, count = work.jacobian(z), work.residuals(z), work.basis, work.owner.size
+    # Rank of the measurements alone: its null space holds the directions that cannot be identified.
     _, s, v, rank = _parts(j[:count], threshold)
     null = basis @ v[:, rank:]
     size = np.linalg.norm(basis, axis=1)
     part = np.linalg.norm(null, axis=1) / np.where(size > 0, size, 1.0)
     unclear = part > INVOLVED
     _, whole, w, full = _parts(j, threshold)  # with the prior, everything is told
+    # Covariance from the pseudoinverse, with the prior where there is one.
     root = basis @ (w[:, :full] / whole[:full])
+    # Chi square test where standard deviations are known; Student's t for the intervals where they are estimated.
     freedom = r.size - full
     chi_square = float(r @ r)
     tail = (1 + confidence) / 2
@@ -211,6 +222,7 @@ def _figures(work: _Weighted, z: Array, step: float, estimated: bool, confidence
     probability = float(chdtrc(freedom, chi_square)) if not estimated and freedom > 0 else None
     studentised, outliers = _studentised(r[:count], _leverages(j, threshold)[:count], freedom, chi_square, estimated)
 
+    # Residuals at round-off are no outliers, however large relative to a tiny sigma.
     size_of = np.abs(np.where(work.known, work.data.values, 0.0)).max(axis=1, initial=0.0)
     outliers &= (work.sigma > EXACT * size_of)[work.owner]
 
@@ -243,6 +255,7 @@ def _studentised(
     """Residuals over their own standard deviation; where that is estimated, from all the others."""
     from scipy.special import ndtri, stdtrit
 
+    # A residual with leverage 1 is zero whatever is measured and tells nothing.
     left = np.maximum(1 - share, LEVERAGE)
     plain = np.where(1 - share > LEVERAGE, r / np.sqrt(left), 0.0)
     tail = 1 - CHANCE / (2 * max(r.size, 1))
@@ -250,6 +263,7 @@ def _studentised(
         return -plain, np.abs(plain) > ndtri(tail)
     if freedom < 2:
         return np.zeros_like(r), np.zeros(r.shape, dtype=bool)
+    # Externally studentised: the variance is estimated without the residual itself.
     others = np.maximum(chi_square - plain**2, 1e-12 * chi_square) / (freedom - 1)
     outer = plain / np.sqrt(np.where(others > 0, others, 1.0))
     return -outer, np.abs(outer) > stdtrit(freedom - 1, tail)
@@ -262,6 +276,8 @@ def _plain(null: Array, size: Array) -> Array:
     if not null.shape[1]:
         return null
     scaled = null / np.where(size > 0, size, 1.0)[:, None]
+    # Pivoted QR picks as many independent deviations as there are directions; solving for them gives each direction
+    # one of its own.
     _, _, order = qr(scaled.T, pivoting=True)
     made = scaled @ np.linalg.inv(scaled[order[: null.shape[1]]])
     made = np.where(np.abs(made) > INVOLVED * np.abs(made).max(axis=0), made, 0.0)

@@ -1,9 +1,9 @@
-"""The worst case by evaluating the mechanism itself, where the linear one isn't to be trusted.
+"""The nonlinear worst case, by evaluating the mechanism itself where the linear worst case can't be trusted.
 
-First the two vertices of the tolerance box that the linear coefficients name, and their neighbours by one coordinate.
-Where the figure at the two is off the linear worst case, or a neighbour beyond it, by more than a stated share of its
-width: all vertices, or where these are too many, from several of them the best flip of one or two coordinates until
-none helps; then steps inside the box from the best places, since the worst need not be at a vertex.
+First the two vertices of the tolerance box at which the linear worst case lies are evaluated, and all their neighbours
+that differ in one coordinate. If the results differ from the linear worst case by more than a stated share of its
+width, the search goes on: over all vertices, or if these are too many, from several of them by the best flip of one or
+two coordinates until none helps; finally by steps inside the box, since the worst case need not be at a vertex.
 """
 
 from __future__ import annotations
@@ -81,25 +81,32 @@ class _Search:
 
     def found(self, share: float) -> dict[str, Searched]:
         """The worst case of each figure."""
+        # Step 1: the two vertices of each figure that the linear coefficients name, and all neighbours that differ in
+        # one coordinate, in one batch.
         corners = {name: self.corners(figure) for name, figure in self.figures.items()}
         every = np.concatenate([*corners.values()], axis=1)
         flips = np.eye(len(every), dtype=bool)[:, self.free]
         beside = np.where(flips[:, None], 1 - every[:, :, None], every[:, :, None]).reshape(len(every), -1)
         box = self.box
         first = box.look(np.concatenate([every, beside], axis=1))
+        # Step 2: how wrong the linear worst case is for each figure.
         off = {}
         for k, name in enumerate(self.figures):
             off[name] = self.off(name, first[name][2 * k : 2 * k + 2])
+        # Step 3: search further only for figures where it is off by more than the stated share.
         wanted = [extreme for name, both in box.extremes.items() if off[name] > share for extreme in both]
         if wanted and self.free.size:
+            # Samples inside the box give starts, as an extreme need not be at a vertex.
             inside = self.inside()
             starts = [*box.best(wanted, inside, box.look(inside), STARTS - 1)]
+            # With few contributors all vertices are evaluated; else random ones, improved by flipping coordinates.
             if self.free.size <= ALL_OF:
                 vertices = self.vertices(2**self.free.size)
                 starts += box.best(wanted, vertices, box.look(vertices), 1)
             else:
                 some = np.concatenate([self.vertices(INSIDE), *corners.values()], axis=1)
                 starts += box.flipped([*box.best(wanted, some, box.look(some), VERTICES)])
+            # Step 4: continuous local search from the best places.
             box.climb(starts)
         return {name: self.searched(name, off[name]) for name in self.figures}
 
@@ -124,6 +131,7 @@ class _Search:
     def corners(self, figure: Figure) -> Array:
         """Where the linear figure is least and largest; in a tie that may be the nominal place of a coordinate."""
         n = self.nominal.size
+        # For each contributor choose lower limit, nominal or upper limit, whichever moves the figure most.
         places = np.stack([np.zeros(n), self.nominal, np.ones(n)])
         ends = self.box.low + self.box.width * places
         moved = np.where(ends < 0, figure.coefficients[:, 0], figure.coefficients[:, 1]) * ends
@@ -134,6 +142,7 @@ class _Search:
         """How far the linear worst case is off where it should be, or passed elsewhere, over its width."""
         figure, (low, high) = self.figures[name], self.box.extremes[name]
         width, nothing = figure.worst[1] - figure.worst[0], ROUND * abs(figure.nominal)
+        # Two errors: at the vertices themselves, and any other place found beyond the linear worst case.
         there = np.abs(found - figure.nominal - np.array(figure.worst))  # NaN where it can't be assembled
         apart = float(np.max([*there, figure.worst[0] + low.value, high.value - figure.worst[1]]))
         if apart <= nothing:

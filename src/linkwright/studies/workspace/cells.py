@@ -1,8 +1,12 @@
-"""The plane of the working point in square cells, each decided by enclosures: reached, not reached, or open.
+"""The workspace by subdivision: square cells of the plane, each proven to be reached or not, or left open.
 
-A cell is reached when one pose has all its functions positive all over it; it isn't when each pose has a negative one.
-Others are cut into four, down to a size; then on where the edge of the region doesn't run through as one line. What the
-open cells hold is bounded by their functions' linear parts and what these leave (the mean value form: Moore, Kearfott,
+At a place of the working point each pose of the mechanism has functions that must all be positive: the radicands of its
+dyads and the distances of its drives from the ends of their ranges. Enclosures bound these functions over a whole cell.
+A cell is *reached* if one pose has all of them positive all over it, and *not reached* if every pose has a negative
+one. Other cells are cut into four, down to a size, and further only where the edge of the region doesn't pass as one
+line.
+
+The reached share of open cells is bounded by linear functions with a remainder (mean value form: Moore, Kearfott,
 Cloud, Introduction to Interval Analysis, 2009, ch. 6). So the area is enclosed, whatever curves are drawn.
 """
 
@@ -124,10 +128,12 @@ class Straight:
         line = np.repeat(np.arange(cell.size), count)
         pair = order[numbered(count) + np.repeat(first, count)]
         value, rest, slope = self.value[:, pair], self.rest[:, pair], self.slope[:, :, pair]
+        # Evaluate the linear bounds of every pose at both ends of its line.
         ends = [value + (slope * at[:, None, line]).sum(axis=0) for at in (start, stop)]
         # The forms are straight: what holds at both ends holds between.
         above = (np.minimum(*ends) > rest).all(axis=0)
         below = (np.maximum(*ends) < -rest).any(axis=0)
+        # A line is reached if one pose reaches it; it is not if no pose does; else undecided.
         found = np.full(cell.size, -1, dtype=np.int8)
         np.maximum.at(found, line, np.where(above, 1, np.where(below, -1, 0)).astype(np.int8))
         return found
@@ -168,6 +174,7 @@ def decided(places: Places, corner: Array, side: float, extent: float, deep: int
 
 def cut_on(places: Places, found: Decided, which: Mask) -> Decided:
     """The same with some of the open cells cut on; the edge is traced in the same cells."""
+    # Keep the cells that are not chosen, with renumbered bounds; subdivide the others level by level.
     rest = found.open.some(~which)
     kept = ~which[found.forms.of]
     number = np.cumsum(~which) - 1
@@ -193,30 +200,41 @@ def _cut(places: Places, cells: Cells, fine: int, deep: int, little: float) -> D
     """Cells of one level, cut into four until they are decided; from level ``fine`` on only where the edge isn't one
     line, down to level ``deep`` or until no more than a share ``little`` of the area is open."""
     count, empty = len(places.branches), cells.some(slice(0, 0))
+    # Start with every combination of cell and branch (sign pattern of the dyads' roots).
     of, branch = np.repeat(np.arange(cells.level.size), count), np.tile(np.arange(count), cells.level.size)
     reached, never, edge, made = [empty], [empty], [empty], [_nothing(empty, len(places.rows))]
     most_cells = MOST if places.poses_each == 1 else MOST // HEAVY
     traced, area, undecided = np.zeros(cells.level.size, dtype=bool), 0.0, 0.0
     while cells.level.size:
         level, size = int(cells.level[0]), float(cells.size[0])
+        # Bound the closure and range functions over each cell by linear forms with a rigorous remainder.
         linear, pair = places.forms(cells.middle[:, of], np.full(of.size, size / 2), branch)
         of, branch = of[pair], branch[pair]
         forms = _Forms(linear, of, cells.level.size)
+        # Decided: all functions of one pose positive means reached; one function of every pose negative means
+        # unreachable.
         reached.append(cells.some(forms.reached))
         never.append(cells.some(~forms.alive))
         area += size**2 * int(forms.reached.sum())
+        # Undecided cells continue, with the poses that may still reach them.
         going = forms.alive & ~forms.reached
         kept = going[of] & ~forms.dead
         if level >= fine:
+            # Near the edge: bound the share of the cell that is reached, so that cells crossed by a single straight
+            # edge need not be subdivided to the end.
             least, most = forms.shares(kept)
             none = going & (most <= 0)
             never.append(cells.some(none))
             going &= ~none
             kept &= going[of]
+            # A cell is good enough if its edge is one line and its area is known sharply.
             plain = forms.plain(kept)
             rest = going & ~(plain & (most - least < SHARP))
             more, left = int(rest.sum()), undecided + float((most - least)[going].sum()) * size**2
+            # Stop at the deepest level, if there would be too many cells, or if little area is left open.
             last = level >= deep or 4 * more > most_cells or (more > FEW and left < little * area)
+            # Cells that stay open keep their bounds; the tracing of the edge uses the largest cells that hold one
+            # line.
             stays = going if last else going & ~rest
             drawn = going & ~traced & (plain | stays)
             edge.append(cells.some(drawn))
@@ -226,6 +244,7 @@ def _cut(places: Places, cells: Cells, fine: int, deep: int, little: float) -> D
             undecided += float((most - least)[stays].sum()) * size**2
             going &= ~stays
             kept &= going[of]
+        # Subdivide: renumber the surviving combinations, cut each cell into four and give each quarter its poses.
         of, branch = np.divmod(np.unique((np.cumsum(going) - 1)[of[kept]] * count + branch[kept]), count)
         cells, traced = cells.some(going).quarters(), np.repeat(traced[going], 4)
         of, branch = (4 * of[:, None] + np.arange(4)).ravel(), np.repeat(branch, 4)
@@ -249,6 +268,7 @@ class _Forms:
 
     def __init__(self, forms: Form, of: Rows, count: int) -> None:
         self.of, self.count = of, count
+        # Functions without finite bounds are treated as unknown: value 0, remainder infinite.
         low, high = forms.ends
         self.known = np.isfinite(low) & np.isfinite(high)
         self.value, self.rest = np.where(self.known, forms.value, 0.0), np.where(self.known, forms.rest, np.inf)
@@ -265,11 +285,14 @@ class _Forms:
         open_ = self.open & kept
         with np.errstate(all="ignore"):
             unit = np.where(open_ & self.known, self.slope / np.hypot(*self.slope), 0.0)
+        # Mean direction of the gradients of all functions of unknown sign in each cell.
         way = np.zeros((2, self.count))
         for k in range(2):
             np.add.at(way[k], self.of, np.nan_to_num(unit[k]).sum(axis=0))
         with np.errstate(all="ignore"):
             way = way / np.hypot(*way)
+            # Every one of them must grow along it by more than its remainder: then their zero lines form one
+            # connected edge.
             along = (way[:, self.of][:, None] * self.slope).sum(axis=0)
             grows = (along > CLEAR * self.rest) & (along > BLUNT * np.hypot(*self.slope))
         bad = (open_ & ~grows).any(axis=0)
@@ -283,9 +306,11 @@ class _Forms:
         of, count = self.of[pairs], self.count
         value, rest, slope = self.value[:, pairs], self.rest[:, pairs], self.slope[:, :, pairs]
         open_, known = self.open[:, pairs], self.known[:, pairs]
+        # Lower bound per function from value - remainder, upper bound from value + remainder.
         sure = np.where(open_, np.where(known, _share(value - rest, slope), 0.0), 1.0)
         may = np.where(open_ & known, _share(value + rest, slope), 1.0)
         least, most = np.zeros(count), np.zeros(count)
+        # A pose reaches at least 1 less the sum of what its functions may exclude; the best pose counts.
         np.maximum.at(least, of, np.maximum(1.0 - (1.0 - sure).sum(axis=0), 0.0))
         # Poses that differ behind a root share it: what it leaves counts once.
         which, row = may.argmin(axis=0), np.arange(pairs.size)
@@ -308,6 +333,8 @@ class _Forms:
 def _share(value: Array, slope: Array) -> Array:
     """The share of the square from -1 to 1 in which value + slope . (u, v) is positive."""
     with np.errstate(all="ignore"):
+        # Area cut off a square by a straight line, by how the line passes: across opposite sides, across a corner, or
+        # not at all.
         p, q = np.maximum(*np.abs(slope)), np.minimum(*np.abs(slope))
         straight = 0.5 + value / (2 * p)
         corner = (p + q - np.abs(value)) ** 2 / (8 * p * q)
@@ -351,12 +378,14 @@ def among(keys: Rows, known: Rows) -> Mask:
 def cut_sides(cells: Cells, deepest: int, known: Rows) -> tuple[Rows, Rows, Rows, Rows]:
     """The sides of cells cut at corners known by their keys, on a grid of the ``deepest`` level: their starts and ends
     (2, n), the cells (n,) and which of the :data:`SIDES` of each it is a piece of."""
+    # Corners as integers on the finest grid, so that equal corners compare exactly.
     unit = 2 ** (deepest - cells.level)
     ends = (cells.number[:, None] + (CORNERS[:, :, None] > 0)) * unit  # (2, 4, cells)
     start, stop = (ends[:, corner].reshape(2, -1) for corner in SIDES.T)
     own, which = np.tile(np.arange(unit.size), len(SIDES)), np.repeat(np.arange(len(SIDES)), unit.size)
     done: list[tuple[Rows, Rows, Rows, Rows]] = []
     while own.size or not done:
+        # Halve sides as long as a smaller neighbour has a corner in the middle.
         middle = (start + stop) // 2
         cut = (np.abs(stop - start).max(axis=0) > 1) & among(key(middle), known)
         done.append((start[:, ~cut], stop[:, ~cut], own[~cut], which[~cut]))

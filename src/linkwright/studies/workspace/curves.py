@@ -1,7 +1,8 @@
-"""The curves that can bound a workspace, in the drives' plane and as paths of the working point.
+"""The curves that can bound a workspace, in the plane of the drives' values and as paths of the working point.
 
-They are where the jacobian is singular, where two assembly modes meet (the rim of a sheet), and the ends of the
-drives' ranges. Each is found on the triangles of a mesh and refined until its path lies within a chord tolerance.
+There are three kinds: places where the jacobian d(x, y)/d(drives) is singular, places where two assembly modes meet
+(the rim of a sheet), and the ends of the drives' ranges. Curves are located on the triangles of a mesh by sign changes
+(marching triangles); then their pieces are halved until the path of each lies within a chord tolerance.
 """
 
 from __future__ import annotations
@@ -69,8 +70,10 @@ def traced(sheet: Sheet, mesh: Mesh, levels: int = LEVELS, rings: Sequence[int] 
     """All of a sheet's curves by their kinds: pieces as a mesh has them, the singular curve's one in each triangle that
     it passes. Those of the other kinds are cut where it meets them. With fewer ``levels`` of finer triangles, pieces
     near places where it crosses itself may lead astray."""
+    # Sort the pairs of corners, so that an edge of the mesh has one name only.
     rim, pits, limit = (np.sort(pairs, axis=1) for pairs in (mesh.rim, mesh.pits, mesh.limit))
     straight = np.concatenate([pits, limit])
+    # Retry with a wider neighbourhood of finer triangles until the singular curve has no loose ends.
     for around in rings:
         cuts: dict[tuple[int, int], Array] = {}
         pieces = _passing(sheet, mesh.q, mesh.triangles, (rim, straight), cuts, around, levels)
@@ -109,6 +112,7 @@ def _passing(
     """One piece of the singular curve in each triangle that it passes, its ends on the sides; ``cuts`` takes those on
     the rim. Where a piece doesn't follow the curve, as where two branches cross, the triangles around are cut into
     sixteen each."""
+    # Marching triangles: a triangle is passed where the numerator of the determinant changes sign among its corners.
     numerator = sheet.look(q).numerator
     # A triangle beside the rim may bulge beyond it, so that a quarter of it lies outside.
     triangles = triangles[np.isfinite(numerator)[triangles].all(axis=1)]
@@ -116,6 +120,7 @@ def _passing(
     passed = np.flatnonzero(positive[triangles].any(axis=1) & ~positive[triangles].all(axis=1))
     sides = sides_of(triangles[passed])
     crossed = positive[sides[:, 0]] != positive[sides[:, 1]]
+    # Each crossed side once, though two triangles share it; locate the zero on it by root finding.
     pairs, where = numbered(sides[crossed])
     rim, pits = border
     on_rim, on_pit = _among(pairs, rim), _among(pairs, pits)
@@ -123,14 +128,18 @@ def _passing(
     a, b = q[:, pairs[:, 0]], q[:, pairs[:, 1]]
     places[:, ~on_rim] = _zeros(sheet, a[:, ~on_rim], b[:, ~on_rim])
     if on_rim.any():
+        # On the rim (two modes meet) the side is curved: search along the rim itself.
         path = _along_rim(sheet, a[:, on_rim], b[:, on_rim])
         places[:, on_rim] = path(_turning(sheet, path, positive[pairs[on_rim, 0]]))
+    # Remember the crossings on the border: curves of other kinds are cut there.
     stops = on_rim | on_pit
     cuts |= {(i, k): place for (i, k), place in zip(pairs[stops].tolist(), places[:, stops].T, strict=True)}
+    # Two of the three sides of a passed triangle are crossed; join their crossings to one piece.
     at = np.full(len(sides), -1)
     at[crossed] = where
     two = np.sort(at.reshape(3, -1), axis=0)[1:]
     a, b = places[:, two[0]], places[:, two[1]]
+    # Check that each piece follows the curve; where it does not, refine the triangles around it and recurse.
     long = np.abs(a - b).max(axis=0) > SHORT
     astray = passed[long & ~_followed(sheet, a, b)] if levels and len(triangles) < MOST else passed[:0]
     if not astray.size:
@@ -153,11 +162,13 @@ def _loose(sheet: Sheet, mesh: Mesh, a: Array, b: Array) -> bool:
 
     low, high = mesh.q.min(axis=1, keepdims=True), mesh.q.max(axis=1, keepdims=True)
     ends = np.concatenate([a, b], axis=1)
+    # Scale the drives' plane to the unit square and ignore ends on its border, on the rim and near pits.
     scaled = (ends - low) / (high - low)
     inner = ((scaled > MEET) & (scaled < 1 - MEET)).all(axis=0) & (sheet.place(ends)[1] > 4 * RIM)
     if mesh.pits.size:
         inner &= cKDTree(mesh.q[:, np.unique(mesh.pits)].T).query(ends.T)[0] > 1e-7
     places = scaled[:, inner].T
+    # Inside, an even number of ends must meet at each place.
     count = cKDTree(places).query_ball_point(places, MEET, return_length=True) if len(places) else np.empty(0)
     return bool((count % 2).any())
 
@@ -211,12 +222,14 @@ def _among(pairs: Rows, known: Rows) -> Mask:
 
 def _along_rim(sheet: Sheet, a: Array, b: Array) -> Callable[..., Array]:
     """The rim between two places on it: from the chord across to where the reach is that of the rim."""
+    # Unit direction across the chord; the rim lies a little to one side of it.
     across = np.stack([a[1] - b[1], b[0] - a[0]])
 
     def path(share: Array, times: int = HALVINGS) -> Array:
         q = a + share * (b - a)
         found = q.copy()
         inside = sheet.place(q)[1] > RIM
+        # Look on which side the reach passes the value of the rim, and halve down to it there.
         for side in (1.0, -1.0):
             beyond = sheet.place(q + side * WAY * across)[1] > RIM
             turned = (beyond != inside) & (found == q).all(axis=0)
@@ -239,6 +252,7 @@ def refined(sheet: Sheet, kind: str, ends: Ends, chord: float, f: Callable[[Arra
     or straight in the drives' plane."""
     a, b = ends
     done: list[tuple[Array, Array, Array]] = []
+    # Each round halves all pieces whose path is not yet close enough to its chord.
     pa, pb = sheet.place(a)[0], sheet.place(b)[0]
     for _ in range(ROUNDS):
         if not a.shape[1] or a.shape[1] > MOST:
@@ -246,6 +260,7 @@ def refined(sheet: Sheet, kind: str, ends: Ends, chord: float, f: Callable[[Arra
         middle, found = ((a + b) / 2, np.full(a.shape[1], True)) if f is None else beside(f, a, b)
         pm = sheet.place(middle)[0]
         found &= np.isfinite(pm).all(axis=0)
+        # Accept where the middle lies close to the chord and about halfway; also confirm the middles of both halves.
         off = distance(pm, pa, pb)
         shorter = np.minimum(np.hypot(*(pm - pa)), np.hypot(*(pb - pm)))
         fine = ~found | ((off <= chord) & (shorter >= EVEN * np.hypot(*(pb - pa)) - chord))
@@ -287,6 +302,7 @@ def beside(
         return f(middle[:, rows] + share * across[:, rows])
 
     every = np.arange(a.shape[1])
+    # The value at the middle; then look to both sides at growing distances for one of opposite sign.
     here = f(middle)
     share, found, end = np.zeros(every.size), here == 0, np.zeros(every.size)
     for both in ways:
@@ -296,10 +312,12 @@ def beside(
             fresh = ~found[rest] & (np.sign(here[rest]) * np.sign(value) < 0)
             some, own = rest[fresh], here[rest[fresh]]
             with np.errstate(all="ignore"):  # infinite where nothing is known
+                # First guess by linear interpolation between both values.
                 ratio = np.nan_to_num(own / (own - value[fresh]), nan=0.5)
             share[some], end[some], found[some] = way * ratio, way, True
     some = np.flatnonzero(end)
     if not rough and some.size:
+        # Unless a rough place is enough, locate the zero between them by bracketing.
         low, high = np.minimum(end[some], 0.0), np.maximum(end[some], 0.0)
         way = end[some] * across[:, some]
         close = _near(middle[:, some], way) if near is None else near / np.hypot(*way)

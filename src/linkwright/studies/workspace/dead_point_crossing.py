@@ -1,11 +1,14 @@
-"""Dead positions on the way: a track goes on through them where the path touches the edge of a sheet.
+"""Crossing dead points: where the wanted path touches the edge of the workspace, a track continues through it.
 
-There the jacobian J has rank 1, and a path that runs along its image has two smooth solutions that cross: near it the
-point is like (a, b²) of drives (a, b), and the path (u, c u²) has b = +-sqrt(c) u. Of a path that is off by e stays
-b = +-sqrt(c u² + e), which ends or turns back: a square root of the error. So the track doesn't solve for the path
-there. It passes on a bridge, a quintic between a place before and one after, with their first two derivatives. A bridge
-counts where the point stays near to the path all along it, the determinant of J changes its sign once, and the
-closures' keep theirs.
+At a dead point the jacobian J = d(x, y)/d(drives) has rank 1. Near it the point moves like (a, b²) for drives (a, b).
+A path (u, c u²) that touches the edge therefore has two smooth solutions, b = +-sqrt(c) u, that cross there. Solving
+for the path directly is unreliable: an error e of the path gives b = +-sqrt(c u² + e), which turns back or has no
+solution, and its error is the square root of e.
+
+So the track doesn't solve for the path near a dead point. It crosses on a *bridge*: a quintic in u between a solved
+place before the dead point and one behind it, with equal first and second derivatives at both. A bridge is accepted
+only if the point stays close to the path along all of it, the determinant of J changes its sign exactly once, and the
+determinants of the closures keep theirs.
 """
 
 from __future__ import annotations
@@ -55,15 +58,18 @@ def bridge(
     from the path: errors of the path do least to it. ``signs`` are the determinants at the nodes."""
     scale = box.size / (2 * np.pi)
     best = None
+    # Try the nodes from the last one backward: a longer bridge is less sensitive to errors of the path.
     for k in range(len(u) - 1, 0, -1):
         away = (np.abs(nodes[-1][0, :, 0] - nodes[k][0, :, 0]) / scale).max()
         if away > LONG or signs[k] * signs[-1] < 0:
             break
+        # The determinant must fall towards zero; linear extrapolation gives the distance to the dead point.
         fallen = 1.0 - signs[k] / signs[k - 1]
         if not 0 < fallen < 1:
             continue
         ahead = (u[k] - u[k - 1]) * (1.0 - fallen) / fallen
         far = float((np.abs(nodes[k][1, :, 0]) / scale).max()) * ahead
+        # Only bridges of a sensible length; the far end lies as far behind the dead point as this node before it.
         if SHORT < far < LONG and u[k] + 2 * ahead <= 1.0:
             found = _bridged(mover, scale, wanted, k, u[k], 2 * ahead, nodes[k], signs[k], off)
             if found is not None and not box_left(box, found.node[0, :, 0]).any():
@@ -87,16 +93,21 @@ def curve(u: Array, nodes: Array) -> Any:
 def _bridged(
     mover: Mover, scale: Array, wanted: Wanted, k: int, u: float, wide: float, node: Array, before: float, off: float
 ) -> Bridge | None:
+    # Predict the far end by Taylor series and correct it onto the path.
     foretold = node[0] + wide * node[1] + wide**2 / 2 * node[2]
     path = wanted.of(np.array([u + wide]))
     with np.errstate(all="ignore"):
         q, ok = mover.closed(foretold, path[0])
+        # A large correction would mean another solution.
         if not ok.all() or not (np.abs(q - foretold)[:, 0] / scale < TURNED).all():
             return None
         there, look = mover.along(q, path)
+    # Behind a dead point the determinant has the opposite sign.
     after = float(look.determinant[0])
     if not np.isfinite(there).all() or not after * before < 0:
         return None
+    # Verify the quintic along its whole length: the point near the path, one sign change of the determinant, none of
+    # the closures'.
     places = np.linspace(u, u + wide, LOOKS)
     spline = curve(places[[0, -1]], np.concatenate([node, there], axis=2))
     looks = mover.look(spline(places).T, spline(places, nu=1).T)

@@ -1,6 +1,7 @@
-"""The way back: from a wanted path of the working point to the motions of both drives.
+"""Inverse kinematics: from a wanted path p(u) of the working point to the motions of both drives.
 
-Along a track q(u) has exact derivatives: J q' = p', J q'' = p'' - (acceleration at rates q' alone). With the motor at
+A track is one solution q(u) of the drives along the path. Its derivatives are exact: differentiating x(q(u)) = p(u)
+gives J q' = p' and J q'' = p'' - (the point's acceleration at the rates q' alone). With the motor at
 constant speed w its own value gives the time, q1(u) = q1(0) + w t, hence u' = w / q1' and u'' = -q1'' u'^2 / q1'; the
 servo's speed is q2' u', its acceleration q2'' u'^2 + q2' u''. With the path given in time, u(t) is known and both
 drives follow it.
@@ -119,15 +120,19 @@ def free(
     """
     m = region.sheet.drives.index(motor)
     u = np.linspace(0.0, 1.0, LOOKS + 1)
+    # A path point that stands still would need the motor to stop: refuse it at once.
     pace = np.hypot(*wanted.of(u)[1])
     if pace.min() <= STILL * pace.max():
         return Way(None, (), 0, (Finding("workspace.path-rests", wanted.path, {"u": float(u[pace.argmin()])}),))
     best: tuple[tuple[float, float], Track, float, bool] | None = None
     solutions, laps = 0, [wanted, wanted.backward()]
+    # Follow the path forward from every solution at its start; if none can be followed to the end, try it backward.
     for backward, way in enumerate(laps):
         found = tracks(region, way, off)
         solutions = max(solutions, len(found))
         for track in found:
+            # Rank the tracks: first by how far they lead before the motor would reverse, then by their distance from
+            # singular positions.
             turn = _turned(track, m, speed)
             rank = (min(turn, float(track.u[-1])), track.least)
             if best is None or rank[0] > best[0][0] + 1e-9 or (rank[0] > best[0][0] - 1e-9 and rank[1] > best[0][1]):
@@ -138,9 +143,11 @@ def free(
         stretches = _stretches(region, wanted, None, 1.0, False)
         return Way(None, stretches, 0, _said(region, wanted.path, stretches, motor))
     _, track, turn, back = best
+    # Report the obstacles, or build the law if there are none.
     stretches = _stretches(region, wanted, track, turn, back)
     if stretches:
         return Way(None, stretches, solutions, _said(region, wanted.path, stretches, motor))
+    # At constant speed the motor's own value is proportional to time, so the whole travel gives the duration.
     first, last = track.nodes[0, m, [0, -1]]
     time = float((last - first) / speed)
 
@@ -170,6 +177,8 @@ def timed(
     """The laws of both drives where the path is given in time: u = t / ``duration`` (s), or as ``timing`` has it;
     ``off`` as for :func:`free`."""
     m = region.sheet.drives.index(motor)
+    # The time is given, so the motor may reverse: take the track that leads farthest, then the one farthest from
+    # singular positions.
     found = sorted(tracks(region, wanted, off), key=lambda track: (-round(float(track.u[-1]), 9), -track.least))
     stretches = _stretches(region, wanted, found[0] if found else None, 1.0, False)
     if not found or stretches:
@@ -193,6 +202,7 @@ def _timed(track: Track, m: int, value: Array, speed: float) -> tuple[Array, Arr
     for u."""
     made, u = np.empty((3, 2, value.size)), np.empty(value.size)
     solved = np.ones(value.size, dtype=bool)
+    # On bridges (across dead points) the jacobian is singular: invert the motor's value along the interpolated track.
     for start, stop in track.bridges:
         low, high = np.sort(track.near(np.array([start, stop]))[m])
         on = (value > low) & (value < high)
@@ -200,7 +210,9 @@ def _timed(track: Track, m: int, value: Array, speed: float) -> tuple[Array, Arr
         u[on] = bracketed(lambda u, row: track.near(u)[m] - value[row], rows, *ends)
         made[:, :, on] = track.along(u[on])
         solved &= ~on
+    # Everywhere else solve exactly.
     made[:, :, solved], u[solved] = _solved(track, m, value[solved])
+    # Chain rule: u' = w / q1', u'' = -q1'' u'^2 / q1'.
     first = speed / made[1, m]
     return _ruled(made, first, -made[2, m] * first**2 / made[1, m]), u
 
@@ -208,12 +220,15 @@ def _timed(track: Track, m: int, value: Array, speed: float) -> tuple[Array, Arr
 def _solved(track: Track, m: int, value: Array) -> tuple[Array, Array]:
     """Drives by u (3, 2, n) and u at values of the motor off all bridges."""
     s, mover = 1 - m, track.mover
+    # Start values by inverse interpolation of the motor's value along the track.
     line = np.linspace(0.0, 1.0, 8 * track.u.size)
     along = track.near(line)[m]
     order = np.argsort(along)
     u = np.interp(value, along[order], line[order])
     q = track.near(u)
     q[m] = value
+    # Newton for the servo's value and u together, with the motor's value held: two equations, the point lies on the
+    # path.
     for _ in range(NEWTON):
         look, path = mover.sheet.look(q), track.wanted.of(u)
         step = divided(np.stack([look.jacobian[:, s], -path[1]], axis=1), look.at - path[0])
@@ -228,6 +243,7 @@ def _turned(track: Track, m: int, speed: float) -> float:
     """The u from which on the motor would have to turn back; 1 where it needn't."""
     if track.u.size == 1:  # it ends where it begins
         return 0.0
+    # Check the sign of the motor's rate at the nodes and densely on bridges.
     inner = [np.linspace(*bridge, ACROSS) for bridge in track.bridges]
     places = np.unique(np.concatenate([track.u, *inner]))
     rate = np.sign(speed) * track.along(places)[1, m]
@@ -236,6 +252,7 @@ def _turned(track: Track, m: int, speed: float) -> float:
         return 1.0
     if bad[0] == 0:
         return 0.0
+    # Locate the reversal between the last good place and the first bad one.
     low, high = places[[bad[0] - 1]], places[[bad[0]]]
     return float(bracketed(lambda u, _: track.at(u)[1, m], np.zeros(1, dtype=np.intp), low, high)[0])
 
@@ -257,6 +274,7 @@ def _way(
     names = (sheet.drives[order[0]], sheet.drives[order[1]])
 
     def ordered(t: Array) -> tuple[Array, Array]:
+        # Evaluate the law at the sample times, and measure how far the point really lies off the path.
         motion, u = at(t)
         return motion[:, list(order)], 1.0 - u if backward else u
 
@@ -265,6 +283,7 @@ def _way(
     look = track.mover.look(motion[0], motion[1])
     off = np.hypot(*(look.at - track.wanted.of(u)[0]))
     moves = np.abs(track.nodes[1]).max(axis=1)
+    # Reversals of the servo, unless it stands still throughout; dead points from the track. Both as times.
     still = moves[order[1]] <= STILL * moves.max()
     turned = np.empty(0) if still else crossings(lambda s: track.at(s)[1, order[1]], 0.0, 1.0, track.u.size)
     times, dead = (np.array([_time_at(at, one, time) for one in some]) for some in (turned, track.dead))
@@ -339,6 +358,7 @@ def outside(region: Region, wanted: Wanted) -> tuple[Stretch, ...]:
     if shape.is_empty:
         return (Stretch("outside", 0.0, 1.0),)
     low, high = np.array(shape.bounds).reshape(2, 2)
+    # The polygon is drawn to a chord tolerance, so points slightly outside of it count as inside.
     slack = INSIDE * float((high - low).max())
     shapely.prepare(shape)
 
@@ -348,15 +368,18 @@ def outside(region: Region, wanted: Wanted) -> tuple[Stretch, ...]:
     u = np.linspace(0.0, 1.0, LOOKS + 1)
     far = away(u)
     out = far > 0
+    # Sample the distance along the path and locate each change between inside and outside by root finding.
     change = np.flatnonzero(out[1:] != out[:-1])
     rows = np.zeros(change.size, dtype=np.intp)
     ends = bracketed(lambda s, _: away(s), rows, u[change], u[change + 1]) if change.size else np.empty(0)
+    # A stretch that begins or ends with the path has its end there.
     if out[0]:
         ends = np.concatenate([[0.0], ends])
     if out[-1]:
         ends = np.concatenate([ends, [1.0]])
     found = []
     for start, stop in ends.reshape(-1, 2):
+        # The largest distance over the stretch, from the samples and a finer look.
         inside = far[(u >= start) & (u <= stop)]
         by = float(np.concatenate([inside, away(np.linspace(start, stop, 65))]).max()) + slack
         found.append(Stretch("outside", float(start), float(stop), by))
