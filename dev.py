@@ -22,8 +22,11 @@ import json
 import os
 import subprocess
 import sys
+import tempfile
 from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import IO
 
 OLDEST = (3, 11)
 # Before anything that an older Python stumbles over: it has to get as far as the message.
@@ -173,9 +176,11 @@ def install_engines() -> None:
             print(f"no wheel of {engine} here: the tests against it are skipped", file=sys.stderr)
 
 
-def run(*command: str, cwd: Path | None = None) -> int:
-    """Runs the environment's Python, in the user's folder unless told; a signal becomes 128 + its number."""
-    code = subprocess.run([str(PYTHON), *command], cwd=cwd).returncode
+def run(*command: str, cwd: Path | None = None, said: IO[str] | None = None) -> int:
+    """Runs the environment's Python, in the user's folder and to the user's terminal unless told; a signal becomes 128
+    + its number."""
+    errors = None if said is None else subprocess.STDOUT
+    code = subprocess.run([str(PYTHON), *command], cwd=cwd, stdout=said, stderr=errors).returncode
     return 128 - code if os.name != "nt" and code < 0 else code
 
 
@@ -190,9 +195,9 @@ def test(arguments: list[str]) -> int:
     return run("-m", "pytest", *workers, *arguments, cwd=ROOT)
 
 
-def lint(arguments: list[str]) -> int:
+def lint(arguments: list[str], said: IO[str] | None = None) -> int:
     checks = (["ruff", "check"], ["ruff", "format", "--check"], ["mypy"], ["mypy", "dev.py", "tools"])
-    return first_failure(run("-m", *check, *arguments, cwd=ROOT) for check in checks)
+    return first_failure(run("-m", *check, *arguments, cwd=ROOT, said=said) for check in checks)
 
 
 def smoke(arguments: list[str]) -> int:
@@ -206,11 +211,19 @@ def bench(arguments: list[str]) -> int:
 
 
 def everything(arguments: list[str]) -> int:
-    """All of it, also after a failure; the tests last, so that their summary closes the output."""
+    """All of it, also after a failure; the tests last, so that their summary closes the output.
+
+    mypy keeps one core busy: smoke runs beside it, and lint has its say afterwards.
+    """
     codes = {}
-    for step in (lint, smoke, test):
-        print(f"--- {step.__name__}", flush=True)
-        codes[step.__name__] = step([])
+    with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as said, ThreadPoolExecutor(1) as beside:
+        linted = beside.submit(lint, [], said)
+        print("--- smoke", flush=True)
+        codes["smoke"] = smoke([])
+        codes["lint"] = linted.result()
+        said.seek(0)
+        print(f"--- lint\n{said.read()}--- test", flush=True)
+    codes["test"] = test([])
     failed = [name for name, code in codes.items() if code]
     if failed:
         print(f"failed: {', '.join(failed)}", flush=True)

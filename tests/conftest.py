@@ -14,6 +14,7 @@ from hypothesis.internal.conjecture import providers
 
 ROOT = Path(__file__).parents[1]
 sys.path.append(str(ROOT / "benchmarks"))
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before NumPy comes: every worker has but one core
 os.environ.setdefault("LINKWRIGHT_CACHE", str(ROOT / ".pytest_cache" / "linkwright"))
 
 settings.register_profile(

@@ -255,7 +255,7 @@ def test_all_goes_on_after_a_failure_and_names_it(
 ) -> None:
     machine.answers = {"ruff": 3}
     assert dev.main(["all"]) == 3
-    assert machine.calls[-2][1] == "tools/smoke.py"
+    assert [call[1] for call in machine.calls].count("tools/smoke.py") == 1
     assert machine.calls[-1][1:] == ["-m", "pytest", "-n", "auto", "--dist", "worksteal"]
     assert capfd.readouterr().out.splitlines()[-1] == "failed: lint"
 

@@ -77,5 +77,11 @@ def inverted(rows: Array) -> Array:
             (a, b), (c, d) = rows
             return np.asarray(np.array([[d, -b], [-c, a]]) / (a * d - b * c))
         a, b, c = rows
-        columns = [np.cross(one, other, axis=0) for one, other in ((b, c), (c, a), (a, b))]
+        columns = [_across(one, other) for one, other in ((b, c), (c, a), (a, b))]
         return np.asarray(np.stack(columns, axis=1) / (a * columns[0]).sum(axis=0))
+
+
+def _across(one: Array, other: Array) -> Array:
+    """The cross products of vectors (3, n); NumPy's own spends most of its time on axes."""
+    (a, b, c), (d, e, f) = one, other
+    return np.stack([b * f - c * e, c * d - a * f, a * e - b * d])
