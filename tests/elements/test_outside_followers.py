@@ -195,7 +195,7 @@ def test_its_formula_is_written_as_joint_functions(which: str, folder: Path) -> 
 
 def test_its_place_in_the_file_is_told(folder: Path) -> None:
     done = run(folder, MODELS["alone"], "export", "model.yaml", "--to", "mjcf", "--out", "mjcf")
-    assert "joints: MuJoCo has no cam pairs: the followers of step" in done.stderr
+    assert "joints: MuJoCo has no joint in which a link follows a drive: each follower (step)" in done.stderr
     done = run(
         folder,
         changed(drives={"second": {"turns": "table", "on": "frame", "speed": 1, "start": 0}}),
