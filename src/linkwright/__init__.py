@@ -16,7 +16,7 @@ from linkwright._version import __version__ as __version__
 
 if TYPE_CHECKING:
     from linkwright.app import Job, accuracy, check, export, modes, plate_cam, run, sweep, workspace
-    from linkwright.app import compiled as compile
+    from linkwright.compilation import compile_model as compile
     from linkwright.findings import Finding, ModelError
     from linkwright.kernels import Compiled
     from linkwright.model.builder import Builder
@@ -38,7 +38,7 @@ _PLACES = {
     "Run": ("linkwright.results", "Run"),
     "accuracy": ("linkwright.app", "accuracy"),
     "check": ("linkwright.app", "check"),
-    "compile": ("linkwright.app", "compiled"),
+    "compile": ("linkwright.compilation", "compile_model"),
     "dump": ("linkwright.model.document", "dump"),
     "export": ("linkwright.app", "export"),
     "load": ("linkwright.model.document", "load"),

@@ -63,7 +63,7 @@ class Joined(Said):
         return self.key.join(map(str, self.data["parts"]))
 
 
-def both(names: Sequence[str]) -> Text:
+def enumerated(names: Sequence[str]) -> Text:
     """Names of a sentence, as in *a, b and c*."""
     return Term("and", first=", ".join(names[:-1]), last=names[-1]) if len(names) > 1 else names[0]
 

@@ -5,7 +5,6 @@ from linkwright.app.assembly_modes import ModesJob, modes, modes_of_file
 from linkwright.app.batch import export_batch
 from linkwright.app.bench import Bench, bench_file
 from linkwright.app.cams import plate_cam
-from linkwright.app.compiled_model import compiled
 from linkwright.app.exports import ExportJob, examine_export, export, export_into, export_of, no_target
 from linkwright.app.job import Examined, Job, Writing, carry_out, check, examine_file, perform, run, write
 from linkwright.app.single_study import examine_alone, placed, runner_of
@@ -23,7 +22,6 @@ __all__ = [
     "bench_file",
     "carry_out",
     "check",
-    "compiled",
     "examine_alone",
     "examine_export",
     "examine_file",

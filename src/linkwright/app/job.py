@@ -9,21 +9,21 @@ from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
-from linkwright import compilation, gallery
+from linkwright import compilation
 from linkwright.app.manifest import State
 from linkwright.app.results_folder import ResultsFolder, outdate
 from linkwright.escape import json_text, line
 from linkwright.exports import Order, Target, read_exports
-from linkwright.expressions.unknown import likeliest, proposed
-from linkwright.findings import Finding, ModelError, Term, raise_errors
+from linkwright.findings import Finding, ModelError, raise_errors
 from linkwright.kernels import Compiled
 from linkwright.model.desugar import home
-from linkwright.model.document import Document, dump, located, read_document
-from linkwright.model.input_files import STDIN, STDIN_NAME, read_at_most, reason
+from linkwright.model.document import Document, dump, located
+from linkwright.model.input_files import STDIN, STDIN_NAME
+from linkwright.model.model_file import read_model_file
 from linkwright.model.origin import Origin, hashed, table_hashes
 from linkwright.model.references import option_faults
 from linkwright.model.walk import Options, option_places
-from linkwright.model.yaml_text import MAX_BYTES, Source
+from linkwright.model.yaml_text import Source
 from linkwright.presentation.blocks import FileOf
 from linkwright.report.build import report_data
 from linkwright.report.page import page
@@ -89,36 +89,16 @@ class Examined:
 
 def read_file(path: Path) -> Examined:
     """Read a model file, without looking into what it describes."""
-    try:
-        raw = read_at_most(path, MAX_BYTES)
-    except ModelError as error:
-        return Examined(findings=[*error.findings], file=path)
-    except FileNotFoundError:
-        return Examined(
-            findings=[Finding("file.not-found", data={"file": str(path), "hint": _other_file(path)})], file=path
-        )
-    except (OSError, ValueError) as error:
-        data = {"file": str(path), "reason": reason(error)}
-        return Examined(findings=[Finding("file.unreadable", data=data)], file=path)
-    document, source = read_document(raw)
-    findings = source.findings if document is None else []
+    read = read_model_file(path)
+    file, folder = (path, None) if read.content is None else (STDIN_NAME if path == STDIN else path, path.parent)
     return Examined(
-        document,
-        findings=findings,
-        source=source,
-        folder=path.parent,
-        file=STDIN_NAME if path == STDIN else path,
-        content=raw,
+        read.document,
+        findings=[*read.findings],
+        source=read.source,
+        folder=folder,
+        file=file,
+        content=read.content,
     )
-
-
-def _other_file(path: Path) -> Term:
-    """What may be meant by the name of a file that isn't there: one beside it, a model of the gallery."""
-    if path.stem in gallery.names():
-        return Term("gallery-model", name=path.stem)
-    beside = {other.stem: other.name for other in sorted(path.parent.glob("*.y*ml"))} if path.parent.is_dir() else {}
-    found = likeliest(path.stem, [*beside])
-    return proposed([beside[stem] for stem in found]) if found else Term("file-name")
 
 
 def read_model(model: str | Path | Document, folder: str | Path | None) -> Examined:

@@ -1,7 +1,7 @@
 """From a mechanism to one that is ready to run: the stages as a list (`pipeline`), and each by itself (`stages`)."""
 
-from linkwright.compilation.pipeline import Prepared, compile_mechanism, examine, prepare
+from linkwright.compilation.pipeline import Prepared, compile_mechanism, compile_model, examine, prepare
 from linkwright.compilation.stages import Uses
 from linkwright.compilation.still import examine_still
 
-__all__ = ["Prepared", "Uses", "compile_mechanism", "examine", "examine_still", "prepare"]
+__all__ = ["Prepared", "Uses", "compile_mechanism", "compile_model", "examine", "examine_still", "prepare"]

@@ -22,8 +22,10 @@ from linkwright.kernels import Compiled
 from linkwright.kernels.law import Law
 from linkwright.kernels.motions import StatedMotion
 from linkwright.kernels.tables import StatedTable
-from linkwright.model.desugar import Spelled
+from linkwright.model.desugar import Spelled, home
+from linkwright.model.document import located
 from linkwright.model.mechanism import Mechanism
+from linkwright.model.model_file import read_model_file
 from linkwright.model.quantities import Quantities
 from linkwright.structure import Structure
 
@@ -86,6 +88,23 @@ def examine(mechanism: Mechanism, folder: Path | None = None, uses: Uses = ()) -
     parts = (made.mechanism, made.quantities, made.structure, assembly, made.laws, made.tables, made.motions)
     odd = warnings(made.spelled, made.quantities, made.stated, assembly)
     return Compiled(*parts, plane=made.spelled.plane, folder=folder), odd
+
+
+def compile_model(model: str | Path | Mechanism, folder: str | Path | None = None) -> Compiled:
+    """A model file, document or mechanism ready to run; studies aren't looked at.
+
+    ``folder`` is where the tables of a document lie; those of a file lie beside it. Raises :class:`ModelError` with all
+    findings, of a file with their lines.
+    """
+    if isinstance(model, Mechanism):
+        return compile_mechanism(model, folder)
+    read = read_model_file(Path(model))
+    raise_errors(read.findings)
+    assert read.document is not None
+    compiled, findings = examine(read.document, Path(folder or Path(model).parent))
+    raise_errors(located(home(read.document, findings), read.source))
+    assert compiled is not None
+    return compiled
 
 
 def compile_mechanism(mechanism: Mechanism, folder: str | Path | None = None) -> Compiled:

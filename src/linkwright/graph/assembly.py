@@ -14,7 +14,7 @@ from linkwright.elements import OuterPin
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.fields import AssemblyRule
 from linkwright.expressions.units import LENGTH
-from linkwright.findings import Finding, ModelError, Term, both
+from linkwright.findings import Finding, ModelError, Term, enumerated
 from linkwright.graph.clusters import assemble_cluster, drawn_phases, only_coordinates
 from linkwright.graph.geometry import Geometry
 from linkwright.graph.motion import Motion, Unknowns, solve_motion
@@ -78,7 +78,7 @@ class _Assembler:
         except _CannotStart:
             return self.assembly
         except Parallel as error:
-            slides = both([c.joint for c in error.wedge.outer])
+            slides = enumerated([c.joint for c in error.wedge.outer])
             self.note("assembly.slides-parallel", ("links", error.wedge.link), link=error.wedge.link, joints=slides)
             return self.assembly
         except ModelError as error:
@@ -104,7 +104,7 @@ class _Assembler:
 
     def degenerate(self, group: Group) -> None:
         joints = ", ".join(c.joint for c in group.joints)
-        self.note("assembly.degenerate", ("links", group.links[0]), links=both(group.links), joints=joints)
+        self.note("assembly.degenerate", ("links", group.links[0]), links=enumerated(group.links), joints=joints)
 
     def branch(self, group: Group, dyad: Dyad) -> float:
         """The branch of a group reached at the start pose. Raises :class:`_CannotStart` when it can't close there."""
@@ -154,7 +154,7 @@ class _Assembler:
             except DimensionError:  # a place that no length is derived from
                 continue
             if drawn == -branch:
-                said, other, links = self.assembly.rules[group], group.rule(-branch), both(group.links)
+                said, other, links = self.assembly.rules[group], group.rule(-branch), enumerated(group.links)
                 data = {"rule": said, "other": other, "links": links, "point": point}
                 self.assembly.notes.append(Finding("plausible.mirrored", ("assembly", name), data, severity="note"))
                 return
@@ -292,8 +292,8 @@ def shortfall_data(quantities: Quantities, group: Group, distance: float, limit:
     joints: tuple[Connection, ...] = group.outer
     by, wide = f"{abs(distance - limit) / size:.4g}", distance > limit
     return {
-        "links": both(group.links),
-        "joints": both([c.joint for c in joints]),
+        "links": enumerated(group.links),
+        "joints": enumerated([c.joint for c in joints]),
         "distance": f"{distance / size:.6g}",
         "limit": f"{limit / size:.6g}",
         "by": by,

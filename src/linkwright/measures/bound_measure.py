@@ -35,10 +35,11 @@ class BoundMeasure:
         mechanism, dimensions = quantities.mechanism, quantities.dimensions
         entry = mechanism.measures[name]
         window = None if entry.window is None else quantities.window(entry.window)
+        dimension = dimensions.resolve(figure(name, entry))
         # What an expression of plain numbers is may follow from the bounds on the figure.
-        kind = dimensions.resolve(figure(name, entry)) if entry.dimension is None else None
+        kind = dimension if entry.dimension is None else None
         trees = {"": quantities.bind(entry.signal, kind), **_others(quantities, entry)}
-        dimension, requirement = dimensions.resolve(figure(name, entry)), mechanism.require.get(name)
+        requirement = mechanism.require.get(name)
         return cls(name, entry, dimension, trees, window, requirement, path=("measures", name))
 
     @classmethod
@@ -97,9 +98,8 @@ class BoundMeasure:
 
 def bound(quantities: Quantities, names: Sequence[str] | None = None) -> list[BoundMeasure]:
     """Measures of the mechanism by their names, or all."""
-    return [
-        BoundMeasure.stated(quantities, name) for name in (quantities.mechanism.measures if names is None else names)
-    ]
+    wanted = quantities.mechanism.measures if names is None else names
+    return [BoundMeasure.stated(quantities, name) for name in wanted]
 
 
 def _others(quantities: Quantities, entry: Measure) -> dict[str, Node]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Annotated
 
 import numpy as np
@@ -110,11 +111,7 @@ def narrowest(
     best, held = (np.inf if extent > 0 else 0.0), (1j, np.empty(0))
     for _ in range(ROUNDS if extent > 0 else 0):
         least, across = strip(points)
-
-        def height(t: Array, across: complex = across) -> tuple[Array, Array]:
-            return (place(t) * across.conjugate()).real, (speed(t) * across.conjugate()).real
-
-        times = turning(height)
+        times = turning(partial(_height, place, speed, across))
         found = place(times)
         heights = (found * across.conjugate()).real
         if np.ptp(heights) < best:
@@ -123,6 +120,13 @@ def narrowest(
             break
         points = hull(np.concatenate([points, found[[heights.argmin(), heights.argmax()]]]))
     return best, *held
+
+
+def _height(
+    place: Callable[[Array], Path], speed: Callable[[Array], Path], across: complex, t: Array
+) -> tuple[Array, Array]:
+    """How far a path lies across, and its rate."""
+    return (place(t) * across.conjugate()).real, (speed(t) * across.conjugate()).real
 
 
 def strip(corners: Path) -> tuple[float, complex]:

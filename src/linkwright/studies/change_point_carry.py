@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from linkwright.expressions import units as u
 from linkwright.expressions.units import Dimension
-from linkwright.findings import Finding, ModelError, both
+from linkwright.findings import Finding, ModelError, enumerated
 from linkwright.graph.rows import Named, Reach
 from linkwright.kernels import Compiled
 from linkwright.kernels.change_points import GAP, Passage, Passages, unwrapped
@@ -78,7 +78,7 @@ def _listed(names: list[str], most: int = 6) -> str:
 
 
 def _finding(run: Run, code: str, passage: Passage, severity: str, **data: object) -> Finding:
-    data |= {"group": both(passage.groups), "time": f"{passage.time:.6g}"}
+    data |= {"group": enumerated(passage.groups), "time": f"{passage.time:.6g}"}
     path = ("links", passage.groups[0].split("-")[0])
     return Finding(code, path, data | drive_value(run, passage.time), severity=severity)
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from linkwright.elements.clearance import Held
 from linkwright.expressions.language import Node
-from linkwright.findings import Finding, both
+from linkwright.findings import Finding, enumerated
 from linkwright.kernels import Compiled
 from linkwright.results import Run
 from linkwright.results.quadrature import gauss_points
@@ -72,7 +72,7 @@ class Plays:
         return [np.asarray(one.size([part for seat in one.forces(rows) for part in seat])) for one in self.held]
 
     def _warn(self, code: str, one: Held) -> None:
-        data = {"name": one.joint, "links": both(one.links)}
+        data = {"name": one.joint, "links": enumerated(one.links)}
         self.warnings.append(Finding(code, (*PATH, one.joint), data, severity="warning"))
 
     def fits(self, trees: Iterable[Node]) -> bool:

@@ -36,6 +36,8 @@ class Edges:
     def __init__(self, slopes: Slopes) -> None:
         self.slopes, self.run = slopes, slopes.run
         self.length = self.run.stop - self.run.start
+        actions, window = self.run.compiled.graph.actions, self.run.compiled.quantities.window
+        self._jumping = (*map(window, actions.windows), *actions.jumps)  # where loads begin and end to act
         self._moving: dict[BoundWindow | Node, list[tuple[float, Array]]] = {}
 
     def same(self, a: float, b: float) -> bool:
@@ -51,8 +53,7 @@ class Edges:
 
     def jump(self, time: float) -> Array | None:
         """The derivative of a time at which a load begins or ends to act, ``None`` where there is none."""
-        actions, window = self.run.compiled.graph.actions, self.run.compiled.quantities.window
-        every = (self._found(way, time) for way in (*map(window, actions.windows), *actions.jumps))
+        every = (self._found(way, time) for way in self._jumping)
         return next((found for found in every if found is not None), None)
 
     def side(self, tree: Node, time: float, value: float) -> float:

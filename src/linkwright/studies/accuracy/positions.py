@@ -80,10 +80,9 @@ def placed_signals(compiled: Compiled, options: AccuracyOptions, widest: Mapping
             return match[1], compiled.quantities.window(match[2])
         return (text, None) if _EXTREME.fullmatch(text) else at(compiled.quantities.value(Expression(text), u.TIME))
 
+    named = {name: place(text) for name, text in options.positions.items()}
     for signal in options.signals(compiled):
-        places = {name: place(text) for name, text in options.positions.items()}
-        if signal.text in widest:
-            places[WIDEST] = at(widest[signal.text])
+        places = named | ({WIDEST: at(widest[signal.text])} if signal.text in widest else {})
         for position, (where, window) in places.items():
             name = f"{signal.text} at {position}" if position != WIDEST else signal.text
             entry = Measure.model_validate({"value": signal.raw, "where": where})
