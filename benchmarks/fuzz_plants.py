@@ -26,16 +26,16 @@ class Plant:
 
 def empty_list() -> None:
     """An IndexError for an empty list in a model file."""
-    from linkwright.app import job
+    from linkwright.model import model_file
 
-    read = job.read_document
+    read = model_file.read_document
 
     def spoiled(raw: bytes) -> Any:
         made = read(raw)
         _first_of_lists(made[1].data)
         return made
 
-    job.read_document = spoiled
+    model_file.read_document = spoiled
 
 
 def _first_of_lists(data: Any) -> None:
@@ -100,16 +100,16 @@ def outside_the_folder() -> None:
 
 def memory_by_a_number() -> None:
     """Memory that grows with the largest number of a model file."""
-    from linkwright.app import job
+    from linkwright.model import model_file
 
-    read = job.read_document
+    read = model_file.read_document
 
     def spoiled(raw: bytes) -> Any:
         largest = max((float(word) for word in re.findall(rb"(?<![\w.])\d+(?:e\d+)?", raw)), default=0.0)
         held = b"\1" * int(min(largest, 1.2e9)) if largest > 1e8 else b""
         return *read(raw), *held[:0]
 
-    job.read_document = spoiled
+    model_file.read_document = spoiled
 
 
 def other_answers() -> None:
@@ -140,9 +140,9 @@ def left_aside() -> None:
 
 def silent_refusal() -> None:
     """A wrong file refused without a word."""
-    from linkwright.app import job
+    from linkwright.model import model_file
 
-    read = job.read_document
+    read = model_file.read_document
 
     def spoiled(raw: bytes) -> Any:
         made = read(raw)
@@ -150,7 +150,7 @@ def silent_refusal() -> None:
             del made[1].findings[:]
         return made
 
-    job.read_document = spoiled
+    model_file.read_document = spoiled
 
 
 def _everywhere(name: str, old: Any, new: Any) -> None:

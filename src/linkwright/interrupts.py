@@ -1,20 +1,22 @@
 """Ctrl-C at any moment: an interrupt waits where it would come out as another error, or get lost.
 
 An import may turn it into an ImportError, and a module that tries what it can import passes over that. CasADi's
-compiled code asks Python for attributes and passes over whatever is raised there. Of a finalizer, Python prints what it
-raises and goes on.
+compiled code asks Python for attributes and passes over whatever is raised there, and some modules of ruamel.yaml pass
+over it by a bare ``except:``. Of a finalizer, Python prints what it raises and goes on.
 """
 
 from __future__ import annotations
 
 import contextlib
+import os
 import signal
 import sys
 import threading
 from types import FrameType
 from typing import Any
 
-DEAF = ("<frozen importlib._bootstrap>", "casadi/casadi.py", "casadi\\casadi.py")
+SWALLOWING = ("casadi/casadi.py", "ruamel/yaml/comments.py", "ruamel/yaml/serializer.py", "ruamel/yaml/tokens.py")
+DEAF = ("<frozen importlib._bootstrap>", *(name.replace("/", os.sep) for name in SWALLOWING))
 """Ends of the names of files in whose calls no interrupt is raised."""
 AGAIN = 0.02
 """Seconds after which an interrupt that can't be raised comes again."""
