@@ -7,8 +7,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from app.models import SOUND
 
+from app.models import SOUND
 from linkwright.cli import cli
 from linkwright.interrupts import SWALLOWING
 
