@@ -15,7 +15,7 @@ from linkwright.presentation.blocks import Checks, Measures, Section
 from linkwright.report import ReportData, compact, page
 from linkwright.report.page import SCRIPT_WORDS
 from linkwright.report.payload import script_json
-from linkwright.words.en.report import REPORT
+from linkwright.words.en.report import TEXTS
 
 HOSTILE = "</script><img src=x>&\"'"
 VOID = {"meta", "link", "br", "img", "input"}
@@ -97,7 +97,7 @@ def test_hostile_names_are_text_everywhere(report: ReportData) -> None:
     clean = [tag for tag, _ in Page(page(report)).tags]
     for key in ("title", "subtitle", "source", "origin", "version", "model_text"):
         report[key] = HOSTILE
-    report["words"] = dict.fromkeys(REPORT, HOSTILE)
+    report["words"] = dict.fromkeys(TEXTS, HOSTILE)
     report["sections"] = [hostile(section) for section in report["sections"]]
     for fact in report["structure"]:
         fact.update(name=HOSTILE, sentence=HOSTILE)
@@ -142,13 +142,13 @@ def test_every_word_comes_from_the_catalogue(report: ReportData) -> None:
     """With every word marked, no letter outside the marks is left but those of the data."""
     report.update(title="1", subtitle="2", source="6", version="3", model_text="4", origin="5", plots=[], structure=[])
     report.update(sections=[], notes=[], failures=[])
-    report["words"] = dict.fromkeys(REPORT, "#")
+    report["words"] = dict.fromkeys(TEXTS, "#")
     body = page(report).split("<body>")[1].split("<script")[0]
     assert re.findall(r"[A-Za-z]+", re.sub(r"<[^>]*>", "", body)) == []
 
 
 def test_missing_word_is_loud(report: ReportData) -> None:
-    report["words"] = {key: text for key, text in REPORT.items() if key != "report.play"}
+    report["words"] = {key: text for key, text in TEXTS.items() if key != "report.play"}
     with pytest.raises(KeyError, match=r"report\.play"):
         page(report)
 

@@ -105,7 +105,7 @@ def wanted() -> set[str]:
     return found
 
 
-TEXTS = {"say": "", "Said": "", "Term": "term."}
+CALLS = {"say": "", "Said": "", "Term": "term."}
 """What makes words of the catalogue's texts, and how the keys begin that it takes."""
 
 
@@ -114,12 +114,12 @@ def spoken() -> Iterator[tuple[str, set[str] | None]]:
     or where the key isn't plain itself)."""
     for tree in trees():
         for node in ast.walk(tree):
-            if isinstance(node, ast.Call) and _name(node.func) in TEXTS and node.args:
+            if isinstance(node, ast.Call) and _name(node.func) in CALLS and node.args:
                 names = {keyword.arg for keyword in node.keywords}
                 for key in _patterns(node.args[0]):
                     whole = None in names or HOLE in key
                     given = None if whole else {name for name in names if name}
-                    yield re.escape(TEXTS[_name(node.func)]) + key, given
+                    yield re.escape(CALLS[_name(node.func)]) + key, given
     yield from ((key, None) for key in tables() if HOLE not in key)
 
 

@@ -11,14 +11,14 @@ from string import Formatter
 
 import pytest
 
-from linkwright.words.en import WORDS
-from linkwright.words.en.findings import FINDINGS
-from linkwright.words.en.texts import TEXTS
+from linkwright.words import catalogue, modules, texts
 
 if __name__ != "__main__":
     from words import source
 
 DOCUMENT = Path(__file__).parents[2] / "docs" / "findings.md"
+WORDS = catalogue("en")
+FINDINGS = dict(pair for module in modules("en") if ".findings." in module.__name__ for pair in texts(module))
 CODES = [key.removesuffix(".what") for key in FINDINGS if key.endswith(".what")]
 OTHERS = WORDS.keys() - FINDINGS.keys()
 """Keys of texts that are no findings."""
@@ -180,8 +180,9 @@ def test_texts_read_like_sentences(key: str) -> None:
 
 
 def test_the_catalogue_holds_each_key_once() -> None:
-    assert not set(FINDINGS) & set(TEXTS)
-    assert set(FINDINGS) <= set(WORDS)
+    keys = [key for module in modules("en") for key, _ in texts(module)]
+    assert len(keys) == len(set(keys))
+    assert set(keys) <= set(WORDS)
 
 
 def test_the_page_lists_exactly_the_codes() -> None:

@@ -9,10 +9,9 @@ import re
 
 import pytest
 
-from linkwright.words.en import PARTS
-from linkwright.words.en.findings import FINDINGS
+from words.test_findings import OTHERS, WORDS
 
-TEXTS = {key: text for part in PARTS if part is not FINDINGS for key, text in part.items()}
+TEXTS = {key: WORDS[key] for key in OTHERS}
 
 BETTER = {
     r"rests?": "residual, or excess material",

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import re
 
-from linkwright.words.en import WORDS
 from words import source
-from words.test_findings import OTHERS, fields
+from words.test_findings import OTHERS, WORDS, fields
 
 
 def test_every_key_is_there() -> None:

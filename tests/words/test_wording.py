@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from linkwright.words.en.findings import FINDINGS
+from words.test_findings import FINDINGS
 
 BETTER = {
     # Verbs of programs and of fixes.

@@ -29,8 +29,7 @@ from linkwright.cli.execution import (
     writable,
 )
 from linkwright.cli.streams import failed, interrupted, misused, prepare, read_or_not
-from linkwright.cli.usage import Group
-from linkwright.words import say
+from linkwright.cli.usage import Group, option
 
 if TYPE_CHECKING:
     from linkwright.app import Examined
@@ -62,13 +61,13 @@ class Commands(Group):
             sys.exit(2)
 
 
-@click.group(cls=Commands, help=say("cli.help"), context_settings={"help_option_names": ["-h", "--help"]})
+@click.group(cls=Commands, help="cli.help", context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(__version__, prog_name="linkwright")
 def cli() -> None:
     """The group of commands."""
 
 
-@cli.command(help=say("cli.run"))
+@cli.command(help="cli.run")
 @options(FILE, OUT, OPEN, FORCE, COMMENTS, NETCDF, QUIET, VERBOSE, JSON)
 def run(file: Path, out: Path | None, force: bool, comments: bool, netcdf: bool, **told: bool) -> None:
     """Perform a file's studies."""
@@ -78,7 +77,7 @@ def run(file: Path, out: Path | None, force: bool, comments: bool, netcdf: bool,
     carry_out(app.examine_file(file), file, "run", out, Telling(**told), how)
 
 
-@cli.command(help=say("cli.check"))
+@cli.command(help="cli.check")
 @options(FILE, JSON)
 def check(file: Path, as_json: bool) -> None:
     """Examine a file."""
@@ -90,7 +89,7 @@ def check(file: Path, as_json: bool) -> None:
     end(file, examined, Telling(as_json), partial(show.check_data, examined), tell, examined.exit_code)
 
 
-@cli.command(help=say("cli.study.modes"))
+@cli.command(help="cli.study.modes")
 @options(FILE, JSON)
 def modes(file: Path, as_json: bool) -> None:
     """Find a file's assembly modes."""
@@ -102,11 +101,11 @@ def modes(file: Path, as_json: bool) -> None:
     end(file, done.examined, Telling(as_json), lambda: done.summary, lambda: show.modes(done), done.exit_code)
 
 
-@cli.command(help=say("cli.export"))
+@cli.command(help="cli.export")
 @options(FILE, OUT, FORCE, COMMENTS)
-@click.option("--to", metavar="NAME", help=say("cli.to"))
-@click.option("--dialect", metavar="NAME", help=say("cli.dialect"))
-@click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help=say("cli.set"))
+@option("--to", metavar="NAME", help="cli.to")
+@option("--dialect", metavar="NAME", help="cli.dialect")
+@option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="cli.set")
 @JSON
 def export(
     file: Path,
@@ -134,12 +133,12 @@ def export(
     end(file, job.examined, Telling(as_json), lambda: job.summary, lambda: show.export(job, file), job.exit_code)
 
 
-@cli.command(help=say("cli.bench"))
+@cli.command(help="cli.bench")
 @FILE
-@click.option("--poses", type=click.IntRange(1, 10**9), default=1_000_000, show_default=True, help=say("cli.poses"))
-@click.option("--output", "outputs", multiple=True, metavar="SIGNAL", help=say("cli.outputs"))
-@click.option("--kernel", "kernels", multiple=True, metavar="NAME", help=say("cli.kernels"))
-@click.option("--threads", type=click.IntRange(1, 1024), help=say("cli.threads"))
+@option("--poses", type=click.IntRange(1, 10**9), default=1_000_000, show_default=True, help="cli.poses")
+@option("--output", "outputs", multiple=True, metavar="SIGNAL", help="cli.outputs")
+@option("--kernel", "kernels", multiple=True, metavar="NAME", help="cli.kernels")
+@option("--threads", type=click.IntRange(1, 1024), help="cli.threads")
 @JSON
 def bench(
     file: Path, poses: int, outputs: tuple[str, ...], kernels: tuple[str, ...], threads: int | None, as_json: bool
@@ -162,12 +161,12 @@ def bench(
     )
 
 
-@cli.command(help=say("cli.new"))
+@cli.command(help="cli.new")
 @click.argument("name", required=False)
-@click.option("--list", "as_list", is_flag=True, help=say("cli.list"))
-@click.option("--table", "as_table", is_flag=True, help=say("cli.new_table"))
-@click.option("-o", "--out", type=click.Path(path_type=Path), help=say("cli.new_out"))
-@click.option("--force", is_flag=True, help=say("cli.force"))
+@option("--list", "as_list", is_flag=True, help="cli.list")
+@option("--table", "as_table", is_flag=True, help="cli.new_table")
+@option("-o", "--out", type=click.Path(path_type=Path), help="cli.new_out")
+@option("--force", is_flag=True, help="cli.force")
 def new(name: str | None, as_list: bool, as_table: bool, out: Path | None, force: bool) -> None:
     """Start a model file from the gallery, or a table for a batch of exports."""
     from linkwright.app import new_files
@@ -184,7 +183,7 @@ def new(name: str | None, as_list: bool, as_table: bool, out: Path | None, force
     show.written(file)
 
 
-@cli.command(help=say("cli.schema"))
+@cli.command(help="cli.schema")
 def schema() -> None:
     """Print the JSON Schema."""
     import json

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import click
 
 from linkwright.cli.streams import read_or_not
-from linkwright.words import say
+from linkwright.cli.usage import option
 
 if TYPE_CHECKING:
     from linkwright.app import Examined, Job, Writing
@@ -20,22 +20,22 @@ if TYPE_CHECKING:
 
 
 FILE = click.argument("file", type=click.Path(path_type=Path))
-JSON = click.option("--json", "as_json", is_flag=True, help=say("cli.json"))
-OUT = click.option("-o", "--out", type=click.Path(path_type=Path), help=say("cli.out"))
-NETCDF = click.option("--netcdf", is_flag=True, help=say("cli.netcdf"))
-QUIET = click.option("-q", "--quiet", is_flag=True, help=say("cli.quiet"))
-VERBOSE = click.option("-v", "--verbose", is_flag=True, help=say("cli.verbose"))
-OPEN = click.option("--open", "opened", is_flag=True, help=say("cli.open"))
-FORCE = click.option("--force", is_flag=True, help=say("cli.force_folder"))
-COMMENTS = click.option("--csv-comments", "comments", is_flag=True, help=say("cli.csv_comments"))
+JSON = option("--json", "as_json", is_flag=True, help="cli.json")
+OUT = option("-o", "--out", type=click.Path(path_type=Path), help="cli.out")
+NETCDF = option("--netcdf", is_flag=True, help="cli.netcdf")
+QUIET = option("-q", "--quiet", is_flag=True, help="cli.quiet")
+VERBOSE = option("-v", "--verbose", is_flag=True, help="cli.verbose")
+OPEN = option("--open", "opened", is_flag=True, help="cli.open")
+FORCE = option("--force", is_flag=True, help="cli.force_folder")
+COMMENTS = option("--csv-comments", "comments", is_flag=True, help="cli.csv_comments")
 
 
 def options(*every: Callable[..., Any]) -> Callable[[Callable[..., None]], Callable[..., None]]:
     """Several options of a command, in the order of its help."""
 
     def made(command: Callable[..., None]) -> Callable[..., None]:
-        for option in reversed(every):
-            command = option(command)
+        for declare in reversed(every):
+            command = declare(command)
         return command
 
     return made

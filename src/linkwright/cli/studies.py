@@ -11,8 +11,8 @@ import click
 
 from linkwright.cli import execution
 from linkwright.cli.execution import Telling
-from linkwright.cli.usage import Hinted
-from linkwright.words import catalogue, say
+from linkwright.cli.usage import Hinted, option
+from linkwright.words import catalogue
 
 if TYPE_CHECKING:
     from linkwright.findings import Finding
@@ -44,7 +44,7 @@ class StudyCommand(Hinted):
     """The command of a study. Its options are made where they are asked for: studies are slow imports."""
 
     def __init__(self, study: str) -> None:
-        super().__init__(study, help=say(f"{PREFIX}{study}"), callback=self.perform)
+        super().__init__(study, help=f"{PREFIX}{study}", callback=self.perform)
         self.study = study
 
     def get_params(self, ctx: click.Context) -> list[click.Parameter]:
@@ -103,17 +103,15 @@ def _params(study: Study, command: Command) -> list[click.Parameter]:
     for setting in command.settings:
         kind = click.IntRange(setting.low, setting.high) if setting.low is not None else None
         more = {"type": kind} if kind else {"metavar": "NAME"}
-        flags.append(
-            click.option(f"--{setting.name}", multiple=setting.several, help=say(f"cli.{setting.name}"), **more)
-        )
+        flags.append(option(f"--{setting.name}", multiple=setting.several, help=f"cli.{setting.name}", **more))
     if command.writes:
         flags += [execution.OUT, execution.OPEN, execution.FORCE, execution.COMMENTS]
-        flags += [click.option(f"--{name}", is_flag=True, help=say(f"cli.{name}")) for name in _file_options(study)]
+        flags += [option(f"--{name}", is_flag=True, help=f"cli.{name}") for name in _file_options(study)]
     if command.fresh:
-        flags.append(click.option("--fresh", is_flag=True, help=say("cli.fresh")))
+        flags.append(option("--fresh", is_flag=True, help="cli.fresh"))
     if command.work:
-        flags.append(click.option("--workers", type=click.IntRange(1, 1024), help=say("cli.workers")))
-        flags.append(click.option("--cluster", metavar="ADDRESS", help=say("cli.cluster")))
+        flags.append(option("--workers", type=click.IntRange(1, 1024), help="cli.workers"))
+        flags.append(option("--cluster", metavar="ADDRESS", help="cli.cluster"))
     flags += [execution.QUIET, execution.VERBOSE, execution.JSON]
 
     @execution.options(execution.FILE, *flags)

@@ -1,7 +1,8 @@
-"""Commands and options that aren't there: what is said of them, with those that may be meant."""
+"""Commands and options, whose help is a key of the catalogue; of those that don't exist, which may be meant."""
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,30 @@ import click
 from linkwright.words import say
 
 
-class Hinted(click.Command):
+class Helped:
+    """Has a help text in the language of the moment; it is set by its key of the catalogue."""
+
+    _help: str | None = None
+
+    @property
+    def help(self) -> str | None:
+        """The text."""
+        return self._help and say(self._help)
+
+    @help.setter
+    def help(self, key: str | None) -> None:
+        self._help = key
+
+
+class Option(Helped, click.Option):
+    """An option."""
+
+
+option = partial(click.option, cls=Option)
+"""Declares an option; ``help`` is a key of the catalogue."""
+
+
+class Hinted(Helped, click.Command):
     """A command that names the option that may be meant."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
@@ -26,7 +50,7 @@ class Hinted(click.Command):
             raise click.UsageError(text, ctx) from None
 
 
-class Group(click.Group):
+class Group(Helped, click.Group):
     """Commands of which one that isn't there is told with those that may be meant."""
 
     command_class = Hinted

@@ -6,7 +6,7 @@ from importlib.resources import files
 
 from linkwright import _version
 from linkwright.escape import markup
-from linkwright.words import LANGUAGE
+from linkwright.words import language
 
 # The browser itself is told to load nothing, so that the file stays self-contained whatever is put into it.
 POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:"
@@ -17,7 +17,7 @@ def html_file(title: str, body: str, *, style: str = "", before: str = "", kind:
     stands after the common one, ``before`` before it; ``kind`` is the body's class."""
     of_kind = f' class="{kind}"' if kind else ""
     return f"""<!DOCTYPE html>
-<html lang="{LANGUAGE}">
+<html lang="{language()}">
 <head>
 <meta charset="utf-8">
 <meta http-equiv="Content-Security-Policy" content="{POLICY}">

@@ -1,29 +1,76 @@
-"""The catalogue of user-facing words, one module per language."""
+"""The catalogue of user-facing texts: one package per language, of modules with the same names and keys.
+
+A module gives ``TEXTS``, texts by key; ``PROBLEMS``, by the code of a problem its description and suggested fix
+(``CODE.what``, ``CODE.mend``); or ``TERMS``, phrases that are inserted into other texts (``term.NAME``).
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import lru_cache
+import pkgutil
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from functools import cache
 from importlib import import_module
+from types import ModuleType
 from typing import Any
 
-LANGUAGE = "en"
+LANGUAGES = ("en",)
+_LANGUAGE = ContextVar("language", default=LANGUAGES[0])
 
 
-@lru_cache(maxsize=4)
-def catalogue(language: str = LANGUAGE) -> dict[str, str]:
-    """All texts of a language by key."""
-    words: dict[str, str] = import_module(f"linkwright.words.{language}").WORDS
-    return words
+def language() -> str:
+    """The language in which texts are given now, such as ``en``."""
+    return _LANGUAGE.get()
 
 
-def add(language: str, texts: Mapping[str, str]) -> None:
+@contextmanager
+def speaking(name: str) -> Iterator[None]:
+    """Give texts in one of the :data:`LANGUAGES` for a while. ValueError for another."""
+    if name not in LANGUAGES:
+        raise ValueError(f"not one of {LANGUAGES}: {name}")
+    token = _LANGUAGE.set(name)
+    try:
+        yield
+    finally:
+        _LANGUAGE.reset(token)
+
+
+def modules(name: str) -> Iterator[ModuleType]:
+    """The modules of a language that hold texts."""
+    package = import_module(f"linkwright.words.{name}")
+    for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
+        if not module.ispkg:
+            yield import_module(module.name)
+
+
+def texts(module: ModuleType) -> Iterator[tuple[str, str]]:
+    """The texts of a module by key."""
+    yield from getattr(module, "TEXTS", {}).items()
+    for code, (what, mend) in getattr(module, "PROBLEMS", {}).items():
+        yield f"{code}.what", what
+        yield f"{code}.mend", mend
+    for term, text in getattr(module, "TERMS", {}).items():
+        yield f"term.{term}", text
+
+
+def catalogue(name: str | None = None) -> dict[str, str]:
+    """All texts by key, of a language or of the present one."""
+    return _catalogue(name or language())
+
+
+@cache
+def _catalogue(name: str) -> dict[str, str]:
+    return dict(pair for module in modules(name) for pair in texts(module))
+
+
+def add(name: str, more: Mapping[str, str]) -> None:
     """Add texts of a kind of another package to a language; a key that is there already is an error."""
-    if twice := catalogue(language).keys() & texts.keys():
+    if twice := catalogue(name).keys() & more.keys():
         raise ValueError(f"texts that there are already: {sorted(twice)}")
-    catalogue(language).update(texts)
+    catalogue(name).update(more)
 
 
 def say(key: str, /, **data: Any) -> str:
-    """The text of ``key`` with its data filled in. An unknown key is a programming error."""
-    return catalogue(LANGUAGE)[key].format(**data)
+    """The text of ``key`` in the present language with its data filled in. An unknown key is a programming error."""
+    return catalogue()[key].format(**data)

@@ -1,6 +1,6 @@
 """The words of the accuracy study's tables and charts."""
 
-ACCURACY: dict[str, str] = {
+TEXTS: dict[str, str] = {
     "accuracy.sentence": "{contributors} contributors; no random samples.",
     "accuracy.sentence.samples": "{contributors} contributors; {samples} random samples, computed with the {kernel} kernel.",
     "accuracy.sentence.none": "Nothing was computed.",

@@ -1,6 +1,6 @@
 """Words of batches of exports."""
 
-BATCH: dict[str, str] = {
+TEXTS: dict[str, str] = {
     "batch.title": "{model}, {name}",
     "batch.row": "{name}: {text}",
     "batch.page.title": "{file}: export to {target}",

@@ -1,6 +1,6 @@
 """The words of the cam study's tables and pictures."""
 
-CAMS: dict[str, str] = {
+TEXTS: dict[str, str] = {
     "cam.sentence": "The profile of {name} consists of {elements} arcs and lines, within {tolerance} of the exact profile.",
     "cam.sentence-second": "The profile of its second disc consists of {elements} arcs and lines, within the same tolerance.",
     "cam.sentence.none-second": "The second disc of {name} has no profile.",

@@ -1,6 +1,6 @@
 """The words of the exports: sentences for the terminal, comments in the files."""
 
-EXPORT: dict[str, str] = {
+TEXTS: dict[str, str] = {
     "mjcf.told": "{bodies} bodies, {loops} loops closed by connect constraints; maximum error of loops and links at {poses} poses: {error} m.",
     "mjcf.comment": "Written by linkwright. m, kg, s, rad; plane x-y, axis z. Bodies are links in their own frames, in the pose at t = 0. A hinge's position is the child's angle minus the parent's, a slide's its travel, an actuator's control the drive's value. Loops are closed by connect constraints, which are soft in MuJoCo: under load they open slightly, and the results differ from those of rigid links by that amount. solref and solimp set their stiffness. Driven joints have an armature, so that loads hardly affect the motion of the drives.",
     "motors.told": "{drive}: {count} pieces, maximum error {error} {unit}.",

@@ -1,6 +1,6 @@
 """The words of the limits study's tables."""
 
-LIMITS: dict[str, str] = {
+TEXTS: dict[str, str] = {
     "limits.table.ranges": "Ranges of motion, each drive alone",
     "limits.table.signals": "Minima, maxima and strokes",
     "limits.table.dead_centres": "Dead centres",

@@ -1,6 +1,6 @@
 """Words of the export to Process Simulate."""
 
-PROCESS_SIMULATE: dict[str, str] = {
+TEXTS: dict[str, str] = {
     "functions.head": "# {title}: joint functions for Process Simulate, dialect {dialect}",
     "functions.units": "# Units: rad and mm. Each function is one line of text and belongs to the joint named above it.",
     "functions.proof": "# Checked against the solver over the whole range: maximum deviation {error} with {decimals} decimals.",

@@ -1,6 +1,6 @@
 """The words of the reactions study."""
 
-REACTIONS: dict[str, str] = {
+TEXTS: dict[str, str] = {
     "report.reactions": "Reactions",
     "reactions.table.joints": "Joint reactions: force of the first link on the second",
     "reactions.table.bars": "Two-force bars (pinned at two points, not loaded): tension is positive",

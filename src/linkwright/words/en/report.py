@@ -1,6 +1,6 @@
 """The report's words in English; ``{...}`` are filled in by the page."""
 
-REPORT: dict[str, str] = {
+TEXTS: dict[str, str] = {
     "report.accuracy": "Accuracy",
     "report.areas": "Regions",
     "report.centrodes": "Centrodes",

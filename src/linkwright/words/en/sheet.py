@@ -1,6 +1,6 @@
 """The words of the sheet that goes with joint functions."""
 
-SHEET: dict[str, str] = {
+TEXTS: dict[str, str] = {
     "sheet.title": "{name}: joint functions",
     "sheet.subtitle": "Process Simulate, dialect {dialect}, {decimals} decimals. {drive} drives, {range}; maximum deviation of all functions from the solver over this range: {error}.",
     "sheet.drawing": "Linkage",

@@ -1,6 +1,6 @@
 """The words of the sweep's tables, charts and progress."""
 
-SWEEP: dict[str, str] = {
+TEXTS: dict[str, str] = {
     "sweep.sentence": "{samples} samples (plan: {plan}), {poses} poses each, computed with the {kernel} kernel.",
     "sweep.sentence.failed": "{samples} samples (plan: {plan}), {poses} poses each, computed with the {kernel} kernel; {failed} of them have missing values.",
     "sweep.sentence.none": "No sample was computed.",

@@ -1,6 +1,6 @@
 """The words of the workspace study's tables, pictures and progress."""
 
-WORKSPACE: dict[str, str] = {
+TEXTS: dict[str, str] = {
     "workspace.sentence": "Workspace of {point}: {count} regions (boundary error below {chord} {unit}).",
     "workspace.certified": "The bounds of the areas in the table are verified by enclosures of all poses that reach a place, independently of the curves drawn.",
     "workspace.counts.certified": "The numbers of parts and holes are certified, except for those narrower than {finest} {unit}.",

@@ -1,6 +1,6 @@
 """The words of maps over workspaces: quality, errors, what is sure."""
 
-WORKSPACE_MAPS: dict[str, str] = {
+TEXTS: dict[str, str] = {
     "workspace.quality": "Quality is computed from J = {determinant} of the working point {point}. At type 1 singularities (dead positions of the output) the determinant of J is zero: {point} can't move in some direction.",
     "workspace.quality.closures": "At type 2 singularities (uncertain positions) the determinant of a closure is zero: the mechanism can move although the drives are locked ({groups}).",
     "workspace.errors": "Error of {point} to first order, when each of {names} deviates within its limits.",

@@ -1,6 +1,6 @@
 """The words of wanted paths and required figures in a workspace."""
 
-WORKSPACE_PATHS: dict[str, str] = {
+TEXTS: dict[str, str] = {
     "paths.table.paths": "Required paths",
     "paths.table.drives": "Drives along the required paths, best solution of each",
     "paths.column.path": "Path",

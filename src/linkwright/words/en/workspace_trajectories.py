@@ -1,6 +1,6 @@
 """The words of trajectories at constant values of a drive."""
 
-WORKSPACE_TRAJECTORIES: dict[str, str] = {
+TEXTS: dict[str, str] = {
     "trajectories.sentence": "Trajectories of {point} at {count} constant values of {held}, while {moving} moves through its range. They are tangent to the dead positions of the output, where the region folds.",
     "trajectories.picture": "Trajectories of {point} at constant {held}, in mode {mode}{values}",
     "trajectories.scale": "{held}, locked at constant values while {moving} moves",

@@ -52,6 +52,6 @@ _SECTIONS = {
     "studies": "Example: studies: {{cycle: {{turns: 1 motor}}}}",
     "exports": "Example: exports: {{mjcf: {{duration: 2 s}}}}",
 }
-EXAMPLE_TERMS = {f"{wanted}-as": text for wanted, text in _EXAMPLES.items()} | {
+TERMS = {f"{wanted}-as": text for wanted, text in _EXAMPLES.items()} | {
     f"section-{section}": text for section, text in _SECTIONS.items()
 }

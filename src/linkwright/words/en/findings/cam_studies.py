@@ -1,6 +1,6 @@
 """Texts of the problems of the cam study and of NC code."""
 
-CAM_TEXTS: dict[str, tuple[str, str]] = {
+PROBLEMS: dict[str, tuple[str, str]] = {
     "cam.which": (
         "The file has {count} cams, and the study doesn't say which one it is for: {names}.",
         "Name one under cam.",
@@ -291,7 +291,7 @@ CAM_TEXTS: dict[str, tuple[str, str]] = {
         "Correct the end point or the centre; a control would stop here.",
     ),
 }
-CAM_TERMS = {
+TERMS = {
     "or-roller": ", or a smaller roller",
     "or-rate": ", or keep the present preload and give it a rate of {rate}",
     "no-rate": "; with the present preload, no rate is sufficient",

@@ -1,6 +1,6 @@
 """Texts for elements that model files don't have, or that have another name."""
 
-ABSENT_TEXTS: dict[str, tuple[str, str]] = {
+PROBLEMS: dict[str, tuple[str, str]] = {
     "element.belt": (
         "'{name}': linkwright has no belts and chains yet.",
         "A belt turns two links in the ratio of their radii. If the law of one is known, give each a drive of its "

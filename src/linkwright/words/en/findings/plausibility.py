@@ -1,6 +1,6 @@
 """Texts for inputs that look like a mistake: gravity, starts, lengths, masses, speeds, modes; and for travel."""
 
-PLAUSIBILITY_TEXTS: dict[str, tuple[str, str]] = {
+PROBLEMS: dict[str, tuple[str, str]] = {
     "gravity.no-direction": (
         "Gravity has no direction: both numbers are zero.",
         "Write a direction, for example 'gravity: earth along [0, -1]'; remove gravity if there is none.",
@@ -56,7 +56,7 @@ PLAUSIBILITY_TEXTS: dict[str, tuple[str, str]] = {
     ),
 }
 
-PLAUSIBILITY_TERMS: dict[str, str] = {
+TERMS: dict[str, str] = {
     "gravity": "earth, 'earth along [x, y]', or [gx, gy] such as [0, -9.81 m/s^2]",
     "below": "below",
     "above": "above",

@@ -1,0 +1,71 @@
+"""Problems of the structure of a mechanism."""
+
+PROBLEMS: dict[str, tuple[str, str]] = {
+    "structure.drive-no-joint": (
+        "{link} and {on} share no {joint} joint, so the drive can't act between them.",
+        "Name two links that meet at a pin (turns) or on a line (slides).",
+    ),
+    "structure.drive-two-joints": (
+        "{link} and {on} are connected by several joints ({joints}), so it isn't clear which one the drive moves.",
+        "Keep only one joint between the two links.",
+    ),
+    "structure.drive-too-many": (
+        "{link} and {on} are already fully constrained by their joints or other drives; this drive makes them "
+        "over-constrained.",
+        "Remove the drive or a joint.",
+    ),
+    "structure.output-apart": (
+        "The motion of {output} isn't connected to {link} and {on}, so a drive between them can't move it.",
+        "Let the drive act on links that are connected to the output, or name another output.",
+    ),
+    "structure.loose": (
+        "Under-constrained links: {links} (remaining degrees of freedom: {freedom}).",
+        "Join them to constrained links, check the spelling of shared points, or add a drive. {hint}",
+    ),
+    "structure.loose-many": (
+        "{count} links are under-constrained (remaining degrees of freedom: {freedom}); those next to the "
+        "constrained links are {links}.",
+        "Join them to constrained links, check the spelling of shared points, or add a drive. {hint}",
+    ),
+    "structure.unpinned": (
+        "The points {point} of {link} and {other} of {on} have similar names, but each is on one link only, so they "
+        "aren't a pin. Under-constrained links: {links} (remaining degrees of freedom: {freedom}).",
+        "Give both points the same name if they are one pin; otherwise join the links to constrained ones, or add a "
+        "drive.",
+    ),
+    "structure.unpinned-joint": (
+        "The point {point} of {link} is on no other link, although its name is similar to that of the joint {other}. "
+        "Under-constrained links: {links} (remaining degrees of freedom: {freedom}).",
+        "Call it {other} if it is on that pin; otherwise join the links to constrained ones, or add a drive.",
+    ),
+    "structure.overconstrained": (
+        "Over-constrained links: {links} (constraints too many: {excess}).",
+        "Remove a joint or a drive, or add the link that is missing between two pins.",
+    ),
+    "structure.redundant-movable": (
+        "{part} is redundant: with these dimensions the mechanism can still move (rank {rank} of {constraints} "
+        "constraints, Gruebler's formula {gruebler}, mobility {mobility}), but its share of the forces is "
+        "undetermined.",
+        "Remove {part} from the model: the motion stays the same. The forces that it carries depend on clearance and "
+        "stiffness.",
+    ),
+    "structure.nearly-redundant": (
+        "{part} could move along as a redundant part, but the closure error of its joints reaches {miss} {unit}.",
+        "Correct its dimensions, or remove it from the model.",
+    ),
+    "structure.moments-indeterminate": (
+        "The slides {joints} constrain each other's direction: their forces are determined, but their moments "
+        "aren't. Their moments and lever arms aren't reported.",
+        "No change is needed. To get the moments, pin one of the links to a sliding block instead of guiding it.",
+    ),
+    "structure.loop-of-slides": (
+        "The links {links} can't be assembled one after the other: they are in loops of slides only, which "
+        "linkwright can't solve simultaneously.",
+        "Drive another link, or replace one slide with a pin and a sliding block.",
+    ),
+    "structure.redundant": (
+        "The joint {joint} between {links} is redundant: other joints already impose its constraints, so its forces "
+        "are undetermined.",
+        "Remove this joint, or the link that duplicates another.",
+    ),
+}
