@@ -16,11 +16,11 @@ from linkwright._machine import needed
 from linkwright.expressions.dimensions import DimensionError
 from linkwright.expressions.language import Call, ExpressionError, Name, parse
 from linkwright.expressions.respelled import syntax_fault
-from linkwright.expressions.units import PURE, Dimension
+from linkwright.expressions.units import Dimension
 from linkwright.findings import Finding, ModelError, Term
-from linkwright.model.csv_text import cell, head, written
 from linkwright.model.output_files import write_aside
 from linkwright.results.certificate import Certificate
+from linkwright.results.dataset import Dataset, described, si_unit, times, variable_of
 from linkwright.results.run import Run
 
 Array = NDArray[np.float64]
@@ -103,43 +103,48 @@ class Result:
         """A signal or expression in SI with its SI unit ("" for a plain number)."""
         return self[text], si_unit(self.dimension(text))
 
-    def to_csv(self, path: str | Path | None = None, more: Sequence[str] = ()) -> str:
-        """All signals as a table in the model's units, one row a time; blank where nothing is known.
+    def dataset(self, more: Sequence[str] = (), warnings: Sequence[Finding] = ()) -> Dataset:
+        """All signals over the time, and ``more``: further signals (those of poles) or expressions.
 
-        ``more`` names further signals (those of poles) or expressions.
+        Among its facts are the certificate's figures and all findings: the failures and ``warnings``, such as those of
+        a cycle.
         """
-        time_unit, second = self.run.compiled.quantities.unit_of(Dimension(time=1))
-        columns, header = [self.t / second], [head("t", time_unit)]
-        for name in (*self.names, *more):
-            values, unit = self.shown(name)
-            columns.append(values)
-            header.append(head(name, unit))
-        text = written(header, ([*map(cell, row)] for row in np.stack(columns, axis=1).tolist()))
+        quantities = self.run.compiled.quantities
+        names = (*self.names, *more)
+        made = [variable_of(quantities, name, "time", self[name], self.dimension(name)) for name in names]
+        return Dataset([times(quantities, self.t), *made], self._facts(warnings))
+
+    def to_csv(self, path: str | Path | None = None, more: Sequence[str] = ()) -> str:
+        """:meth:`dataset` as a table in the model's units, one row a time; blank where nothing is known."""
+        text = self.dataset(more).csv("time")
+        assert text is not None
         if path is not None:
             write_aside(Path(path), text)
         return text
 
     def to_netcdf(self, path: str | Path, more: Sequence[str] = (), warnings: Sequence[Finding] = ()) -> None:
-        """All signals (and ``more``) as a netCDF file over ``time``, in SI: with units, certificate and findings.
-
-        ``warnings`` are findings to keep besides the failures, such as those of a cycle.
-        """
-        from linkwright.results.netcdf import netcdf_bytes
-
-        write_aside(Path(path), netcdf_bytes(self, (*self.names, *more), warnings))
+        """:meth:`dataset` as a netCDF file in SI."""
+        write_aside(Path(path), self.dataset(more, warnings).netcdf())
 
     def to_xarray(self, more: Sequence[str] = ()) -> Any:
-        """All signals (and ``more``) as an xarray Dataset over ``time`` (s), in SI, with units as attributes.
+        """:meth:`dataset` as an xarray Dataset over ``time`` (s), in SI, with units as attributes.
 
         Raises :class:`ModelError` where xarray isn't installed.
         """
-        xarray = needed("xarray", "xarray")
-        variables = {}
-        for name in (*self.names, *more):
-            values, unit = self.si(name)
-            variables[name] = ("time", values, {"units": unit})
-        attributes = {"title": self.run.compiled.mechanism.title, "source": "linkwright"}
-        return xarray.Dataset(variables, {"time": ("time", self.t, {"units": "s"})}, attributes)
+        return self.dataset(more).xarray(needed("xarray", "xarray"))
+
+    def _facts(self, warnings: Sequence[Finding]) -> dict[str, Any]:
+        facts: dict[str, Any] = {**described(self.run.compiled, (*self.failures, *warnings))}
+        c = self.certificate
+        if c is None:
+            return facts
+        figures = {**c.residuals, "mobility": c.mobility, "gruebler": c.gruebler, "rank": c.rank, "poses": c.poses}
+        if c.nearest is not None:
+            figures |= {"smallest_determinant": c.nearest.determinant, "smallest_determinant_time": c.nearest.time}
+            facts["certificate_smallest_determinant_group"] = c.nearest.group
+        facts |= {f"certificate_{name}": figure for name, figure in figures.items()}
+        facts["certificate_branches"] = "; ".join(str(rule) for rule in c.branches.values() if rule) or "none"
+        return facts
 
 
 @contextmanager
@@ -152,13 +157,3 @@ def _read(text: str) -> Iterator[None]:
     except ExpressionError as error:
         code, data = syntax_fault(text, error.reason)
         raise ModelError([Finding(code, (text,), data)]) from None
-
-
-def si_unit(dimension: Dimension) -> str:
-    """The SI unit of a dimension."""
-    from linkwright.expressions.units import UnitError, spelled
-
-    try:
-        return spelled(dimension, {}, strict=False)
-    except UnitError:
-        return "" if dimension.physical == PURE else "SI"

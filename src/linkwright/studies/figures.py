@@ -14,6 +14,7 @@ from linkwright.kernels import Compiled
 from linkwright.kernels.parameter_batch import Varied
 from linkwright.measures import BoundMeasure
 from linkwright.results import Run
+from linkwright.results.dataset import Variable, si_unit
 from linkwright.studies.batch_plan import Measuring
 
 Array = NDArray[np.float64]
@@ -33,6 +34,11 @@ class Column:
     def name(self) -> str:
         """How it is called in tables."""
         return " ".join(filter(None, (self.measure, self.label)))
+
+    def variable(self, values: Array) -> Variable:
+        """Its values (samples,) for a file."""
+        unit = si_unit(self.dimension)
+        return Variable(f"measure {self.name}", "sample", values, self.unit, self.size, unit, column=self.name)
 
 
 def columns(compiled: Compiled, measure: BoundMeasure) -> list[Column]:

@@ -30,7 +30,7 @@ from linkwright.model.places import Place
 from linkwright.model.temporary import temporary_folder
 from linkwright.notation.angles import whole_turns
 from linkwright.results import Run
-from linkwright.results.result import si_unit
+from linkwright.results.dataset import si_unit
 from linkwright.studies.cycle.options import span
 from linkwright.studies.figures import Figures
 from linkwright.studies.histograms import fine

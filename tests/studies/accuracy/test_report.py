@@ -24,7 +24,7 @@ from linkwright.report.page import page
 from linkwright.report.summary import worded
 from linkwright.studies.accuracy.charts import curve_charts, figure_charts
 from linkwright.studies.accuracy.disagreement import along, disagreement
-from linkwright.studies.accuracy.files import bands_csv, contributors_csv, netcdf_bytes
+from linkwright.studies.accuracy.files import contributors_csv, dataset
 from linkwright.studies.accuracy.outcome import AccuracyOutcome
 from linkwright.studies.accuracy.report import report, sentences
 from linkwright.studies.accuracy.summary import accuracy_entry, per
@@ -259,7 +259,7 @@ def test_a_csv_row_for_each_output_and_contributor(made: AccuracyOutcome) -> Non
 
 
 def test_a_csv_row_for_each_pose(made: AccuracyOutcome) -> None:
-    header, *lines = csv.reader(io.StringIO(bands_csv(made) or ""))
+    header, *lines = csv.reader(io.StringIO(dataset(made).csv("time") or ""))
     columns = dict(zip(header, np.array(lines, dtype=float).T, strict=True))
     curve = made.curves["C.x"]
     angle = 2 * np.pi * columns["t [s]"]
@@ -274,7 +274,7 @@ def test_a_csv_row_for_each_pose(made: AccuracyOutcome) -> None:
 
 
 def test_netcdf_is_in_si(made: AccuracyOutcome) -> None:
-    with netcdf_file(io.BytesIO(netcdf_bytes(made)), mmap=False) as file:
+    with netcdf_file(io.BytesIO(dataset(made).netcdf()), mmap=False) as file:
         v, curve = file.variables, made.curves["C.x"]
         np.testing.assert_array_equal(v["C.x sigma"][:], curve.sigma)
         assert v["C.x sigma"].units == b"m"
@@ -332,4 +332,4 @@ def test_nothing_computed_is_said(made: AccuracyOutcome) -> None:
     kinds = [getattr(block, "name", type(block)) for block in section.blocks if filled(block)]
     assert kinds == [Sentences, "correlations"]  # neither outputs nor anything of one
     assert accuracy_entry(empty)["accuracy"] == {}
-    assert (contributors_csv(empty), bands_csv(empty)) == (None, None)
+    assert (contributors_csv(empty), dataset(empty).csv("time")) == (None, None)

@@ -1,16 +1,13 @@
-"""The files of the accuracy study: tables as CSV in the file's units, netCDF in SI."""
+"""The numbers of the accuracy study, for its files."""
 
 from __future__ import annotations
-
-import io
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwright.expressions.units import TIME
 from linkwright.model.csv_text import cell, head, written
-from linkwright.results.netcdf import described, stored, variable_name
-from linkwright.results.result import si_unit
+from linkwright.results.dataset import Dataset, Variable, described, si_unit, times
 from linkwright.studies.accuracy.outcome import AccuracyOutcome, Curve
 from linkwright.studies.accuracy.summary import part, per, ranked
 
@@ -44,23 +41,27 @@ def contributors_csv(outcome: AccuracyOutcome) -> str | None:
     return written(["output", "unit", "nominal", head("at", unit), *CONTRIBUTION], rows)
 
 
-def bands_csv(outcome: AccuracyOutcome) -> str | None:
-    """A row a pose: the time, and of each signal the nominal value, deviations from it (worst case, mean and standard
-    deviation of RSS, those of the samples, shift and bound by clearances), and each coefficient."""
-    if not outcome.curves:
-        return None
-    unit, second = outcome.compiled.quantities.unit_of(TIME)
-    header, columns = [head("t", unit)], [outcome.run.t / second]
+def dataset(outcome: AccuracyOutcome) -> Dataset:
+    """Over ``time``: of each signal the nominal value, deviations from it (worst case, mean and standard deviation of
+    RSS, those of the samples, shift and bound by clearances), and each coefficient. Over ``contributor``, whose names
+    are among the facts: coefficients (above the nominal value) and shares of all outputs."""
+    every = outcome.contributors.every
+    made = [times(outcome.compiled.quantities, outcome.run.t)] if outcome.curves else []
     for curve in outcome.curves.values():
+        si = si_unit(curve.dimension)
         for name, values in _rows(curve).items():
-            counted = name == "count"
-            header.append(f"{curve.text} {name}" if counted else head(f"{curve.text} {name}", curve.unit))
-            columns.append(values.astype(np.int64) if counted else values / curve.size)
-        for one, values in zip(outcome.contributors.every, curve.coefficients, strict=True):
-            header.append(head(f"d({curve.text})/d({one.name})", per(curve.unit, one.unit)))
-            columns.append(values * one.size / curve.size)
-    rows = zip(*(column.tolist() for column in columns), strict=True)
-    return written(header, (list(map(cell, row)) for row in rows))
+            made.append(Variable(f"{curve.text} {name}", "time", values, curve.unit, curve.size, si))
+        if curve.sampled is not None:
+            made.append(Variable(f"{curve.text} count", "time", curve.sampled[-1].astype(np.int64)))
+        for one, values in zip(every, curve.coefficients, strict=True):
+            units = (per(curve.unit, one.unit), curve.size / one.size, per(si, si_unit(one.dimension)))
+            made.append(Variable(f"d({curve.text})/d({one.name})", "time", values, *units))
+    for name, figure in outcome.every.items() if every else ():
+        made.append(Variable(f"{name}: coefficients", "contributor", figure.coefficients[:, 1], si=None))
+        made.append(Variable(f"{name}: shares", "contributor", figure.shares))
+    facts = described(outcome.compiled, (*outcome.failures, *outcome.warnings))
+    facts |= {"contributors": "\n".join(one.name for one in every), "kernel": outcome.kernel or "none"}
+    return Dataset(made, facts)
 
 
 def _rows(curve: Curve) -> dict[str, Array]:
@@ -68,45 +69,8 @@ def _rows(curve: Curve) -> dict[str, Array]:
     rows = {"nominal": curve.nominal, "worst low": curve.worst[0], "worst high": curve.worst[1]}
     rows |= {"mean": curve.mean, "sigma": curve.sigma}
     if curve.sampled is not None:
-        names = ("sampled mean", "sampled sigma", "sampled least", "sampled largest", "count")
-        rows |= dict(zip(names, curve.sampled, strict=True))
+        names = ("sampled mean", "sampled sigma", "sampled least", "sampled largest")
+        rows |= dict(zip(names, curve.sampled, strict=False))
     if curve.play is not None:
         rows |= {"play shift": curve.play[0], "play bound": curve.play[1]}
     return rows
-
-
-def netcdf_bytes(outcome: AccuracyOutcome) -> bytes:
-    """The same as a netCDF file (classic, 64-bit offset), in SI: signals over ``time``, coefficients (above the nominal
-    value) and shares of all outputs over ``contributor``, whose names are an attribute; NaN is the missing value."""
-    from scipy.io import netcdf_file
-
-    every = outcome.contributors.every
-    stream = io.BytesIO()
-    file = netcdf_file(stream, "w", version=2)
-    facts = described(outcome.compiled, (*outcome.failures, *outcome.warnings))
-    facts |= {"contributors": "\n".join(one.name for one in every), "kernel": outcome.kernel or "none"}
-    for key, text in facts.items():
-        setattr(file, key, stored(text))
-
-    def add(name: str, dimension: str, unit: str | None, values: Array) -> None:
-        variable = file.createVariable(variable_name(name), "d", (dimension,))
-        variable[:] = values
-        variable.long_name = stored(name)
-        if unit is not None:
-            variable.units = stored(unit or "1")
-
-    file.createDimension("time", outcome.run.t.size)
-    if every:
-        file.createDimension("contributor", len(every))
-    add("time", "time", "s", outcome.run.t)
-    for curve in outcome.curves.values():
-        for name, values in _rows(curve).items():
-            add(f"{curve.text} {name}", "time", "" if name == "count" else si_unit(curve.dimension), values)
-        for one, values in zip(every, curve.coefficients, strict=True):
-            unit = per(si_unit(curve.dimension), si_unit(one.dimension))
-            add(f"d({curve.text})/d({one.name})", "time", unit, values)
-    for name, figure in outcome.every.items() if every else ():
-        add(f"{name}: coefficients", "contributor", None, figure.coefficients[:, 1])
-        add(f"{name}: shares", "contributor", "", figure.shares)
-    file.flush()
-    return stream.getvalue()

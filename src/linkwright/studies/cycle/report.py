@@ -13,7 +13,6 @@ from linkwright.presentation.blocks import Checks, Measure, Measures, MeasureVal
 from linkwright.presentation.cells import Cell, Number, Unit
 from linkwright.reductions import Grade
 from linkwright.results import Certificate, Result
-from linkwright.results.netcdf import netcdf_bytes
 from linkwright.studies.cycle.outcome import CycleOutcome
 from linkwright.studies.cycle.overview import overview_entry
 from linkwright.studies.cycle.verification import checks, remarks
@@ -175,8 +174,3 @@ def certificate_entry(result: Result, second: float, time_unit: str) -> dict[str
         entry["followed"] = {group: {"steps": n, "correction": worst} for group, (n, worst) in c.followed.items()}
     branches = {group: str(rule) for group, rule in c.branches.items()}
     return entry | {"branches": branches, "poses": c.poses, "kernel": c.kernel, "kernel_reason": str(c.choice.reason)}
-
-
-def netcdf(outcome: CycleOutcome) -> bytes:
-    """All signals as a netCDF file."""
-    return netcdf_bytes(outcome.result, outcome.result.names, outcome.warnings)

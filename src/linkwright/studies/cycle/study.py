@@ -17,7 +17,7 @@ from linkwright.studies.assembly_checks import near, singular, strokes, travels,
 from linkwright.studies.change_point_carry import carried, warnings
 from linkwright.studies.cycle.options import CycleOptions, span
 from linkwright.studies.cycle.outcome import CycleOutcome
-from linkwright.studies.cycle.report import netcdf, report
+from linkwright.studies.cycle.report import report
 from linkwright.studies.follower_locking import locked
 from linkwright.studies.load_checks import contacts, outside, undefined
 from linkwright.studies.output_dead_centres import powerless
@@ -36,7 +36,9 @@ class Cycle(Study):
     rank = 0
     files = {
         "cycle.csv": FileOf(lambda outcome: outcome.result.to_csv()),
-        "cycle.nc": FileOf(netcdf, "netcdf", asked=True),
+        "cycle.nc": FileOf(
+            lambda outcome: outcome.result.dataset(warnings=outcome.warnings).netcdf(), "netcdf", asked=True
+        ),
     }
 
     def check(self, compiled: Compiled, options: CycleOptions) -> list[Finding]:

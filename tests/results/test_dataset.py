@@ -11,7 +11,7 @@ from scipy.io import netcdf_file
 
 import linkwright as lw
 from linkwright import _machine as machine
-from linkwright.results.netcdf import variable_name
+from linkwright.results.dataset import variable_name
 from studies.models import cycle_of, slider_crank
 
 POLE = "pole(rod, frame).x"
